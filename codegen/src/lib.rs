@@ -1,0 +1,5 @@
+//! Build-time half of Machinist: spec text to emitted Rust.
+pub mod expr;
+pub mod program;
+pub mod system;
+pub mod tape;

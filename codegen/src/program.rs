@@ -1,0 +1,45 @@
+//! A scene ready to be emitted or evaluated: one tape for each function.
+
+use crate::system::LagrangianSystem;
+use crate::tape::Tape;
+
+/// Structural nonzeros, sorted by row, then by column.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct SparsityPattern {
+    pub rows: usize,
+    pub columns: usize,
+    pub entries: Vec<(u32, u32)>,
+}
+
+/// A matrix: the tape's results are its structural nonzeros in pattern order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MatrixTape {
+    pub pattern: SparsityPattern,
+    pub tape: Tape,
+}
+
+/// Everything a simulator computes; lengths as in the emitted contract.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Program {
+    /// Names, units, docs, tables, defaults.
+    pub system: LagrangianSystem,
+    /// `states` results.
+    pub initial_state: Tape,
+    /// One result for each discontinuity.
+    pub discontinuities: Tape,
+    /// `states` results.
+    pub rate: Tape,
+    pub rate_jacobian: MatrixTape,
+    pub parameter_jacobian: MatrixTape,
+    /// `states` results.
+    pub time_derivative: Tape,
+    pub mass_matrix: MatrixTape,
+    /// `coordinates` results.
+    pub forcing: Tape,
+    /// `outputs` results.
+    pub outputs: Tape,
+    /// Kinetic, potential, stored.
+    pub energy: Tape,
+    /// Rate of stored energy, power supplied, power dissipated.
+    pub power_balance: Tape,
+}

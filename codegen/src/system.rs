@@ -1,0 +1,180 @@
+//! A scene composed and resolved: one Lagrangian system.
+//!
+//! Excluded: units of the scene as separate things, joints (their coordinates
+//! are identified), names to look up, dimensions (they have been checked).
+
+use crate::expr::{Expr, ParameterId};
+
+/// The name of a thing, in its three spellings.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Name {
+    /// The spec's path, `motor.phi`.
+    pub path: String,
+    /// A Rust identifier, unique among its kind in the scene: `motor_phi`.
+    /// Never a keyword.
+    pub ident: String,
+    /// LaTeX, `\varphi_{\mathrm{motor}}`.
+    pub latex: String,
+}
+
+/// A named quantity with unit and meaning.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    pub name: Name,
+    /// SI unit as the spec writes it; `1` for a pure number.
+    pub unit: String,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+}
+
+/// A generalized coordinate with its velocity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coordinate {
+    pub position: Quantity,
+    pub velocity: Quantity,
+    /// Names of the other port angles identified with this one, with the factor
+    /// by which they follow it, for documents: (`coupling.input.angle`, factor).
+    pub identified: Vec<(String, Expr)>,
+    /// Initial position and velocity; of parameters only.
+    pub initial: [Expr; 2],
+    /// Typical sizes of position and velocity, for absolute tolerances.
+    pub scale: [f64; 2],
+}
+
+/// A first-order state z with z' = rate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstOrderState {
+    pub quantity: Quantity,
+    pub rate: Expr,
+    /// Initial value; of parameters only.
+    pub initial: Expr,
+    /// Typical size, for absolute tolerance.
+    pub scale: f64,
+}
+
+/// A parameter with its value in the spec.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    pub quantity: Quantity,
+    pub value: f64,
+}
+
+/// A named expression: a helper of a unit, or an output of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Definition {
+    pub quantity: Quantity,
+    pub expr: Expr,
+}
+
+/// A cubic interpolation table, natural spline; see `CubicTable` of the emitted
+/// contract.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    pub name: Name,
+    pub knots: Vec<f64>,
+    pub coefficients: Vec<[f64; 4]>,
+}
+
+/// Generalized force on one coordinate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GeneralizedForce {
+    /// All of Q.
+    pub total: Expr,
+    /// The part that only converts energy between the first-order states and the
+    /// mechanics (a motor's torque); it supplies nothing.
+    pub conversion: Expr,
+}
+
+/// The run a scene asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunDefaults {
+    pub from: f64,
+    pub until: f64,
+    pub points: usize,
+    pub rtol: f64,
+    /// One of [`METHODS`].
+    pub method: String,
+}
+
+/// Methods a spec may name.
+pub const METHODS: &[&str] = &["bdf", "tr_bdf2", "esdirk34", "tsit45"];
+
+/// A source file that took part, for headers, `rerun-if-changed` and freshness.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Path as found; absolute paths never reach emitted text.
+    pub path: std::path::PathBuf,
+    /// File name relative to the folder of specs, with forward slashes.
+    pub label: String,
+    /// SHA-256 of its bytes, in hexadecimal.
+    pub sha256: String,
+}
+
+/// One Lagrangian system: L = T - V, D, Q, and first-order states.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LagrangianSystem {
+    /// The scene's name, a Rust identifier.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// What the machine is; several lines.
+    pub doc: String,
+    /// Where the equations come from.
+    pub source: String,
+    pub coordinates: Vec<Coordinate>,
+    pub first_order: Vec<FirstOrderState>,
+    pub parameters: Vec<Parameter>,
+    /// T.
+    pub kinetic: Expr,
+    /// V.
+    pub potential: Expr,
+    /// D.
+    pub dissipation: Expr,
+    /// Q, one for each coordinate.
+    pub generalized_force: Vec<GeneralizedForce>,
+    /// Energy of the first-order states.
+    pub stored_energy: Expr,
+    /// Power supplied to the first-order states.
+    pub supplied_power: Expr,
+    /// Power lost by the first-order states.
+    pub dissipated_power: Expr,
+    /// Helper expressions by name, helpers within helpers already put in; their
+    /// names are given to equal subexpressions of the emitted code.
+    pub helpers: Vec<Definition>,
+    /// Wanted outputs.
+    pub outputs: Vec<Definition>,
+    pub tables: Vec<Table>,
+    /// Times at which the right-hand side jumps; of parameters only.
+    pub discontinuities: Vec<Expr>,
+    pub run: RunDefaults,
+    /// Every file read, in the order read.
+    pub files: Vec<SourceFile>,
+}
+
+impl LagrangianSystem {
+    /// The parameter of an id.
+    #[must_use]
+    pub fn parameter(&self, id: ParameterId) -> &Parameter {
+        &self.parameters[id.0 as usize]
+    }
+
+    /// Length of the state \[q, q', z\].
+    #[must_use]
+    pub fn states(&self) -> usize {
+        2 * self.coordinates.len() + self.first_order.len()
+    }
+
+    /// The quantities of the state \[q, q', z\], in order.
+    pub fn state_quantities(&self) -> impl Iterator<Item = &Quantity> {
+        let positions = self.coordinates.iter().map(|c| &c.position);
+        let velocities = self.coordinates.iter().map(|c| &c.velocity);
+        positions.chain(velocities).chain(self.first_order.iter().map(|z| &z.quantity))
+    }
+
+    /// Typical sizes of the state \[q, q', z\], in order.
+    pub fn state_scales(&self) -> impl Iterator<Item = f64> {
+        let positions = self.coordinates.iter().map(|c| c.scale[0]);
+        let velocities = self.coordinates.iter().map(|c| c.scale[1]);
+        positions.chain(velocities).chain(self.first_order.iter().map(|z| z.scale))
+    }
+}

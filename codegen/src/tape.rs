@@ -1,0 +1,93 @@
+//! The tape: straight-line arithmetic in single-assignment form, plain data.
+//!
+//! Excluded: symbols to look up, exact numbers, n-ary sums, expressions written
+//! twice. A node refers only to nodes before it.
+
+use crate::expr::{Function, TableId};
+
+/// Index of a node on its tape.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(pub u32);
+
+/// A function of one argument.
+pub type Unary = Function;
+
+/// One operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Op {
+    /// A finite literal.
+    Literal(f64),
+    /// Time t.
+    Time,
+    /// Entry of the state \[q, q', z\].
+    State(u32),
+    /// Entry of the parameters.
+    Parameter(u32),
+    Neg(NodeId),
+    Add(NodeId, NodeId),
+    Sub(NodeId, NodeId),
+    Mul(NodeId, NodeId),
+    Div(NodeId, NodeId),
+    /// Integer power.
+    Powi(NodeId, i32),
+    /// Real power of a positive base.
+    Powf(NodeId, NodeId),
+    /// A function of one argument; never `SelectLess` nor `Table`.
+    Call(Unary, NodeId),
+    /// `then` where `lhs < rhs`, else `otherwise`.
+    SelectLess {
+        lhs: NodeId,
+        rhs: NodeId,
+        then: NodeId,
+        otherwise: NodeId,
+    },
+    /// Cubic table or its derivative.
+    Table {
+        table: TableId,
+        order: u32,
+        argument: NodeId,
+    },
+}
+
+/// A node with the name it bears in emitted code, if the spec gives it one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    pub op: Op,
+    /// A valid Rust identifier, unique on the tape, or `None`.
+    pub name: Option<String>,
+}
+
+/// Nodes in order of evaluation, and which of them are the results.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tape {
+    pub nodes: Vec<Node>,
+    pub results: Vec<NodeId>,
+}
+
+impl std::ops::Index<NodeId> for Tape {
+    type Output = Node;
+    fn index(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+}
+
+impl Op {
+    /// The nodes this operation reads.
+    #[must_use]
+    pub fn operands(&self) -> Vec<NodeId> {
+        match *self {
+            Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_) => vec![],
+            Op::Neg(a) | Op::Powi(a, _) | Op::Call(_, a) | Op::Table { argument: a, .. } => vec![a],
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) | Op::Powf(a, b) => {
+                vec![a, b]
+            }
+            Op::SelectLess { lhs, rhs, then, otherwise } => vec![lhs, rhs, then, otherwise],
+        }
+    }
+
+    /// Whether the operation costs anything at run time.
+    #[must_use]
+    pub fn is_arithmetic(&self) -> bool {
+        !matches!(self, Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_))
+    }
+}

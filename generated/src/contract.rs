@@ -1,0 +1,163 @@
+//! What every simulator offers: [`Describe`] (names, units, shapes, patterns)
+//! and [`Simulator`] (the numbers).
+
+use crate::Real;
+
+/// Name, SI unit and meaning of one number of a simulator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Quantity<'a> {
+    /// The spec's own name, `instance.name`.
+    pub name: &'a str,
+    /// SI unit as the spec writes it; `1` for a pure number.
+    pub unit: &'a str,
+    /// One sentence of meaning.
+    pub doc: &'a str,
+}
+
+/// How many of everything a simulator has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shape {
+    /// Generalized coordinates, n.
+    pub coordinates: usize,
+    /// First-order states, m.
+    pub first_order: usize,
+    /// Parameters.
+    pub parameters: usize,
+    /// Wanted outputs.
+    pub outputs: usize,
+    /// Times at which the right-hand side jumps.
+    pub discontinuities: usize,
+}
+
+impl Shape {
+    /// Length of the state, 2 n + m.
+    #[must_use]
+    pub const fn states(&self) -> usize {
+        2 * self.coordinates + self.first_order
+    }
+}
+
+/// Structural nonzeros of a matrix, sorted by row, then by column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SparsityPattern<'a> {
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+    /// `(row, column)` of every entry, in the order in which values are stored.
+    pub entries: &'a [(u32, u32)],
+}
+
+/// The run a scene asks for unless told otherwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunDefaults<'a> {
+    /// Start time \[s\].
+    pub from: f64,
+    /// End time \[s\].
+    pub until: f64,
+    /// Number of equally spaced output times, both ends included.
+    pub points: usize,
+    /// Relative tolerance; the absolute one is this times the scale of the state.
+    pub rtol: f64,
+    /// Name of the method.
+    pub method: &'a str,
+}
+
+/// Energy stored in a machine \[J\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energy<R> {
+    /// Kinetic energy T.
+    pub kinetic: R,
+    /// Potential energy V.
+    pub potential: R,
+    /// Energy of the first-order states, such as a motor's magnetic energy.
+    pub stored: R,
+}
+
+impl<R: Real> Energy<R> {
+    /// T + V + stored.
+    #[must_use]
+    pub fn total(&self) -> R {
+        self.kinetic + self.potential + self.stored
+    }
+}
+
+/// Power flows of a machine \[W\]; `stored_rate = supplied - dissipated`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PowerBalance<R> {
+    /// dE/dt by the chain rule over the emitted energy and rate.
+    pub stored_rate: R,
+    /// Power of generalized forces, of supplies and of explicit time dependence.
+    pub supplied: R,
+    /// Power lost: q' dD/dq' and the losses of first-order states.
+    pub dissipated: R,
+}
+
+impl<R: Real> PowerBalance<R> {
+    /// dE/dt - supplied + dissipated; zero up to rounding.
+    #[must_use]
+    pub fn residual(&self) -> R {
+        self.stored_rate - self.supplied + self.dissipated
+    }
+}
+
+/// Names, units, shapes and structure of a simulator.
+pub trait Describe {
+    /// The scene's name, a valid identifier.
+    fn name(&self) -> &str;
+    /// One line for people.
+    fn title(&self) -> &str;
+    /// Number of coordinates, states, parameters, outputs.
+    fn shape(&self) -> Shape;
+    /// The `index`-th state.
+    ///
+    /// # Panics
+    /// If `index` is not below `shape().states()`; likewise below.
+    fn state(&self, index: usize) -> Quantity<'_>;
+    /// Typical size of the `index`-th state, which scales its absolute tolerance.
+    fn state_scale(&self, index: usize) -> f64;
+    /// The `index`-th parameter.
+    fn parameter(&self, index: usize) -> Quantity<'_>;
+    /// Value of the `index`-th parameter in the spec.
+    fn parameter_default(&self, index: usize) -> f64;
+    /// The `index`-th output.
+    fn output(&self, index: usize) -> Quantity<'_>;
+    /// Nonzeros of dy'/dy, `states` by `states`.
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_>;
+    /// Nonzeros of dy'/dp, `states` by `parameters`.
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_>;
+    /// Nonzeros of M, `coordinates` by `coordinates`, both triangles.
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_>;
+    /// Run defaults of the spec.
+    fn run_defaults(&self) -> RunDefaults<'_>;
+}
+
+/// The numbers of a simulator. Slices have the lengths of [`Shape`] and of the
+/// patterns; every method writes all of its output slice.
+///
+/// # Panics
+/// Every method panics if a slice has another length than stated.
+pub trait Simulator<R: Real>: Describe {
+    /// State at the start of the run, `states` long.
+    fn initial_state(&self, parameters: &[R], state: &mut [R]);
+    /// Times of known jumps of the right-hand side \[s\], unsorted.
+    fn discontinuities(&self, parameters: &[R], times: &mut [R]);
+    /// y' = \[q', M^-1 f, h\].
+    fn rate(&self, time: R, state: &[R], parameters: &[R], rate: &mut [R]);
+    /// dy'/dy, values in the order of `rate_jacobian_pattern`.
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
+    /// dy'/dp, values in the order of `parameter_jacobian_pattern`.
+    fn parameter_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
+    /// Partial derivative of y' with respect to time, `states` long.
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], derivative: &mut [R]);
+    /// M, values in the order of `mass_matrix_pattern`.
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
+    /// f, `coordinates` long.
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], forcing: &mut [R]);
+    /// Wanted outputs, `outputs` long.
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], outputs: &mut [R]);
+    /// T, V and the energy of first-order states.
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R>;
+    /// Power stored, supplied and dissipated.
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R>;
+}

@@ -1,0 +1,29 @@
+//! Simulators emitted by Machinist, and the contract they fulfil.
+//!
+//! This crate is `no_std`, allocates nothing and depends on nothing but `core`
+//! (and `libm` where there is no `std`). The modules under [`scenes`] are
+//! emitted from the specs in `specs/` by `machinist gen`; everything else here
+//! is written by hand.
+//!
+//! Signs and names, fixed once: a scene has `n` generalized coordinates `q`
+//! with velocities `q'`, and `m` first-order states `z`. Its state is
+//!
+//! ```text
+//! y = [q_1 .. q_n, q'_1 .. q'_n, z_1 .. z_m]        length 2 n + m
+//! M(q, t) q'' = f(q, q', z, t)                      z' = h(q, q', z, t)
+//! y' = [q', M^-1 f, h]
+//! ```
+#![no_std]
+#[cfg(feature = "std")]
+extern crate std;
+
+mod contract;
+mod real;
+pub mod scenes;
+mod table;
+
+pub use contract::{
+    Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
+};
+pub use real::Real;
+pub use table::CubicTable;

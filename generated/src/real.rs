@@ -1,0 +1,114 @@
+//! The numbers emitted code computes with.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number type that emitted code can run on: `f64` and `f32` here,
+/// complex-step, lanes or double-double elsewhere.
+///
+/// There is no branch on a comparison, only [`Real::select_less`], so that a
+/// type may hold several values at once.
+pub trait Real:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The nearest value to a literal.
+    fn literal(value: f64) -> Self;
+    /// `if lhs < rhs { then } else { otherwise }`.
+    fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
+    /// Integer power.
+    fn powi(self, exponent: i32) -> Self;
+    /// Real power of a positive base.
+    fn powf(self, exponent: Self) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// Exponential function.
+    fn exp(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// Sine.
+    fn sin(self) -> Self;
+    /// Cosine.
+    fn cos(self) -> Self;
+    /// Tangent.
+    fn tan(self) -> Self;
+    /// Inverse sine.
+    fn asin(self) -> Self;
+    /// Inverse cosine.
+    fn acos(self) -> Self;
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// Hyperbolic sine.
+    fn sinh(self) -> Self;
+    /// Hyperbolic cosine.
+    fn cosh(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+}
+
+macro_rules! implement_real {
+    ($float:ty, $($function:ident = $libm:ident),*; $powf:ident) => {
+        impl Real for $float {
+            #[inline(always)]
+            #[allow(clippy::cast_possible_truncation)]
+            fn literal(value: f64) -> Self {
+                value as $float
+            }
+            #[inline(always)]
+            fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
+                if lhs < rhs { then } else { otherwise }
+            }
+            #[inline]
+            fn powi(self, exponent: i32) -> Self {
+                #[cfg(feature = "std")]
+                { <$float>::powi(self, exponent) }
+                #[cfg(not(feature = "std"))]
+                { power_by_squaring(self, exponent) }
+            }
+            #[inline]
+            fn powf(self, exponent: Self) -> Self {
+                #[cfg(feature = "std")]
+                { <$float>::powf(self, exponent) }
+                #[cfg(not(feature = "std"))]
+                { libm::$powf(self, exponent) }
+            }
+            $(
+                #[inline]
+                fn $function(self) -> Self {
+                    #[cfg(feature = "std")]
+                    { <$float>::$function(self) }
+                    #[cfg(not(feature = "std"))]
+                    { libm::$libm(self) }
+                }
+            )*
+        }
+    };
+}
+
+implement_real!(f64, sqrt = sqrt, abs = fabs, exp = exp, ln = log, sin = sin, cos = cos, tan = tan,
+    asin = asin, acos = acos, atan = atan, sinh = sinh, cosh = cosh, tanh = tanh; pow);
+implement_real!(f32, sqrt = sqrtf, abs = fabsf, exp = expf, ln = logf, sin = sinf, cos = cosf, tan = tanf,
+    asin = asinf, acos = acosf, atan = atanf, sinh = sinhf, cosh = coshf, tanh = tanhf; powf);
+
+/// Integer power by repeated squaring, for targets without `std`.
+#[cfg(not(feature = "std"))]
+fn power_by_squaring<R: Real>(base: R, exponent: i32) -> R {
+    let mut power = R::literal(1.0);
+    let mut square = base;
+    let mut left = exponent.unsigned_abs();
+    while left > 0 {
+        if left & 1 == 1 {
+            power = power * square;
+        }
+        square = square * square;
+        left >>= 1;
+    }
+    if exponent < 0 { R::literal(1.0) / power } else { power }
+}

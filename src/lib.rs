@@ -1,0 +1,1 @@
+//! Lagrangian specs of machines to fast, checked Rust simulators.

@@ -2,6 +2,7 @@
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
 pub mod cas;
+pub mod document;
 pub mod expr;
 pub mod factor;
 pub mod fold;

@@ -18,6 +18,7 @@
 extern crate std;
 
 mod contract;
+mod include;
 mod real;
 pub mod scenes;
 mod table;

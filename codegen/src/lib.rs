@@ -15,3 +15,4 @@ pub mod program;
 pub mod prune;
 pub mod system;
 pub mod tape;
+pub mod trigonometry;

@@ -16,6 +16,13 @@ fn oscillator_error(trajectory: &Trajectory) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
+/// A step's error of h^(p+1) held at the tolerance leaves an error of the run of
+/// h^p: the tolerance to the power p/(p + 1).
+fn allowed(method: Method, rtol: f64) -> f64 {
+    let order = f64::from(method.order().min(4));
+    30.0 * rtol.powf(order / (order + 1.0))
+}
+
 fn refusal(simulation: &Simulation<'_>) -> SimulateError {
     simulation.run().expect_err("this run must be refused")
 }
@@ -30,7 +37,7 @@ fn every_method_follows_the_closed_form_in_proportion_to_its_tolerance() {
         for rtol in [1e-4, 1e-6, 1e-8] {
             let found = error(rtol);
             println!("{method} {rtol:e}: {found:e} ({:.1} rtol)", found / rtol);
-            assert!(found < 300.0 * rtol, "{method} at {rtol:e} errs by {found:e}");
+            assert!(found < allowed(method, rtol), "{method} at {rtol:e} errs by {found:e}");
         }
     }
 }
@@ -71,7 +78,7 @@ fn jumps_outside_repeated_and_nearly_equal_are_harmless() {
     for &method in Method::ALL {
         let with = Simulation::new(&scalar).rtol(1e-9).method(method).run().unwrap();
         let difference = (with.last("y").unwrap() - without).abs();
-        assert!(difference < 1e-7, "{method}: {difference:e}");
+        assert!(difference < allowed(method, 1e-9), "{method}: {difference:e}");
     }
 }
 
@@ -109,7 +116,7 @@ fn the_energy_account_closes_for_every_method() {
             let residual = balance.max_residual_relative();
             println!("{method} {rtol:e}: {residual:e}\n  {:?}\n  {:?}", plain.work, run.work);
             assert!(residual > 0.0 && residual < 100.0 * rtol, "{method}: {residual:e}");
-            assert!(oscillator_error(&run) < 300.0 * rtol, "{method}");
+            assert!(oscillator_error(&run) < allowed(method, rtol), "{method}");
             let passed = balance.passed.last().unwrap();
             assert!(*passed > 1.0, "{method} passed {passed} J");
             assert_eq!(run.last("energy.supplied"), balance.supplied.last().copied());
@@ -128,16 +135,24 @@ fn the_energy_account_costs_newton_few_more_steps() {
 }
 
 #[test]
-fn a_wrong_power_shows_up_in_the_energy_account() {
-    // Started late, so that the account must open with the energy at the start.
-    let run = Simulation::new(&Oscillator).times(&[1.0, 3.0]).with_energy_balance(true).run();
-    let balance = run.unwrap().energy_balance.unwrap();
-    assert!(balance.max_residual_relative() < 1e-6);
-    let mut wrong = balance.clone();
-    for (residual, dissipated) in wrong.residual.iter_mut().zip(&balance.dissipated) {
-        *residual -= 0.01 * dissipated;
+fn power_that_no_energy_accounts_for_is_the_residual() {
+    // Nothing is stored, so the residual is minus the work of cos(3 t) W.
+    let mut scalar = Scalar::new(|t, y| t.sin() - 50.0 * y, |_, _| -50.0, 1.0);
+    scalar.supplied = |t| (3.0 * t).cos();
+    for &method in Method::ALL {
+        let simulation = Simulation::new(&scalar).method(method).rtol(1e-7);
+        let times = [0.5, 1.0, PI / 2.0, 2.0];
+        let run = simulation.times(&times).with_energy_balance(true).run().unwrap();
+        let balance = run.energy_balance.unwrap();
+        for (time, residual) in times.iter().zip(&balance.residual) {
+            let error = (residual + (3.0 * time).sin() / 3.0).abs();
+            assert!(error < 1e-4, "{method}: {error:e} J at {time}");
+        }
+        // |cos 3t| over [0, pi/2] is three half waves of area 1/3.
+        assert!((balance.passed[2] - 1.0).abs() < 1e-4, "{method}: {}", balance.passed[2]);
+        let relative = balance.max_residual_relative();
+        assert!((relative - 0.3325 / balance.passed[3]).abs() < 1e-3, "{method}: {relative}");
     }
-    assert!(wrong.max_residual_relative() > 1e-3);
 }
 
 #[test]

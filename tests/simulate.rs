@@ -12,7 +12,8 @@ use machinist::{Method, SimulateError, Simulation, Trajectory};
 /// Largest error of the oscillator's angle \[rad\] over all output times.
 fn oscillator_error(trajectory: &Trajectory) -> f64 {
     let angle = trajectory.column("rotor.angle").unwrap();
-    let errors = trajectory.times.iter().zip(angle).map(|(t, q)| (q - oscillator_state(*t)[0]).abs());
+    let errors =
+        trajectory.times.iter().zip(angle).map(|(t, q)| (q - oscillator_state(*t)[0]).abs());
     errors.fold(0.0, f64::max)
 }
 
@@ -46,8 +47,7 @@ fn every_method_follows_the_closed_form_in_proportion_to_its_tolerance() {
 fn a_jump_costs_no_accuracy_because_the_run_stops_there() {
     // y' = 1 before 1/3, 1000 from then on: a step across it would err by O(1000 h).
     const JUMP: f64 = 1.0 / 3.0;
-    let mut scalar =
-        Scalar::new(|t, _| if t < JUMP { 1.0 } else { 1000.0 }, |_, _| 0.0, 0.0);
+    let mut scalar = Scalar::new(|t, _| if t < JUMP { 1.0 } else { 1000.0 }, |_, _| 0.0, 0.0);
     scalar.jumps = &[JUMP];
     for &method in Method::ALL {
         let run = Simulation::new(&scalar).method(method).until(1.0).run().unwrap();
@@ -86,8 +86,7 @@ fn jumps_outside_repeated_and_nearly_equal_are_harmless() {
 fn implicit_methods_cross_a_stiff_transient_in_few_steps() {
     // Prothero and Robinson: y' = -L (y - cos t) - sin t, y = cos t + e^(-L t).
     const STIFFNESS: f64 = 1e6;
-    let scalar =
-        Scalar::new(|t, y| -STIFFNESS * (y - t.cos()) - t.sin(), |_, _| -STIFFNESS, 2.0);
+    let scalar = Scalar::new(|t, y| -STIFFNESS * (y - t.cos()) - t.sin(), |_, _| -STIFFNESS, 2.0);
     for method in Method::ALL.iter().filter(|method| method.is_implicit()) {
         for rtol in [1e-4, 1e-6] {
             let simulation = Simulation::new(&scalar).method(*method).rtol(rtol).until(PI);
@@ -278,8 +277,7 @@ fn a_solution_that_explodes_stops_with_the_time_it_explodes_at() {
 #[test]
 fn a_rate_that_turns_nan_is_named() {
     // y' = -sqrt(y) - 1 reaches zero and would go on into the root of a negative number.
-    let scalar =
-        Scalar::new(|_, y| -y.sqrt() - 1.0, |_, y| -0.5 / y.sqrt(), 0.25);
+    let scalar = Scalar::new(|_, y| -y.sqrt() - 1.0, |_, y| -0.5 / y.sqrt(), 0.25);
     for &method in Method::ALL {
         match refusal(&Simulation::new(&scalar).method(method)) {
             SimulateError::Stopped { time, cause: StopCause::NotFinite { what }, .. } => {

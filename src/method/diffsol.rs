@@ -182,8 +182,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
         let newton_fails = solver.get_statistics().number_of_nonlinear_solver_fails;
         solver.problem().eqn.rate.trouble.set(None);
         let stopped = solver.step();
-        let newton_failed =
-            solver.get_statistics().number_of_nonlinear_solver_fails > newton_fails;
+        let newton_failed = solver.get_statistics().number_of_nonlinear_solver_fails > newton_fails;
         let reason = stopped.map_err(|error| explain(solver, stretch, newton_failed, &error))?;
         let arrived = matches!(reason, OdeSolverStopReason::TstopReached);
         let now = solver.state().t;
@@ -233,9 +232,7 @@ fn explain<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     let cause = match error {
         DiffsolError::OdeSolverError(OdeSolverError::TooManyNonlinearSolverFailures { .. })
         | DiffsolError::NonLinearSolverError(_) => StopCause::Newton,
-        DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. })
-            if newton_failed =>
-        {
+        DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. }) if newton_failed => {
             StopCause::Newton
         }
         DiffsolError::OdeSolverError(

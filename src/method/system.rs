@@ -43,11 +43,7 @@ pub struct System<'a> {
 impl<'a> System<'a> {
     /// The equations of `simulator`, with or without energy quadratures.
     #[must_use]
-    pub fn new(
-        simulator: &'a dyn Simulator<f64>,
-        parameters: &'a [f64],
-        with_flows: bool,
-    ) -> Self {
+    pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64], with_flows: bool) -> Self {
         Self { simulator, parameters, with_flows, work: Cell::default() }
     }
 

@@ -193,14 +193,14 @@ fn draw_title<DB: DrawingBackend>(
     trajectory: &Trajectory,
 ) -> DrawResult<DB> {
     let at = |x: u32, y: u32| ((x * SCALE) as i32, (y * SCALE) as i32);
-    area.draw_text(&trajectory.title, &text(22, &panel::INK), at(24, 16))?;
+    area.draw_text(&trajectory.title, &text(22, panel::INK), at(24, 16))?;
     let Trajectory { scene, method, rtol, .. } = trajectory;
     let run = format!("{scene}, {method}, rtol {rtol:e}");
-    area.draw_text(&run, &text(14, &panel::FAINT), at(24, 42))
+    area.draw_text(&run, &text(14, panel::FAINT), at(24, 42))
 }
 
-fn text(size: u32, color: &RGBColor) -> TextStyle<'static> {
-    (FONT, f64::from(size * SCALE)).into_font().color(color)
+fn text(size: u32, color: RGBColor) -> TextStyle<'static> {
+    (FONT, f64::from(size * SCALE)).into_font().color(&color)
 }
 
 #[cfg(test)]

@@ -219,12 +219,12 @@ fn unknown_names_are_refused_with_the_nearest_known() {
     let error = Simulation::new(&Oscillator).parameter("rotor.inertai", 1.0).err().unwrap();
     assert_eq!(
         error.to_string(),
-        "scene `oscillator` has no parameter `rotor.inertai`, did you mean `rotor.inertia`?"
+        "scene `oscillator` has no parameter `rotor.inertai` (did you mean `rotor.inertia`?)"
     );
     let error = Method::from_name("bfd").unwrap_err();
     assert_eq!(
         error.to_string(),
-        "there is no method `bfd`, did you mean `bdf`?; known are bdf, tr_bdf2, esdirk34, tsit45"
+        "there is no method `bfd` (did you mean `bdf`?); known are bdf, tr_bdf2, esdirk34, tsit45"
     );
     let error = "runge".parse::<Method>().unwrap_err().to_string();
     assert!(error.starts_with("there is no method `runge`; known are bdf"), "{error}");
@@ -331,4 +331,25 @@ fn a_long_run_is_not_stopped_by_newtons_failures_adding_up() {
     );
     let run = Simulation::new(&scalar).until(30.0).run().unwrap();
     assert!(run.last("y").unwrap().abs() < 2.1);
+}
+
+#[test]
+fn a_tolerance_below_rounding_does_not_hang() {
+    for &method in Method::ALL {
+        let run = Simulation::new(&Oscillator).method(method).rtol(1e-18).max_steps(5000).run();
+        assert!(matches!(run, Err(SimulateError::Stopped { .. })), "{method}");
+    }
+}
+
+#[test]
+fn a_run_far_from_time_zero_ends_on_time() {
+    for &method in Method::ALL {
+        let simulation = Simulation::new(&Oscillator).method(method).points(11);
+        let run = simulation.from(1e6).until(1e6 + 0.5).run().unwrap();
+        assert_eq!(run.times.last(), Some(&(1e6 + 0.5)));
+        // The torque is on: motion about 0.6 rad from 0.4 rad at rest.
+        let exact = 0.6 - 0.2 * oscillator_state(0.5)[0] / 0.4;
+        let error = (run.last("rotor.angle").unwrap() - exact).abs();
+        assert!(error < allowed(method, 1e-8), "{method} errs by {error:e}");
+    }
 }

@@ -94,7 +94,7 @@ mod plots {
         assert!(matches!(refuse(&[], "run.pdf"), PlotError::UnknownFileType(_)));
         assert!(matches!(refuse(&[], "run"), PlotError::UnknownFileType(_)));
         let message = refuse(&["rotor.omgea"], "run.svg").to_string();
-        assert!(message.ends_with("`rotor.omgea`, did you mean `rotor.omega`?"), "{message}");
+        assert!(message.ends_with("`rotor.omgea` (did you mean `rotor.omega`?)"), "{message}");
         assert!(matches!(refuse(&[], "nowhere/run.svg"), PlotError::Writing { .. }));
     }
 }

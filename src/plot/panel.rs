@@ -60,8 +60,8 @@ impl Panel<'_> {
 
         let time_ticks = Ticks::new(&time, 11);
         let value_ticks = Ticks::new(&value, 6);
-        let label = text(13, &FAINT);
-        let description = text(14, &INK);
+        let label = text(13, FAINT);
+        let description = text(14, INK);
         let mut mesh = chart.configure_mesh();
         mesh.max_light_lines(1)
             .bold_line_style(GRID.stroke_width(SCALE))
@@ -84,7 +84,10 @@ impl Panel<'_> {
         for (column, color) in self.columns.iter().zip(COLORS.iter().cycle()) {
             let style = color.stroke_width(SCALE + SCALE / 2);
             for line in finite_lines(self.times, &column.values) {
-                chart.draw_series(LineSeries::new(thinned(line), style))?;
+                let pixel = |point: &(f64, f64)| chart.backend_coord(point);
+                for piece in cut_at_sharp_turns(&thinned(line), pixel) {
+                    chart.draw_series(LineSeries::new(piece, style))?;
+                }
             }
         }
         Ok(())
@@ -99,8 +102,8 @@ impl Panel<'_> {
         let (dash, gap, between) = (18 * SCALE as i32, 7 * SCALE as i32, 24 * SCALE as i32);
         let left = (LEFT * SCALE) as i32;
         let right = area.dim_in_pixel().0 as i32 - (RIGHT * SCALE) as i32;
-        let style = text(14, &INK).pos(Pos::new(HPos::Left, VPos::Center));
-        let unit_style = text(14, &INK).pos(Pos::new(HPos::Right, VPos::Center));
+        let style = text(14, INK).pos(Pos::new(HPos::Left, VPos::Center));
+        let unit_style = text(14, INK).pos(Pos::new(HPos::Right, VPos::Center));
         let first_line = (LEGEND_LINE / 2 * SCALE) as i32;
         let unit = format!("[{}]", self.unit);
         area.draw_text(&unit, &unit_style, (left - (2 * TICK * SCALE) as i32, first_line))?;
@@ -214,6 +217,33 @@ fn thinned(line: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     thin
 }
 
+/// The line in pieces that turn by less than a right angle: at sharper turns
+/// plotters draws long miters, out of the panel even.
+fn cut_at_sharp_turns(
+    line: &[(f64, f64)],
+    pixel: impl Fn(&(f64, f64)) -> (i32, i32),
+) -> Vec<Vec<(f64, f64)>> {
+    let mut points: Vec<_> = line.iter().map(|point| (pixel(point), *point)).collect();
+    points.dedup_by_key(|(pixel, _)| *pixel);
+    let mut pieces = Vec::new();
+    let mut piece = Vec::new();
+    for (index, (here, point)) in points.iter().enumerate() {
+        piece.push(*point);
+        let (Some((before, _)), Some((after, _))) =
+            (index.checked_sub(1).and_then(|index| points.get(index)), points.get(index + 1))
+        else {
+            continue;
+        };
+        let along = |a: (i32, i32), b: (i32, i32)| (i64::from(b.0 - a.0), i64::from(b.1 - a.1));
+        let (reached, left) = (along(*before, *here), along(*here, *after));
+        if reached.0 * left.0 + reached.1 * left.1 <= 0 {
+            pieces.push(std::mem::replace(&mut piece, vec![*point]));
+        }
+    }
+    pieces.push(piece);
+    pieces
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -236,6 +266,17 @@ mod tests {
     fn a_line_is_cut_where_it_is_not_finite() {
         let lines = finite_lines(&[0.0, 1.0, 2.0, 3.0], &[5.0, f64::NAN, f64::INFINITY, 6.0]);
         assert_eq!(lines, [vec![(0.0, 5.0)], vec![(3.0, 6.0)]]);
+    }
+
+    #[test]
+    fn a_spike_is_drawn_as_two_strokes_and_a_curve_as_one() {
+        let pixel = |point: &(f64, f64)| (point.0 as i32, point.1 as i32);
+        let spike = [(0.0, 0.0), (1.0, 0.0), (2.0, 90.0), (3.0, 0.0), (3.0, 0.2), (4.0, 0.0)];
+        let pieces = cut_at_sharp_turns(&spike, pixel);
+        let [up, down] = pieces.as_slice() else { panic!("{pieces:?}") };
+        assert_eq!((up.last(), down.first()), (Some(&spike[2]), Some(&spike[2])));
+        let curve: Vec<_> = (0..20).map(|i| (f64::from(i), f64::from(i * i))).collect();
+        assert_eq!(cut_at_sharp_turns(&curve, pixel), [curve]);
     }
 
     #[test]

@@ -5,3 +5,4 @@ pub mod expr;
 pub mod program;
 pub mod system;
 pub mod tape;
+pub mod write;

@@ -14,6 +14,7 @@
 //! y' = [q', M^-1 f, h]
 //! ```
 #![no_std]
+#![forbid(unsafe_code)]
 #[cfg(feature = "std")]
 extern crate std;
 

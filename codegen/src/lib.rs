@@ -16,3 +16,4 @@ pub mod prune;
 pub mod system;
 pub mod tape;
 pub mod trigonometry;
+pub mod write;

@@ -240,6 +240,13 @@ impl Diagnostics {
     }
 }
 
+impl From<crate::cas::CasError> for Diagnostics {
+    fn from(error: crate::cas::CasError) -> Self {
+        let help = "the folder must exist and be writable";
+        Diagnostic::of_file("", error.to_string(), help).into()
+    }
+}
+
 impl From<Diagnostic> for Diagnostics {
     fn from(error: Diagnostic) -> Self {
         Diagnostics { errors: vec![error], left_out: 0 }

@@ -5,6 +5,8 @@ pub mod cas;
 pub mod document;
 pub mod emit;
 pub mod evaluate;
+pub mod diagnostic;
+pub mod dimension;
 pub mod expr;
 pub mod factor;
 pub mod fold;
@@ -13,6 +15,9 @@ pub mod linearize;
 pub mod lower;
 pub mod program;
 pub mod prune;
+pub mod scene;
+
+pub mod spec;
 pub mod system;
 pub mod tape;
 pub mod trigonometry;

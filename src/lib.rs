@@ -1,1 +1,2 @@
 //! Lagrangian specs of machines to fast, checked Rust simulators.
+pub mod closed_form;

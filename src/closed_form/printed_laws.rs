@@ -138,8 +138,9 @@ impl PrintedShaft {
         }
     }
 
-    /// G I \[N m^2\].
-    fn rigidity(&self) -> f64 {
+    /// Torsional rigidity G I \[N m^2\].
+    #[must_use]
+    pub fn rigidity(&self) -> f64 {
         self.shear_modulus * self.polar_moment
     }
 }

@@ -145,12 +145,17 @@ pub struct UnknownMethod {
     pub known: String,
 }
 
-/// `, did you mean ...?` if one of `known` resembles `name`, else nothing.
+/// ` (did you mean ...?)` if one of `known` resembles `name` or ends in it after
+/// a dot, else nothing.
 pub(crate) fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
-    const RESEMBLES: f64 = 0.7;
+    const RESEMBLES: f64 = 0.6;
+    let likeness = |candidate: &str| {
+        let is_last_part = candidate.strip_suffix(name).is_some_and(|owner| owner.ends_with('.'));
+        if is_last_part { 1.0 } else { strsim::normalized_damerau_levenshtein(name, candidate) }
+    };
     known
-        .map(|candidate| (strsim::jaro_winkler(name, candidate), candidate))
+        .map(|candidate| (likeness(candidate), candidate))
         .filter(|(likeness, _)| *likeness > RESEMBLES)
         .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or_else(String::new, |(_, candidate)| format!(", did you mean `{candidate}`?"))
+        .map_or_else(String::new, |(_, candidate)| format!(" (did you mean `{candidate}`?)"))
 }

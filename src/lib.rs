@@ -1,4 +1,5 @@
 //! Lagrangian specs of machines to fast, checked Rust simulators.
+#![forbid(unsafe_code)]
 
 pub mod closed_form;
 pub mod complex_step;
@@ -13,3 +14,5 @@ pub use error::SimulateError;
 pub use method::Method;
 pub use simulate::Simulation;
 pub use trajectory::Trajectory;
+#[cfg(feature = "cli")]
+pub mod interpreted;

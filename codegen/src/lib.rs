@@ -1,5 +1,19 @@
 //! Build-time half of Machinist: spec text to emitted Rust.
+//!
+//! The straight line is [`pipeline`]; each stage takes the previous one's type.
+pub mod cas;
+pub mod document;
+pub mod emit;
+pub mod evaluate;
 pub mod expr;
+pub mod factor;
+pub mod fold;
+pub mod lagrange;
+pub mod linearize;
+pub mod lower;
 pub mod program;
+pub mod prune;
 pub mod system;
 pub mod tape;
+pub mod trigonometry;
+pub mod write;

@@ -7,7 +7,7 @@ use ::diffsol::{
     ConstantOp, DiffsolError, InitialConditionSolverOptions, Matrix, NalgebraContext, NalgebraLU,
     NalgebraMat, NalgebraVec, NonLinearOp, NonLinearOpJacobian, OdeEquations, OdeEquationsRef,
     OdeSolverMethod, OdeSolverOptions, OdeSolverProblem, OdeSolverState, OdeSolverStopReason, Op,
-    Tableau, UnitCallable, Vector, VectorCommon,
+    Sdirk, Tableau, UnitCallable, Vector, VectorCommon,
 };
 
 use super::{Integrator, Samples, Stopped, Stretch};
@@ -41,7 +41,7 @@ impl Integrator for Bdf {
         let problem = problem(stretch, state);
         let start = problem.bdf_state::<Solver>().map(|start| with_sane_step(start, stretch));
         let solver = start.and_then(|start| problem.bdf_solver::<Solver>(start));
-        advance(solver, stretch, state, samples)
+        advance(solver, |_| (), stretch, state, samples)
     }
 }
 
@@ -52,7 +52,7 @@ impl Integrator for TrBdf2 {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        integrate_sdirk(Tableau::tr_bdf2(), stretch, state, samples)
+        integrate_sdirk(Tableau::tr_bdf2, stretch, state, samples)
     }
 }
 
@@ -63,7 +63,7 @@ impl Integrator for Esdirk34 {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        integrate_sdirk(Tableau::esdirk34(), stretch, state, samples)
+        integrate_sdirk(Tableau::esdirk34, stretch, state, samples)
     }
 }
 
@@ -78,20 +78,27 @@ impl Integrator for Tsit45 {
         let tableau = Tableau::tsit45();
         let start = problem.rk_state(&tableau).map(|start| with_sane_step(start, stretch));
         let solver = start.and_then(|start| problem.explicit_rk_solver(start, tableau));
-        advance(solver, stretch, state, samples)
+        advance(solver, |_| (), stretch, state, samples)
     }
 }
 
 fn integrate_sdirk(
-    tableau: Tableau<f64>,
+    tableau: fn() -> Tableau<f64>,
     stretch: &Stretch<'_>,
     state: &mut [f64],
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
-    let problem = problem(stretch, state);
+    let (problem, tableau) = (problem(stretch, state), tableau());
     let start = problem.rk_state(&tableau).map(|start| with_sane_step(start, stretch));
     let solver = start.and_then(|start| problem.sdirk_solver::<Solver, M>(start, tableau));
-    advance(solver, stretch, state, samples)
+    // diffsol shortens the step that would pass the stop time, but keeps the
+    // matrix and the convergence rate of the longer one, and may then accept a
+    // first iterate that is far off. Setting the state anew renews both.
+    let renew = |solver: &mut Sdirk<'_, Equations<'_>, Solver>| {
+        let state = solver.state_clone();
+        solver.set_state(state);
+    };
+    advance(solver, renew, stretch, state, samples)
 }
 
 fn problem<'a>(stretch: &'a Stretch<'a>, state: &[f64]) -> OdeSolverProblem<Equations<'a>> {
@@ -134,9 +141,11 @@ fn with_sane_step<S: OdeSolverState<V>>(mut start: S, stretch: &Stretch<'_>) -> 
     start
 }
 
-/// Steps `solver` to the end of the stretch.
+/// Steps `solver` to the end of the stretch; `before_last` prepares it for the
+/// step that ends there.
 fn advance<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     solver: Result<S, DiffsolError>,
+    before_last: impl Fn(&mut S),
     stretch: &Stretch<'p>,
     state: &mut [f64],
     samples: &mut Samples<'_>,
@@ -147,7 +156,7 @@ fn advance<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     };
     let mut solver = solver.map_err(refused)?;
     solver.set_stop_time(stretch.until).map_err(refused)?;
-    let outcome = step_to_end(&mut solver, stretch, samples);
+    let outcome = step_to_end(&mut solver, before_last, stretch, samples);
     let statistics = solver.get_statistics();
     stretch.system.count(|work| {
         work.rejected += statistics.number_of_error_test_failures as u64;
@@ -160,17 +169,20 @@ fn advance<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
 
 fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     solver: &mut S,
+    before_last: impl Fn(&mut S),
     stretch: &Stretch<'p>,
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
     let mut between = solver.state().y.clone();
     loop {
         let before = solver.state().t;
+        if before + 1.001 * solver.state().h >= stretch.until {
+            before_last(solver);
+        }
         let newton_fails = solver.get_statistics().number_of_nonlinear_solver_fails;
         solver.problem().eqn.rate.trouble.set(None);
         let stopped = solver.step();
-        let newton_failed =
-            solver.get_statistics().number_of_nonlinear_solver_fails > newton_fails;
+        let newton_failed = solver.get_statistics().number_of_nonlinear_solver_fails > newton_fails;
         let reason = stopped.map_err(|error| explain(solver, stretch, newton_failed, &error))?;
         let arrived = matches!(reason, OdeSolverStopReason::TstopReached);
         let now = solver.state().t;
@@ -220,9 +232,7 @@ fn explain<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     let cause = match error {
         DiffsolError::OdeSolverError(OdeSolverError::TooManyNonlinearSolverFailures { .. })
         | DiffsolError::NonLinearSolverError(_) => StopCause::Newton,
-        DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. })
-            if newton_failed =>
-        {
+        DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. }) if newton_failed => {
             StopCause::Newton
         }
         DiffsolError::OdeSolverError(

@@ -10,19 +10,20 @@ pub struct Scalar {
     pub initial: f64,
     pub jumps: &'static [f64],
     pub scale: f64,
+    pub supplied: fn(f64) -> f64,
 }
 
 impl Scalar {
     pub fn new(rate: fn(f64, f64) -> f64, slope: fn(f64, f64) -> f64, initial: f64) -> Self {
-        Self { rate, slope, initial, jumps: &[], scale: 1.0 }
+        Self { rate, slope, initial, jumps: &[], scale: 1.0, supplied: no_power }
     }
 }
 
 impl Describe for Scalar {
-    fn name(&self) -> &str {
+    fn name(&self) -> &'static str {
         "scalar"
     }
-    fn title(&self) -> &str {
+    fn title(&self) -> &'static str {
         "One equation"
     }
     fn shape(&self) -> Shape {
@@ -86,7 +87,11 @@ impl Simulator<f64> for Scalar {
     fn energy(&self, _time: f64, _y: &[f64], _p: &[f64]) -> Energy<f64> {
         Energy { kinetic: 0.0, potential: 0.0, stored: 0.0 }
     }
-    fn power_balance(&self, _time: f64, _y: &[f64], _p: &[f64]) -> PowerBalance<f64> {
-        PowerBalance { stored_rate: 0.0, supplied: 0.0, dissipated: 0.0 }
+    fn power_balance(&self, time: f64, _y: &[f64], _p: &[f64]) -> PowerBalance<f64> {
+        PowerBalance { stored_rate: 0.0, supplied: (self.supplied)(time), dissipated: 0.0 }
     }
+}
+
+fn no_power(_time: f64) -> f64 {
+    0.0
 }

@@ -3,6 +3,8 @@
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
 pub mod cas;
 pub mod document;
+pub mod emit;
+pub mod evaluate;
 pub mod expr;
 pub mod factor;
 pub mod fold;

@@ -19,6 +19,7 @@
 extern crate std;
 
 mod contract;
+mod include;
 mod real;
 pub mod scenes;
 mod table;

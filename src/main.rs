@@ -1,1 +1,8 @@
-fn main() {}
+//! The `machinist` program.
+
+mod cli;
+mod report;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

@@ -298,9 +298,11 @@ mod tests {
             ("sinh", Real::sinh, f64::cosh),
             ("cosh", Real::cosh, f64::sinh),
             ("tanh", Real::tanh, |x| x.cosh().powi(-2)),
-            ("quotient", |x| x / (x * x + Real::literal(1.0)), |x| {
-                (1.0 - x * x) / (1.0 + x * x).powi(2)
-            }),
+            (
+                "quotient",
+                |x| x / (x * x + Real::literal(1.0)),
+                |x| (1.0 - x * x) / (1.0 + x * x).powi(2),
+            ),
         ];
         for (name, function, derivative) in cases {
             for x in [0.037, 0.3, 0.9] {
@@ -321,8 +323,7 @@ mod tests {
     #[test]
     fn abs_and_selection_go_by_the_real_part() {
         let below = ComplexStep::perturbed(-2.0);
-        assert_eq!(below.abs().0.re, 2.0);
-        assert_eq!(below.abs().derivative(), -1.0);
+        assert_eq!(below.abs().0, -below.0);
         let chosen = ComplexStep::select_less(
             below,
             ComplexStep::literal(0.0),

@@ -145,7 +145,7 @@ pub struct UnknownMethod {
     pub known: String,
 }
 
-/// `, did you mean ...?` if one of `known` resembles `name` or ends in it after
+/// ` (did you mean ...?)` if one of `known` resembles `name` or ends in it after
 /// a dot, else nothing.
 pub(crate) fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
     const RESEMBLES: f64 = 0.6;
@@ -157,5 +157,5 @@ pub(crate) fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>)
         .map(|candidate| (likeness(candidate), candidate))
         .filter(|(likeness, _)| *likeness > RESEMBLES)
         .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or_else(String::new, |(_, candidate)| format!(", did you mean `{candidate}`?"))
+        .map_or_else(String::new, |(_, candidate)| format!(" (did you mean `{candidate}`?)"))
 }

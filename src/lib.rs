@@ -13,3 +13,5 @@ pub use error::SimulateError;
 pub use method::Method;
 pub use simulate::Simulation;
 pub use trajectory::Trajectory;
+#[cfg(feature = "cli")]
+pub mod interpreted;

@@ -85,12 +85,13 @@ impl<'a> Simulation<'a> {
     /// [`SimulateError::UnknownParameter`], with the nearest known name.
     pub fn parameter(mut self, name: &str, value: f64) -> Result<Self, SimulateError> {
         let names = || (0..self.parameters.len()).map(|index| self.simulator.parameter(index).name);
-        let index =
-            names().position(|known| known == name).ok_or_else(|| SimulateError::UnknownParameter {
+        let index = names().position(|known| known == name).ok_or_else(|| {
+            SimulateError::UnknownParameter {
                 scene: self.simulator.name().to_owned(),
                 name: name.to_owned(),
                 hint: did_you_mean(name, names()),
-            })?;
+            }
+        })?;
         self.parameters[index] = value;
         Ok(self)
     }
@@ -394,8 +395,9 @@ impl<'a> Table<'a> {
     /// The account, from rows of `width` whose last three are the quadratures.
     fn energy_balance(&self, rows: &[f64], width: usize, energy_at_start: f64) -> EnergyBalance {
         let states = self.states.len();
-        let quadrature =
-            |flow: usize| rows.chunks_exact(width).map(|row| row[states + flow]).collect::<Vec<_>>();
+        let quadrature = |flow: usize| {
+            rows.chunks_exact(width).map(|row| row[states + flow]).collect::<Vec<_>>()
+        };
         let (supplied, dissipated) = (quadrature(0), quadrature(1));
         let gained = |index: usize| self.energy[index] - energy_at_start;
         let residual = (0..self.energy.len())
@@ -429,16 +431,25 @@ impl<'a> Table<'a> {
         };
         let states = self.states.into_iter().enumerate();
         let outputs = self.outputs.into_iter().enumerate();
-        let mut columns: Vec<Column> = states
-            .map(|(index, values)| column(ColumnKind::State, simulator.state(index), values))
-            .chain(outputs.map(|(index, values)| {
-                column(ColumnKind::Output, simulator.output(index), values)
-            }))
-            .collect();
+        let mut columns: Vec<Column> =
+            states
+                .map(|(index, values)| column(ColumnKind::State, simulator.state(index), values))
+                .chain(outputs.map(|(index, values)| {
+                    column(ColumnKind::Output, simulator.output(index), values)
+                }))
+                .collect();
         columns.push(energy("total", "energy in motion, springs and fields", self.energy));
         if let Some(balance) = balance {
-            columns.push(energy("supplied", "energy supplied since start", balance.supplied.clone()));
-            columns.push(energy("dissipated", "energy lost since start", balance.dissipated.clone()));
+            columns.push(energy(
+                "supplied",
+                "energy supplied since start",
+                balance.supplied.clone(),
+            ));
+            columns.push(energy(
+                "dissipated",
+                "energy lost since start",
+                balance.dissipated.clone(),
+            ));
             columns.push(energy("residual", "error of the account", balance.residual.clone()));
         }
         columns

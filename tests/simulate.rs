@@ -12,7 +12,8 @@ use machinist::{Method, SimulateError, Simulation, Trajectory};
 /// Largest error of the oscillator's angle \[rad\] over all output times.
 fn oscillator_error(trajectory: &Trajectory) -> f64 {
     let angle = trajectory.column("rotor.angle").unwrap();
-    let errors = trajectory.times.iter().zip(angle).map(|(t, q)| (q - oscillator_state(*t)[0]).abs());
+    let errors =
+        trajectory.times.iter().zip(angle).map(|(t, q)| (q - oscillator_state(*t)[0]).abs());
     errors.fold(0.0, f64::max)
 }
 
@@ -46,8 +47,7 @@ fn every_method_follows_the_closed_form_in_proportion_to_its_tolerance() {
 fn a_jump_costs_no_accuracy_because_the_run_stops_there() {
     // y' = 1 before 1/3, 1000 from then on: a step across it would err by O(1000 h).
     const JUMP: f64 = 1.0 / 3.0;
-    let mut scalar =
-        Scalar::new(|t, _| if t < JUMP { 1.0 } else { 1000.0 }, |_, _| 0.0, 0.0);
+    let mut scalar = Scalar::new(|t, _| if t < JUMP { 1.0 } else { 1000.0 }, |_, _| 0.0, 0.0);
     scalar.jumps = &[JUMP];
     for &method in Method::ALL {
         let run = Simulation::new(&scalar).method(method).until(1.0).run().unwrap();
@@ -86,8 +86,7 @@ fn jumps_outside_repeated_and_nearly_equal_are_harmless() {
 fn implicit_methods_cross_a_stiff_transient_in_few_steps() {
     // Prothero and Robinson: y' = -L (y - cos t) - sin t, y = cos t + e^(-L t).
     const STIFFNESS: f64 = 1e6;
-    let scalar =
-        Scalar::new(|t, y| -STIFFNESS * (y - t.cos()) - t.sin(), |_, _| -STIFFNESS, 2.0);
+    let scalar = Scalar::new(|t, y| -STIFFNESS * (y - t.cos()) - t.sin(), |_, _| -STIFFNESS, 2.0);
     for method in Method::ALL.iter().filter(|method| method.is_implicit()) {
         for rtol in [1e-4, 1e-6] {
             let simulation = Simulation::new(&scalar).method(*method).rtol(rtol).until(PI);
@@ -220,12 +219,12 @@ fn unknown_names_are_refused_with_the_nearest_known() {
     let error = Simulation::new(&Oscillator).parameter("rotor.inertai", 1.0).err().unwrap();
     assert_eq!(
         error.to_string(),
-        "scene `oscillator` has no parameter `rotor.inertai`, did you mean `rotor.inertia`?"
+        "scene `oscillator` has no parameter `rotor.inertai` (did you mean `rotor.inertia`?)"
     );
     let error = Method::from_name("bfd").unwrap_err();
     assert_eq!(
         error.to_string(),
-        "there is no method `bfd`, did you mean `bdf`?; known are bdf, tr_bdf2, esdirk34, tsit45"
+        "there is no method `bfd` (did you mean `bdf`?); known are bdf, tr_bdf2, esdirk34, tsit45"
     );
     let error = "runge".parse::<Method>().unwrap_err().to_string();
     assert!(error.starts_with("there is no method `runge`; known are bdf"), "{error}");
@@ -278,8 +277,7 @@ fn a_solution_that_explodes_stops_with_the_time_it_explodes_at() {
 #[test]
 fn a_rate_that_turns_nan_is_named() {
     // y' = -sqrt(y) - 1 reaches zero and would go on into the root of a negative number.
-    let scalar =
-        Scalar::new(|_, y| -y.sqrt() - 1.0, |_, y| -0.5 / y.sqrt(), 0.25);
+    let scalar = Scalar::new(|_, y| -y.sqrt() - 1.0, |_, y| -0.5 / y.sqrt(), 0.25);
     for &method in Method::ALL {
         match refusal(&Simulation::new(&scalar).method(method)) {
             SimulateError::Stopped { time, cause: StopCause::NotFinite { what }, .. } => {
@@ -333,4 +331,25 @@ fn a_long_run_is_not_stopped_by_newtons_failures_adding_up() {
     );
     let run = Simulation::new(&scalar).until(30.0).run().unwrap();
     assert!(run.last("y").unwrap().abs() < 2.1);
+}
+
+#[test]
+fn a_tolerance_below_rounding_does_not_hang() {
+    for &method in Method::ALL {
+        let run = Simulation::new(&Oscillator).method(method).rtol(1e-18).max_steps(5000).run();
+        assert!(matches!(run, Err(SimulateError::Stopped { .. })), "{method}");
+    }
+}
+
+#[test]
+fn a_run_far_from_time_zero_ends_on_time() {
+    for &method in Method::ALL {
+        let simulation = Simulation::new(&Oscillator).method(method).points(11);
+        let run = simulation.from(1e6).until(1e6 + 0.5).run().unwrap();
+        assert_eq!(run.times.last(), Some(&(1e6 + 0.5)));
+        // The torque is on: motion about 0.6 rad from 0.4 rad at rest.
+        let exact = 0.6 - 0.2 * oscillator_state(0.5)[0] / 0.4;
+        let error = (run.last("rotor.angle").unwrap() - exact).abs();
+        assert!(error < allowed(method, 1e-8), "{method} errs by {error:e}");
+    }
 }

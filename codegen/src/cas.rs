@@ -139,13 +139,13 @@ impl Cas {
     }
 
     /// The cheapest of several equal forms, by operations of its tape.
-    pub fn simplify(&mut self, form: &Form) -> Form {
-        simplify::cheapest(&self.vocabulary, form)
+    pub fn simplify(&mut self, form: &Form) -> Expr {
+        simplify::cheapest(&mut self.vocabulary, &form.0)
     }
 
     /// Multiplied out, with sin^2 + cos^2 put together.
     pub fn expand(&mut self, form: &Form) -> Form {
-        Form(simplify::trigonometric(&form.0.expand()))
+        Form(simplify::trigonometric(&mut self.vocabulary, &form.0.expand()))
     }
 }
 

@@ -63,8 +63,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         f = &f - &cas.derivative(&momenta[row], Symbol::Time);
         f = &f - &cas.derivative(&dissipation, Symbol::Velocity(*id));
         f = &f + &cas.form(&system.generalized_force[row].total);
-        let f = cas.simplify(&f);
-        forcing.push(cas.expr(&f));
+        forcing.push(cas.simplify(&f));
     }
     let power = power(cas, system, &momenta, &ids);
     EquationsOfMotion {
@@ -103,8 +102,7 @@ fn mass_matrix(cas: &mut Cas, momenta: &[Form], ids: &[CoordinateId]) -> Vec<Vec
                 line.push(matrix[column][row].clone());
             } else {
                 let entry = cas.derivative(momentum, Symbol::Velocity(*id));
-                let entry = cas.simplify(&entry);
-                line.push(cas.expr(&entry));
+                line.push(cas.simplify(&entry));
             }
         }
         matrix.push(line);

@@ -15,3 +15,5 @@ pub mod program;
 pub mod prune;
 pub mod system;
 pub mod tape;
+pub mod trigonometry;
+pub mod write;

@@ -114,8 +114,5 @@ impl Forms {
 
 fn nonzero(cas: &mut Cas, form: &Form, symbol: Symbol) -> Option<Expr> {
     let derivative = cas.derivative(form, symbol);
-    (!derivative.is_zero()).then(|| {
-        let derivative = cas.simplify(&derivative);
-        cas.expr(&derivative)
-    })
+    (!derivative.is_zero()).then(|| cas.simplify(&derivative))
 }

@@ -31,8 +31,7 @@ fn derivative(expr: Expr) -> Expr {
 fn simplified(expr: Expr) -> Expr {
     session(move |cas| {
         let form = cas.form(&expr);
-        let form = cas.simplify(&form);
-        cas.expr(&form)
+        cas.simplify(&form)
     })
     .expect("a session")
 }

@@ -1,5 +1,7 @@
 //! Emitted modules, compiled here, against the evaluator: the same bits.
 
+#![allow(clippy::float_cmp, reason = "numbers that are only moved stay the same")]
+
 mod support;
 
 use machinist_codegen::evaluate::Evaluator;
@@ -9,13 +11,23 @@ use machinist_scenes::{Describe, Simulator};
 use proptest::prelude::*;
 
 #[deny(warnings, clippy::pedantic, missing_docs)]
-#[allow(clippy::doc_markdown, dead_code, reason = "docs state equations; tests need not use all")]
+#[allow(
+    clippy::doc_markdown,
+    clippy::struct_field_names,
+    dead_code,
+    reason = "docs state equations; tests need not use all"
+)]
 mod pendulum {
     include!("emitted/pendulum.rs");
 }
 
 #[deny(warnings)]
-#[allow(non_snake_case, dead_code, reason = "the spec's own names; tests need not use all")]
+#[allow(
+    non_snake_case,
+    clippy::struct_field_names,
+    dead_code,
+    reason = "the spec's own names; tests need not use all"
+)]
 mod oddities {
     include!("emitted/oddities.rs");
 }

@@ -10,6 +10,7 @@ use crate::CubicTable;
 ///
 /// There is no branch on a comparison, only [`Real::select_less`], so that a
 /// type may hold several values at once.
+#[allow(clippy::return_self_not_must_use, reason = "functions here read like operators")]
 pub trait Real:
     Copy
     + Debug
@@ -25,7 +26,6 @@ pub trait Real:
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
     /// Integer power, by repeated squaring, so that it is the same to the last
     /// bit with and without `std`.
-    #[must_use]
     fn powi(self, exponent: i32) -> Self {
         power_by_squaring(self, exponent)
     }
@@ -62,7 +62,6 @@ pub trait Real:
     /// Walks the whole table without a branch, so that it holds for types that
     /// carry several values. Types of one value override it by
     /// [`CubicTable::search`], which gives the same to the last bit.
-    #[must_use]
     fn interpolate(table: &CubicTable<'_>, order: u32, argument: Self) -> Self {
         table.walk(order, argument)
     }

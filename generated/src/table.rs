@@ -88,6 +88,7 @@ fn polynomial<R: Real>(c: &[f64; 4], order: u32, u: R) -> R {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "a table is exact on its knots and beyond its ends")]
 mod tests {
     use super::CubicTable;
 

@@ -52,7 +52,7 @@ impl Integrator for TrBdf2 {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        integrate_sdirk(Tableau::tr_bdf2(), stretch, state, samples)
+        integrate_sdirk(Tableau::tr_bdf2, stretch, state, samples)
     }
 }
 
@@ -63,7 +63,7 @@ impl Integrator for Esdirk34 {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        integrate_sdirk(Tableau::esdirk34(), stretch, state, samples)
+        integrate_sdirk(Tableau::esdirk34, stretch, state, samples)
     }
 }
 
@@ -83,12 +83,12 @@ impl Integrator for Tsit45 {
 }
 
 fn integrate_sdirk(
-    tableau: Tableau<f64>,
+    tableau: fn() -> Tableau<f64>,
     stretch: &Stretch<'_>,
     state: &mut [f64],
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
-    let problem = problem(stretch, state);
+    let (problem, tableau) = (problem(stretch, state), tableau());
     let start = problem.rk_state(&tableau).map(|start| with_sane_step(start, stretch));
     let solver = start.and_then(|start| problem.sdirk_solver::<Solver, M>(start, tableau));
     // diffsol shortens the step that would pass the stop time, but keeps the
@@ -182,8 +182,7 @@ fn step_to_end<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
         let newton_fails = solver.get_statistics().number_of_nonlinear_solver_fails;
         solver.problem().eqn.rate.trouble.set(None);
         let stopped = solver.step();
-        let newton_failed =
-            solver.get_statistics().number_of_nonlinear_solver_fails > newton_fails;
+        let newton_failed = solver.get_statistics().number_of_nonlinear_solver_fails > newton_fails;
         let reason = stopped.map_err(|error| explain(solver, stretch, newton_failed, &error))?;
         let arrived = matches!(reason, OdeSolverStopReason::TstopReached);
         let now = solver.state().t;
@@ -233,9 +232,7 @@ fn explain<'p, S: OdeSolverMethod<'p, Equations<'p>>>(
     let cause = match error {
         DiffsolError::OdeSolverError(OdeSolverError::TooManyNonlinearSolverFailures { .. })
         | DiffsolError::NonLinearSolverError(_) => StopCause::Newton,
-        DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. })
-            if newton_failed =>
-        {
+        DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. }) if newton_failed => {
             StopCause::Newton
         }
         DiffsolError::OdeSolverError(

@@ -36,6 +36,7 @@ pub struct Work {
 pub struct System<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: &'a [f64],
+    states: usize,
     with_flows: bool,
     work: Cell<Work>,
 }
@@ -43,12 +44,9 @@ pub struct System<'a> {
 impl<'a> System<'a> {
     /// The equations of `simulator`, with or without energy quadratures.
     #[must_use]
-    pub fn new(
-        simulator: &'a dyn Simulator<f64>,
-        parameters: &'a [f64],
-        with_flows: bool,
-    ) -> Self {
-        Self { simulator, parameters, with_flows, work: Cell::default() }
+    pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64], with_flows: bool) -> Self {
+        let states = simulator.shape().states();
+        Self { simulator, parameters, states, with_flows, work: Cell::default() }
     }
 
     /// The simulator, for methods that need more than rate and Jacobian.
@@ -78,7 +76,7 @@ impl<'a> System<'a> {
     /// Number of states of the simulator, without quadratures.
     #[must_use]
     pub fn states(&self) -> usize {
-        self.simulator.shape().states()
+        self.states
     }
 
     /// Name of the `index`-th equation's unknown.

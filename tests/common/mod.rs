@@ -1,5 +1,5 @@
 //! Simulators written by hand, for tests of the runtime.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
 pub mod oscillator;
 pub mod scalar;
@@ -27,7 +27,6 @@ fn free_motion(time: f64, [angle, speed]: [f64; 2]) -> [f64; 2] {
     let envelope = (-decay * time).exp();
     [
         envelope * (angle * cos + b * sin),
-        envelope
-            * ((-decay * angle + frequency * b) * cos - (decay * b + frequency * angle) * sin),
+        envelope * ((-decay * angle + frequency * b) * cos - (decay * b + frequency * angle) * sin),
     ]
 }

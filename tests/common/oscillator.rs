@@ -17,10 +17,10 @@ const PARAMETERS: [(&str, &str, f64); 5] = [
 ];
 
 impl Describe for Oscillator {
-    fn name(&self) -> &str {
+    fn name(&self) -> &'static str {
         "oscillator"
     }
-    fn title(&self) -> &str {
+    fn title(&self) -> &'static str {
         "A rotor on a spring and a damper"
     }
     fn shape(&self) -> Shape {

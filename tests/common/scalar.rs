@@ -20,10 +20,10 @@ impl Scalar {
 }
 
 impl Describe for Scalar {
-    fn name(&self) -> &str {
+    fn name(&self) -> &'static str {
         "scalar"
     }
-    fn title(&self) -> &str {
+    fn title(&self) -> &'static str {
         "One equation"
     }
     fn shape(&self) -> Shape {

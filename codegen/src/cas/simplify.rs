@@ -1,13 +1,12 @@
 //! Which of several equal forms is cheapest.
 
 use symbolica::atom::{Atom, AtomCore};
-use symbolica::id::Pattern;
-use symbolica::parse;
 
-use super::Form;
-use super::convert::to_expr;
+use super::convert::{to_atom, to_expr};
 use super::functions::Vocabulary;
+use crate::expr::Expr;
 use crate::lower::operations;
+use crate::trigonometry::{combine, has_sine};
 
 /// Forms larger than this are not factored: the cost of factoring grows much
 /// faster than what it can save.
@@ -16,57 +15,48 @@ const FACTOR_LIMIT: usize = 60;
 /// Forms larger than this are not multiplied out.
 const EXPAND_LIMIT: usize = 2000;
 
-/// The form whose tape has the fewest operations: as it is, with common factors
-/// collected, multiplied out with trigonometric identities applied, or factored.
-pub(super) fn cheapest(vocabulary: &Vocabulary, form: &Form) -> Form {
-    let cost = |atom: &Atom| operations(&to_expr(vocabulary, atom.as_view()));
-    let mut best = (cost(&form.0), form.0.clone());
-    let mut offer = |candidate: Atom| {
-        let cost = cost(&candidate);
+/// The form whose tape has the fewest operations: as it is, multiplied out with
+/// trigonometric identities applied, with common factors collected, or factored.
+pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
+    let expr = to_expr(vocabulary, atom.as_view());
+    let size = operations(&expr);
+    let mut best = (size, expr);
+    if size <= 1 {
+        return best.1;
+    }
+    let mut offer = |candidate: Expr| {
+        let cost = operations(&candidate);
         if cost < best.0 {
             best = (cost, candidate);
         }
     };
-    let size = cost(&form.0);
-    offer(trigonometric(&form.0));
     if size <= EXPAND_LIMIT {
-        let expanded = trigonometric(&form.0.expand());
-        offer(expanded.collect_factors());
+        let expanded = trigonometric(vocabulary, &atom.expand());
+        offer(to_expr(vocabulary, expanded.collect_factors().as_view()));
         if size <= FACTOR_LIMIT {
-            offer(expanded.factor());
+            offer(to_expr(vocabulary, expanded.factor().as_view()));
         }
-        offer(expanded);
+        offer(to_expr(vocabulary, expanded.as_view()));
+    } else {
+        let combined = trigonometric(vocabulary, atom);
+        offer(to_expr(vocabulary, combined.as_view()));
     }
-    Form(best.1)
+    best.1
 }
 
 /// Pythagoras and the addition theorems, as often as they apply.
-pub(super) fn trigonometric(atom: &Atom) -> Atom {
-    if !atom.contains_symbol(symbolica::atom::Symbol::SIN) {
-        return atom.clone();
-    }
-    let rules = rules();
+pub(super) fn trigonometric(vocabulary: &mut Vocabulary, atom: &Atom) -> Atom {
     let mut current = atom.clone();
-    // Every rule shortens the sum it applies to, so this ends.
     loop {
-        let mut next = current.clone();
-        for (pattern, replacement) in &rules {
-            next = next.replace(pattern.clone()).with(replacement.clone());
+        let expr = to_expr(vocabulary, current.as_view());
+        if !has_sine(&expr) {
+            return current;
         }
+        // Symbolica puts what is joined in normal form again.
+        let next = to_atom(vocabulary, &combine(&expr));
         if next == current {
             return current;
         }
         current = next;
     }
-}
-
-fn rules() -> Vec<(Pattern, Atom)> {
-    [
-        ("c___*sin(x_)^2 + c___*cos(x_)^2", "c___"),
-        ("c___*cos(x_)*cos(y_) + c___*sin(x_)*sin(y_)", "c___*cos(x_ - y_)"),
-        ("c___*sin(x_)*cos(y_) - c___*cos(x_)*sin(y_)", "c___*sin(x_ - y_)"),
-    ]
-    .into_iter()
-    .map(|(pattern, replacement)| (parse!(pattern).to_pattern(), parse!(replacement)))
-    .collect()
 }

@@ -19,6 +19,7 @@ use quote::{format_ident, quote};
 
 use crate::emit::{EmitError, EmitOptions};
 use crate::program::Program;
+pub(crate) use header::MARK;
 use names::Namer;
 
 /// The text of a scene's module: constants, `Parameters`, `Outputs`, one
@@ -82,21 +83,14 @@ fn pretty(tokens: TokenStream) -> Result<String, EmitError> {
     Ok(space_items(&prettyplease::unparse(&file)))
 }
 
-/// Puts an empty line before every item that the printer put right below the
-/// closing brace or semicolon of another.
+/// Puts an empty line between items, where the printer puts none.
 fn space_items(text: &str) -> String {
     let mut spaced = String::with_capacity(text.len() + text.len() / 16);
     let mut previous = "";
     for line in text.lines() {
-        let begins_item = line.starts_with("///")
-            || line.starts_with("pub ")
-            || line.starts_with('#')
-            || line.starts_with("impl")
-            || line.starts_with("fn ")
-            || line.starts_with("static ");
-        let ends_item =
-            previous.starts_with('}') || (previous.ends_with(';') && !previous.starts_with(' '));
-        if begins_item && ends_item {
+        let ends_item = matches!(previous.bytes().last(), Some(b'}' | b';'))
+            && !previous.starts_with([' ', '/']);
+        if ends_item && !line.is_empty() && !line.starts_with([' ', '}']) {
             spaced.push('\n');
         }
         spaced.push_str(line);
@@ -141,9 +135,13 @@ impl<'a> Scene<'a> {
 
         let mut locals = Namer::for_locals();
         locals.reserve(&machine.to_string());
-        tables.iter().for_each(|table| locals.reserve(&table.to_string()));
+        for constant in &tables {
+            locals.reserve(&constant.to_string());
+        }
         let states = states.iter().map(|state| locals.claim(&state.to_string())).collect();
-        parameters.iter().for_each(|parameter| locals.reserve(&parameter.to_string()));
+        for parameter in &parameters {
+            locals.reserve(&parameter.to_string());
+        }
         Ok(Self { program, machine, states, parameters, outputs, tables, locals })
     }
 }

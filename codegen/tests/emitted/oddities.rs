@@ -93,18 +93,14 @@ pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern
 };
 
 /// \*/ } fn main() {} /\* \` \[main\](x) \<b\> "; // \\ \\u{202e} let code = 1; \# \[\`x\`\] \`\`\` let y;
-
 ///
 /// \*/ } fn main() {} /\* \` \[main\](x) \<b\> "; // \\ \\u{202e}
 /// let code = 1;
-
 /// \# \[\`x\`\]
 /// \`\`\`
 /// let y;
-
 ///
 /// Source: \*/ } fn main() {} /\* \` \[main\](x) \<b\> "; // \\ \\u{202e} let code = 1; \# \[\`x\`\] \`\`\` let y;
-
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Oddities;
 
@@ -596,10 +592,10 @@ pub fn power_balance<R: Real>(
 }
 
 impl Describe for Oddities {
-    fn name(&self) -> &str {
+    fn name(&self) -> &'static str {
         "oddities"
     }
-    fn title(&self) -> &str {
+    fn title(&self) -> &'static str {
         "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202e}\r\n    let code = 1;\n# [`x`]\n```\nlet y;"
     }
     fn shape(&self) -> Shape {

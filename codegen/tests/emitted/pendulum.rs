@@ -362,10 +362,10 @@ pub fn power_balance<R: Real>(
 }
 
 impl Describe for Pendulum {
-    fn name(&self) -> &str {
+    fn name(&self) -> &'static str {
         "pendulum"
     }
-    fn title(&self) -> &str {
+    fn title(&self) -> &'static str {
         "Damped pendulum"
     }
     fn shape(&self) -> Shape {

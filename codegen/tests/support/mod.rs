@@ -154,7 +154,7 @@ fn pendulum_system() -> LagrangianSystem {
             parameter("arm.mass", "kg", 4.2, "mass of the bob"),
             parameter("arm.length", "m", 0.75, "length of the rod"),
             parameter("arm.gravity", "m/s^2", 9.80665, "acceleration of free fall"),
-            parameter("arm.damping", "N m s/rad", 0.1285346, "viscous damping of the pivot"),
+            parameter("arm.damping", "N m s/rad", 0.128_534_6, "viscous damping of the pivot"),
             parameter("drive.lag", "s", 1e-2, "time constant of the drive"),
             parameter("start", "s", 0.1, "time at which the drive starts"),
         ],
@@ -300,11 +300,11 @@ pub const HOSTILE: &str = "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202
 pub fn oddities() -> Program {
     let mut program = pendulum();
     let system = &mut program.system;
-    system.name = "oddities".to_owned();
-    system.title = HOSTILE.to_owned();
-    system.doc = HOSTILE.to_owned();
-    system.source = HOSTILE.to_owned();
-    system.files[0].label = "scenes/oddities.toml".to_owned();
+    system.name = String::from("oddities");
+    system.title = HOSTILE.into();
+    system.doc = HOSTILE.into();
+    system.source = HOSTILE.into();
+    system.files[0].label = "scenes/oddities.toml".into();
     system.coordinates[0].position = quantity("state", "rad", HOSTILE);
     system.coordinates[0].velocity = quantity("STATES", "rad/s", HOSTILE);
     system.first_order[0].quantity = quantity("p", HOSTILE, HOSTILE);

@@ -24,8 +24,8 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
     let first_order = proc_macro2::Literal::usize_unsuffixed(system.first_order.len());
     quote! {
         impl Describe for #machine {
-            fn name(&self) -> &str { #name }
-            fn title(&self) -> &str { #title }
+            fn name(&self) -> &'static str { #name }
+            fn title(&self) -> &'static str { #title }
             fn shape(&self) -> Shape {
                 Shape {
                     coordinates: COORDINATES,

@@ -77,7 +77,7 @@ fn function(scene: &Scene<'_>, name: &'static str, tape: &Tape) -> Result<TokenS
 
 /// `field: result`, or `field` where the result is a variable of that name.
 fn field_of(field: &Ident, result: &TokenStream) -> TokenStream {
-    if result.to_string() == field.to_string() { quote!(#field) } else { quote!(#field: #result) }
+    if *field == result.to_string() { quote!(#field) } else { quote!(#field: #result) }
 }
 
 fn counted(operations: usize) -> String {

@@ -246,6 +246,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
             #[allow(
                 non_snake_case,
                 clippy::approx_constant,
+                clippy::struct_field_names,
                 clippy::too_many_lines,
                 reason = "the spec's own names and numbers, in bodies as long as its equations"
             )]
@@ -262,6 +263,22 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
     let (names_doc, find_doc) =
         (doc(["Names of all scenes, sorted."]), doc(["The scene of a name."]));
     let inner = format!(" {inner}");
+    let find = if programs.is_empty() {
+        quote!(
+            pub fn find<R: Real>(_name: &str) -> Option<&'static dyn Simulator<R>> {
+                None
+            }
+        )
+    } else {
+        quote! {
+            pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
+                match name {
+                    #(#arms)*
+                    _ => None,
+                }
+            }
+        }
+    };
     quote! {
         #![doc = #inner]
         use #contract::{Real, Simulator};
@@ -270,11 +287,6 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
         pub const NAMES: &[&str] = &[#(#names),*];
         #find_doc
         #[must_use]
-        pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
-            match name {
-                #(#arms)*
-                _ => None,
-            }
-        }
+        #find
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
 pub mod cas;
+pub mod diagnostic;
+pub mod dimension;
 pub mod document;
 pub mod emit;
 pub mod evaluate;
@@ -11,8 +13,12 @@ pub mod fold;
 pub mod lagrange;
 pub mod linearize;
 pub mod lower;
+pub mod pipeline;
 pub mod program;
 pub mod prune;
+pub mod scene;
+
+pub mod spec;
 pub mod system;
 pub mod tape;
 pub mod trigonometry;

@@ -1,1 +1,17 @@
 //! Lagrangian specs of machines to fast, checked Rust simulators.
+#![forbid(unsafe_code)]
+
+pub mod complex_step;
+pub mod error;
+pub mod method;
+#[cfg(feature = "plot")]
+pub mod plot;
+pub mod simulate;
+pub mod trajectory;
+
+pub use error::SimulateError;
+pub use method::Method;
+pub use simulate::Simulation;
+pub use trajectory::Trajectory;
+#[cfg(feature = "cli")]
+pub mod interpreted;

@@ -24,6 +24,8 @@ pub struct TableId(pub u32);
 /// What an expression may depend on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
+    /// The number pi, kept as a symbol so that documents show it.
+    Pi,
     /// Time t.
     Time,
     /// Generalized coordinate q.
@@ -38,7 +40,7 @@ pub enum Symbol {
     Parameter(ParameterId),
 }
 
-/// The functions expressions know.
+/// The functions expressions know, by their usual names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
     Sqrt,

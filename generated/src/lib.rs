@@ -14,10 +14,12 @@
 //! y' = [q', M^-1 f, h]
 //! ```
 #![no_std]
+#![forbid(unsafe_code)]
 #[cfg(feature = "std")]
 extern crate std;
 
 mod contract;
+mod include;
 mod real;
 pub mod scenes;
 mod table;

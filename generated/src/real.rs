@@ -3,11 +3,14 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::CubicTable;
+
 /// A real number type that emitted code can run on: `f64` and `f32` here,
 /// complex-step, lanes or double-double elsewhere.
 ///
 /// There is no branch on a comparison, only [`Real::select_less`], so that a
 /// type may hold several values at once.
+#[allow(clippy::return_self_not_must_use, reason = "functions here read like operators")]
 pub trait Real:
     Copy
     + Debug
@@ -21,8 +24,11 @@ pub trait Real:
     fn literal(value: f64) -> Self;
     /// `if lhs < rhs { then } else { otherwise }`.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
-    /// Integer power.
-    fn powi(self, exponent: i32) -> Self;
+    /// Integer power, by repeated squaring, so that it is the same to the last
+    /// bit with and without `std`.
+    fn powi(self, exponent: i32) -> Self {
+        power_by_squaring(self, exponent)
+    }
     /// Real power of a positive base.
     fn powf(self, exponent: Self) -> Self;
     /// Square root.
@@ -51,6 +57,14 @@ pub trait Real:
     fn cosh(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
+    /// Value (`order` 0) or derivative of a table at `argument`.
+    ///
+    /// Walks the whole table without a branch, so that it holds for types that
+    /// carry several values. Types of one value override it by
+    /// [`CubicTable::search`], which gives the same to the last bit.
+    fn interpolate(table: &CubicTable<'_>, order: u32, argument: Self) -> Self {
+        table.walk(order, argument)
+    }
 }
 
 macro_rules! implement_real {
@@ -65,12 +79,8 @@ macro_rules! implement_real {
             fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
                 if lhs < rhs { then } else { otherwise }
             }
-            #[inline]
-            fn powi(self, exponent: i32) -> Self {
-                #[cfg(feature = "std")]
-                { <$float>::powi(self, exponent) }
-                #[cfg(not(feature = "std"))]
-                { power_by_squaring(self, exponent) }
+            fn interpolate(table: &CubicTable<'_>, order: u32, argument: Self) -> Self {
+                table.search(order, argument)
             }
             #[inline]
             fn powf(self, exponent: Self) -> Self {
@@ -97,8 +107,8 @@ implement_real!(f64, sqrt = sqrt, abs = fabs, exp = exp, ln = log, sin = sin, co
 implement_real!(f32, sqrt = sqrtf, abs = fabsf, exp = expf, ln = logf, sin = sinf, cos = cosf, tan = tanf,
     asin = asinf, acos = acosf, atan = atanf, sinh = sinhf, cosh = coshf, tanh = tanhf; powf);
 
-/// Integer power by repeated squaring, for targets without `std`.
-#[cfg(not(feature = "std"))]
+/// Integer power by repeated squaring; unrolled where the exponent is known.
+#[inline]
 fn power_by_squaring<R: Real>(base: R, exponent: i32) -> R {
     let mut power = R::literal(1.0);
     let mut square = base;

@@ -1,0 +1,186 @@
+//! The only room that names Symbolica.
+//!
+//! Takes [`Expr`] in and gives [`Expr`] back; in between stands [`Form`], an
+//! expression of the computer algebra system that nobody else looks into.
+//!
+//! Without a key Symbolica may run in one thread of one process of a machine at
+//! a time. So everything goes through [`session`]: one thread of this process
+//! runs every session, and it holds an advisory file lock from its first session
+//! to the end of the process, so that other processes wait for it.
+
+mod convert;
+mod functions;
+mod lock;
+mod simplify;
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::{OnceLock, mpsc};
+
+use symbolica::atom::{Atom, AtomCore};
+
+use crate::expr::{Expr, Symbol};
+use functions::Vocabulary;
+
+/// Why a session could not be held.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum CasError {
+    /// The lock that keeps processes apart could not be taken.
+    #[error("cannot take the lock on Symbolica at {path}")]
+    #[diagnostic(help("the folder must exist and be writable"))]
+    Lock {
+        /// Where the lock file is.
+        path: std::path::PathBuf,
+        /// What the system said.
+        #[source]
+        source: std::io::Error,
+    },
+    /// The thread that runs the sessions is gone.
+    #[error("the thread that runs Symbolica has ended")]
+    Gone,
+}
+
+/// The computer algebra system during a session.
+pub struct Cas {
+    vocabulary: Vocabulary,
+}
+
+/// An expression within a session. Not for other threads.
+#[derive(Clone)]
+pub struct Form(Atom);
+
+/// Symbolica greets on standard output unless told not to by its documented
+/// switch; we say what it would say on standard error instead.
+fn keep_standard_output_clean() {
+    #[expect(unsafe_code, reason = "the switch is an environment variable")]
+    // SAFETY: Rust's own readers of the environment are locked against this
+    // writer, and nothing here calls C code that reads it.
+    unsafe {
+        std::env::set_var("SYMBOLICA_HIDE_BANNER", "1");
+    }
+    eprintln!(
+        "machinist: deriving with Symbolica, for non-commercial use without a key of your own; \
+         see docs/licensing.md"
+    );
+}
+
+type Job = Box<dyn FnOnce(&mut Cas) -> Box<dyn Any + Send> + Send>;
+type Reply = std::thread::Result<Box<dyn Any + Send>>;
+
+/// Runs `job` on the one thread that may use Symbolica and waits for its result.
+///
+/// # Errors
+/// If the lock shared by all processes of the user cannot be taken.
+///
+/// # Panics
+/// With the panic of `job`, if it panics.
+pub fn session<T, F>(job: F) -> Result<T, CasError>
+where
+    T: Send + 'static,
+    F: FnOnce(&mut Cas) -> T + Send + 'static,
+{
+    type Request = (Job, mpsc::Sender<Result<Reply, CasError>>);
+    static WORKER: OnceLock<mpsc::Sender<Request>> = OnceLock::new();
+    let worker = WORKER.get_or_init(|| {
+        let (sender, receiver) = mpsc::channel::<Request>();
+        std::thread::spawn(move || {
+            let mut cas: Option<Cas> = None;
+            for (job, reply) in receiver {
+                let answer =
+                    Cas::started(&mut cas).map(|cas| catch_unwind(AssertUnwindSafe(|| job(cas))));
+                // The asker may be gone; then nobody needs the answer.
+                let _ = reply.send(answer);
+            }
+        });
+        sender
+    });
+    let (sender, receiver) = mpsc::channel();
+    let job: Job = Box::new(move |cas| Box::new(job(cas)));
+    worker.send((job, sender)).map_err(|_| CasError::Gone)?;
+    match receiver.recv().map_err(|_| CasError::Gone)?? {
+        Ok(value) => value.downcast::<T>().map(|value| *value).map_err(|_| CasError::Gone),
+        Err(panic) => resume_unwind(panic),
+    }
+}
+
+impl Cas {
+    /// Starts the system at the first session.
+    fn started(cas: &mut Option<Cas>) -> Result<&mut Cas, CasError> {
+        if cas.is_none() {
+            lock::hold_for_this_process()?;
+            keep_standard_output_clean();
+            *cas = Some(Cas { vocabulary: Vocabulary::new() });
+        }
+        cas.as_mut().ok_or(CasError::Gone)
+    }
+
+    /// Takes an expression in.
+    pub fn form(&mut self, expr: &Expr) -> Form {
+        Form(convert::to_atom(&mut self.vocabulary, expr))
+    }
+
+    /// Gives an expression back, in an order of terms that does not depend on
+    /// what was asked before.
+    #[must_use]
+    pub fn expr(&self, form: &Form) -> Expr {
+        convert::to_expr(&self.vocabulary, form.0.as_view())
+    }
+
+    /// Zero.
+    #[must_use]
+    pub fn zero(&self) -> Form {
+        Form(Atom::new())
+    }
+
+    /// Partial derivative with respect to one symbol, all others held.
+    pub fn derivative(&mut self, form: &Form, symbol: Symbol) -> Form {
+        let variable = self.vocabulary.variable(symbol);
+        Form(form.0.derivative(variable))
+    }
+
+    /// The cheapest of several equal forms, by operations of its tape.
+    pub fn simplify(&mut self, form: &Form) -> Expr {
+        simplify::cheapest(&mut self.vocabulary, &form.0)
+    }
+
+    /// Multiplied out, with sin^2 + cos^2 put together.
+    pub fn expand(&mut self, form: &Form) -> Form {
+        Form(simplify::trigonometric(&mut self.vocabulary, &form.0.expand()))
+    }
+}
+
+impl Form {
+    /// Whether the form is zero as it stands.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+}
+
+impl std::ops::Add for &Form {
+    type Output = Form;
+    fn add(self, other: &Form) -> Form {
+        Form(&self.0 + &other.0)
+    }
+}
+
+impl std::ops::Sub for &Form {
+    type Output = Form;
+    fn sub(self, other: &Form) -> Form {
+        Form(&self.0 - &other.0)
+    }
+}
+
+impl std::ops::Mul for &Form {
+    type Output = Form;
+    fn mul(self, other: &Form) -> Form {
+        Form(&self.0 * &other.0)
+    }
+}
+
+impl std::ops::Neg for &Form {
+    type Output = Form;
+    fn neg(self) -> Form {
+        Form(-&self.0)
+    }
+}

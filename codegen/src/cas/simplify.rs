@@ -1,0 +1,62 @@
+//! Which of several equal forms is cheapest.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use super::convert::{to_atom, to_expr};
+use super::functions::Vocabulary;
+use crate::expr::Expr;
+use crate::lower::operations;
+use crate::trigonometry::{combine, has_sine};
+
+/// Forms larger than this are not factored: the cost of factoring grows much
+/// faster than what it can save.
+const FACTOR_LIMIT: usize = 60;
+
+/// Forms larger than this are not multiplied out.
+const EXPAND_LIMIT: usize = 2000;
+
+/// The form whose tape has the fewest operations: as it is, multiplied out with
+/// trigonometric identities applied, with common factors collected, or factored.
+pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
+    let expr = to_expr(vocabulary, atom.as_view());
+    let size = operations(&expr);
+    let mut best = (size, expr);
+    if size <= 1 {
+        return best.1;
+    }
+    let mut offer = |candidate: Expr| {
+        let cost = operations(&candidate);
+        if cost < best.0 {
+            best = (cost, candidate);
+        }
+    };
+    if size <= EXPAND_LIMIT {
+        let expanded = trigonometric(vocabulary, &atom.expand());
+        offer(to_expr(vocabulary, expanded.collect_factors().as_view()));
+        if size <= FACTOR_LIMIT {
+            offer(to_expr(vocabulary, expanded.factor().as_view()));
+        }
+        offer(to_expr(vocabulary, expanded.as_view()));
+    } else {
+        let combined = trigonometric(vocabulary, atom);
+        offer(to_expr(vocabulary, combined.as_view()));
+    }
+    best.1
+}
+
+/// Pythagoras and the addition theorems, as often as they apply.
+pub(super) fn trigonometric(vocabulary: &mut Vocabulary, atom: &Atom) -> Atom {
+    let mut current = atom.clone();
+    loop {
+        let expr = to_expr(vocabulary, current.as_view());
+        if !has_sine(&expr) {
+            return current;
+        }
+        // Symbolica puts what is joined in normal form again.
+        let next = to_atom(vocabulary, &combine(&expr));
+        if next == current {
+            return current;
+        }
+        current = next;
+    }
+}

@@ -1,0 +1,125 @@
+//! From [`Program`] to text, one file a target.
+//!
+//! Excluded: reading specs, algebra, and files (see [`crate::write`]). Emission
+//! decides names and layout only; what is computed, and in which order, is the
+//! tape's.
+
+pub mod literal;
+pub mod rust;
+pub mod text;
+
+use crate::program::Program;
+use crate::tape::{NodeId, Tape};
+
+/// Where emitted Rust lives and how it is made again.
+#[derive(Clone)]
+pub struct EmitOptions {
+    /// Path of the contract crate: `crate` or `::machinist_scenes`.
+    pub contract: syn::Path,
+    /// The command that makes the file again, for its header.
+    pub command: String,
+}
+
+impl EmitOptions {
+    /// For modules within `machinist-scenes` itself.
+    #[must_use]
+    pub fn within_contract() -> Self {
+        Self {
+            contract: syn::parse_quote!(crate),
+            command: "cargo run --release -- gen".to_owned(),
+        }
+    }
+
+    /// For files in the `OUT_DIR` of a crate that depends on `machinist-scenes`.
+    #[must_use]
+    pub fn for_build_script() -> Self {
+        Self { contract: syn::parse_quote!(::machinist_scenes), command: "cargo build".to_owned() }
+    }
+}
+
+/// What makes a program impossible to emit. None of these comes from a spec that
+/// has passed its checks; they keep a mistake of an earlier stage out of the text.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EmitError {
+    /// A literal is infinite or not a number.
+    #[error("{place}: {value} is not a finite number, so it cannot be emitted")]
+    NotFinite {
+        /// The function or quantity the number stands in.
+        place: String,
+        /// The number.
+        value: f64,
+    },
+    /// A name is no Rust identifier.
+    #[error("the name `{name}` is no Rust identifier")]
+    Identifier {
+        /// The name.
+        name: String,
+    },
+    /// Two quantities of one kind share a name.
+    #[error("the name `{name}` is given to two {kind}")]
+    NamedTwice {
+        /// The name.
+        name: String,
+        /// What both are.
+        kind: &'static str,
+    },
+    /// A tape breaks a rule of [`crate::tape`].
+    #[error("function `{function}`: {reason}")]
+    Malformed {
+        /// The emitted function.
+        function: &'static str,
+        /// The rule broken.
+        reason: String,
+    },
+    /// The emitted tokens are no Rust module.
+    #[error("the emitted module does not parse: {reason}")]
+    Unparsable {
+        /// What the parser says.
+        reason: String,
+    },
+}
+
+/// Operations that cost something at run time, among the nodes results need.
+#[must_use]
+pub fn tape_operations(tape: &Tape) -> usize {
+    let needed = needed_nodes(tape);
+    let nodes = tape.nodes.iter().zip(needed);
+    nodes.filter(|(node, needed)| *needed && node.op.is_arithmetic()).count()
+}
+
+/// For each node, whether a result depends on it.
+pub(crate) fn needed_nodes(tape: &Tape) -> Vec<bool> {
+    let mut needed = vec![false; tape.nodes.len()];
+    for &NodeId(result) in &tape.results {
+        if let Some(flag) = needed.get_mut(result as usize) {
+            *flag = true;
+        }
+    }
+    for (index, node) in tape.nodes.iter().enumerate().rev() {
+        if needed[index] {
+            for NodeId(operand) in node.op.operands() {
+                if let Some(flag) = needed.get_mut(operand as usize) {
+                    *flag = true;
+                }
+            }
+        }
+    }
+    needed
+}
+
+/// The functions of a program by name, in the order of the emitted module.
+pub(crate) fn functions(program: &Program) -> [(&'static str, &Tape); 11] {
+    [
+        ("initial_state", &program.initial_state),
+        ("discontinuities", &program.discontinuities),
+        ("rate", &program.rate),
+        ("mass_matrix", &program.mass_matrix.tape),
+        ("forcing", &program.forcing),
+        ("rate_jacobian", &program.rate_jacobian.tape),
+        ("parameter_jacobian", &program.parameter_jacobian.tape),
+        ("time_derivative", &program.time_derivative),
+        ("outputs", &program.outputs),
+        ("energy", &program.energy),
+        ("power_balance", &program.power_balance),
+    ]
+}

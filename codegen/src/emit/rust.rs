@@ -1,0 +1,159 @@
+//! A scene as one module of readable Rust.
+//!
+//! The module has no inner attributes, so that it works as a file of its own
+//! and through `include!`; its header is made of plain comments. It needs `core`
+//! and the contract crate, allocates nothing, and computes with any
+//! `machinist_scenes::Real`.
+
+mod body;
+mod check;
+mod describe;
+mod functions;
+mod header;
+mod items;
+mod names;
+mod plan;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::{EmitError, EmitOptions};
+use crate::program::Program;
+pub(crate) use header::MARK;
+use names::Namer;
+
+/// The text of a scene's module: constants, `Parameters`, `Outputs`, one
+/// function for each tape, and a unit struct that implements `Describe` and
+/// `Simulator`.
+///
+/// # Errors
+/// [`EmitError`] if the program holds a number without a literal, a name that is
+/// no identifier, or a tape that breaks the rules of [`crate::tape`].
+pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitError> {
+    check::check(program)?;
+    let scene = Scene::new(program)?;
+    let imports = imports(program, options);
+    let constants = items::constants(&scene);
+    let machine = items::machine(&scene);
+    let parameters = items::parameters(&scene)?;
+    let outputs = items::outputs(&scene);
+    let state_indices = items::state_indices(&scene);
+    let functions = functions::functions(&scene)?;
+    let implementations = describe::implementations(&scene)?;
+    let tables = items::tables(&scene)?;
+    let tokens = quote! {
+        #imports
+        #constants
+        #machine
+        #parameters
+        #outputs
+        #state_indices
+        #functions
+        #implementations
+        #tables
+    };
+    let module = pretty(tokens)?;
+    Ok(format!("{}\n{module}", header::header(program, options)))
+}
+
+/// The type that stands for a scene in its emitted module: `SawGin` for `saw_gin`.
+#[must_use]
+pub fn type_name(scene: &str) -> String {
+    names::type_name(scene)
+}
+
+/// The module that lists emitted scenes: one `pub mod` for each, their names,
+/// and a look-up.
+///
+/// # Errors
+/// [`EmitError`] if a scene's name is no identifier or given twice.
+pub fn emit_index(programs: &[&Program], options: &EmitOptions) -> Result<String, EmitError> {
+    let mut programs = programs.to_vec();
+    programs.sort_by(|a, b| a.system.name.cmp(&b.system.name));
+    let names: Vec<&str> = programs.iter().map(|program| program.system.name.as_str()).collect();
+    let modules = names::distinct(names.iter().copied(), "scenes")?;
+    let tokens = items::index(&programs, &modules, &options.contract);
+    Ok(format!("{}\n{}", header::index_header(options), pretty(tokens)?))
+}
+
+/// Formats a whole file.
+fn pretty(tokens: TokenStream) -> Result<String, EmitError> {
+    let file =
+        syn::parse2(tokens).map_err(|error| EmitError::Unparsable { reason: error.to_string() })?;
+    Ok(space_items(&prettyplease::unparse(&file)))
+}
+
+/// Puts an empty line between items, where the printer puts none.
+fn space_items(text: &str) -> String {
+    let mut spaced = String::with_capacity(text.len() + text.len() / 16);
+    let mut previous = "";
+    for line in text.lines() {
+        let ends_item = matches!(previous.bytes().last(), Some(b'}' | b';'))
+            && !previous.starts_with([' ', '/']);
+        if ends_item && !line.is_empty() && !line.starts_with([' ', '}']) {
+            spaced.push('\n');
+        }
+        spaced.push_str(line);
+        spaced.push('\n');
+        previous = line;
+    }
+    spaced
+}
+
+/// A program with the names of its emitted module.
+struct Scene<'a> {
+    program: &'a Program,
+    machine: Ident,
+    states: Vec<Ident>,
+    parameters: Vec<Ident>,
+    outputs: Vec<Ident>,
+    tables: Vec<Ident>,
+    /// Namer for local variables; states, parameters and constants are taken.
+    locals: Namer,
+}
+
+impl<'a> Scene<'a> {
+    fn new(program: &'a Program) -> Result<Self, EmitError> {
+        let system = &program.system;
+        names::identifier(&system.name)?;
+        let machine = format_ident!("{}", names::type_name(&system.name));
+        let states = system.state_quantities().map(|quantity| quantity.name.ident.as_str());
+        let states = names::distinct(states, "states")?;
+        let parameters = system.parameters.iter().map(|p| p.quantity.name.ident.as_str());
+        let parameters = names::distinct(parameters, "parameters")?;
+        let outputs = system.outputs.iter().map(|output| output.quantity.name.ident.as_str());
+        let outputs = names::distinct(outputs, "outputs")?;
+        let tables = system.tables.iter().map(|table| table.name.ident.as_str());
+        let tables = names::distinct(tables, "tables")?;
+
+        let mut constants = Namer::for_constants();
+        constants.reserve(&machine.to_string());
+        let tables = tables.iter().map(|table| {
+            constants.claim(&format!("{}_TABLE", names::constant_name(&table.to_string())))
+        });
+        let tables: Vec<Ident> = tables.collect();
+
+        let mut locals = Namer::for_locals();
+        locals.reserve(&machine.to_string());
+        for constant in &tables {
+            locals.reserve(&constant.to_string());
+        }
+        let states = states.iter().map(|state| locals.claim(&state.to_string())).collect();
+        for parameter in &parameters {
+            locals.reserve(&parameter.to_string());
+        }
+        Ok(Self { program, machine, states, parameters, outputs, tables, locals })
+    }
+}
+
+/// `use` of exactly what the module needs.
+fn imports(program: &Program, options: &EmitOptions) -> TokenStream {
+    let contract = &options.contract;
+    let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
+    quote! {
+        use #contract::{
+            #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+            SparsityPattern,
+        };
+    }
+}

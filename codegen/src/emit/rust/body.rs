@@ -1,0 +1,326 @@
+//! One tape as the body of a function.
+//!
+//! Statements come in the tape's order and expressions keep the tape's
+//! association, so that emitted code and [`crate::evaluate`] agree bit for bit.
+//! A body is one function however long; splitting it would start here, by
+//! cutting `statements` where few variables are alive.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::names::{Namer, identifier};
+use super::plan::{Place, plan};
+use crate::emit::EmitError;
+use crate::emit::literal::constant_or_literal;
+use crate::expr::{Function, TableId};
+use crate::tape::{NodeId, Op, Tape};
+
+/// Names a body may use.
+pub(super) struct Scope<'a> {
+    /// Local variables, one for each entry of the state.
+    pub(super) states: &'a [Ident],
+    /// Fields of `Parameters`.
+    pub(super) parameters: &'a [Ident],
+    /// Constants of the tables.
+    pub(super) tables: &'a [Ident],
+    /// Names not to be taken by new variables; holds all of the above.
+    pub(super) namer: &'a Namer,
+}
+
+/// What a body reads.
+#[derive(Default)]
+pub(super) struct Reads {
+    pub(super) time: bool,
+    pub(super) parameters: bool,
+    /// Entries of the state.
+    pub(super) state: BTreeSet<usize>,
+}
+
+/// A body: statements, then one expression for each result.
+pub(super) struct Body {
+    pub(super) statements: Vec<TokenStream>,
+    pub(super) results: Vec<TokenStream>,
+    pub(super) reads: Reads,
+}
+
+/// Names for results that the spec does not name.
+#[derive(Default)]
+pub(super) struct ResultNames {
+    /// One for each result, or none at all.
+    pub(super) names: Vec<String>,
+    /// Whether every result that is more than a variable gets a `let`, or only
+    /// those used more than once.
+    pub(super) spread: bool,
+}
+
+/// Turns a tape that [`super::check`] has passed into a body.
+pub(super) fn body(
+    function: &'static str,
+    tape: &Tape,
+    scope: &Scope<'_>,
+    result_names: &ResultNames,
+) -> Result<Body, EmitError> {
+    let mut writer = Writer {
+        function,
+        tape,
+        scope,
+        places: plan(tape, result_names.spread),
+        names: vec![None; tape.nodes.len()],
+        namer: scope.namer.clone(),
+        temporaries: 0,
+        reads: Reads::default(),
+    };
+    writer.name_from_spec(&result_names.names)?;
+    let mut statements = Vec::new();
+    for index in 0..tape.nodes.len() {
+        if writer.places[index] == Place::Statement {
+            let value = writer.node(index)?.tokens;
+            let name = writer.variable(index);
+            statements.push(quote!(let #name = #value;));
+        }
+    }
+    let results = tape.results.iter().map(|&id| Ok(writer.operand(id)?.tokens));
+    let results = results.collect::<Result<_, EmitError>>()?;
+    Ok(Body { statements, results, reads: writer.reads })
+}
+
+/// How tightly an expression binds, from weak to strong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Minus,
+    Call,
+}
+
+struct Written {
+    tokens: TokenStream,
+    strength: Strength,
+}
+
+impl Written {
+    fn call(tokens: TokenStream) -> Self {
+        Self { tokens, strength: Strength::Call }
+    }
+
+    /// The tokens, in parentheses if they bind more weakly than `least`.
+    fn at_least(self, least: Strength) -> TokenStream {
+        let tokens = self.tokens;
+        if self.strength < least { quote!((#tokens)) } else { tokens }
+    }
+}
+
+struct Writer<'a> {
+    function: &'static str,
+    tape: &'a Tape,
+    scope: &'a Scope<'a>,
+    places: Vec<Place>,
+    /// Names of the variables, the spec's and those made so far.
+    names: Vec<Option<Ident>>,
+    namer: Namer,
+    temporaries: u32,
+    reads: Reads,
+}
+
+impl Writer<'_> {
+    /// Claims the spec's names, then the names of results, before any name of
+    /// our own making can take them.
+    fn name_from_spec(&mut self, result_names: &[String]) -> Result<(), EmitError> {
+        for (index, node) in self.tape.nodes.iter().enumerate() {
+            if let (Some(name), Place::Statement) = (&node.name, self.places[index]) {
+                identifier(name)?;
+                self.names[index] = Some(self.namer.claim(name));
+            }
+        }
+        for (&NodeId(result), name) in self.tape.results.iter().zip(result_names) {
+            let index = result as usize;
+            if self.places[index] == Place::Statement && self.names[index].is_none() {
+                identifier(name)?;
+                self.names[index] = Some(self.namer.claim(name));
+            }
+        }
+        Ok(())
+    }
+
+    /// The variable of a node, named on first use.
+    fn variable(&mut self, index: usize) -> Ident {
+        if let Some(name) = &self.names[index] {
+            return name.clone();
+        }
+        let telling = self.describe(&self.tape.nodes[index].op);
+        let name = if let Some(wanted) = telling.filter(|name| name.len() <= LONGEST_NAME) {
+            self.namer.claim(&wanted)
+        } else {
+            let wanted = format!("t{}", self.temporaries);
+            self.temporaries += 1;
+            self.namer.claim(&wanted)
+        };
+        self.names[index] = Some(name.clone());
+        name
+    }
+
+    fn operand(&mut self, id: NodeId) -> Result<Written, EmitError> {
+        let index = id.0 as usize;
+        if self.places[index] == Place::Statement {
+            let name = self.variable(index);
+            return Ok(Written::call(quote!(#name)));
+        }
+        self.node(index)
+    }
+
+    fn operand_at_least(&mut self, id: NodeId, least: Strength) -> Result<TokenStream, EmitError> {
+        Ok(self.operand(id)?.at_least(least))
+    }
+
+    /// The expression of a node.
+    fn node(&mut self, index: usize) -> Result<Written, EmitError> {
+        match self.tape.nodes[index].op {
+            Op::Literal(value) => self.literal(value),
+            Op::Time => {
+                self.reads.time = true;
+                Ok(Written::call(quote!(time)))
+            }
+            Op::State(entry) => {
+                self.reads.state.insert(entry as usize);
+                let name = &self.scope.states[entry as usize];
+                Ok(Written::call(quote!(#name)))
+            }
+            Op::Parameter(entry) => {
+                self.reads.parameters = true;
+                let name = &self.scope.parameters[entry as usize];
+                Ok(Written::call(quote!(p.#name)))
+            }
+            Op::Neg(a) => {
+                let a = self.operand_at_least(a, Strength::Call)?;
+                Ok(Written { tokens: quote!(-#a), strength: Strength::Minus })
+            }
+            Op::Add(a, b) => self.infix(a, &quote!(+), b, Strength::Sum, Strength::Product),
+            Op::Sub(a, b) => self.infix(a, &quote!(-), b, Strength::Sum, Strength::Product),
+            Op::Mul(a, b) => self.infix(a, &quote!(*), b, Strength::Product, Strength::Minus),
+            Op::Div(a, b) => self.infix(a, &quote!(/), b, Strength::Product, Strength::Minus),
+            Op::Powi(base, exponent) => {
+                let base = self.operand_at_least(base, Strength::Call)?;
+                let size = Literal::u32_unsuffixed(exponent.unsigned_abs());
+                let minus = (exponent < 0).then(|| quote!(-));
+                Ok(Written::call(quote!(#base.powi(#minus #size))))
+            }
+            Op::Powf(base, exponent) => {
+                let base = self.operand_at_least(base, Strength::Call)?;
+                let exponent = self.operand(exponent)?.tokens;
+                Ok(Written::call(quote!(#base.powf(#exponent))))
+            }
+            Op::Call(function, argument) => self.call(function, argument),
+            Op::SelectLess { lhs, rhs, then, otherwise } => {
+                let [lhs, rhs] = [self.operand(lhs)?.tokens, self.operand(rhs)?.tokens];
+                let [then, otherwise] =
+                    [self.operand(then)?.tokens, self.operand(otherwise)?.tokens];
+                Ok(Written::call(quote!(R::select_less(#lhs, #rhs, #then, #otherwise))))
+            }
+            Op::Table { table: TableId(table), order, argument } => {
+                let argument = self.operand(argument)?.tokens;
+                let table = &self.scope.tables[table as usize];
+                let order = Literal::u32_unsuffixed(order);
+                Ok(Written::call(quote!(R::interpolate(&#table, #order, #argument))))
+            }
+        }
+    }
+
+    fn literal(&self, value: f64) -> Result<Written, EmitError> {
+        let literal = constant_or_literal(value).map_err(|_| EmitError::NotFinite {
+            place: format!("function `{}`", self.function),
+            value,
+        })?;
+        Ok(Written::call(quote!(R::literal(#literal))))
+    }
+
+    /// `a operator b`; the right side needs more strength than the left, because
+    /// all four operators associate to the left.
+    fn infix(
+        &mut self,
+        a: NodeId,
+        operator: &TokenStream,
+        b: NodeId,
+        left: Strength,
+        right: Strength,
+    ) -> Result<Written, EmitError> {
+        let a = self.operand_at_least(a, left)?;
+        let b = self.operand_at_least(b, right)?;
+        Ok(Written { tokens: quote!(#a #operator #b), strength: left })
+    }
+
+    fn call(&mut self, function: Function, argument: NodeId) -> Result<Written, EmitError> {
+        let method = function_name(function).ok_or_else(|| EmitError::Malformed {
+            function: self.function,
+            reason: format!("{function:?} is no function of one argument"),
+        })?;
+        let method = format_ident!("{method}");
+        let argument = self.operand_at_least(argument, Strength::Call)?;
+        Ok(Written::call(quote!(#argument.#method())))
+    }
+
+    /// A telling name for the value of an operation on named things.
+    fn describe(&self, op: &Op) -> Option<String> {
+        let joined = |a, word, b| Some(format!("{}_{word}_{}", self.word(a)?, self.word(b)?));
+        match *op {
+            Op::Call(function, a) => {
+                Some(format!("{}_{}", function_name(function)?, self.word(a)?))
+            }
+            Op::Neg(a) => Some(format!("minus_{}", self.word(a)?)),
+            Op::Powi(a, -1) => Some(format!("inverse_{}", self.word(a)?)),
+            Op::Powi(a, 2) => Some(format!("{}_squared", self.word(a)?)),
+            Op::Powi(a, 3) => Some(format!("{}_cubed", self.word(a)?)),
+            Op::Mul(a, b) if a == b => Some(format!("{}_squared", self.word(a)?)),
+            Op::Mul(a, b) => joined(a, "times", b),
+            Op::Add(a, b) => joined(a, "plus", b),
+            Op::Sub(a, b) => joined(a, "minus", b),
+            Op::Div(a, b) if self.tape[a].op == Op::Literal(1.0) => {
+                Some(format!("inverse_{}", self.word(b)?))
+            }
+            Op::Div(a, b) => joined(a, "over", b),
+            _ => None,
+        }
+    }
+
+    /// The name by which an operand is known, if it has a telling one.
+    fn word(&self, id: NodeId) -> Option<String> {
+        let index = id.0 as usize;
+        if let (Place::Statement, Some(name)) = (self.places[index], &self.names[index]) {
+            let name = name.to_string();
+            let is_temporary =
+                name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok());
+            return (!is_temporary).then_some(name);
+        }
+        match self.tape.nodes[index].op {
+            Op::Time => Some("time".to_owned()),
+            Op::State(entry) => Some(self.scope.states[entry as usize].to_string()),
+            Op::Parameter(entry) => Some(self.scope.parameters[entry as usize].to_string()),
+            ref op if self.places[index] == Place::Inline => self.describe(op),
+            _ => None,
+        }
+    }
+}
+
+/// Longer names say no more than a number does.
+const LONGEST_NAME: usize = 36;
+
+/// The method of `Real` for a function of one argument.
+fn function_name(function: Function) -> Option<&'static str> {
+    Some(match function {
+        Function::Sqrt => "sqrt",
+        Function::Abs => "abs",
+        Function::Exp => "exp",
+        Function::Ln => "ln",
+        Function::Sin => "sin",
+        Function::Cos => "cos",
+        Function::Tan => "tan",
+        Function::Asin => "asin",
+        Function::Acos => "acos",
+        Function::Atan => "atan",
+        Function::Sinh => "sinh",
+        Function::Cosh => "cosh",
+        Function::Tanh => "tanh",
+        Function::SelectLess | Function::Table { .. } => return None,
+    })
+}

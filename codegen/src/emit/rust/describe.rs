@@ -1,0 +1,161 @@
+//! `Describe` and `Simulator` for the machine of an emitted module.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::Scene;
+use crate::emit::EmitError;
+use crate::emit::literal::literal;
+use crate::emit::text::doc;
+use crate::system::Quantity;
+
+/// Both implementations and the statics they read.
+pub(super) fn implementations(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+    let statics = statics(scene)?;
+    let describe = describe(scene);
+    let simulator = simulator(scene);
+    Ok(quote!(#describe #simulator #statics))
+}
+
+fn describe(scene: &Scene<'_>) -> TokenStream {
+    let system = &scene.program.system;
+    let machine = &scene.machine;
+    let (name, title) = (&system.name, &system.title);
+    let first_order = proc_macro2::Literal::usize_unsuffixed(system.first_order.len());
+    quote! {
+        impl Describe for #machine {
+            fn name(&self) -> &'static str { #name }
+            fn title(&self) -> &'static str { #title }
+            fn shape(&self) -> Shape {
+                Shape {
+                    coordinates: COORDINATES,
+                    first_order: #first_order,
+                    parameters: PARAMETERS,
+                    outputs: OUTPUTS,
+                    discontinuities: DISCONTINUITIES,
+                }
+            }
+            fn state(&self, index: usize) -> Quantity<'_> { STATE_QUANTITIES[index] }
+            fn state_scale(&self, index: usize) -> f64 { STATE_SCALES[index] }
+            fn parameter(&self, index: usize) -> Quantity<'_> { PARAMETER_QUANTITIES[index] }
+            fn parameter_default(&self, index: usize) -> f64 { PARAMETER_DEFAULTS[index] }
+            fn output(&self, index: usize) -> Quantity<'_> { OUTPUT_QUANTITIES[index] }
+            fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> { RATE_JACOBIAN_PATTERN }
+            fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+                PARAMETER_JACOBIAN_PATTERN
+            }
+            fn mass_matrix_pattern(&self) -> SparsityPattern<'_> { MASS_MATRIX_PATTERN }
+            fn run_defaults(&self) -> RunDefaults<'_> { RUN_DEFAULTS }
+        }
+    }
+}
+
+fn simulator(scene: &Scene<'_>) -> TokenStream {
+    let machine = &scene.machine;
+    let of_parameters = ["initial_state", "discontinuities"].map(|name| {
+        let name = format_ident!("{name}");
+        quote! {
+            fn #name(&self, parameters: &[R], values: &mut [R]) {
+                values.copy_from_slice(&#name(&parameters_of(parameters)));
+            }
+        }
+    });
+    let delegate = |name: &str, to_array: Option<TokenStream>| {
+        let name = format_ident!("{name}");
+        quote! {
+            fn #name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+                let result = #name(time, state_of(state), &parameters_of(parameters));
+                values.copy_from_slice(&result #to_array);
+            }
+        }
+    };
+    let arrays = [
+        "rate",
+        "rate_jacobian",
+        "parameter_jacobian",
+        "time_derivative",
+        "mass_matrix",
+        "forcing",
+    ]
+    .map(|name| delegate(name, None));
+    let outputs = delegate("outputs", Some(quote!(.to_array())));
+    let structs =
+        [("energy", "Energy"), ("power_balance", "PowerBalance")].map(|(name, result)| {
+            let (name, result) = (format_ident!("{name}"), format_ident!("{result}"));
+            quote! {
+                fn #name(&self, time: R, state: &[R], parameters: &[R]) -> #result<R> {
+                    #name(time, state_of(state), &parameters_of(parameters))
+                }
+            }
+        });
+    quote! {
+        impl<R: Real> Simulator<R> for #machine {
+            #(#of_parameters)*
+            #(#arrays)*
+            #outputs
+            #(#structs)*
+        }
+        #[inline]
+        fn state_of<R>(state: &[R]) -> &[R; STATES] {
+            state.try_into().expect("the state has STATES entries")
+        }
+        #[inline]
+        fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+            let values: &[R; PARAMETERS] =
+                parameters.try_into().expect("there are PARAMETERS parameters");
+            Parameters::from_array(*values)
+        }
+    }
+}
+
+fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+    let system = &scene.program.system;
+    let states = quantities(system.state_quantities());
+    let parameters = quantities(system.parameters.iter().map(|parameter| &parameter.quantity));
+    let outputs = quantities(system.outputs.iter().map(|output| &output.quantity));
+    let scales = numbers("scale of a state", system.state_scales())?;
+    let defaults = numbers("parameter", system.parameters.iter().map(|p| p.value))?;
+    let run = run_defaults(scene)?;
+    Ok(quote! {
+        static STATE_QUANTITIES: [Quantity<'static>; STATES] = [#(#states),*];
+        static STATE_SCALES: [f64; STATES] = [#(#scales),*];
+        static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [#(#parameters),*];
+        static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [#(#defaults),*];
+        static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [#(#outputs),*];
+        #run
+    })
+}
+
+fn quantities<'a>(quantities: impl Iterator<Item = &'a Quantity>) -> Vec<TokenStream> {
+    let quantities = quantities.map(|quantity| {
+        let (name, unit, doc) = (&quantity.name.path, &quantity.unit, &quantity.doc);
+        quote!(Quantity { name: #name, unit: #unit, doc: #doc })
+    });
+    quantities.collect()
+}
+
+fn numbers(place: &str, values: impl Iterator<Item = f64>) -> Result<Vec<TokenStream>, EmitError> {
+    let literals = values.map(|value| {
+        literal(value).map_err(|_| EmitError::NotFinite { place: place.to_owned(), value })
+    });
+    literals.collect()
+}
+
+fn run_defaults(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+    let run = &scene.program.system.run;
+    let numbers = numbers("run", [run.from, run.until, run.rtol].into_iter())?;
+    let [from, until, rtol] = [&numbers[0], &numbers[1], &numbers[2]];
+    let points = proc_macro2::Literal::usize_unsuffixed(run.points);
+    let method = &run.method;
+    let docs = doc(["The run the spec asks for."]);
+    Ok(quote! {
+        #docs
+        pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+            from: #from,
+            until: #until,
+            points: #points,
+            rtol: #rtol,
+            method: #method,
+        };
+    })
+}

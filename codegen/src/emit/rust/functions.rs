@@ -1,0 +1,192 @@
+//! The free functions of an emitted module, one for each tape.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Scene;
+use super::body::{Body, ResultNames, Scope, body};
+use super::items::phantom;
+use crate::emit::text::doc;
+use crate::emit::{EmitError, functions as tapes, tape_operations};
+use crate::program::SparsityPattern;
+use crate::tape::Tape;
+
+/// All functions, in the order of [`tapes`].
+pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+    tapes(scene.program).into_iter().map(|(name, tape)| function(scene, name, tape)).collect()
+}
+
+/// What a function gives back.
+enum Returns {
+    /// An array of a length.
+    Array(TokenStream),
+    /// A struct with these fields.
+    Struct(TokenStream, Vec<Ident>),
+}
+
+/// How a function is presented.
+struct Manner {
+    /// Equation, shape and units.
+    doc: String,
+    returns: Returns,
+    names: ResultNames,
+    of_parameters_only: bool,
+}
+
+fn function(scene: &Scene<'_>, name: &'static str, tape: &Tape) -> Result<TokenStream, EmitError> {
+    let manner = manner(scene, name);
+    let scope = Scope {
+        states: &scene.states,
+        parameters: &scene.parameters,
+        tables: &scene.tables,
+        namer: &scene.locals,
+    };
+    let Body { statements, results, reads } = body(name, tape, &scope, &manner.names)?;
+    let p = if reads.parameters { format_ident!("p") } else { format_ident!("_p") };
+    let time = if reads.time { format_ident!("time") } else { format_ident!("_time") };
+    let state =
+        if reads.state.is_empty() { format_ident!("_state") } else { format_ident!("state") };
+    let state_and_time =
+        (!manner.of_parameters_only).then(|| quote!(#time: R, #state: &[R; STATES],));
+    let (return_type, value) = match manner.returns {
+        Returns::Array(length) => (quote!([R; #length]), quote!([#(#results),*])),
+        Returns::Struct(name, fields) => {
+            let phantom = phantom(&fields);
+            let fields = fields.iter().zip(&results).map(|(field, result)| field_of(field, result));
+            (quote!(#name<R>), quote!(#name { #(#fields,)* #phantom }))
+        }
+    };
+    let destructured = destructure(scene, &reads.state);
+    let operations = counted(tape_operations(tape));
+    let docs = doc([manner.doc.as_str(), "", operations.as_str()]);
+    let inline = (name == "rate").then(|| quote!(#[inline]));
+    let name = format_ident!("{name}");
+    Ok(quote! {
+        #docs
+        #[must_use]
+        #inline
+        pub fn #name<R: Real>(#state_and_time #p: &Parameters<R>) -> #return_type {
+            #destructured
+            #(#statements)*
+            #value
+        }
+    })
+}
+
+/// `field: result`, or `field` where the result is a variable of that name.
+fn field_of(field: &Ident, result: &TokenStream) -> TokenStream {
+    if *field == result.to_string() { quote!(#field) } else { quote!(#field: #result) }
+}
+
+fn counted(operations: usize) -> String {
+    match operations {
+        0 => "No operations.".to_owned(),
+        1 => "1 operation.".to_owned(),
+        many => format!("{many} operations."),
+    }
+}
+
+/// Binds the states a body reads: by one pattern if they are many, one by one if
+/// they are few among many.
+fn destructure(scene: &Scene<'_>, read: &BTreeSet<usize>) -> Option<TokenStream> {
+    let span = read.last()? + 1;
+    if span > 8 && read.len() * 3 < span {
+        let lets = read.iter().map(|&index| {
+            let (name, index) = (&scene.states[index], Literal::usize_unsuffixed(index));
+            quote!(let #name = state[#index];)
+        });
+        return Some(quote!(#(#lets)*));
+    }
+    let entries = (0..span).map(|index| {
+        let name = &scene.states[index];
+        if read.contains(&index) { quote!(#name) } else { quote!(_) }
+    });
+    let rest = (span < scene.states.len()).then(|| quote!(..));
+    Some(quote!(let [#(#entries,)* #rest] = *state;))
+}
+
+/// A `let` for every result, so that an array of them is a list of names.
+fn spread(names: Vec<String>) -> ResultNames {
+    ResultNames { spread: !names.is_empty(), names }
+}
+
+fn manner(scene: &Scene<'_>, function: &str) -> Manner {
+    let array = |length: &str, doc: &str, names: Vec<String>| {
+        let length = format_ident!("{length}");
+        let returns = Returns::Array(quote!(#length));
+        Manner { doc: doc.to_owned(), returns, names: spread(names), of_parameters_only: false }
+    };
+    let matrix = |pattern: &SparsityPattern, doc: &str, names: Vec<String>| {
+        let length = Literal::usize_unsuffixed(pattern.entries.len());
+        let returns = Returns::Array(quote!(#length));
+        Manner { doc: doc.to_owned(), returns, names: spread(names), of_parameters_only: false }
+    };
+    let structure = |name: &str, doc: &str, fields: Vec<Ident>| {
+        let names = fields.iter().map(ToString::to_string).collect();
+        let names = ResultNames { names, spread: false };
+        let name = format_ident!("{name}");
+        let returns = Returns::Struct(quote!(#name), fields);
+        Manner { doc: doc.to_owned(), returns, names, of_parameters_only: false }
+    };
+    let fields = |names: [&str; 3]| names.map(|name| format_ident!("{name}")).to_vec();
+    let n = scene.program.system.coordinates.len();
+    let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_rate")).collect();
+    match function {
+        "initial_state" => Manner {
+            of_parameters_only: true,
+            ..array("STATES", "State at the start of the run, in the units of the states.", vec![])
+        },
+        "discontinuities" => Manner {
+            of_parameters_only: true,
+            ..array("DISCONTINUITIES", "Times at which the right-hand side jumps \\[s\\].", vec![])
+        },
+        "rate" => {
+            array("STATES", "`y' = [q', M^-1 f, h]`, in the units of the states per second.", rates)
+        }
+        "mass_matrix" => {
+            let pattern = &scene.program.mass_matrix.pattern;
+            matrix(pattern, "`M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.", vec![])
+        }
+        "forcing" => {
+            let names = scene.states.iter().take(n).map(|q| format!("{q}_forcing")).collect();
+            array("COORDINATES", "`f` of `M q'' = f(q, q', z, t)`, one for each coordinate.", names)
+        }
+        "rate_jacobian" => {
+            let pattern = &scene.program.rate_jacobian.pattern;
+            let names = derivatives(pattern, &rates, &scene.states);
+            matrix(pattern, "`dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.", names)
+        }
+        "parameter_jacobian" => {
+            let pattern = &scene.program.parameter_jacobian.pattern;
+            let names = derivatives(pattern, &rates, &scene.parameters);
+            matrix(pattern, "`dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.", names)
+        }
+        "time_derivative" => {
+            let names = rates.iter().map(|rate| format!("{rate}_by_time")).collect();
+            array("STATES", "Partial derivative of `y'` with respect to time.", names)
+        }
+        "outputs" => structure("Outputs", "Wanted outputs.", scene.outputs.clone()),
+        "energy" => structure(
+            "Energy",
+            "T, V and the energy of first-order states \\[J\\].",
+            fields(["kinetic", "potential", "stored"]),
+        ),
+        _ => structure(
+            "PowerBalance",
+            "`dE/dt`, power supplied and power dissipated \\[W\\].",
+            fields(["stored_rate", "supplied", "dissipated"]),
+        ),
+    }
+}
+
+/// `phi_dot_rate_by_phi` for every nonzero of a Jacobian.
+fn derivatives(pattern: &SparsityPattern, rows: &[String], columns: &[Ident]) -> Vec<String> {
+    let names = pattern.entries.iter().map(|&(row, column)| {
+        let row = rows.get(row as usize).map_or("rate", String::as_str);
+        let column = columns.get(column as usize).map_or("it".to_owned(), ToString::to_string);
+        format!("{row}_by_{column}")
+    });
+    names.collect()
+}

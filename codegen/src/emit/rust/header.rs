@@ -1,0 +1,118 @@
+//! The comment at the top of an emitted file: where it comes from and what is
+//! in it.
+
+use crate::emit::text::comment_lines;
+use crate::emit::{EmitOptions, functions, tape_operations};
+use crate::program::{Program, SparsityPattern};
+use crate::system::LagrangianSystem;
+
+/// The first words of every emitted file, by which it is recognised.
+pub(crate) const MARK: &str = "// Emitted by Machinist";
+
+/// Header of a scene's module.
+pub(super) fn header(program: &Program, options: &EmitOptions) -> String {
+    let system = &program.system;
+    let mut lines = provenance(options);
+    lines.push(String::new());
+    lines.push("Sources, with SHA-256:".to_owned());
+    lines.extend(system.files.iter().map(|file| format!("  {}  {}", file.sha256, file.label)));
+    lines.push(String::new());
+    lines.push(system.title.clone());
+    lines.extend(section(&system.doc));
+    if !system.source.trim().is_empty() {
+        lines.push(String::new());
+        lines.push("Source:".to_owned());
+        lines.extend(comment_lines(&system.source).into_iter().map(|line| format!("  {line}")));
+    }
+    lines.push(String::new());
+    lines.extend(shapes(system));
+    lines.push(String::new());
+    lines.extend(states(system));
+    lines.push(String::new());
+    lines.extend(sparsity(program));
+    lines.push(String::new());
+    lines.push("Operations:".to_owned());
+    lines.extend(
+        functions(program)
+            .map(|(function, tape)| format!("  {function:<20} {:>6}", tape_operations(tape))),
+    );
+    as_comment(&lines)
+}
+
+/// Header of the module that lists the scenes.
+pub(super) fn index_header(options: &EmitOptions) -> String {
+    as_comment(&provenance(options))
+}
+
+fn provenance(options: &EmitOptions) -> Vec<String> {
+    let version = env!("CARGO_PKG_VERSION");
+    vec![
+        format!("{} {version}; do not edit. To make it again:", &MARK[3..]),
+        String::new(),
+        format!("    {}", options.command),
+    ]
+}
+
+fn section(text: &str) -> Vec<String> {
+    let lines = comment_lines(text);
+    if lines.is_empty() { lines } else { [vec![String::new()], lines].concat() }
+}
+
+fn shapes(system: &LagrangianSystem) -> Vec<String> {
+    let row = |name, count: usize| format!("  {name:<20} {count:>6}");
+    vec![
+        "Shapes; all quantities are in SI units:".to_owned(),
+        row("coordinates", system.coordinates.len()),
+        row("first-order states", system.first_order.len()),
+        row("states", system.states()),
+        row("parameters", system.parameters.len()),
+        row("outputs", system.outputs.len()),
+        row("discontinuities", system.discontinuities.len()),
+    ]
+}
+
+/// The state as a table: index, name, unit, meaning.
+fn states(system: &LagrangianSystem) -> Vec<String> {
+    let width = |text: fn(&crate::system::Quantity) -> &str| {
+        system.state_quantities().map(|quantity| text(quantity).chars().count()).max().unwrap_or(0)
+    };
+    let name_width = width(|quantity| &quantity.name.path);
+    let unit_width = width(|quantity| &quantity.unit) + 2;
+    let rows = system.state_quantities().enumerate().map(|(index, quantity)| {
+        let unit = format!("[{}]", quantity.unit);
+        let doc = comment_lines(&quantity.doc).join(" ");
+        let row = format!(
+            "  {index:>3}  {:<name_width$}  {unit:<unit_width$}  {doc}",
+            quantity.name.path,
+        );
+        row.trim_end().to_owned()
+    });
+    std::iter::once("State:".to_owned()).chain(rows).collect()
+}
+
+fn sparsity(program: &Program) -> Vec<String> {
+    let row = |name, pattern: &SparsityPattern| {
+        let (rows, columns) = (pattern.rows, pattern.columns);
+        format!("  {name:<20} {:>6} of {rows} by {columns}", pattern.entries.len())
+    };
+    vec![
+        "Nonzeros:".to_owned(),
+        row("mass_matrix", &program.mass_matrix.pattern),
+        row("rate_jacobian", &program.rate_jacobian.pattern),
+        row("parameter_jacobian", &program.parameter_jacobian.pattern),
+    ]
+}
+
+/// Lines as `//` comments, each made harmless once more, for they hold names and
+/// units too.
+fn as_comment(lines: &[String]) -> String {
+    let mut text = String::new();
+    for line in lines {
+        let indent = line.len() - line.trim_start().len();
+        let safe = comment_lines(line).join(" ");
+        let line = format!("// {:indent$}{safe}", "");
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,292 @@
+//! Constants, types and tables of an emitted module.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Scene;
+use super::names::{Namer, constant_name};
+use crate::emit::EmitError;
+use crate::emit::literal::literal;
+use crate::emit::text::{doc, markdown, markdown_line};
+use crate::program::{Program, SparsityPattern};
+use crate::system::Quantity;
+
+/// Shapes and patterns.
+pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
+    let system = &scene.program.system;
+    let count = |name: &str, value: usize, meaning: &str| {
+        let name = format_ident!("{name}");
+        let value = proc_macro2::Literal::usize_unsuffixed(value);
+        let meaning = doc([meaning]);
+        quote!(#meaning pub const #name: usize = #value;)
+    };
+    let counts = [
+        count("COORDINATES", system.coordinates.len(), "Generalized coordinates, n."),
+        count("STATES", system.states(), "Length of the state `[q, q', z]`, 2 n + m."),
+        count("PARAMETERS", system.parameters.len(), "Parameters."),
+        count("OUTPUTS", system.outputs.len(), "Wanted outputs."),
+        count(
+            "DISCONTINUITIES",
+            system.discontinuities.len(),
+            "Times at which the right-hand side jumps.",
+        ),
+    ];
+    let program = scene.program;
+    let patterns = [
+        pattern(
+            "MASS_MATRIX_PATTERN",
+            &program.mass_matrix.pattern,
+            "Nonzeros of M, both triangles.",
+        ),
+        pattern("RATE_JACOBIAN_PATTERN", &program.rate_jacobian.pattern, "Nonzeros of dy'/dy."),
+        pattern(
+            "PARAMETER_JACOBIAN_PATTERN",
+            &program.parameter_jacobian.pattern,
+            "Nonzeros of dy'/dp.",
+        ),
+    ];
+    quote!(#(#counts)* #(#patterns)*)
+}
+
+fn pattern(name: &str, pattern: &SparsityPattern, meaning: &str) -> TokenStream {
+    let name = format_ident!("{name}");
+    let meaning = doc([meaning]);
+    let number = |value: u32| proc_macro2::Literal::u32_unsuffixed(value);
+    let size = |value: usize| proc_macro2::Literal::usize_unsuffixed(value);
+    let entries = pattern.entries.iter().map(|&(row, column)| {
+        let (row, column) = (number(row), number(column));
+        quote!((#row, #column))
+    });
+    let (rows, columns) = (size(pattern.rows), size(pattern.columns));
+    quote! {
+        #meaning
+        pub const #name: SparsityPattern<'static> = SparsityPattern {
+            rows: #rows,
+            columns: #columns,
+            entries: &[#(#entries),*],
+        };
+    }
+}
+
+/// The unit struct that stands for the machine.
+pub(super) fn machine(scene: &Scene<'_>) -> TokenStream {
+    let system = &scene.program.system;
+    let mut lines = vec![markdown_line(&system.title), String::new()];
+    lines.extend(markdown(&system.doc));
+    if !system.source.trim().is_empty() {
+        lines.push(String::new());
+        lines.push(format!("Source: {}", markdown_line(&system.source)));
+    }
+    if lines[0].is_empty() {
+        lines[0] = format!("The machine `{}`.", system.name);
+    }
+    while lines.last().is_some_and(String::is_empty) {
+        lines.pop();
+    }
+    let docs = doc(lines);
+    let machine = &scene.machine;
+    quote! {
+        #docs
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        pub struct #machine;
+    }
+}
+
+/// `Parameters<R>` with the spec's values as default.
+pub(super) fn parameters(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+    let parameters = &scene.program.system.parameters;
+    let values = parameters.iter().map(|parameter| {
+        literal(parameter.value).map_err(|_| EmitError::NotFinite {
+            place: format!("parameter `{}`", parameter.quantity.name.path),
+            value: parameter.value,
+        })
+    });
+    let values = values.collect::<Result<Vec<_>, _>>()?;
+    let docs = parameters.iter().map(|parameter| {
+        let default = parameter.value;
+        doc([format!("{} In the spec: {default:?}.", meaning(&parameter.quantity))])
+    });
+    let names = &scene.parameters;
+    let structure = record(
+        &RecordNames { record: "Parameters", length: "PARAMETERS" },
+        "Parameters, in SI units; the default holds the values of the spec.",
+        names,
+        docs,
+    );
+    let phantom = phantom(names);
+    Ok(quote! {
+        #structure
+        impl<R: Real> Default for Parameters<R> {
+            fn default() -> Self {
+                Self { #(#names: R::literal(#values),)* #phantom }
+            }
+        }
+    })
+}
+
+/// `Outputs<R>`.
+pub(super) fn outputs(scene: &Scene<'_>) -> TokenStream {
+    let outputs = &scene.program.system.outputs;
+    let docs = outputs.iter().map(|output| doc([meaning(&output.quantity)]));
+    record(
+        &RecordNames { record: "Outputs", length: "OUTPUTS" },
+        "Wanted outputs, in SI units.",
+        &scene.outputs,
+        docs,
+    )
+}
+
+struct RecordNames {
+    record: &'static str,
+    length: &'static str,
+}
+
+/// A struct of numbers that converts from and to an array.
+fn record(
+    names: &RecordNames,
+    meaning: &str,
+    fields: &[Ident],
+    docs: impl Iterator<Item = TokenStream>,
+) -> TokenStream {
+    let (record, length) = (format_ident!("{}", names.record), format_ident!("{}", names.length));
+    let meaning = doc([meaning]);
+    let indices = (0..fields.len()).map(proc_macro2::Literal::usize_unsuffixed);
+    let phantom = phantom(fields);
+    let phantom_field = phantom.is_some().then(|| {
+        let docs = doc(["Nothing; there are no numbers here."]);
+        quote!(#docs pub real: core::marker::PhantomData<R>,)
+    });
+    let values = if fields.is_empty() { format_ident!("_values") } else { format_ident!("values") };
+    let (from, to) =
+        (doc(["From the numbers in their order."]), doc(["The numbers in their order."]));
+    quote! {
+        #meaning
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct #record<R> {
+            #(#docs pub #fields: R,)*
+            #phantom_field
+        }
+        impl<R: Real> #record<R> {
+            #from
+            #[must_use]
+            #[inline]
+            pub fn from_array(#values: [R; #length]) -> Self {
+                Self { #(#fields: values[#indices],)* #phantom }
+            }
+            #to
+            #[must_use]
+            #[inline]
+            pub fn to_array(self) -> [R; #length] {
+                [#(self.#fields),*]
+            }
+        }
+    }
+}
+
+/// What gives a struct without numbers a use for its type parameter.
+pub(super) fn phantom(fields: &[Ident]) -> Option<TokenStream> {
+    fields.is_empty().then(|| quote!(real: core::marker::PhantomData,))
+}
+
+/// Meaning and unit of a quantity, one line of Markdown.
+pub(super) fn meaning(quantity: &Quantity) -> String {
+    let doc = markdown_line(&quantity.doc);
+    let path = markdown_line(&quantity.name.path);
+    let what = if doc.is_empty() { path } else { format!("{path}: {doc}") };
+    format!("{what} \\[{}\\].", markdown_line(&quantity.unit))
+}
+
+/// `pub mod state` with the index of every state.
+pub(super) fn state_indices(scene: &Scene<'_>) -> TokenStream {
+    let mut namer = Namer::empty();
+    let constants = scene.program.system.state_quantities().enumerate().map(|(index, quantity)| {
+        let name = namer.claim(&constant_name(&quantity.name.ident));
+        let docs = doc([meaning(quantity)]);
+        let index = proc_macro2::Literal::usize_unsuffixed(index);
+        quote!(#docs pub const #name: usize = #index;)
+    });
+    let constants: Vec<TokenStream> = constants.collect();
+    let docs = doc(["Where to find what in the state."]);
+    quote!(#docs pub mod state { #(#constants)* })
+}
+
+/// Tables of the scene.
+pub(super) fn tables(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+    let tables = scene.program.system.tables.iter().zip(&scene.tables).map(|(table, name)| {
+        let number = |value: f64| {
+            let place = || format!("table `{}`", table.name.path);
+            literal(value).map_err(|_| EmitError::NotFinite { place: place(), value })
+        };
+        let knots = table.knots.iter().map(|&knot| number(knot)).collect::<Result<Vec<_>, _>>()?;
+        let rows = table.coefficients.iter().map(|row| {
+            let row = row.iter().map(|&value| number(value)).collect::<Result<Vec<_>, _>>()?;
+            Ok(quote!([#(#row),*]))
+        });
+        let rows = rows.collect::<Result<Vec<_>, EmitError>>()?;
+        let docs = doc([format!("Natural cubic spline {}.", markdown_line(&table.name.path))]);
+        Ok(quote! {
+            #docs
+            pub static #name: CubicTable<'static> = CubicTable {
+                knots: &[#(#knots),*],
+                coefficients: &[#(#rows),*],
+            };
+        })
+    });
+    tables.collect()
+}
+
+/// The module that lists the scenes.
+pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Path) -> TokenStream {
+    let declarations = programs.iter().zip(modules).map(|(program, module)| {
+        let title = markdown_line(&program.system.title);
+        let docs = doc([if title.is_empty() { format!("The machine `{module}`.") } else { title }]);
+        quote! {
+            #docs
+            #[rustfmt::skip]
+            #[allow(
+                non_snake_case,
+                clippy::approx_constant,
+                clippy::struct_field_names,
+                clippy::too_many_lines,
+                reason = "the spec's own names and numbers, in bodies as long as its equations"
+            )]
+            pub mod #module;
+        }
+    });
+    let names = programs.iter().map(|program| program.system.name.as_str());
+    let arms = programs.iter().zip(modules).map(|(program, module)| {
+        let name = &program.system.name;
+        let machine = format_ident!("{}", super::names::type_name(name));
+        quote!(#name => Some(&#module::#machine),)
+    });
+    let inner = "Simulators emitted from the specs, one module a scene.";
+    let (names_doc, find_doc) =
+        (doc(["Names of all scenes, sorted."]), doc(["The scene of a name."]));
+    let inner = format!(" {inner}");
+    let find = if programs.is_empty() {
+        quote!(
+            pub fn find<R: Real>(_name: &str) -> Option<&'static dyn Simulator<R>> {
+                None
+            }
+        )
+    } else {
+        quote! {
+            pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
+                match name {
+                    #(#arms)*
+                    _ => None,
+                }
+            }
+        }
+    };
+    quote! {
+        #![doc = #inner]
+        use #contract::{Real, Simulator};
+        #(#declarations)*
+        #names_doc
+        pub const NAMES: &[&str] = &[#(#names),*];
+        #find_doc
+        #[must_use]
+        #find
+    }
+}

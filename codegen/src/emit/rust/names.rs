@@ -1,0 +1,189 @@
+//! Names of emitted Rust: valid, distinct, and the spec's own where it has one.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Span};
+
+use crate::emit::EmitError;
+
+/// Names that a local variable must not take: what signatures bind, what the
+/// prelude and the module let patterns match, and what would mislead a reader.
+const RESERVED: &[&str] = &[
+    "p",
+    "state",
+    "time",
+    "R",
+    "None",
+    "Some",
+    "Ok",
+    "Err",
+    "core",
+    "STATES",
+    "COORDINATES",
+    "PARAMETERS",
+    "OUTPUTS",
+    "DISCONTINUITIES",
+    "STATE_QUANTITIES",
+    "STATE_SCALES",
+    "PARAMETER_QUANTITIES",
+    "PARAMETER_DEFAULTS",
+    "OUTPUT_QUANTITIES",
+    "RUN_DEFAULTS",
+    "RATE_JACOBIAN_PATTERN",
+    "PARAMETER_JACOBIAN_PATTERN",
+    "MASS_MATRIX_PATTERN",
+];
+
+/// The tapes' functions; a local variable of the same name would mislead.
+const FUNCTIONS: &[&str] = &[
+    "initial_state",
+    "discontinuities",
+    "rate",
+    "mass_matrix",
+    "forcing",
+    "rate_jacobian",
+    "parameter_jacobian",
+    "time_derivative",
+    "outputs",
+    "energy",
+    "power_balance",
+];
+
+/// Types that the emitted module defines or imports.
+const TYPES: &[&str] = &[
+    "Parameters",
+    "Outputs",
+    "CubicTable",
+    "Describe",
+    "Energy",
+    "PowerBalance",
+    "Quantity",
+    "Real",
+    "RunDefaults",
+    "Shape",
+    "Simulator",
+    "SparsityPattern",
+    "R",
+    "Self",
+    "Default",
+    "Debug",
+    "Clone",
+    "Copy",
+    "Option",
+    "Some",
+    "None",
+    "Ok",
+    "Err",
+    "Result",
+    "Box",
+    "Vec",
+    "String",
+    "PhantomData",
+];
+
+/// The identifier of a text, or the error that it is none.
+pub(super) fn identifier(text: &str) -> Result<Ident, EmitError> {
+    syn::parse_str(text).map_err(|_| EmitError::Identifier { name: text.to_owned() })
+}
+
+/// Identifiers of all names of a kind, checked to be distinct.
+pub(super) fn distinct<'a>(
+    names: impl IntoIterator<Item = &'a str>,
+    kind: &'static str,
+) -> Result<Vec<Ident>, EmitError> {
+    let mut seen = BTreeSet::new();
+    let mut idents = Vec::new();
+    for name in names {
+        if !seen.insert(name) {
+            return Err(EmitError::NamedTwice { name: name.to_owned(), kind });
+        }
+        idents.push(identifier(name)?);
+    }
+    Ok(idents)
+}
+
+/// Hands out names, each once.
+#[derive(Debug, Clone)]
+pub(super) struct Namer {
+    taken: BTreeSet<String>,
+}
+
+impl Namer {
+    /// A namer for local variables of emitted functions.
+    pub(super) fn for_locals() -> Self {
+        let taken = RESERVED.iter().chain(FUNCTIONS).map(|&name| name.to_owned()).collect();
+        Self { taken }
+    }
+
+    /// A namer for constants of the emitted module.
+    pub(super) fn for_constants() -> Self {
+        Self { taken: RESERVED.iter().map(|&name| name.to_owned()).collect() }
+    }
+
+    /// A namer among nothing.
+    pub(super) fn empty() -> Self {
+        Self { taken: BTreeSet::new() }
+    }
+
+    /// Keeps a name from being handed out.
+    pub(super) fn reserve(&mut self, name: &str) {
+        self.taken.insert(name.to_owned());
+    }
+
+    /// `wanted`, or `wanted_2`, `wanted_3`, ... if that is taken. `wanted` must
+    /// be an identifier.
+    pub(super) fn claim(&mut self, wanted: &str) -> Ident {
+        let mut name = wanted.to_owned();
+        let mut count = 1_u32;
+        while !self.taken.insert(name.clone()) {
+            count += 1;
+            name = format!("{wanted}_{count}");
+        }
+        Ident::new(&name, Span::call_site())
+    }
+}
+
+/// `saw_gin` to `SawGin`, kept apart from the module's other types.
+pub(super) fn type_name(scene: &str) -> String {
+    let mut name = String::new();
+    for word in scene.split('_') {
+        let mut letters = word.chars();
+        name.extend(letters.next().map(|letter| letter.to_ascii_uppercase()));
+        name.push_str(letters.as_str());
+    }
+    let begins_well = name.starts_with(|letter: char| letter.is_alphabetic());
+    if !begins_well || TYPES.contains(&name.as_str()) {
+        name.insert_str(0, "Machine");
+    }
+    name
+}
+
+/// The upper-case spelling of an identifier.
+pub(super) fn constant_name(ident: &str) -> String {
+    ident.to_ascii_uppercase()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Namer, identifier, type_name};
+
+    #[test]
+    fn scenes_become_types_that_clash_with_nothing() {
+        let names = ["saw_gin", "two_mass_2", "parameters", "_1", "x"].map(type_name);
+        assert_eq!(names, ["SawGin", "TwoMass2", "MachineParameters", "Machine1", "X"]);
+    }
+
+    #[test]
+    fn a_name_is_handed_out_once() {
+        let mut namer = Namer::for_locals();
+        let names = ["phi", "phi", "phi", "state"].map(|name| namer.claim(name).to_string());
+        assert_eq!(names, ["phi", "phi_2", "phi_3", "state_2"]);
+    }
+
+    #[test]
+    fn keywords_and_code_are_no_identifiers() {
+        for text in ["fn", "a b", "", "1a", "a; fn main() {}", "self", "_"] {
+            assert!(identifier(text).is_err(), "{text:?}");
+        }
+    }
+}

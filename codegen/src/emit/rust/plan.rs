@@ -1,0 +1,78 @@
+//! Which nodes of a tape become a `let` and which are written where they are used.
+
+use crate::emit::needed_nodes;
+use crate::tape::{NodeId, Op, Tape};
+
+/// Operations that one expression holds at most.
+const LONGEST_EXPRESSION: usize = 24;
+
+/// What becomes of a node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    /// No result needs it.
+    Nowhere,
+    /// Written into the expression that uses it.
+    Inline,
+    /// A `let` of its own.
+    Statement,
+}
+
+/// The place of every node. `spread_results` asks for a `let` for every result
+/// that is more than a leaf, so that a long array of results reads well.
+pub(super) fn plan(tape: &Tape, spread_results: bool) -> Vec<Place> {
+    let uses = count_uses(tape);
+    let mut places = Vec::with_capacity(tape.nodes.len());
+    let mut sizes: Vec<usize> = Vec::with_capacity(tape.nodes.len());
+    for (node, &uses) in tape.nodes.iter().zip(&uses) {
+        let place = match node.op {
+            _ if uses == 0 => Place::Nowhere,
+            _ if !node.op.is_arithmetic() => Place::Inline,
+            _ if uses > 1 || node.name.is_some() => Place::Statement,
+            _ => Place::Inline,
+        };
+        let size = size_within_limit(&node.op, &mut places, &sizes);
+        places.push(place);
+        sizes.push(size);
+    }
+    if spread_results {
+        for &NodeId(result) in &tape.results {
+            let index = result as usize;
+            if tape.nodes[index].op.is_arithmetic() {
+                places[index] = Place::Statement;
+            }
+        }
+    }
+    places
+}
+
+/// Size of the expression of an operation with all that is inlined into it,
+/// after giving its largest operands a `let` as long as it is too long.
+fn size_within_limit(op: &Op, places: &mut [Place], sizes: &[usize]) -> usize {
+    if !op.is_arithmetic() {
+        return 0;
+    }
+    let operands: Vec<usize> = op.operands().iter().map(|id| id.0 as usize).collect();
+    loop {
+        let inlined = operands.iter().copied().filter(|&k| places[k] == Place::Inline);
+        let size = 1 + inlined.clone().map(|k| sizes[k]).sum::<usize>();
+        let largest = inlined.max_by_key(|&k| sizes[k]);
+        match largest {
+            Some(largest) if size > LONGEST_EXPRESSION && sizes[largest] > 0 => {
+                places[largest] = Place::Statement;
+            }
+            _ => return size,
+        }
+    }
+}
+
+/// How often every node is used by nodes that results need, and as a result.
+fn count_uses(tape: &Tape) -> Vec<u32> {
+    let needed = needed_nodes(tape);
+    let mut uses = vec![0_u32; tape.nodes.len()];
+    let operands = tape.nodes.iter().zip(needed).filter(|(_, needed)| *needed);
+    let operands = operands.flat_map(|(node, _)| node.op.operands());
+    for NodeId(used) in operands.chain(tape.results.iter().copied()) {
+        uses[used as usize] += 1;
+    }
+    uses
+}

@@ -1,0 +1,180 @@
+//! Tapes run as they are, in `f64`.
+//!
+//! Excluded: names, compilation. The order of operations is that of the emitted
+//! Rust, so that both agree bit for bit.
+
+use crate::emit::needed_nodes;
+use crate::expr::Function;
+use crate::system::Table;
+use crate::tape::{NodeId, Op, Tape};
+
+/// A tape with room for its values: evaluating it allocates nothing.
+#[derive(Debug, Clone)]
+pub struct Evaluator {
+    /// The operations results need, each reading values before its own.
+    operations: Vec<Op>,
+    results: Vec<NodeId>,
+    values: Vec<f64>,
+}
+
+impl Evaluator {
+    /// Prepares a tape; nodes that no result needs are left out.
+    #[must_use]
+    pub fn new(tape: &Tape) -> Self {
+        let mut operations = Vec::new();
+        let mut moved = vec![NodeId(0); tape.nodes.len()];
+        for (index, needed) in needed_nodes(tape).into_iter().enumerate() {
+            if needed {
+                moved[index] = NodeId(operations.len() as u32);
+                operations.push(renumber(tape.nodes[index].op, &moved));
+            }
+        }
+        let results = tape.results.iter().map(|id| moved[id.0 as usize]).collect();
+        let values = vec![0.0; operations.len()];
+        Self { operations, results, values }
+    }
+
+    /// Number of results.
+    #[must_use]
+    pub fn results(&self) -> usize {
+        self.results.len()
+    }
+
+    /// Writes the tape's results.
+    ///
+    /// # Panics
+    /// If `results` is not as long as the tape's results, or if `state`,
+    /// `parameters` or `tables` lack an entry the tape reads.
+    pub fn evaluate(
+        &mut self,
+        time: f64,
+        state: &[f64],
+        parameters: &[f64],
+        tables: &[Table],
+        results: &mut [f64],
+    ) {
+        for (index, op) in self.operations.iter().enumerate() {
+            let value = |id: NodeId| self.values[id.0 as usize];
+            self.values[index] = match *op {
+                Op::Literal(literal) => literal,
+                Op::Time => time,
+                Op::State(entry) => state[entry as usize],
+                Op::Parameter(entry) => parameters[entry as usize],
+                Op::Neg(a) => -value(a),
+                Op::Add(a, b) => value(a) + value(b),
+                Op::Sub(a, b) => value(a) - value(b),
+                Op::Mul(a, b) => value(a) * value(b),
+                Op::Div(a, b) => value(a) / value(b),
+                Op::Powi(base, exponent) => power(value(base), exponent),
+                Op::Powf(base, exponent) => value(base).powf(value(exponent)),
+                Op::Call(function, argument) => call(function, value(argument)),
+                Op::SelectLess { lhs, rhs, then, otherwise } => {
+                    if value(lhs) < value(rhs) {
+                        value(then)
+                    } else {
+                        value(otherwise)
+                    }
+                }
+                Op::Table { table, order, argument } => {
+                    interpolate(&tables[table.0 as usize], order, value(argument))
+                }
+            };
+        }
+        assert_eq!(results.len(), self.results.len(), "one place for each result");
+        for (result, id) in results.iter_mut().zip(&self.results) {
+            *result = self.values[id.0 as usize];
+        }
+    }
+}
+
+/// The operation with its operands where they have moved to.
+fn renumber(op: Op, moved: &[NodeId]) -> Op {
+    let to = |id: NodeId| moved[id.0 as usize];
+    match op {
+        Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_) => op,
+        Op::Neg(a) => Op::Neg(to(a)),
+        Op::Add(a, b) => Op::Add(to(a), to(b)),
+        Op::Sub(a, b) => Op::Sub(to(a), to(b)),
+        Op::Mul(a, b) => Op::Mul(to(a), to(b)),
+        Op::Div(a, b) => Op::Div(to(a), to(b)),
+        Op::Powi(base, exponent) => Op::Powi(to(base), exponent),
+        Op::Powf(base, exponent) => Op::Powf(to(base), to(exponent)),
+        Op::Call(function, argument) => Op::Call(function, to(argument)),
+        Op::SelectLess { lhs, rhs, then, otherwise } => {
+            Op::SelectLess { lhs: to(lhs), rhs: to(rhs), then: to(then), otherwise: to(otherwise) }
+        }
+        Op::Table { table, order, argument } => Op::Table { table, order, argument: to(argument) },
+    }
+}
+
+/// A function of one argument; `SelectLess` and `Table` have operations of their
+/// own and are not numbers here.
+fn call(function: Function, x: f64) -> f64 {
+    match function {
+        Function::Sqrt => x.sqrt(),
+        Function::Abs => x.abs(),
+        Function::Exp => x.exp(),
+        Function::Ln => x.ln(),
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.tan(),
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+        Function::SelectLess | Function::Table { .. } => f64::NAN,
+    }
+}
+
+/// Integer power by repeated squaring, as the emitted contract takes it.
+fn power(base: f64, exponent: i32) -> f64 {
+    let mut power = 1.0;
+    let mut square = base;
+    let mut left = exponent.unsigned_abs();
+    while left > 0 {
+        if left & 1 == 1 {
+            power *= square;
+        }
+        square *= square;
+        left >>= 1;
+    }
+    if exponent < 0 { 1.0 / power } else { power }
+}
+
+/// Value or derivative of a table, constant beyond its ends.
+fn interpolate(table: &Table, order: u32, x: f64) -> f64 {
+    let (Some(&first), Some(&last)) = (table.knots.first(), table.knots.last()) else {
+        return 0.0;
+    };
+    // Written so that a NaN goes beyond the end, as in the contract.
+    if x < first {
+        return end_value(table, order, 0, first);
+    }
+    if x < last {
+        let interval = table.knots.partition_point(|&knot| knot <= x).saturating_sub(1);
+        let piece = table.coefficients.get(interval).zip(table.knots.get(interval));
+        return piece.map_or(0.0, |(c, start)| polynomial(c, order, x - start));
+    }
+    end_value(table, order, table.coefficients.len().saturating_sub(1), last)
+}
+
+/// The constant beyond an end.
+fn end_value(table: &Table, order: u32, interval: usize, end: f64) -> f64 {
+    match table.coefficients.get(interval).zip(table.knots.get(interval)) {
+        Some((c, start)) if order == 0 => polynomial(c, 0, end - start),
+        _ => 0.0,
+    }
+}
+
+/// Derivative of the given order of c0 + c1 u + c2 u^2 + c3 u^3.
+fn polynomial(&[c0, c1, c2, c3]: &[f64; 4], order: u32, u: f64) -> f64 {
+    match order {
+        0 => ((c3 * u + c2) * u + c1) * u + c0,
+        1 => (3.0 * c3 * u + 2.0 * c2) * u + c1,
+        2 => 6.0 * c3 * u + 2.0 * c2,
+        3 => 6.0 * c3,
+        _ => 0.0,
+    }
+}

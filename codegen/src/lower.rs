@@ -1,0 +1,18 @@
+//! Linearized equations to one tape for each function.
+
+mod graph;
+mod program;
+mod terms;
+
+use crate::expr::Expr;
+
+pub use graph::Graph;
+pub use program::lower;
+
+/// Operations of the tape of one expression.
+#[must_use]
+pub fn operations(expr: &Expr) -> usize {
+    let mut graph = Graph::new();
+    let root = graph.lower(expr);
+    graph.tape(&[root]).nodes.iter().filter(|node| node.op.is_arithmetic()).count()
+}

@@ -1,0 +1,245 @@
+//! The operations of a whole scene, each written once.
+
+use std::collections::HashMap;
+
+use crate::expr::{Expr, Function, TableId};
+use crate::fold;
+use crate::tape::{Node, NodeId, Op, Tape};
+
+/// Operations in order of creation, equal ones shared; functions of the scene
+/// are slices of it.
+#[derive(Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    known: HashMap<Key, NodeId>,
+    /// Depends on parameters and literals only; see [`super::terms`].
+    constant: Vec<bool>,
+    coordinates: u32,
+    accelerations: Vec<NodeId>,
+    pub(super) sums: Vec<(Vec<Expr>, NodeId)>,
+}
+
+/// Two operations with equal keys compute the same value.
+type Key = (u8, [u64; 4]);
+
+impl Graph {
+    /// A graph for one expression or for a scene without coordinates.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A graph for a scene of `coordinates` generalized coordinates, so that
+    /// symbols find their place in the state \[q, q', z\].
+    #[must_use]
+    pub fn for_scene(coordinates: usize) -> Self {
+        Graph { coordinates: coordinates as u32, ..Self::default() }
+    }
+
+    /// What q'' stands for from now on.
+    pub fn set_accelerations(&mut self, accelerations: Vec<NodeId>) {
+        self.accelerations = accelerations;
+    }
+
+    /// The nodes of an expression.
+    ///
+    /// # Panics
+    /// If it holds accelerations before they are set.
+    pub fn lower(&mut self, expr: &Expr) -> NodeId {
+        super::terms::lower(self, expr)
+    }
+
+    pub(super) fn symbol(&mut self, symbol: crate::expr::Symbol) -> NodeId {
+        use crate::expr::Symbol;
+        match symbol {
+            Symbol::Pi => self.literal(std::f64::consts::PI),
+            Symbol::Time => self.push(Op::Time),
+            Symbol::Coordinate(id) => self.push(Op::State(id.0)),
+            Symbol::Velocity(id) => self.push(Op::State(self.coordinates + id.0)),
+            Symbol::FirstOrder(id) => self.push(Op::State(2 * self.coordinates + id.0)),
+            Symbol::Parameter(id) => self.push(Op::Parameter(id.0)),
+            Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
+        }
+    }
+
+    /// Names a node, if it is an operation without a name; the first name stays.
+    pub fn name(&mut self, id: NodeId, ident: &str) {
+        let node = &mut self.nodes[id.0 as usize];
+        if node.op.is_arithmetic() && node.name.is_none() {
+            node.name = Some(ident.to_owned());
+        }
+    }
+
+    /// A finite literal.
+    pub fn literal(&mut self, value: f64) -> NodeId {
+        // Minus zero would hide equal operations.
+        self.push(Op::Literal(if value == 0.0 { 0.0 } else { value }))
+    }
+
+    /// The value of a literal node.
+    #[must_use]
+    pub fn literal_value(&self, id: NodeId) -> Option<f64> {
+        match self.nodes[id.0 as usize].op {
+            Op::Literal(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether a node is the literal zero.
+    #[must_use]
+    pub fn is_zero(&self, id: NodeId) -> bool {
+        self.literal_value(id) == Some(0.0)
+    }
+
+    /// Whether a node depends on parameters and literals only.
+    #[must_use]
+    pub fn is_constant(&self, id: NodeId) -> bool {
+        self.constant[id.0 as usize]
+    }
+
+    /// The operation of a node.
+    #[must_use]
+    pub fn op(&self, id: NodeId) -> Op {
+        self.nodes[id.0 as usize].op
+    }
+
+    /// -a
+    pub fn neg(&mut self, a: NodeId) -> NodeId {
+        self.push(Op::Neg(a))
+    }
+    /// a + b
+    pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Add(a, b))
+    }
+    /// a - b
+    pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Sub(a, b))
+    }
+    /// a b
+    pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Mul(a, b))
+    }
+    /// a / b
+    pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Div(a, b))
+    }
+    /// a^n; small powers are products.
+    pub fn powi(&mut self, a: NodeId, exponent: i32) -> NodeId {
+        match exponent {
+            0 => self.literal(1.0),
+            1 => a,
+            2 => self.mul(a, a),
+            3 => {
+                let square = self.mul(a, a);
+                self.mul(square, a)
+            }
+            4 => {
+                let square = self.mul(a, a);
+                self.mul(square, square)
+            }
+            _ if exponent < 0 => {
+                let power = self.powi(a, -exponent);
+                let one = self.literal(1.0);
+                self.div(one, power)
+            }
+            _ => self.push(Op::Powi(a, exponent)),
+        }
+    }
+    /// a^b
+    pub fn powf(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Powf(a, b))
+    }
+    /// A function of one argument.
+    pub fn call(&mut self, function: Function, a: NodeId) -> NodeId {
+        self.push(Op::Call(function, a))
+    }
+    /// `then` where lhs < rhs, else `otherwise`.
+    pub fn select_less(
+        &mut self,
+        lhs: NodeId,
+        rhs: NodeId,
+        then: NodeId,
+        otherwise: NodeId,
+    ) -> NodeId {
+        self.push(Op::SelectLess { lhs, rhs, then, otherwise })
+    }
+    /// A table or a derivative of it.
+    pub fn table(&mut self, table: TableId, order: u32, argument: NodeId) -> NodeId {
+        self.push(Op::Table { table, order, argument })
+    }
+
+    /// Folds, then finds or appends.
+    fn push(&mut self, op: Op) -> NodeId {
+        let op = match fold::fold(self, op) {
+            fold::Folded::Node(id) => return id,
+            fold::Folded::Op(op) => op,
+        };
+        let key = key(&op);
+        if let Some(id) = self.known.get(&key) {
+            return *id;
+        }
+        let id = NodeId(self.nodes.len() as u32);
+        let constant = match op {
+            Op::Literal(_) | Op::Parameter(_) => true,
+            Op::Time | Op::State(_) => false,
+            _ => op.operands().iter().all(|operand| self.is_constant(*operand)),
+        };
+        self.nodes.push(Node { op, name: None });
+        self.constant.push(constant);
+        self.known.insert(key, id);
+        id
+    }
+
+    /// The nodes that `results` need, in order, and nothing else.
+    #[must_use]
+    pub fn tape(&self, results: &[NodeId]) -> Tape {
+        crate::prune::reachable(&self.nodes, results)
+    }
+}
+
+/// Sums and products are the same either way round.
+fn key(op: &Op) -> Key {
+    let n = |id: NodeId| u64::from(id.0);
+    let both = |a: NodeId, b: NodeId| [n(a.min(b)), n(a.max(b)), 0, 0];
+    match *op {
+        Op::Literal(value) => (0, [value.to_bits(), 0, 0, 0]),
+        Op::Time => (1, [0; 4]),
+        Op::State(index) => (2, [u64::from(index), 0, 0, 0]),
+        Op::Parameter(index) => (3, [u64::from(index), 0, 0, 0]),
+        Op::Neg(a) => (4, [n(a), 0, 0, 0]),
+        Op::Add(a, b) => (5, both(a, b)),
+        Op::Sub(a, b) => (6, [n(a), n(b), 0, 0]),
+        Op::Mul(a, b) => (7, both(a, b)),
+        Op::Div(a, b) => (8, [n(a), n(b), 0, 0]),
+        Op::Powi(a, exponent) => (9, [n(a), i64::from(exponent) as u64, 0, 0]),
+        Op::Powf(a, b) => (10, [n(a), n(b), 0, 0]),
+        Op::Call(function, a) => (11, [function_number(function), n(a), 0, 0]),
+        Op::SelectLess { lhs, rhs, then, otherwise } => {
+            (12, [n(lhs), n(rhs), n(then), n(otherwise)])
+        }
+        Op::Table { table, order, argument } => {
+            (13, [u64::from(table.0), u64::from(order), n(argument), 0])
+        }
+    }
+}
+
+fn function_number(function: Function) -> u64 {
+    match function {
+        Function::Sqrt => 0,
+        Function::Abs => 1,
+        Function::Exp => 2,
+        Function::Ln => 3,
+        Function::Sin => 4,
+        Function::Cos => 5,
+        Function::Tan => 6,
+        Function::Asin => 7,
+        Function::Acos => 8,
+        Function::Atan => 9,
+        Function::Sinh => 10,
+        Function::Cosh => 11,
+        Function::Tanh => 12,
+        Function::SelectLess | Function::Table { .. } => {
+            unreachable!("these have operations of their own")
+        }
+    }
+}

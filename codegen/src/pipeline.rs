@@ -1,0 +1,47 @@
+//! The straight line, from spec text to a program ready to be emitted.
+//!
+//! ```text
+//! spec text -> SceneSpec -> LagrangianSystem -> EquationsOfMotion
+//!   -> Linearization -> Program -> emitted Rust
+//! ```
+
+use std::path::Path;
+
+use crate::cas::session;
+use crate::diagnostic::Diagnostics;
+use crate::lagrange::{self, EquationsOfMotion};
+use crate::linearize::linearize;
+use crate::program::Program;
+use crate::system::LagrangianSystem;
+use crate::{lower, scene, spec};
+
+/// A scene file to its program.
+///
+/// # Errors
+/// With file, line, span and hint for whatever is wrong in the spec.
+pub fn generate(scene: &Path) -> Result<Program, Diagnostics> {
+    let system = check(scene)?;
+    let linearization = session(move |cas| {
+        let equations = lagrange::derive(cas, &system);
+        linearize(cas, &equations)
+    })?;
+    Ok(lower::lower(&linearization))
+}
+
+/// A scene file to one Lagrangian system, names and dimensions checked.
+///
+/// # Errors
+/// As [`generate`].
+pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
+    let spec = spec::load_scene(scene)?;
+    scene::compose(&spec)
+}
+
+/// A scene file to its equations of motion, for people to read.
+///
+/// # Errors
+/// As [`generate`].
+pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
+    let system = check(scene)?;
+    Ok(session(move |cas| lagrange::derive(cas, &system))?)
+}

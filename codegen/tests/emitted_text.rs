@@ -1,0 +1,155 @@
+//! What emitted modules look like, and that no text of a spec gets out of its
+//! comment. Emitted modules are kept in `tests/emitted/`, where the other tests
+//! compile them; `ACCEPT_EMITTED=1 cargo test -p machinist-codegen` renews them.
+
+mod support;
+
+use std::path::Path;
+
+use machinist_codegen::emit::rust::{emit, emit_index};
+use machinist_codegen::emit::{EmitError, EmitOptions, tape_operations};
+use machinist_codegen::program::Program;
+use machinist_codegen::tape::{Node, NodeId, Op, Tape};
+use support::{HOSTILE, oddities, pendulum, tape};
+
+fn emitted(program: &Program) -> String {
+    emit(program, &EmitOptions::for_build_script()).expect("a program that can be emitted")
+}
+
+fn assert_kept(program: &Program) {
+    let name = format!("{}.rs", program.system.name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/emitted").join(name);
+    let text = emitted(program);
+    if std::env::var_os("ACCEPT_EMITTED").is_some() {
+        std::fs::write(&path, &text).expect("tests/emitted can be written");
+    }
+    let kept = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        kept == text,
+        "{} is not what is emitted; if it should be, renew it with \
+         `ACCEPT_EMITTED=1 cargo test -p machinist-codegen` and look at the difference",
+        path.display()
+    );
+}
+
+#[test]
+fn the_pendulum_is_emitted_as_kept() {
+    assert_kept(&pendulum());
+}
+
+#[test]
+fn odd_names_and_every_operation_are_emitted_as_kept() {
+    assert_kept(&oddities());
+}
+
+#[test]
+fn the_same_program_gives_the_same_bytes() {
+    assert_eq!(emitted(&pendulum()), emitted(&pendulum()));
+}
+
+/// Kind and name of every item of a module.
+fn items(text: &str) -> Vec<String> {
+    let file = syn::parse_file(text).expect("emitted text is Rust");
+    let items = file.items.iter().map(|item| match item {
+        syn::Item::Const(item) => format!("const {}", item.ident),
+        syn::Item::Fn(item) => format!("fn {}", item.sig.ident),
+        syn::Item::Static(item) => format!("static {}", item.ident),
+        syn::Item::Struct(item) => format!("struct {}", item.ident),
+        syn::Item::Mod(item) => format!("mod {}", item.ident),
+        syn::Item::Use(_) => "use".to_owned(),
+        syn::Item::Impl(_) => "impl".to_owned(),
+        _ => "something else".to_owned(),
+    });
+    items.collect()
+}
+
+#[test]
+fn hostile_text_adds_no_item() {
+    let mut harmless = oddities();
+    harmless.system.title = "title".to_owned();
+    harmless.system.doc = "doc".to_owned();
+    harmless.system.source = "source".to_owned();
+    for output in &mut harmless.system.outputs {
+        output.quantity.doc = "doc".to_owned();
+    }
+    assert_eq!(items(&emitted(&oddities())), items(&emitted(&harmless)));
+    assert!(!items(&emitted(&oddities())).contains(&"fn main".to_owned()));
+}
+
+#[test]
+fn hostile_text_reaches_readers_unchanged() {
+    let text = emitted(&oddities());
+    let file = syn::parse_file(&text).expect("emitted text is Rust");
+    let mut strings = Strings(Vec::new());
+    syn::visit::Visit::visit_file(&mut strings, &file);
+    assert!(strings.0.iter().any(|string| string == HOSTILE), "as the doc of a quantity");
+}
+
+struct Strings(Vec<String>);
+
+impl syn::visit::Visit<'_> for Strings {
+    fn visit_lit_str(&mut self, literal: &syn::LitStr) {
+        self.0.push(literal.value());
+    }
+}
+
+#[test]
+fn a_number_without_a_literal_is_refused() {
+    let mut program = pendulum();
+    program.system.parameters[2].value = f64::INFINITY;
+    let error = emit(&program, &EmitOptions::within_contract()).expect_err("infinite gravity");
+    insta::assert_snapshot!(error, @"parameter `arm.gravity`: inf is not a finite number, so it cannot be emitted");
+
+    let mut program = pendulum();
+    program.forcing = tape(|b| vec![b.number(f64::NAN)]);
+    let error = emit(&program, &EmitOptions::within_contract()).expect_err("no number");
+    insta::assert_snapshot!(error, @"function `forcing`: NaN is not a finite number, so it cannot be emitted");
+}
+
+#[test]
+fn names_that_are_no_identifiers_are_refused() {
+    let mut program = pendulum();
+    program.system.parameters[0].quantity.name.ident = "mass; fn main() {}".to_owned();
+    let error = emit(&program, &EmitOptions::within_contract()).expect_err("code as a name");
+    assert_eq!(error, EmitError::Identifier { name: "mass; fn main() {}".to_owned() });
+}
+
+#[test]
+fn tapes_that_break_their_rules_are_refused() {
+    let late = Tape { nodes: vec![Node { op: Op::Neg(NodeId(0)), name: None }], results: vec![] };
+    let cases = [
+        tape(|b| vec![b.state(0)]),
+        tape(|b| vec![b.number(0.0)]),
+        tape(|b| vec![b.parameter(9), b.number(0.0), b.number(0.0)]),
+        Tape { nodes: vec![], results: vec![NodeId(4)] },
+        late,
+    ];
+    let reasons = cases.map(|tape| {
+        let program = Program { initial_state: tape, ..pendulum() };
+        let error = emit(&program, &EmitOptions::within_contract()).expect_err("a broken rule");
+        error.to_string()
+    });
+    insta::assert_snapshot!(reasons.join("\n"));
+}
+
+#[test]
+fn operations_without_a_use_are_not_counted() {
+    let program = pendulum();
+    let mut forcing = program.forcing.clone();
+    assert_eq!(tape_operations(&forcing), 7);
+    forcing.nodes.push(Node { op: Op::Neg(NodeId(0)), name: None });
+    assert_eq!(tape_operations(&forcing), 7);
+}
+
+#[test]
+fn the_index_lists_scenes_by_name() {
+    let (pendulum, oddities) = (pendulum(), oddities());
+    let index = emit_index(&[&pendulum, &oddities], &EmitOptions::within_contract());
+    insta::assert_snapshot!(index.expect("two scenes"));
+}
+
+#[test]
+fn two_scenes_of_one_name_are_refused() {
+    let error = emit_index(&[&pendulum(), &pendulum()], &EmitOptions::within_contract());
+    insta::assert_snapshot!(error.expect_err("one name"), @"the name `pendulum` is given to two scenes");
+}

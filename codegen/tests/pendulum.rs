@@ -1,0 +1,198 @@
+//! A chain of pendulums, derived, against the equations written by hand:
+//!
+//! ```text
+//! sum_j w_ij cos(th_i - th_j) th_j'' + w_ij sin(th_i - th_j) th_j'^2 + (n - i) g sin th_i = 0
+//! w_ij = n - max(i, j)
+//! ```
+
+mod support;
+
+use machinist_codegen::cas::session;
+use machinist_codegen::evaluate::Evaluator;
+use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
+use machinist_codegen::lagrange;
+use machinist_codegen::linearize::linearize;
+use machinist_codegen::lower::lower;
+use machinist_codegen::program::Program;
+use machinist_codegen::system::{Coordinate, GeneralizedForce, LagrangianSystem, Parameter};
+use machinist_codegen::tape::Tape;
+use num_rational::BigRational;
+
+fn number(n: i64) -> Expr {
+    Expr::Number(BigRational::from_integer(n.into()))
+}
+
+fn squared(expr: Expr) -> Expr {
+    Expr::Power(Box::new(expr), Box::new(number(2)))
+}
+
+fn empty_system() -> LagrangianSystem {
+    LagrangianSystem {
+        coordinates: vec![],
+        first_order: vec![],
+        parameters: vec![],
+        outputs: vec![],
+        tables: vec![],
+        discontinuities: vec![],
+        generalized_force: vec![],
+        ..support::pendulum().system
+    }
+}
+
+/// n unit masses on unit links, absolute angles, the velocities of the masses
+/// written out in Cartesian components: T = sum of (x'^2 + y'^2)/2.
+fn chain(n: u32) -> LagrangianSystem {
+    let angle = |i| Expr::Symbol(Symbol::Coordinate(CoordinateId(i)));
+    let speed = |i| Expr::Symbol(Symbol::Velocity(CoordinateId(i)));
+    let call = |function, i| Expr::Call(function, vec![angle(i)]);
+    let gravity = Expr::Symbol(Symbol::Parameter(ParameterId(0)));
+    let half = Expr::Number(BigRational::new(1.into(), 2.into()));
+    let component = |function, mass: u32| {
+        let links = 0..=mass;
+        squared(Expr::Sum(
+            links.map(|i| Expr::Product(vec![speed(i), call(function, i)])).collect(),
+        ))
+    };
+    let kinetic = (0..n)
+        .flat_map(|mass| [component(Function::Cos, mass), component(Function::Sin, mass)])
+        .map(|square| Expr::Product(vec![half.clone(), square]));
+    let potential = (0..n).map(|i| {
+        let weight = number(-i64::from(n - i));
+        Expr::Product(vec![weight, gravity.clone(), call(Function::Cos, i)])
+    });
+    let mut system = empty_system();
+    system.kinetic = Expr::Sum(kinetic.collect());
+    system.potential = Expr::Sum(potential.collect());
+    system.coordinates = (0..n)
+        .map(|i| Coordinate {
+            position: support::quantity(&format!("th_{i}"), "rad", "angle"),
+            velocity: support::quantity(&format!("th_{i}_dot"), "rad/s", "speed"),
+            identified: vec![],
+            initial: [number(0), number(0)],
+            scale: [1.0, 5.0],
+        })
+        .collect();
+    let none = GeneralizedForce { total: number(0), conversion: number(0) };
+    system.generalized_force = vec![none; n as usize];
+    system.parameters =
+        vec![Parameter { quantity: support::quantity("g", "m/s^2", "gravity"), value: 9.81 }];
+    system
+}
+
+fn program(system: LagrangianSystem) -> Program {
+    let linearization = session(move |cas| {
+        let equations = lagrange::derive(cas, &system);
+        linearize(cas, &equations)
+    });
+    lower(&linearization.expect("a session"))
+}
+
+fn evaluate(tape: &Tape, state: &[f64]) -> Vec<f64> {
+    let mut results = vec![0.0; tape.results.len()];
+    Evaluator::new(tape).evaluate(0.0, state, &[9.81], &[], &mut results);
+    results
+}
+
+/// Angles and speeds that look random and are the same each time.
+fn states(n: usize) -> impl Iterator<Item = Vec<f64>> {
+    let mut seed = 7_u64;
+    let mut next = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64 * 6.0 - 3.0
+    };
+    std::iter::repeat_with(move || (0..2 * n).map(|_| next()).collect())
+}
+
+#[test]
+fn derived_equations_are_the_ones_of_the_textbook() {
+    for n in [1_usize, 2, 3, 5] {
+        let program = program(chain(n as u32));
+        for state in states(n).take(50) {
+            let (angle, speed) = state.split_at(n);
+            let weight = |i: usize, j: usize| (n - i.max(j)) as f64;
+            let mass = evaluate(&program.mass_matrix.tape, &state);
+            for ((i, j), value) in program.mass_matrix.pattern.entries.iter().zip(mass) {
+                let (i, j) = (*i as usize, *j as usize);
+                let expected = weight(i, j) * (angle[i] - angle[j]).cos();
+                assert!((value - expected).abs() < 1e-13 * n as f64, "M[{i}][{j}] of {n}");
+            }
+            let forcing = evaluate(&program.forcing, &state);
+            for i in 0..n {
+                let centrifugal: f64 = (0..n)
+                    .map(|j| weight(i, j) * (angle[i] - angle[j]).sin() * speed[j] * speed[j])
+                    .sum();
+                let expected = -centrifugal - (n - i) as f64 * 9.81 * angle[i].sin();
+                assert!((forcing[i] - expected).abs() < 1e-12 * n as f64, "f[{i}] of {n}");
+            }
+        }
+    }
+}
+
+#[test]
+fn accelerations_solve_the_mass_matrix() {
+    let n = 4;
+    let program = program(chain(n as u32));
+    for state in states(n).take(20) {
+        let rate = evaluate(&program.rate, &state);
+        let mass = evaluate(&program.mass_matrix.tape, &state);
+        let mut residual = evaluate(&program.forcing, &state);
+        for ((i, j), value) in program.mass_matrix.pattern.entries.iter().zip(mass) {
+            residual[*i as usize] -= value * rate[n + *j as usize];
+        }
+        let largest = residual.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
+        assert!(largest < 1e-10, "residual {largest}");
+    }
+}
+
+#[test]
+fn jacobian_of_a_full_mass_matrix_agrees_with_differences() {
+    let n = 3;
+    let program = program(chain(n as u32));
+    for state in states(n).take(10) {
+        let jacobian = evaluate(&program.rate_jacobian.tape, &state);
+        let mut dense = vec![vec![0.0; 2 * n]; 2 * n];
+        for ((i, j), value) in program.rate_jacobian.pattern.entries.iter().zip(jacobian) {
+            dense[*i as usize][*j as usize] = value;
+        }
+        for column in 0..2 * n {
+            // Richardson's extrapolation of two central differences, order 4.
+            let slope = |h: f64| {
+                let moved = |by: f64| {
+                    let mut moved = state.clone();
+                    moved[column] += by;
+                    evaluate(&program.rate, &moved)
+                };
+                let (plus, minus) = (moved(h), moved(-h));
+                let each = plus.into_iter().zip(minus).map(move |(p, m)| (p - m) / (2.0 * h));
+                each.collect::<Vec<f64>>()
+            };
+            let (coarse, fine) = (slope(2e-3), slope(1e-3));
+            for row in 0..2 * n {
+                let expected = (4.0 * fine[row] - coarse[row]) / 3.0;
+                let scale = 1.0 + expected.abs();
+                assert!((dense[row][column] - expected).abs() < 1e-6 * scale, "({row}, {column})");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_conservative_chain_neither_gains_nor_loses_energy() {
+    let n = 5;
+    let program = program(chain(n as u32));
+    for state in states(n).take(20) {
+        let balance = evaluate(&program.power_balance, &state);
+        assert_eq!(balance[1..], [0.0, 0.0], "nothing supplied, nothing lost");
+        assert!(balance[0].abs() < 1e-9, "stored rate {}", balance[0]);
+    }
+}
+
+#[test]
+fn cartesian_components_are_put_together_by_the_addition_theorem() {
+    let program = program(chain(5));
+    let cosines = |tape: &Tape| {
+        let nodes = tape.nodes.iter();
+        nodes.filter(|node| format!("{:?}", node.op).starts_with("Call(Cos")).count()
+    };
+    assert_eq!(cosines(&program.mass_matrix.tape), 10, "one for each pair of links");
+}

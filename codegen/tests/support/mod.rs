@@ -1,0 +1,389 @@
+//! Programs worked out by hand, without the stages that usually make them.
+
+#![allow(dead_code, reason = "every test takes what it needs")]
+
+use machinist_codegen::expr::{Expr, Function, TableId};
+use machinist_codegen::program::{MatrixTape, Program, SparsityPattern};
+use machinist_codegen::system::{
+    Coordinate, Definition, FirstOrderState, GeneralizedForce, LagrangianSystem, Name, Parameter,
+    Quantity, RunDefaults, SourceFile, Table,
+};
+use machinist_codegen::tape::{Node, NodeId, Op, Tape};
+
+/// Builds a tape, writing equal operations once.
+#[derive(Default)]
+pub struct Builder {
+    tape: Tape,
+}
+
+impl Builder {
+    pub fn push(&mut self, op: Op) -> NodeId {
+        if let Some(known) = self.tape.nodes.iter().position(|node| node.op == op) {
+            return NodeId(known as u32);
+        }
+        self.tape.nodes.push(Node { op, name: None });
+        NodeId(self.tape.nodes.len() as u32 - 1)
+    }
+
+    pub fn named(&mut self, name: &str, id: NodeId) -> NodeId {
+        self.tape.nodes[id.0 as usize].name = Some(name.to_owned());
+        id
+    }
+
+    pub fn number(&mut self, value: f64) -> NodeId {
+        self.push(Op::Literal(value))
+    }
+
+    pub fn state(&mut self, entry: u32) -> NodeId {
+        self.push(Op::State(entry))
+    }
+
+    pub fn parameter(&mut self, entry: u32) -> NodeId {
+        self.push(Op::Parameter(entry))
+    }
+
+    pub fn product(&mut self, factors: &[NodeId]) -> NodeId {
+        let product = factors.iter().copied().reduce(|a, b| self.push(Op::Mul(a, b)));
+        product.expect("a factor")
+    }
+
+    pub fn finish(mut self, results: Vec<NodeId>) -> Tape {
+        self.tape.results = results;
+        self.tape
+    }
+}
+
+/// The tape of one closure.
+pub fn tape(build: impl FnOnce(&mut Builder) -> Vec<NodeId>) -> Tape {
+    let mut builder = Builder::default();
+    let results = build(&mut builder);
+    builder.finish(results)
+}
+
+pub fn quantity(path: &str, unit: &str, doc: &str) -> Quantity {
+    let ident = path.replace('.', "_");
+    let name = Name { path: path.to_owned(), ident, latex: String::new() };
+    Quantity { name, unit: unit.to_owned(), doc: doc.to_owned() }
+}
+
+pub fn zero() -> Expr {
+    Expr::Sum(vec![])
+}
+
+fn parameter(path: &str, unit: &str, value: f64, doc: &str) -> Parameter {
+    Parameter { quantity: quantity(path, unit, doc), value }
+}
+
+fn pattern(rows: usize, columns: usize, entries: &[(u32, u32)]) -> SparsityPattern {
+    SparsityPattern { rows, columns, entries: entries.to_vec() }
+}
+
+const PHI: u32 = 0;
+const PHI_DOT: u32 = 1;
+const TORQUE: u32 = 2;
+const MASS: u32 = 0;
+const LENGTH: u32 = 1;
+const GRAVITY: u32 = 2;
+const DAMPING: u32 = 3;
+const LAG: u32 = 4;
+const START: u32 = 5;
+
+/// A damped pendulum whose torque follows a table with a lag, from a given time:
+///
+/// ```text
+/// m l^2 phi'' = torque - b phi' - m g l sin phi
+/// torque' = (load(t) [t >= start] - torque)/lag
+/// ```
+pub fn pendulum() -> Program {
+    Program {
+        system: pendulum_system(),
+        initial_state: tape(|b| vec![b.number(0.5), b.number(0.0), b.number(0.0)]),
+        discontinuities: tape(|b| vec![b.parameter(START)]),
+        rate: tape(|b| {
+            let (speed, acceleration) = (b.state(PHI_DOT), acceleration(b));
+            vec![speed, acceleration, torque_rate(b)]
+        }),
+        rate_jacobian: MatrixTape {
+            pattern: pattern(3, 3, &[(0, 1), (1, 0), (1, 1), (1, 2), (2, 2)]),
+            tape: tape(rate_jacobian),
+        },
+        parameter_jacobian: MatrixTape {
+            pattern: pattern(3, 6, &[(1, 2), (1, 3)]),
+            tape: tape(parameter_jacobian),
+        },
+        time_derivative: tape(|b| {
+            let zero = b.number(0.0);
+            let slope = load(b, 1);
+            let lag = b.parameter(LAG);
+            vec![zero, zero, b.push(Op::Div(slope, lag))]
+        }),
+        mass_matrix: MatrixTape {
+            pattern: pattern(1, 1, &[(0, 0)]),
+            tape: tape(|b| vec![inertia(b)]),
+        },
+        forcing: tape(|b| vec![forcing(b)]),
+        outputs: tape(|b| {
+            let (height, deflection) = (height(b), b.state(PHI));
+            vec![height, deflection]
+        }),
+        energy: tape(energy),
+        power_balance: tape(power_balance),
+    }
+}
+
+fn pendulum_system() -> LagrangianSystem {
+    LagrangianSystem {
+        name: "pendulum".to_owned(),
+        title: "Damped pendulum".to_owned(),
+        doc: "A point mass on a rod.\n\nIts torque follows a table with a lag.".to_owned(),
+        source: "Worked out on paper.".to_owned(),
+        coordinates: vec![Coordinate {
+            position: quantity("arm.phi", "rad", "angle from the vertical"),
+            velocity: quantity("arm.phi_dot", "rad/s", "speed of arm.phi"),
+            identified: vec![],
+            initial: [zero(), zero()],
+            scale: [1.0, 10.0],
+        }],
+        first_order: vec![FirstOrderState {
+            quantity: quantity("drive.torque", "N m", "torque on the arm"),
+            rate: zero(),
+            initial: zero(),
+            scale: 100.0,
+        }],
+        parameters: vec![
+            parameter("arm.mass", "kg", 4.2, "mass of the bob"),
+            parameter("arm.length", "m", 0.75, "length of the rod"),
+            parameter("arm.gravity", "m/s^2", 9.80665, "acceleration of free fall"),
+            parameter("arm.damping", "N m s/rad", 0.128_534_6, "viscous damping of the pivot"),
+            parameter("drive.lag", "s", 1e-2, "time constant of the drive"),
+            parameter("start", "s", 0.1, "time at which the drive starts"),
+        ],
+        kinetic: zero(),
+        potential: zero(),
+        dissipation: zero(),
+        generalized_force: vec![GeneralizedForce { total: zero(), conversion: zero() }],
+        stored_energy: zero(),
+        supplied_power: zero(),
+        dissipated_power: zero(),
+        helpers: vec![],
+        outputs: vec![
+            Definition { quantity: quantity("height", "m", "height of the bob"), expr: zero() },
+            Definition { quantity: quantity("deflection", "rad", ""), expr: zero() },
+        ],
+        tables: vec![Table {
+            name: quantity("drive.load", "N m", "").name,
+            knots: vec![0.0, 1.0, 3.0],
+            coefficients: vec![[0.0, 1.25, 0.0, -0.25], [1.0, 0.5, -0.75, 0.125]],
+        }],
+        discontinuities: vec![zero()],
+        run: RunDefaults {
+            from: 0.0,
+            until: 2.0,
+            points: 1001,
+            rtol: 1e-8,
+            method: "bdf".to_owned(),
+        },
+        files: vec![SourceFile {
+            path: "specs/scenes/pendulum.toml".into(),
+            label: "scenes/pendulum.toml".to_owned(),
+            sha256: "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855".to_owned(),
+        }],
+    }
+}
+
+fn inertia(b: &mut Builder) -> NodeId {
+    let length = b.parameter(LENGTH);
+    let square = b.push(Op::Powi(length, 2));
+    let mass = b.parameter(MASS);
+    let inertia = b.push(Op::Mul(mass, square));
+    b.named("inertia", inertia)
+}
+
+fn weight_moment(b: &mut Builder) -> NodeId {
+    let factors = [b.parameter(MASS), b.parameter(GRAVITY), b.parameter(LENGTH)];
+    b.product(&factors)
+}
+
+fn forcing(b: &mut Builder) -> NodeId {
+    let (damping, speed) = (b.parameter(DAMPING), b.state(PHI_DOT));
+    let friction = b.push(Op::Mul(damping, speed));
+    let torque = b.state(TORQUE);
+    let driving = b.push(Op::Sub(torque, friction));
+    let phi = b.state(PHI);
+    let sine = b.push(Op::Call(Function::Sin, phi));
+    let moment = weight_moment(b);
+    let weight = b.push(Op::Mul(moment, sine));
+    b.push(Op::Sub(driving, weight))
+}
+
+fn acceleration(b: &mut Builder) -> NodeId {
+    let (forcing, inertia) = (forcing(b), inertia(b));
+    b.push(Op::Div(forcing, inertia))
+}
+
+/// The load or its derivative by time.
+fn load(b: &mut Builder, order: u32) -> NodeId {
+    let (time, start) = (b.push(Op::Time), b.parameter(START));
+    let value = b.push(Op::Table { table: TableId(0), order, argument: time });
+    let zero = b.number(0.0);
+    b.push(Op::SelectLess { lhs: time, rhs: start, then: zero, otherwise: value })
+}
+
+fn torque_rate(b: &mut Builder) -> NodeId {
+    let (load, torque) = (load(b, 0), b.state(TORQUE));
+    let load = b.named("load", load);
+    let missing = b.push(Op::Sub(load, torque));
+    let lag = b.parameter(LAG);
+    b.push(Op::Div(missing, lag))
+}
+
+fn rate_jacobian(b: &mut Builder) -> Vec<NodeId> {
+    let (one, inertia) = (b.number(1.0), inertia(b));
+    let (phi, moment) = (b.state(PHI), weight_moment(b));
+    let cosine = b.push(Op::Call(Function::Cos, phi));
+    let stiffness = b.push(Op::Mul(moment, cosine));
+    let per_inertia = b.push(Op::Div(stiffness, inertia));
+    let by_phi = b.push(Op::Neg(per_inertia));
+    let damping = b.parameter(DAMPING);
+    let per_inertia = b.push(Op::Div(damping, inertia));
+    let by_speed = b.push(Op::Neg(per_inertia));
+    let by_torque = b.push(Op::Div(one, inertia));
+    let lag = b.parameter(LAG);
+    let inverse = b.push(Op::Div(one, lag));
+    vec![one, by_phi, by_speed, by_torque, b.push(Op::Neg(inverse))]
+}
+
+fn parameter_jacobian(b: &mut Builder) -> Vec<NodeId> {
+    let phi = b.state(PHI);
+    let sine = b.push(Op::Call(Function::Sin, phi));
+    let length = b.parameter(LENGTH);
+    let by_gravity = b.push(Op::Div(sine, length));
+    let by_gravity = b.push(Op::Neg(by_gravity));
+    let (speed, inertia) = (b.state(PHI_DOT), inertia(b));
+    let by_damping = b.push(Op::Div(speed, inertia));
+    vec![by_gravity, b.push(Op::Neg(by_damping))]
+}
+
+fn height(b: &mut Builder) -> NodeId {
+    let (phi, one) = (b.state(PHI), b.number(1.0));
+    let cosine = b.push(Op::Call(Function::Cos, phi));
+    let rise = b.push(Op::Sub(one, cosine));
+    let length = b.parameter(LENGTH);
+    b.push(Op::Mul(length, rise))
+}
+
+fn energy(b: &mut Builder) -> Vec<NodeId> {
+    let (inertia, speed) = (inertia(b), b.state(PHI_DOT));
+    let square = b.push(Op::Powi(speed, 2));
+    let double = b.push(Op::Mul(inertia, square));
+    let two = b.number(2.0);
+    let kinetic = b.push(Op::Div(double, two));
+    let (mass, gravity) = (b.parameter(MASS), b.parameter(GRAVITY));
+    let weight = b.push(Op::Mul(mass, gravity));
+    let height = height(b);
+    vec![kinetic, b.push(Op::Mul(weight, height)), b.number(0.0)]
+}
+
+fn power_balance(b: &mut Builder) -> Vec<NodeId> {
+    let (speed, torque, damping) = (b.state(PHI_DOT), b.state(TORQUE), b.parameter(DAMPING));
+    let supplied = b.push(Op::Mul(torque, speed));
+    let square = b.push(Op::Powi(speed, 2));
+    let dissipated = b.push(Op::Mul(damping, square));
+    vec![b.push(Op::Sub(supplied, dissipated)), supplied, dissipated]
+}
+
+/// Text that would be code if a comment, a string or a link let it out.
+pub const HOSTILE: &str = "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202e}\r\n    let code = 1;\n# [`x`]\n```\nlet y;";
+
+/// A scene with every operation on its tape of outputs and with names and texts
+/// that ask for care.
+pub fn oddities() -> Program {
+    let mut program = pendulum();
+    let system = &mut program.system;
+    system.name = String::from("oddities");
+    system.title = HOSTILE.into();
+    system.doc = HOSTILE.into();
+    system.source = HOSTILE.into();
+    system.files[0].label = "scenes/oddities.toml".into();
+    system.coordinates[0].position = quantity("state", "rad", HOSTILE);
+    system.coordinates[0].velocity = quantity("STATES", "rad/s", HOSTILE);
+    system.first_order[0].quantity = quantity("p", HOSTILE, HOSTILE);
+    system.parameters[0].quantity = quantity("STATES", "kg", HOSTILE);
+    system.parameters[1].quantity = quantity("time", "m", HOSTILE);
+    program.outputs = tape(every_operation);
+    let outputs = (0..program.outputs.results.len()).map(|index| Definition {
+        quantity: quantity(&format!("output_{index}"), "1", HOSTILE),
+        expr: zero(),
+    });
+    program.system.outputs = outputs.collect();
+    program
+}
+
+fn every_operation(b: &mut Builder) -> Vec<NodeId> {
+    let (x, y, z) = (b.state(0), b.state(1), b.state(2));
+    let (k, time) = (b.parameter(1), b.push(Op::Time));
+    let mut results = calls(b, x);
+    // Association and precedence: each pair differs in the last bits.
+    let sum = b.push(Op::Add(x, y));
+    results.push(b.push(Op::Add(sum, z)));
+    let sum = b.push(Op::Add(y, z));
+    results.push(b.push(Op::Add(x, sum)));
+    let difference = b.push(Op::Sub(y, z));
+    results.push(b.push(Op::Sub(x, difference)));
+    let product = b.push(Op::Mul(y, z));
+    results.push(b.push(Op::Mul(x, product)));
+    let quotient = b.push(Op::Div(y, z));
+    results.push(b.push(Op::Div(x, quotient)));
+    results.push(b.push(Op::Mul(x, quotient)));
+    let minus = b.push(Op::Neg(sum));
+    results.push(b.push(Op::Mul(minus, k)));
+    let minus = b.push(Op::Neg(minus));
+    results.push(b.push(Op::Neg(minus)));
+    for exponent in [-3, -1, 0, 1, 2, 3, 7] {
+        let minus = b.push(Op::Neg(y));
+        results.push(b.push(Op::Powi(minus, exponent)));
+    }
+    let size = b.push(Op::Call(Function::Abs, y));
+    let exponent = b.number(-2.5);
+    results.push(b.push(Op::Powf(size, exponent)));
+    results.push(b.push(Op::SelectLess { lhs: x, rhs: y, then: z, otherwise: time }));
+    for order in 0..4 {
+        results.push(b.push(Op::Table { table: TableId(0), order, argument: z }));
+    }
+    results.push(long_sum(b, x, y));
+    let tau = b.number(std::f64::consts::TAU);
+    results.push(b.push(Op::Mul(tau, time)));
+    results
+}
+
+fn calls(b: &mut Builder, x: NodeId) -> Vec<NodeId> {
+    let size = b.push(Op::Call(Function::Abs, x));
+    let one = b.number(1.0);
+    let more = b.push(Op::Add(one, size));
+    let less = b.push(Op::Div(x, more));
+    let positive = [Function::Sqrt, Function::Ln].map(|f| b.push(Op::Call(f, more)));
+    let bounded = [Function::Asin, Function::Acos].map(|f| b.push(Op::Call(f, less)));
+    let any = [
+        Function::Exp,
+        Function::Sin,
+        Function::Cos,
+        Function::Tan,
+        Function::Atan,
+        Function::Sinh,
+        Function::Cosh,
+        Function::Tanh,
+    ]
+    .map(|f| b.push(Op::Call(f, x)));
+    [positive.to_vec(), bounded.to_vec(), any.to_vec()].concat()
+}
+
+/// A sum of sixty products: too long for one expression.
+fn long_sum(b: &mut Builder, x: NodeId, y: NodeId) -> NodeId {
+    let mut sum = b.push(Op::Mul(x, y));
+    for index in 0..60 {
+        let weight = b.number(0.1 + 0.37 * f64::from(index));
+        let term = b.push(Op::Mul(weight, if index % 2 == 0 { x } else { y }));
+        sum = b.push(if index % 3 == 0 { Op::Sub(term, sum) } else { Op::Add(sum, term) });
+    }
+    sum
+}

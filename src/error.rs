@@ -1,0 +1,161 @@
+//! What can go wrong between a simulator and its trajectory.
+
+use thiserror::Error;
+
+/// Why a run was refused or stopped.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SimulateError {
+    /// No parameter has this name.
+    #[error("scene `{scene}` has no parameter `{name}`{hint}")]
+    UnknownParameter {
+        /// The scene asked.
+        scene: String,
+        /// The name asked for.
+        name: String,
+        /// The nearest known name, as a question, or nothing.
+        hint: String,
+    },
+    /// No method has this name.
+    #[error(transparent)]
+    UnknownMethod(#[from] UnknownMethod),
+    /// A list is as long as the scene does not ask for.
+    #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
+    WrongLength {
+        /// The scene asked.
+        scene: String,
+        /// What was given: `states`, `parameters`.
+        what: &'static str,
+        /// How many there are.
+        expected: usize,
+        /// How many were given.
+        found: usize,
+    },
+    /// A parameter, an initial state or a time of a jump is NaN or infinite.
+    #[error("{what} is {value}, but must be a finite number")]
+    NotFinite {
+        /// Which value.
+        what: String,
+        /// What it is.
+        value: f64,
+    },
+    /// The relative tolerance cannot be met.
+    #[error("relative tolerance {0} must be a finite number above 0 and at most 1")]
+    BadTolerance(f64),
+    /// An absolute tolerance cannot be met.
+    #[error("absolute tolerance {value} of `{state}` must be a finite number above 0")]
+    BadAbsoluteTolerance {
+        /// The state's name.
+        state: String,
+        /// Its absolute tolerance, in the state's unit.
+        value: f64,
+    },
+    /// The run does not go forward.
+    #[error("the run goes from {from} s until {until} s, but must end after it starts")]
+    BadSpan {
+        /// Start time \[s\].
+        from: f64,
+        /// End time \[s\].
+        until: f64,
+    },
+    /// Too few or too many output times.
+    #[error(
+        "{0} output points were asked for, but a run has 2 to {max} of them",
+        max = crate::simulate::MAX_POINTS
+    )]
+    BadPoints(usize),
+    /// An output time lies outside the run or before its predecessor.
+    #[error(
+        "output time number {index}, {time} s, must lie between {from} s and {until} s \
+         and not before the one in front of it"
+    )]
+    BadTime {
+        /// Position in the list, from 0.
+        index: usize,
+        /// The time \[s\].
+        time: f64,
+        /// Start time of the run \[s\].
+        from: f64,
+        /// End time of the run \[s\].
+        until: f64,
+    },
+    /// The integration could not go on.
+    #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]
+    Stopped {
+        /// The scene run.
+        scene: String,
+        /// The method's name.
+        method: &'static str,
+        /// Time reached \[s\].
+        time: f64,
+        /// Why, and what may help.
+        cause: StopCause,
+    },
+}
+
+/// Why an integration could not go on.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum StopCause {
+    /// Steps shrank until they no longer advance time.
+    #[error(
+        "the step size fell below what time resolves. \
+         Hint: a jump that is not written with `step` or `piecewise`, a solution that grows \
+         without bound, or a tolerance below what rounding allows"
+    )]
+    StepTooSmall,
+    /// The right-hand side or its Jacobian is NaN or infinite.
+    #[error(
+        "{what} is not a finite number. \
+         Hint: a division by zero, the root or logarithm of a negative number, a mass matrix \
+         that is singular, or a parameter out of its range"
+    )]
+    NotFinite {
+        /// What is not finite.
+        what: String,
+    },
+    /// Newton's iteration fails however small the step.
+    #[error(
+        "Newton's iteration does not converge. \
+         Hint: the right-hand side is not smooth there; write jumps with `step` or `piecewise`, \
+         or try the method `tsit45`"
+    )]
+    Newton,
+    /// The limit on steps is reached.
+    #[error(
+        "the limit of {limit} steps is reached. \
+         Hint: an explicit method on a stiff machine (try `bdf`), or raise the limit"
+    )]
+    TooManySteps {
+        /// The limit.
+        limit: usize,
+    },
+    /// Anything else the solver reports.
+    #[error("{0}")]
+    Solver(String),
+}
+
+/// A method's name that is not in the table of methods.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("there is no method `{name}`{hint}; known are {known}")]
+pub struct UnknownMethod {
+    /// The name asked for.
+    pub name: String,
+    /// The nearest known name, as a question, or nothing.
+    pub hint: String,
+    /// The names of all methods.
+    pub known: String,
+}
+
+/// ` (did you mean ...?)` if one of `known` resembles `name` or ends in it after
+/// a dot, else nothing.
+pub(crate) fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+    const RESEMBLES: f64 = 0.6;
+    let likeness = |candidate: &str| {
+        let is_last_part = candidate.strip_suffix(name).is_some_and(|owner| owner.ends_with('.'));
+        if is_last_part { 1.0 } else { strsim::normalized_damerau_levenshtein(name, candidate) }
+    };
+    known
+        .map(|candidate| (likeness(candidate), candidate))
+        .filter(|(likeness, _)| *likeness > RESEMBLES)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map_or_else(String::new, |(_, candidate)| format!(" (did you mean `{candidate}`?)"))
+}

@@ -1,0 +1,213 @@
+//! The table of integration methods, and the one function that runs any of them.
+//!
+//! To add a method: write one file in `src/method/` with a type that is an
+//! [`Integrator`], and add one row to the table below.
+
+mod diffsol;
+mod stretch;
+mod system;
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Serialize, Serializer};
+
+use crate::error::{StopCause, UnknownMethod, did_you_mean};
+pub use stretch::{Samples, Stretch};
+pub use system::{System, Work};
+
+methods! {
+    /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
+    Bdf { name: "bdf", order: 5, implicit: true, integrator: diffsol::Bdf },
+    /// Trapezoidal rule and second-order BDF in one step; for stiff machines and loose tolerances.
+    TrBdf2 { name: "tr_bdf2", order: 2, implicit: true, integrator: diffsol::TrBdf2 },
+    /// Singly diagonally implicit Runge-Kutta of order 3, explicit first stage; for stiff machines.
+    Esdirk34 { name: "esdirk34", order: 3, implicit: true, integrator: diffsol::Esdirk34 },
+    /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
+    Tsit45 { name: "tsit45", order: 5, implicit: false, integrator: diffsol::Tsit45 },
+}
+
+/// An integration method: carries a state over one smooth stretch of a run.
+pub trait Integrator {
+    /// Carries `state` from `stretch.from` to `stretch.until`, and pushes the
+    /// state at every time that `samples` asks for on the way.
+    ///
+    /// # Errors
+    /// [`Stopped`] where the method cannot go on; `state` is then unspecified.
+    fn integrate(
+        &self,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped>;
+}
+
+/// Time and cause of an integration that could not go on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stopped {
+    /// Time reached \[s\].
+    pub time: f64,
+    /// Why.
+    pub cause: StopCause,
+}
+
+/// What to integrate, checked beforehand: all values finite, `from < until`,
+/// times within the run and sorted, lengths right, tolerances positive.
+pub struct Problem<'a> {
+    /// The equations.
+    pub system: &'a System<'a>,
+    /// Start time \[s\].
+    pub from: f64,
+    /// End time \[s\].
+    pub until: f64,
+    /// Times at which the state is wanted, sorted \[s\].
+    pub times: &'a [f64],
+    /// State at the start.
+    pub initial: Vec<f64>,
+    /// Times at which the right-hand side jumps, in any order \[s\].
+    pub jumps: Vec<f64>,
+    /// Relative tolerance.
+    pub rtol: f64,
+    /// Absolute tolerance of every state.
+    pub atol: Vec<f64>,
+    /// Largest number of steps.
+    pub max_steps: usize,
+}
+
+impl Problem<'_> {
+    /// States at the wanted times, one row after another.
+    ///
+    /// The run is cut at the jumps and the method starts anew at each: no step
+    /// straddles one, so that a jump costs no order of accuracy.
+    ///
+    /// # Errors
+    /// [`Stopped`] where the method cannot go on.
+    pub fn integrate(&self, method: Method) -> Result<Vec<f64>, Stopped> {
+        let mut samples = Samples::new(self.times, self.initial.len());
+        let mut state = self.initial.clone();
+        while samples.next_until(self.from).is_some() {
+            samples.push(&state);
+        }
+        for ends in self.ends().windows(2) {
+            let stretch = Stretch::new(self, ends[0], ends[1]);
+            stretch.require_finite_rate(&state)?;
+            if stretch.is_trivial() {
+                stretch.leap(&mut state, &mut samples);
+            } else {
+                method.row().integrator.integrate(&stretch, &mut state, &mut samples)?;
+            }
+        }
+        Ok(samples.into_rows())
+    }
+
+    /// Start, jumps strictly inside the run in order and each once, end.
+    fn ends(&self) -> Vec<f64> {
+        let inside = |jump: &f64| self.from < *jump && *jump < self.until;
+        let mut ends: Vec<f64> = self.jumps.iter().copied().filter(inside).collect();
+        ends.extend([self.from, self.until]);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        ends
+    }
+}
+
+struct Row {
+    name: &'static str,
+    order: u32,
+    implicit: bool,
+    doc: &'static str,
+    integrator: &'static (dyn Integrator + Sync),
+}
+
+impl Method {
+    /// The name that specs and the command line use.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// Order of convergence; the highest, where it varies.
+    #[must_use]
+    pub fn order(self) -> u32 {
+        self.row().order
+    }
+
+    /// Whether each step solves equations, and so copes with stiffness.
+    #[must_use]
+    pub fn is_implicit(self) -> bool {
+        self.row().implicit
+    }
+
+    /// One line for people.
+    #[must_use]
+    pub fn doc(self) -> &'static str {
+        self.row().doc.trim()
+    }
+
+    /// The method of this name.
+    ///
+    /// # Errors
+    /// [`UnknownMethod`], which lists the known names and proposes the nearest.
+    pub fn from_name(name: &str) -> Result<Self, UnknownMethod> {
+        Self::ALL.iter().copied().find(|method| method.name() == name).ok_or_else(|| {
+            let names = || Self::ALL.iter().map(|method| method.name());
+            UnknownMethod {
+                name: name.to_owned(),
+                hint: did_you_mean(name, names()),
+                known: names().collect::<Vec<_>>().join(", "),
+            }
+        })
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.pad(self.name())
+    }
+}
+
+impl FromStr for Method {
+    type Err = UnknownMethod;
+
+    fn from_str(name: &str) -> Result<Self, UnknownMethod> {
+        Self::from_name(name)
+    }
+}
+
+impl Serialize for Method {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// One row a method: the variant with its line of doc, and what is known of it.
+macro_rules! methods {
+    ($(#[doc = $doc:literal] $variant:ident {
+        name: $name:literal, order: $order:literal, implicit: $implicit:literal,
+        integrator: $integrator:expr
+    },)*) => {
+        /// An integration method.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Method {
+            $(#[doc = $doc] $variant,)*
+        }
+
+        impl Method {
+            /// Every method, in the order of the table.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            fn row(self) -> &'static Row {
+                match self {
+                    $(Self::$variant => &Row {
+                        name: $name,
+                        order: $order,
+                        implicit: $implicit,
+                        doc: $doc,
+                        integrator: &$integrator,
+                    },)*
+                }
+            }
+        }
+    };
+}
+use methods;

@@ -1,0 +1,129 @@
+//! A stretch of a run without jumps, and the samples wanted of the run.
+
+use super::system::FLOWS;
+use super::{Problem, Stopped, System};
+use crate::error::StopCause;
+
+/// A stretch of a run on which the right-hand side is smooth.
+pub struct Stretch<'a> {
+    /// The equations; ask for rates by [`Stretch::rate`], which keeps to the stretch.
+    pub system: &'a System<'a>,
+    /// Start time \[s\].
+    pub from: f64,
+    /// End time \[s\].
+    pub until: f64,
+    /// Relative tolerance.
+    pub rtol: f64,
+    /// Absolute tolerance of every state.
+    pub atol: &'a [f64],
+    /// Largest number of steps of the whole run.
+    pub max_steps: usize,
+}
+
+impl<'a> Stretch<'a> {
+    pub(super) fn new(problem: &'a Problem<'a>, from: f64, until: f64) -> Self {
+        Self {
+            system: problem.system,
+            from,
+            until,
+            rtol: problem.rtol,
+            atol: &problem.atol,
+            max_steps: problem.max_steps,
+        }
+    }
+
+    /// `time` moved into \[from, until).
+    ///
+    /// A jump at t0 has its new value from t0 on, so a method that evaluates the
+    /// right-hand side at the end of the stretch, as every implicit one does,
+    /// would see the value beyond the jump and lose its order. The last moment
+    /// before the end stands for the limit from the left, which it equals to
+    /// rounding; likewise no trial step looks back in front of the stretch.
+    #[must_use]
+    pub fn within(&self, time: f64) -> f64 {
+        time.min(self.until.next_down()).max(self.from)
+    }
+
+    /// f(t, y) at `time` moved into the stretch.
+    pub fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.system.rate(self.within(time), state, rate);
+    }
+
+    /// df/dy without quadratures at `time` moved into the stretch.
+    pub fn jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        self.system.jacobian(self.within(time), state, values);
+    }
+
+    /// The rows of df/dy of the quadratures at `time` moved into the stretch.
+    #[must_use]
+    pub fn flow_gradient(&self, time: f64, state: &[f64]) -> Vec<(usize, [f64; FLOWS])> {
+        self.system.flow_gradient(self.within(time), state)
+    }
+
+    /// Whether there is nothing for a method to step on: no states, or a stretch
+    /// between jumps that differ by rounding, such as 0.1 + 0.2 and 0.3.
+    pub(super) fn is_trivial(&self) -> bool {
+        const ROUNDINGS: f64 = 512.0;
+        let size = self.from.abs().max(self.until.abs());
+        self.system.is_empty() || self.until - self.from <= ROUNDINGS * f64::EPSILON * size
+    }
+
+    /// One Euler step over the whole stretch, exact to rounding on a trivial
+    /// one.
+    pub(super) fn leap(&self, state: &mut [f64], samples: &mut Samples<'_>) {
+        let mut rate = vec![0.0; state.len()];
+        self.rate(self.from, state, &mut rate);
+        for (value, rate) in state.iter_mut().zip(&rate) {
+            *value += (self.until - self.from) * rate;
+        }
+        while samples.next_until(self.until).is_some() {
+            samples.push(state);
+        }
+    }
+
+    /// Refuses a start at which the right-hand side is NaN or infinite.
+    pub(super) fn require_finite_rate(&self, state: &[f64]) -> Result<(), Stopped> {
+        let mut rate = vec![0.0; state.len()];
+        self.rate(self.from, state, &mut rate);
+        match rate.iter().position(|value| !value.is_finite()) {
+            None => Ok(()),
+            Some(index) => Err(self.not_finite("the rate of", index, self.from)),
+        }
+    }
+
+    /// The error for a value of the `index`-th state that is not finite.
+    #[must_use]
+    pub fn not_finite(&self, what: &str, index: usize, time: f64) -> Stopped {
+        let what = format!("{what} `{}`", self.system.name(index));
+        Stopped { time, cause: StopCause::NotFinite { what } }
+    }
+}
+
+/// The states at the wanted times, gathered in order.
+pub struct Samples<'a> {
+    times: &'a [f64],
+    taken: usize,
+    rows: Vec<f64>,
+}
+
+impl<'a> Samples<'a> {
+    pub(super) fn new(times: &'a [f64], width: usize) -> Self {
+        Self { times, taken: 0, rows: Vec::with_capacity(times.len() * width) }
+    }
+
+    /// The next wanted time, if it is not after `time`.
+    #[must_use]
+    pub fn next_until(&self, time: f64) -> Option<f64> {
+        self.times.get(self.taken).copied().filter(|next| *next <= time)
+    }
+
+    /// Takes the state at the next wanted time.
+    pub fn push(&mut self, state: &[f64]) {
+        self.rows.extend_from_slice(state);
+        self.taken += 1;
+    }
+
+    pub(super) fn into_rows(self) -> Vec<f64> {
+        self.rows
+    }
+}

@@ -1,0 +1,166 @@
+//! The equations a method integrates, and the count of how often it asks.
+
+use std::cell::Cell;
+
+use machinist_scenes::{Simulator, SparsityPattern};
+use serde::Serialize;
+
+/// Energy supplied, energy dissipated, energy passed.
+pub(crate) const FLOWS: usize = 3;
+
+/// What a run has cost. Evaluations are counted here, at the simulator, and not
+/// taken from what a solver says of itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Work {
+    /// Steps accepted.
+    pub steps: u64,
+    /// Steps tried and rejected for their error.
+    pub rejected: u64,
+    /// Evaluations of the right-hand side.
+    pub rate_evaluations: u64,
+    /// Evaluations of its Jacobian.
+    pub jacobian_evaluations: u64,
+    /// Factorizations of a step's matrix.
+    pub factorizations: u64,
+    /// Newton iterations, each with one solution of a factored system.
+    pub newton_iterations: u64,
+}
+
+/// y' = f(t, y) of one simulator at fixed parameters, y = \[q, q', z\], followed
+/// on demand by three quadratures of its power balance:
+///
+/// ```text
+/// w_supplied' = P_supplied    w_dissipated' = P_dissipated
+/// w_passed'   = |P_supplied| + |P_dissipated|
+/// ```
+pub struct System<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    parameters: &'a [f64],
+    states: usize,
+    with_flows: bool,
+    work: Cell<Work>,
+}
+
+impl<'a> System<'a> {
+    /// The equations of `simulator`, with or without energy quadratures.
+    #[must_use]
+    pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64], with_flows: bool) -> Self {
+        let states = simulator.shape().states();
+        Self { simulator, parameters, states, with_flows, work: Cell::default() }
+    }
+
+    /// The simulator, for methods that need more than rate and Jacobian.
+    #[must_use]
+    pub fn simulator(&self) -> &'a dyn Simulator<f64> {
+        self.simulator
+    }
+
+    /// The parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &'a [f64] {
+        self.parameters
+    }
+
+    /// Number of equations.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.states() + if self.with_flows { FLOWS } else { 0 }
+    }
+
+    /// Whether there is nothing to integrate.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Number of states of the simulator, without quadratures.
+    #[must_use]
+    pub fn states(&self) -> usize {
+        self.states
+    }
+
+    /// Name of the `index`-th equation's unknown.
+    #[must_use]
+    pub fn name(&self, index: usize) -> String {
+        if index < self.states() {
+            self.simulator.state(index).name.to_owned()
+        } else {
+            "energy flow".to_owned()
+        }
+    }
+
+    /// f(t, y), `len` long.
+    pub fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.count(|work| work.rate_evaluations += 1);
+        let states = self.states();
+        let (rate, flow_rates) = rate.split_at_mut(states);
+        let state = &state[..states];
+        self.simulator.rate(time, state, self.parameters, rate);
+        if self.with_flows {
+            flow_rates.copy_from_slice(&self.flow_rates(time, state));
+        }
+    }
+
+    /// Nonzeros of df/dy without the rows of the quadratures.
+    #[must_use]
+    pub fn jacobian_pattern(&self) -> SparsityPattern<'a> {
+        self.simulator.rate_jacobian_pattern()
+    }
+
+    /// df/dy without the rows of the quadratures, values in pattern order.
+    pub fn jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        self.count(|work| work.jacobian_evaluations += 1);
+        self.simulator.rate_jacobian(time, &state[..self.states()], self.parameters, values);
+    }
+
+    /// The rows of df/dy that belong to the quadratures, as `(column, entries)`;
+    /// nothing if there are none.
+    ///
+    /// By forward differences: with rows of zeros Newton's iteration sees the
+    /// power one iterate late, takes that for slow convergence, and cuts steps;
+    /// with these it converges as without quadratures, and what it converges to
+    /// does not depend on them.
+    pub fn flow_gradient(&self, time: f64, state: &[f64]) -> Vec<(usize, [f64; FLOWS])> {
+        if !self.with_flows {
+            return Vec::new();
+        }
+        let mut shifted = state[..self.states()].to_vec();
+        let base = self.flow_rates(time, &shifted);
+        let column = |index: usize| {
+            let value = shifted[index];
+            let size = value.abs().max(self.simulator.state_scale(index));
+            shifted[index] = value + f64::EPSILON.sqrt() * size;
+            let step = shifted[index] - value;
+            let ahead = self.flow_rates(time, &shifted);
+            shifted[index] = value;
+            (index, std::array::from_fn(|flow| (ahead[flow] - base[flow]) / step))
+        };
+        (0..self.states()).map(column).collect()
+    }
+
+    /// Partial derivative of f with respect to time, without quadratures.
+    pub fn time_derivative(&self, time: f64, state: &[f64], derivative: &mut [f64]) {
+        let states = self.states();
+        let (state, derivative) = (&state[..states], &mut derivative[..states]);
+        self.simulator.time_derivative(time, state, self.parameters, derivative);
+    }
+
+    /// Adds to the work counted.
+    pub fn count(&self, add: impl FnOnce(&mut Work)) {
+        let mut work = self.work.get();
+        add(&mut work);
+        self.work.set(work);
+    }
+
+    /// The work counted so far.
+    #[must_use]
+    pub fn work(&self) -> Work {
+        self.work.get()
+    }
+
+    fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
+        let power = self.simulator.power_balance(time, state, self.parameters);
+        let passed = power.supplied.abs() + power.dissipated.abs();
+        [power.supplied, power.dissipated, passed]
+    }
+}

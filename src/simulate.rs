@@ -1,0 +1,457 @@
+//! Runs a simulator: checks what is asked, integrates, and hands back a
+//! [`Trajectory`].
+
+use machinist_scenes::Simulator;
+
+use crate::error::{SimulateError, did_you_mean};
+use crate::method::{Method, Problem, System};
+use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
+
+/// Largest number of output times of a run.
+pub const MAX_POINTS: usize = 10_000_000;
+
+/// Largest number of steps of a run, unless told otherwise.
+pub const MAX_STEPS: usize = 10_000_000;
+
+/// A run of one simulator, to be adjusted and started. What is not adjusted is
+/// as the scene's spec says.
+///
+/// ```
+/// use machinist::{Method, Simulation};
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/oscillator.rs"));
+/// # fn main() -> Result<(), machinist::SimulateError> {
+/// let simulator = Oscillator;
+///
+/// let trajectory = Simulation::new(&simulator)
+///     .parameter("rotor.damping", 0.3)?
+///     .until(2.0)
+///     .rtol(1e-8)
+///     .method(Method::Bdf)
+///     .points(1001)
+///     .run()?;
+///
+/// let angle = trajectory.column("rotor.angle").expect("the scene has this state");
+/// assert_eq!(angle.len(), 1001);
+/// println!("{} rad/s after {} steps", angle[1000], trajectory.work.steps);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone)]
+#[must_use = "a simulation does nothing until it is `run`"]
+pub struct Simulation<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    parameters: Vec<f64>,
+    initial_state: Option<Vec<f64>>,
+    from: f64,
+    until: f64,
+    sampling: Sampling,
+    rtol: f64,
+    atol: Option<Vec<f64>>,
+    method: Option<Method>,
+    max_steps: usize,
+    energy_balance: bool,
+}
+
+#[derive(Clone)]
+enum Sampling {
+    Points(usize),
+    Times(Vec<f64>),
+}
+
+impl<'a> Simulation<'a> {
+    /// A run as the scene's spec says.
+    pub fn new(simulator: &'a dyn Simulator<f64>) -> Self {
+        let defaults = simulator.run_defaults();
+        let parameters =
+            (0..simulator.shape().parameters).map(|index| simulator.parameter_default(index));
+        Self {
+            simulator,
+            parameters: parameters.collect(),
+            initial_state: None,
+            from: defaults.from,
+            until: defaults.until,
+            sampling: Sampling::Points(defaults.points),
+            rtol: defaults.rtol,
+            atol: None,
+            method: None,
+            max_steps: MAX_STEPS,
+            energy_balance: false,
+        }
+    }
+
+    /// Sets one parameter, in its SI unit.
+    ///
+    /// # Errors
+    /// [`SimulateError::UnknownParameter`], with the nearest known name.
+    pub fn parameter(mut self, name: &str, value: f64) -> Result<Self, SimulateError> {
+        let names = || (0..self.parameters.len()).map(|index| self.simulator.parameter(index).name);
+        let index = names().position(|known| known == name).ok_or_else(|| {
+            SimulateError::UnknownParameter {
+                scene: self.simulator.name().to_owned(),
+                name: name.to_owned(),
+                hint: did_you_mean(name, names()),
+            }
+        })?;
+        self.parameters[index] = value;
+        Ok(self)
+    }
+
+    /// Sets all parameters, in the simulator's order.
+    pub fn parameters(mut self, values: &[f64]) -> Self {
+        self.parameters = values.to_vec();
+        self
+    }
+
+    /// Starts from this state \[q, q', z\] instead of the spec's.
+    pub fn initial_state(mut self, state: &[f64]) -> Self {
+        self.initial_state = Some(state.to_vec());
+        self
+    }
+
+    /// Starts at this time \[s\].
+    pub fn from(mut self, time: f64) -> Self {
+        self.from = time;
+        self
+    }
+
+    /// Ends at this time \[s\].
+    pub fn until(mut self, time: f64) -> Self {
+        self.until = time;
+        self
+    }
+
+    /// Asks for so many equally spaced times, both ends included.
+    pub fn points(mut self, points: usize) -> Self {
+        self.sampling = Sampling::Points(points);
+        self
+    }
+
+    /// Asks for these times, sorted and within the run \[s\].
+    pub fn times(mut self, times: &[f64]) -> Self {
+        self.sampling = Sampling::Times(times.to_vec());
+        self
+    }
+
+    /// Relative tolerance of every step. The absolute tolerance of a state is
+    /// this times the state's scale, unless [`Simulation::atol`] is set.
+    pub fn rtol(mut self, rtol: f64) -> Self {
+        self.rtol = rtol;
+        self
+    }
+
+    /// Absolute tolerance of every state, each in its unit.
+    pub fn atol(mut self, atol: &[f64]) -> Self {
+        self.atol = Some(atol.to_vec());
+        self
+    }
+
+    /// Integrates by this method.
+    pub fn method(mut self, method: Method) -> Self {
+        self.method = Some(method);
+        self
+    }
+
+    /// Stops with an error after so many steps; [`MAX_STEPS`] unless set.
+    pub fn max_steps(mut self, steps: usize) -> Self {
+        self.max_steps = steps;
+        self
+    }
+
+    /// Integrates the power balance alongside, for
+    /// [`Trajectory::energy_balance`]. It is under the same control of error as
+    /// the states, so the steps are not those of a run without it.
+    pub fn with_energy_balance(mut self, wanted: bool) -> Self {
+        self.energy_balance = wanted;
+        self
+    }
+
+    /// Integrates from start to end.
+    ///
+    /// # Errors
+    /// [`SimulateError`] if something asked for makes no sense, or if the
+    /// integration cannot go on; it then says where and why.
+    pub fn run(&self) -> Result<Trajectory, SimulateError> {
+        let method = match self.method {
+            Some(method) => method,
+            None => Method::from_name(self.simulator.run_defaults().method)?,
+        };
+        let times = self.checked_times()?;
+        let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance);
+        let states = system.states();
+        let mut initial = self.checked_initial_state()?;
+        let mut atol = self.checked_atol(states)?;
+        let energy_atol = self.rtol * self.energy_scale(&initial);
+        initial.resize(system.len(), 0.0);
+        atol.resize(system.len(), energy_atol);
+
+        let problem = Problem {
+            system: &system,
+            from: self.from,
+            until: self.until,
+            times: &times,
+            initial,
+            jumps: self.checked_jumps()?,
+            rtol: self.rtol,
+            atol,
+            max_steps: self.max_steps,
+        };
+        let rows = problem.integrate(method).map_err(|stopped| SimulateError::Stopped {
+            scene: self.simulator.name().to_owned(),
+            method: method.name(),
+            time: stopped.time,
+            cause: stopped.cause,
+        })?;
+        let energy_at_start = self.total_energy(&problem.initial[..states]);
+        Ok(self.trajectory(method, &system, times, &rows, energy_at_start))
+    }
+
+    fn trajectory(
+        &self,
+        method: Method,
+        system: &System<'_>,
+        times: Vec<f64>,
+        rows: &[f64],
+        energy_at_start: f64,
+    ) -> Trajectory {
+        let mut table = Table::new(self.simulator, times.len());
+        let width = system.len().max(1);
+        for (time, row) in times.iter().zip(rows.chunks_exact(width)) {
+            table.push(*time, row, &self.parameters);
+        }
+        let energy_balance =
+            self.energy_balance.then(|| table.energy_balance(rows, width, energy_at_start));
+        Trajectory {
+            scene: self.simulator.name().to_owned(),
+            title: self.simulator.title().to_owned(),
+            method,
+            rtol: self.rtol,
+            work: system.work(),
+            times,
+            columns: table.into_columns(energy_balance.as_ref()),
+            energy_balance,
+        }
+    }
+
+    fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
+        let name = |index| format!("parameter `{}`", self.simulator.parameter(index).name);
+        self.check_list("parameters", &self.parameters, self.simulator.shape().parameters, name)?;
+        Ok(&self.parameters)
+    }
+
+    fn checked_initial_state(&self) -> Result<Vec<f64>, SimulateError> {
+        let states = self.simulator.shape().states();
+        let state = self.initial_state.clone().unwrap_or_else(|| {
+            let mut state = vec![0.0; states];
+            self.simulator.initial_state(&self.parameters, &mut state);
+            state
+        });
+        let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
+        self.check_list("states", &state, states, name)?;
+        Ok(state)
+    }
+
+    fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {
+        let count = self.simulator.shape().discontinuities;
+        let mut jumps = vec![0.0; count];
+        self.simulator.discontinuities(&self.parameters, &mut jumps);
+        let name = |index| format!("time of jump number {index}");
+        self.check_list("jumps", &jumps, count, name)?;
+        Ok(jumps)
+    }
+
+    fn check_list(
+        &self,
+        what: &'static str,
+        values: &[f64],
+        expected: usize,
+        name: impl Fn(usize) -> String,
+    ) -> Result<(), SimulateError> {
+        if values.len() != expected {
+            let scene = self.simulator.name().to_owned();
+            return Err(SimulateError::WrongLength { scene, what, expected, found: values.len() });
+        }
+        match values.iter().position(|value| !value.is_finite()) {
+            None => Ok(()),
+            Some(index) => {
+                Err(SimulateError::NotFinite { what: name(index), value: values[index] })
+            }
+        }
+    }
+
+    fn checked_atol(&self, states: usize) -> Result<Vec<f64>, SimulateError> {
+        if !(self.rtol > 0.0 && self.rtol <= 1.0) {
+            return Err(SimulateError::BadTolerance(self.rtol));
+        }
+        let scaled = |index| self.rtol * self.simulator.state_scale(index);
+        let atol = self.atol.clone().unwrap_or_else(|| (0..states).map(scaled).collect());
+        if atol.len() != states {
+            let (scene, found) = (self.simulator.name().to_owned(), atol.len());
+            let what = "states";
+            return Err(SimulateError::WrongLength { scene, what, expected: states, found });
+        }
+        match atol.iter().position(|value| !(value.is_finite() && *value > 0.0)) {
+            None => Ok(atol),
+            Some(index) => Err(SimulateError::BadAbsoluteTolerance {
+                state: self.simulator.state(index).name.to_owned(),
+                value: atol[index],
+            }),
+        }
+    }
+
+    fn checked_times(&self) -> Result<Vec<f64>, SimulateError> {
+        let (from, until) = (self.from, self.until);
+        if !(from < until && (until - from).is_finite()) {
+            return Err(SimulateError::BadSpan { from, until });
+        }
+        let points = match &self.sampling {
+            Sampling::Points(points) => *points,
+            Sampling::Times(times) => times.len(),
+        };
+        if !(2..=MAX_POINTS).contains(&points) {
+            return Err(SimulateError::BadPoints(points));
+        }
+        let times = match &self.sampling {
+            Sampling::Points(points) => equally_spaced(from, until, *points),
+            Sampling::Times(times) => times.clone(),
+        };
+        let mut earliest = from;
+        for (index, &time) in times.iter().enumerate() {
+            if !(earliest <= time && time <= until) {
+                return Err(SimulateError::BadTime { index, time, from, until });
+            }
+            earliest = time;
+        }
+        Ok(times)
+    }
+
+    fn total_energy(&self, initial: &[f64]) -> f64 {
+        self.simulator.energy(self.from, initial, &self.parameters).total()
+    }
+
+    /// A typical energy of the machine \[J\], for the absolute tolerance of the
+    /// quadratures: the energy at the start, or with every state at its scale,
+    /// whichever is larger; 1 J where both are zero.
+    fn energy_scale(&self, initial: &[f64]) -> f64 {
+        let scales: Vec<f64> =
+            (0..initial.len()).map(|index| self.simulator.state_scale(index)).collect();
+        let size = |state: &[f64]| {
+            let energy = self.simulator.energy(self.from, state, &self.parameters);
+            energy.kinetic.abs() + energy.stored.abs()
+        };
+        let scale = size(initial).max(size(&scales));
+        if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
+    }
+}
+
+/// `points` times from `from` to `until`, both met exactly.
+fn equally_spaced(from: f64, until: f64, points: usize) -> Vec<f64> {
+    let last = points - 1;
+    let time = |index: usize| {
+        let share = index as f64 / last as f64;
+        if index == last { until } else { (from + (until - from) * share).min(until) }
+    };
+    (0..points).map(time).collect()
+}
+
+/// The columns of a trajectory as they fill.
+struct Table<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    states: Vec<Vec<f64>>,
+    outputs: Vec<Vec<f64>>,
+    energy: Vec<f64>,
+    largest_active: f64,
+    buffer: Vec<f64>,
+}
+
+impl<'a> Table<'a> {
+    fn new(simulator: &'a dyn Simulator<f64>, points: usize) -> Self {
+        let shape = simulator.shape();
+        let empty = |_| Vec::with_capacity(points);
+        Self {
+            simulator,
+            states: (0..shape.states()).map(empty).collect(),
+            outputs: (0..shape.outputs).map(empty).collect(),
+            energy: empty(0),
+            largest_active: 0.0,
+            buffer: vec![0.0; shape.outputs],
+        }
+    }
+
+    fn push(&mut self, time: f64, row: &[f64], parameters: &[f64]) {
+        let state = &row[..self.states.len()];
+        for (column, value) in self.states.iter_mut().zip(state) {
+            column.push(*value);
+        }
+        self.simulator.outputs(time, state, parameters, &mut self.buffer);
+        for (column, value) in self.outputs.iter_mut().zip(&self.buffer) {
+            column.push(*value);
+        }
+        let energy = self.simulator.energy(time, state, parameters);
+        self.energy.push(energy.total());
+        let active = energy.kinetic.abs() + energy.stored.abs();
+        self.largest_active = self.largest_active.max(active);
+    }
+
+    /// The account, from rows of `width` whose last three are the quadratures.
+    fn energy_balance(&self, rows: &[f64], width: usize, energy_at_start: f64) -> EnergyBalance {
+        let states = self.states.len();
+        let quadrature = |flow: usize| {
+            rows.chunks_exact(width).map(|row| row[states + flow]).collect::<Vec<_>>()
+        };
+        let (supplied, dissipated) = (quadrature(0), quadrature(1));
+        let gained = |index: usize| self.energy[index] - energy_at_start;
+        let residual = (0..self.energy.len())
+            .map(|index| gained(index) - supplied[index] + dissipated[index])
+            .collect();
+        let passed = quadrature(2);
+        EnergyBalance {
+            supplied,
+            dissipated,
+            passed,
+            residual,
+            largest_active: self.largest_active,
+        }
+    }
+
+    fn into_columns(self, balance: Option<&EnergyBalance>) -> Vec<Column> {
+        let simulator = self.simulator;
+        let column = |kind, quantity: machinist_scenes::Quantity<'_>, values| Column {
+            name: quantity.name.to_owned(),
+            unit: quantity.unit.to_owned(),
+            kind,
+            doc: quantity.doc.to_owned(),
+            values,
+        };
+        let energy = |name: &str, doc: &str, values| Column {
+            name: format!("energy.{name}"),
+            unit: "J".to_owned(),
+            kind: ColumnKind::Energy,
+            doc: doc.to_owned(),
+            values,
+        };
+        let states = self.states.into_iter().enumerate();
+        let outputs = self.outputs.into_iter().enumerate();
+        let mut columns: Vec<Column> =
+            states
+                .map(|(index, values)| column(ColumnKind::State, simulator.state(index), values))
+                .chain(outputs.map(|(index, values)| {
+                    column(ColumnKind::Output, simulator.output(index), values)
+                }))
+                .collect();
+        columns.push(energy("total", "energy in motion, springs and fields", self.energy));
+        if let Some(balance) = balance {
+            columns.push(energy(
+                "supplied",
+                "energy supplied since start",
+                balance.supplied.clone(),
+            ));
+            columns.push(energy(
+                "dissipated",
+                "energy lost since start",
+                balance.dissipated.clone(),
+            ));
+            columns.push(energy("residual", "error of the account", balance.residual.clone()));
+        }
+        columns
+    }
+}

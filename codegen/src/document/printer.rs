@@ -165,6 +165,11 @@ impl<'a> Printer<'a> {
                 _ => above.push(factor.clone()),
             }
         }
+        // Parameters stand before what varies, as engineers write.
+        let varies =
+            |factor: &Expr| !matches!(factor, Expr::Symbol(Symbol::Pi | Symbol::Parameter(_)));
+        above.sort_by_key(varies);
+        below.sort_by_key(varies);
         let sign = if coefficient.is_negative() { "-" } else { "" };
         let coefficient = coefficient.abs();
         let whole = |n: &num_bigint::BigInt| Expr::Number(BigRational::from_integer(n.clone()));

@@ -281,7 +281,8 @@ impl<'a> Resolver<'a> {
             (None, _, "pi") => {
                 self.spend(1, span)?;
                 let pi = crate::spec::expression::Literal::parse(PI);
-                Typed::number(&pi.map_or_else(BigRational::zero, |pi| pi.0), None)
+                let pi = Typed::number(&pi.map_or_else(BigRational::zero, |pi| pi.0), None);
+                Typed { expr: Expr::Symbol(Symbol::Pi), ..pi }
             }
             (None, ..) => self.local(name, span, scope)?,
             (Some(_), Scope::Instance(_), _) => {

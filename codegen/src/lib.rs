@@ -18,8 +18,8 @@ pub mod pipeline;
 pub mod program;
 pub mod prune;
 pub mod scene;
-
 pub mod spec;
+mod stack;
 pub mod system;
 pub mod tape;
 pub mod trigonometry;

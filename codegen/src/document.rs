@@ -87,13 +87,15 @@ impl Document {
         ];
         let mut text = String::new();
         for (heading, equations) in sections.into_iter().filter(|(_, e)| !e.is_empty()) {
-            text.push_str(&format!("{heading}\n"));
+            text.push_str(heading);
+            text.push('\n');
             for equation in equations {
                 let unit = match equation.unit.as_str() {
                     "" => String::new(),
                     unit => format!("   [{unit}]"),
                 };
-                text.push_str(&format!("  {} = {}{unit}\n", equation.left, equation.right));
+                let Equation { left, right, .. } = equation;
+                text.extend(["  ", left, " = ", right, &unit, "\n"]);
             }
             text.push('\n');
         }

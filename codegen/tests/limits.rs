@@ -65,8 +65,11 @@ fn with_expression(expression: &str) -> String {
 
 #[test]
 fn an_expression_nested_ten_thousand_deep_is_refused() {
-    for (open, close) in [("(", ")"), ("-", ""), ("sin(", ")"), ("2^", ""), ("min(1, ", ")"), ("+", "")] {
-        let text = format!("{}1{}", open.repeat(10_000 / open.len()), close.repeat(10_000 / open.len()));
+    for (open, close) in
+        [("(", ")"), ("-", ""), ("sin(", ")"), ("2^", ""), ("min(1, ", ")"), ("+", "")]
+    {
+        let text =
+            format!("{}1{}", open.repeat(10_000 / open.len()), close.repeat(10_000 / open.len()));
         let message = refusal(&with_expression(&text));
         assert!(message.contains("nests deeper than 200"), "{open}: {message}");
     }
@@ -137,7 +140,8 @@ fn long_chains_of_helpers_are_refused_without_exhausting_the_stack() {
     let mut text = GOOD.to_owned();
     let _ = write!(text, "\n[helpers.h0]\nexpression = \"h1 + 1\"\nunit = \"1\"\n");
     for i in 1..5000 {
-        let _ = write!(text, "[helpers.h{i}]\nexpression = \"sin(h{} + 1)\"\nunit = \"1\"\n", i + 1);
+        let _ =
+            write!(text, "[helpers.h{i}]\nexpression = \"sin(h{} + 1)\"\nunit = \"1\"\n", i + 1);
     }
     text.push_str("[helpers.h5000]\nexpression = \"1\"\nunit = \"1\"\n");
     assert!(refusal(&text).contains("nest deeper"));
@@ -157,7 +161,9 @@ fn many_instances_of_a_large_helper_are_refused_before_they_fill_the_memory() {
 #[test]
 fn numbers_without_end_are_refused() {
     let digits = "9".repeat(60_000);
-    for text in [format!("{digits}"), format!("(1 + 1e-300){}", "^64".repeat(5)), format!("1e{digits}")] {
+    for text in
+        [format!("{digits}"), format!("(1 + 1e-300){}", "^64".repeat(5)), format!("1e{digits}")]
+    {
         refusal(&with_expression(&text));
     }
     let text = "((((1 + 1e-300)^64)^64)^64)^64";
@@ -231,7 +237,10 @@ fn tables_too_short_or_too_long_are_refused() {
         let (told, _) = made.refusal();
         assert!(told.contains(message), "{told}");
     }
-    made.write("scenes/a.csv", format!("{header}{}", (0..9).map(row).collect::<String>()).as_bytes());
+    made.write(
+        "scenes/a.csv",
+        format!("{header}{}", (0..9).map(row).collect::<String>()).as_bytes(),
+    );
     assert!(read(&made.scene()).is_ok());
 }
 
@@ -251,9 +260,37 @@ impl Dice {
 /// elsewhere, or a word of the language thrown in.
 fn damage(text: &mut Vec<u8>, dice: &mut Dice) {
     const WORDS: &[&str] = &[
-        "(", ")", "^", "/0", "*t", "e999", "\"", "[", "]", "{", "}", "=", "\n", ".", "-", "nan",
-        "table('a','b',t)", "piecewise(t < 1 [s], 1, 2)", "step(t, 0)", "\u{3c6}", "\0", "'''",
-        "angle_ddot", "0", "1e308*10", "\\u0041", "min(", ",", "<", "sqrt(-1)", "[[forces]]\n",
+        "(",
+        ")",
+        "^",
+        "/0",
+        "*t",
+        "e999",
+        "\"",
+        "[",
+        "]",
+        "{",
+        "}",
+        "=",
+        "\n",
+        ".",
+        "-",
+        "nan",
+        "table('a','b',t)",
+        "piecewise(t < 1 [s], 1, 2)",
+        "step(t, 0)",
+        "\u{3c6}",
+        "\0",
+        "'''",
+        "angle_ddot",
+        "0",
+        "1e308*10",
+        "\\u0041",
+        "min(",
+        ",",
+        "<",
+        "sqrt(-1)",
+        "[[forces]]\n",
     ];
     let at = dice.below(text.len().max(1)).min(text.len());
     let end = (at + 1 + dice.below(40)).min(text.len());

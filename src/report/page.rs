@@ -6,8 +6,7 @@ use super::work_precision::WorkPrecision;
 use super::{Report, figure, ledger, licences, scene, verification};
 
 /// Nothing may be loaded: everything the page needs is in it.
-const POLICY: &str =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
 /// The command that makes the page.
 const COMMAND: &str = "cargo run --release -- report";

@@ -69,9 +69,8 @@ pub fn main() -> ExitCode {
 
 /// `name=value` with a number, as `--set` takes it.
 fn assignment(text: &str) -> Result<(String, f64), String> {
-    let (name, value) = text
-        .split_once('=')
-        .ok_or("write it as NAME=VALUE, such as coupling.stiffness=23065.2")?;
+    let (name, value) =
+        text.split_once('=').ok_or("write it as NAME=VALUE, such as coupling.stiffness=23065.2")?;
     let number = value.trim().parse().map_err(|_| format!("`{value}` is not a number"))?;
     if f64::is_finite(number) {
         Ok((name.trim().to_owned(), number))

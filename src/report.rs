@@ -62,10 +62,15 @@ pub fn page(specs: &Path, emitted: &Path) -> Result<Page, Failure> {
     let derived = during("deriving", || specs::all(&files, Derived::new))?;
     let programs: Vec<_> = derived.iter().map(|derived| derived.program.clone()).collect();
     let emitted = emit_scenes(emitted, &programs, Mode::Write)?;
-    let scenes = during("simulating", || derived.into_iter().map(SceneData::new).collect());
     let options = VerifyOptions::default();
     let verdicts = during("verifying", || verify_all(&options))
         .map_err(|error| Failure::unsuccessful(error, ""))?;
+    let mut scenes: Vec<SceneData> =
+        during("simulating", || derived.into_iter().map(SceneData::new).collect());
+    // As in the table of checks, which goes from the simple to the whole.
+    scenes.sort_by_key(|scene| {
+        verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
+    });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
     let work_precision = during("timing the methods", work_precision::measure)?;
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);

@@ -49,7 +49,11 @@ impl Failure {
 }
 
 fn with_help(message: &str, help: &str) -> Report {
-    if help.is_empty() { miette!("{message}") } else { miette!(help = help.to_owned(), "{message}") }
+    if help.is_empty() {
+        miette!("{message}")
+    } else {
+        miette!(help = help.to_owned(), "{message}")
+    }
 }
 
 impl From<Diagnostics> for Failure {

@@ -82,10 +82,7 @@ impl Run {
         print(&self.summary(&scene, &trajectory))
     }
 
-    fn simulation<'a>(
-        &self,
-        simulator: &'a dyn Simulator<f64>,
-    ) -> Result<Simulation<'a>, Failure> {
+    fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
         let mut simulation = Simulation::new(simulator);
         for (name, value) in &self.set {
             simulation = simulation.parameter(name, *value)?;

@@ -28,9 +28,11 @@ pub fn render(report: &Report) -> String {
                         (verification::section(&report.verdicts))
                     }
                     @for data in &report.scenes { (scene::section(data)) }
-                    section id="work-precision" {
-                        h2 { "Error against run time" }
-                        (work_precision(&report.work_precision))
+                    @if !report.work_precision.is_empty() {
+                        section id="work-precision" {
+                            h2 { "Error against run time" }
+                            (work_precision(&report.work_precision))
+                        }
                     }
                     section id="ledger" {
                         h2 { "Reproduction ledger" }
@@ -82,7 +84,9 @@ fn contents(report: &Report) -> Markup {
                     @for scene in &report.scenes {
                         li { a href={ "#" (scene.name()) } { (scene.title()) } }
                     }
-                    li { a href="#work-precision" { "Error against run time" } }
+                    @if !report.work_precision.is_empty() {
+                        li { a href="#work-precision" { "Error against run time" } }
+                    }
                     li { a href="#ledger" { "Reproduction ledger" } }
                     li { a href="#licences" { "Licences" } }
                 }

@@ -49,19 +49,18 @@ pub fn identify(
 /// The slot that each joined set is walked from, in the order of the sets' earliest
 /// slots.
 fn starts(spec: &SceneSpec, layout: &Layout, roots: &mut [usize]) -> Vec<usize> {
-    let has_inertia = |slot: &usize| {
-        let (instance, _) = layout.coordinate(*slot);
+    let has_inertia = |slot: usize| {
+        let (instance, _) = layout.coordinate(slot);
         spec.units[spec.instances[instance].unit].energy.kinetic.is_some()
     };
-    let slots = 0..layout.links.len();
-    let sets: Vec<usize> = slots.clone().map(|slot| root(roots, slot)).collect();
-    let first_of_set = slots.clone().filter(|slot| sets[*slot] == *slot);
-    first_of_set
-        .map(|first| {
-            let mut members = slots.clone().filter(|slot| sets[*slot] == first);
-            members.find(has_inertia).unwrap_or(first)
-        })
-        .collect()
+    let mut starts: Vec<Option<usize>> = vec![None; layout.links.len()];
+    for slot in 0..layout.links.len() {
+        let start = &mut starts[root(roots, slot)];
+        if start.is_none_or(|start| !has_inertia(start) && has_inertia(slot)) {
+            *start = Some(slot);
+        }
+    }
+    starts.into_iter().flatten().collect()
 }
 
 fn edge(

@@ -176,7 +176,7 @@ mod tests {
         let (x, y) = reduced(&times, &values);
         assert!(x.len() <= MAX_POINTS + 2);
         assert_eq!((x[0], x[x.len() - 1]), (0.0, 9999.0));
-        assert_eq!(y.iter().copied().fold(0.0, f64::max), 7.0);
+        assert!(y.contains(&7.0));
     }
 
     #[test]

@@ -116,6 +116,12 @@ impl Diagnostic {
         }
     }
 
+    /// The system granted no thread to work on.
+    #[must_use]
+    pub fn no_thread() -> Self {
+        Diagnostic::of_file("", "the system grants no thread to read the spec with", "")
+    }
+
     /// The mistake with the text around it; `label` names the file.
     #[must_use]
     pub fn of_text(mistake: &Mistake, label: &str, text: &str) -> Self {
@@ -184,7 +190,7 @@ fn floor_boundary(text: &str, index: usize) -> usize {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.source.is_some() {
+        if self.source.is_some() || self.file.is_empty() {
             write!(f, "{}", self.message)
         } else {
             write!(f, "{}: {}", self.file, self.message)
@@ -237,6 +243,13 @@ impl Diagnostics {
             report.push_str(&self.to_string());
         }
         report
+    }
+}
+
+impl From<crate::cas::CasError> for Diagnostics {
+    fn from(error: crate::cas::CasError) -> Self {
+        let help = "the folder must exist and be writable";
+        Diagnostic::of_file("", error.to_string(), help).into()
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod printer;
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, HelperId, ParameterId, Symbol};
 use crate::lagrange::EquationsOfMotion;
 use crate::system::{LagrangianSystem, Quantity};
 use printer::Printer;
@@ -132,7 +132,7 @@ fn energies(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     [
         ("T", kinetic, "J", "kinetic energy"),
         ("V", potential, "J", "potential energy"),
-        ("D", &equations.system.dissipation, "W", "Rayleigh dissipation"),
+        ("D", &equations.dissipation, "W", "Rayleigh dissipation"),
         ("W", stored, "J", "energy of the first-order states"),
     ]
     .into_iter()
@@ -214,6 +214,7 @@ fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) ->
         (Symbol::FirstOrder(FirstOrderId(index)), _) => {
             name(&system.first_order[index as usize].quantity)
         }
+        (Symbol::Helper(HelperId(index)), _) => name(&system.helpers[index as usize].quantity),
         (Symbol::Parameter(ParameterId(index)), _) => {
             name(&system.parameters[index as usize].quantity)
         }

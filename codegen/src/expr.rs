@@ -17,6 +17,10 @@ pub struct FirstOrderId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ParameterId(pub u32);
 
+/// Index of a helper of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct HelperId(pub u32);
+
 /// Index of an interpolation table of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TableId(pub u32);
@@ -38,6 +42,8 @@ pub enum Symbol {
     FirstOrder(FirstOrderId),
     /// Parameter p.
     Parameter(ParameterId),
+    /// A helper standing for its expression; from [`crate::abbreviate`] on only.
+    Helper(HelperId),
 }
 
 /// The functions expressions know, by their usual names.

@@ -1,23 +1,25 @@
 //! Build-time half of Machinist: spec text to emitted Rust.
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
+pub mod abbreviate;
 pub mod cas;
+pub mod diagnostic;
+pub mod dimension;
 pub mod document;
 pub mod emit;
 pub mod evaluate;
-pub mod diagnostic;
-pub mod dimension;
 pub mod expr;
 pub mod factor;
 pub mod fold;
 pub mod lagrange;
 pub mod linearize;
 pub mod lower;
+pub mod pipeline;
 pub mod program;
 pub mod prune;
 pub mod scene;
-
 pub mod spec;
+mod stack;
 pub mod system;
 pub mod tape;
 pub mod trigonometry;

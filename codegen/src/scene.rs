@@ -14,9 +14,10 @@ mod resolve;
 mod spline;
 mod typed;
 
-use crate::diagnostic::{Diagnostics, Mistake};
+use crate::diagnostic::{Diagnostic, Diagnostics, Mistake};
 use crate::expr::ParameterId;
 use crate::spec::SceneSpec;
+use crate::stack;
 use crate::system::LagrangianSystem;
 
 /// Checks a scene and joins its units: instances get their parameters and inputs,
@@ -26,6 +27,10 @@ use crate::system::LagrangianSystem;
 /// Every mistake of the spec that its text alone does not show, each at the term
 /// or name that is wrong; see "What is checked" of the spec language.
 pub fn compose(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
+    stack::with_room(|| join(spec)).map_err(|_| Diagnostic::no_thread())?
+}
+
+fn join(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
     let mut mistakes = Vec::new();
     let mut layout = layout::Layout::new(spec, &mut mistakes);
     let values = assemble::parameter_values(spec, &layout, &mut mistakes);

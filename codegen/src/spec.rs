@@ -21,8 +21,9 @@ pub use self::source::{MAX_FILE_BYTES, SourceText, Sources};
 pub use self::table::{Column, CsvTable};
 
 use self::expression::{Ast, Literal};
-use crate::diagnostic::{Diagnostics, FileId, Span, Spanned};
+use crate::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
 use crate::dimension::Unit;
+use crate::stack;
 
 /// Reads a scene, the units it names, and the tables they name.
 ///
@@ -34,7 +35,7 @@ use crate::dimension::Unit;
 /// long or no TOML, unknown keys, wrong types, names that are none, expressions
 /// that do not parse, tables that are not sorted.
 pub fn load_scene(path: &Path) -> Result<SceneSpec, Diagnostics> {
-    loader::load(path)
+    stack::with_room(|| loader::load(path)).map_err(|_| Diagnostic::no_thread())?
 }
 
 /// A scene as written, with everything it refers to.

@@ -8,7 +8,7 @@ use crate::dimension::Dimension;
 use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
 use crate::scene::names::{Flat, name};
-use crate::scene::resolve::{Resolved, Resolver, Wanted, unbound};
+use crate::scene::resolve::{Resolved, Resolver, Wanted};
 use crate::scene::typed::{integer, product, sum};
 use crate::spec::expression::Ast;
 use crate::spec::{Declared, InstanceSpec, SceneSpec, UnitSpec, did_you_mean, quoted};
@@ -142,13 +142,13 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Every input is bound, and nothing else.
+    /// Every input is bound by an expression of its unit, and nothing else is bound.
     fn inputs(&mut self) {
-        for (_, instance, unit) in self.instances() {
+        for (index, instance, unit) in self.instances() {
             for input in &unit.inputs {
-                if !instance.inputs.iter().any(|(name, _)| name.value == input.name.value) {
-                    self.mistakes.push(unbound(input, instance));
-                }
+                let scope = Scope::Instance(index);
+                let resolved = self.resolver.value(&input.name.value, input.name.span, scope);
+                self.note(resolved);
             }
             for (name, _) in &instance.inputs {
                 if !unit.inputs.iter().any(|input| input.name.value == name.value) {

@@ -18,8 +18,10 @@ struct Edge {
 }
 
 /// Identifies joined coordinates. Of a joined set, the coordinate of the earliest
-/// instance stands for all; since joints may close no loop, the others follow it
-/// by the product of ratios along the only path there is.
+/// instance with a kinetic energy of its own stands for all (a rotor's angle rather
+/// than that of the coupling's end on it), else the earliest; since joints may close
+/// no loop, the others follow it by the product of ratios along the only path there
+/// is.
 pub fn identify(
     spec: &SceneSpec,
     layout: &mut Layout,
@@ -40,7 +42,25 @@ pub fn identify(
         }
     }
     drop(resolver);
-    follow(layout, &edges);
+    let starts = starts(spec, layout, &mut roots);
+    follow(layout, &edges, &starts);
+}
+
+/// The slot that each joined set is walked from, in the order of the sets' earliest
+/// slots.
+fn starts(spec: &SceneSpec, layout: &Layout, roots: &mut [usize]) -> Vec<usize> {
+    let has_inertia = |slot: usize| {
+        let (instance, _) = layout.coordinate(slot);
+        spec.units[spec.instances[instance].unit].energy.kinetic.is_some()
+    };
+    let mut starts: Vec<Option<usize>> = vec![None; layout.links.len()];
+    for slot in 0..layout.links.len() {
+        let start = &mut starts[root(roots, slot)];
+        if start.is_none_or(|start| !has_inertia(start) && has_inertia(slot)) {
+            *start = Some(slot);
+        }
+    }
+    starts.into_iter().flatten().collect()
 }
 
 fn edge(
@@ -119,8 +139,8 @@ fn root(roots: &mut [usize], mut slot: usize) -> usize {
     slot
 }
 
-/// Walks each joined set from its earliest coordinate.
-fn follow(layout: &mut Layout, edges: &[Edge]) {
+/// Walks each joined set from the coordinate that stands for it.
+fn follow(layout: &mut Layout, edges: &[Edge], starts: &[usize]) {
     let count = layout.links.len();
     let mut near: Vec<Vec<usize>> = vec![Vec::new(); count];
     for (index, edge) in edges.iter().enumerate() {
@@ -128,10 +148,7 @@ fn follow(layout: &mut Layout, edges: &[Edge]) {
     }
     let mut links: Vec<Option<Link>> = vec![None; count];
     layout.representatives.clear();
-    for slot in 0..count {
-        if links[slot].is_some() {
-            continue;
-        }
+    for &slot in starts {
         let id = CoordinateId(layout.representatives.len() as u32);
         layout.representatives.push(slot);
         links[slot] = Some(Link { id, factor: None });

@@ -281,7 +281,8 @@ impl<'a> Resolver<'a> {
             (None, _, "pi") => {
                 self.spend(1, span)?;
                 let pi = crate::spec::expression::Literal::parse(PI);
-                Typed::number(&pi.map_or_else(BigRational::zero, |pi| pi.0), None)
+                let pi = Typed::number(&pi.map_or_else(BigRational::zero, |pi| pi.0), None);
+                Typed { expr: Expr::Symbol(Symbol::Pi), ..pi }
             }
             (None, ..) => self.local(name, span, scope)?,
             (Some(_), Scope::Instance(_), _) => {
@@ -510,7 +511,7 @@ impl<'a> Resolver<'a> {
 }
 
 /// An input that the scene does not bind.
-pub fn unbound(input: &crate::spec::InputSpec, instance: &crate::spec::InstanceSpec) -> Mistake {
+fn unbound(input: &crate::spec::InputSpec, instance: &crate::spec::InstanceSpec) -> Mistake {
     let (name, of) = (quoted(&input.name.value), quoted(&instance.name.value));
     let help = format!(
         "write inputs = {{ {} = \"...\" }}, an expression in {}",
@@ -590,10 +591,8 @@ fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<Mistake>> {
     {
         let message = format!("{what} is in {}, but this term is in {dimension}", wanted.dimension);
         let mistake = Mistake::new(span, message, format!("in {dimension}"));
-        let help = match part.value {
-            Some(_) => "a number carries its unit in brackets: 0.1 [s]",
-            None => "",
-        };
+        let bare = part.value.is_some() && dimension == Dimension::ONE;
+        let help = if bare { "a number carries its unit in brackets: 0.1 [s]" } else { "" };
         return Err(Box::new(mistake.help(help)));
     }
     if wanted.energy && part.angular.is_torque() {

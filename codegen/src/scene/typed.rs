@@ -157,9 +157,14 @@ pub fn product(factors: Vec<Expr>) -> Expr {
 
 /// One over an expression, which is no bare 0.
 pub fn reciprocal(of: Expr) -> Expr {
+    let minus_one = BigRational::from_integer((-1).into());
     match of {
         Expr::Number(number) if !number.is_zero() => Expr::Number(number.recip()),
-        of => power(of, &BigRational::from_integer((-1).into())),
+        Expr::Power(base, exponent) => match *exponent {
+            Expr::Number(number) => power(*base, &-number),
+            other => power(Expr::Power(base, Box::new(other)), &minus_one),
+        },
+        of => power(of, &minus_one),
     }
 }
 

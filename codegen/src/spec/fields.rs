@@ -67,7 +67,9 @@ impl<'a> Fields<'a> {
 
     /// The value of a key, if it is there.
     pub fn take(&mut self, key: &'static str) -> Option<&'a Spanned<Tree>> {
-        self.asked.push(key);
+        if !self.asked.contains(&key) {
+            self.asked.push(key);
+        }
         self.entries.iter().find(|entry| entry.key.value == key).map(|entry| &entry.value)
     }
 

@@ -182,24 +182,21 @@ fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
     let method = fields.required_text("method");
     fields.close();
     let (until, points, rtol, method) = (until?, points?, rtol?, method?);
-    let mut refuse = |good: bool, span: Span, message: &str, help: String| {
+    let mut refuse = |good: bool, span: Span, message: &str, label: &str, help: String| {
         if !good {
-            found.mistakes.push(Mistake::new(span, message, "out of range").help(help));
+            found.mistakes.push(Mistake::new(span, message, label).help(help));
         }
     };
+    let start = format!("it starts at {from} s");
+    refuse(until.value > from, until.span, "a run ends after its start", "too early", start);
     let whole = points.value.fract() == 0.0 && (2.0..=MAX_POINTS).contains(&points.value);
-    refuse(
-        until.value > from,
-        until.span,
-        "a run ends after its start",
-        format!("it starts at {from} s"),
-    );
-    refuse(whole, points.span, "`points` is an integer from 2 to 10 000 000", String::new());
-    let tolerable = RTOL.contains(&rtol.value);
-    refuse(tolerable, rtol.span, "`rtol` lies between 1e-14 and 0.1", String::new());
+    let message = "`points` is an integer from 2 to 10 000 000";
+    refuse(whole, points.span, message, "out of range", String::new());
+    let message = "`rtol` lies between 1e-14 and 0.1";
+    refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
     let known = METHODS.contains(&method.value.as_str());
     let help = did_you_mean(&method.value, METHODS.iter().copied());
-    refuse(known, method.span, "unknown method", help);
+    refuse(known, method.span, "unknown method", "unknown", help);
     let (until, points, rtol) = (until.value, points.value as usize, rtol.value);
     Some(RunSpec { from, until, points, rtol, method: method.value })
 }

@@ -18,7 +18,12 @@ pub fn describe(system: &LagrangianSystem) -> String {
     for c in &system.coordinates {
         line(format!("coordinate {}", quantity(&c.position)));
         line(format!("  velocity {}", quantity(&c.velocity)));
-        line(format!("  initial {}, {}; scale {:?}", show(&c.initial[0]), show(&c.initial[1]), c.scale));
+        line(format!(
+            "  initial {}, {}; scale {:?}",
+            show(&c.initial[0]),
+            show(&c.initial[1]),
+            c.scale
+        ));
         for (name, factor) in &c.identified {
             line(format!("  {name} follows by {}", show(factor)));
         }
@@ -70,9 +75,15 @@ pub fn show(expr: &Expr, system: &LagrangianSystem) -> String {
         Expr::Symbol(symbol) => self::symbol(*symbol, system),
         Expr::Sum(terms) => format!("({})", each(terms).join(" + ")),
         Expr::Product(factors) => each(factors).join("*"),
-        Expr::Power(base, exponent) => format!("{}^({})", grouped(base, system), show(exponent, system)),
+        Expr::Power(base, exponent) => {
+            format!("{}^({})", grouped(base, system), show(exponent, system))
+        }
         Expr::Call(Function::Table { table, .. }, arguments) => {
-            format!("{}({})", system.tables[table.0 as usize].name.ident, each(arguments).join(", "))
+            format!(
+                "{}({})",
+                system.tables[table.0 as usize].name.ident,
+                each(arguments).join(", ")
+            )
         }
         Expr::Call(function, arguments) => format!("{function:?}({})", each(arguments).join(", ")),
     }

@@ -1,13 +1,16 @@
 //! Lagrangian specs of machines to fast, checked Rust simulators.
 #![forbid(unsafe_code)]
 
+pub mod closed_form;
 pub mod complex_step;
 pub mod error;
+pub mod ledger;
 pub mod method;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod simulate;
 pub mod trajectory;
+pub mod verify;
 
 pub use error::SimulateError;
 pub use method::Method;

@@ -1,6 +1,7 @@
 //! Build-time half of Machinist: spec text to emitted Rust.
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
+pub mod abbreviate;
 pub mod cas;
 pub mod diagnostic;
 pub mod dimension;

@@ -39,13 +39,13 @@
 //   discontinuities           0
 //   rate                     45
 //   mass_matrix               0
-//   forcing                  11
+//   forcing                  12
 //   rate_jacobian            35
-//   parameter_jacobian       92
+//   parameter_jacobian       88
 //   time_derivative           0
-//   outputs                  33
+//   outputs                  27
 //   energy                   32
-//   power_balance           129
+//   power_balance           106
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -310,21 +310,22 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; ST
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
     let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / (p.motor_x_s * motor_sigma)
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / (p.motor_x_s * motor_sigma)
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     let motor_omega_dot = motor_torque * (R::literal(1.0) / p.motor_inertia);
-    let motor_omega_0_times_motor_alpha_s = motor_omega_0 * p.motor_alpha_s;
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_omega_0_times_motor_alpha_s
+        - motor_alpha_s_times_motor_omega_0
             * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
     let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_omega_0_times_motor_alpha_s
+        - motor_alpha_s_times_motor_omega_0
             * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_omega_0_times_motor_alpha_r = motor_omega_0 * p.motor_alpha_r;
-    let motor_psi_rx_dot = motor_omega_0_times_motor_alpha_r
-        * (p.motor_k_s * motor_psi_sx - motor_psi_rx) + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = motor_omega_0_times_motor_alpha_r
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
+        + motor_alpha_r_times_motor_omega_0
+            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
+    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
         motor_omega,
@@ -350,7 +351,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 11 operations.
+/// 12 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     _time: R,
@@ -358,9 +359,10 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [_, _, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / (p.motor_x_s * motor_sigma)
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / (p.motor_x_s * motor_sigma)
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     [motor_torque]
 }
@@ -380,21 +382,20 @@ pub fn rate_jacobian<R: Real>(
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let t0 = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r;
+    let t0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
     let t1 = t0 / (p.motor_x_s * motor_sigma);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
     let t2 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_omega_dot_by_motor_psi_sx = t2 * motor_psi_ry * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_sx = -(motor_omega_0 * p.motor_alpha_s);
+    let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_sx = motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
+    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_omega_dot_by_motor_psi_sy = t1 * motor_psi_rx * inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = t1 * motor_psi_sy * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_rx = motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
-    let motor_psi_rx_dot_by_motor_psi_rx = -(motor_omega_0 * p.motor_alpha_r);
+    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
         - motor_omega_0;
     let motor_omega_dot_by_motor_psi_ry = t2 * motor_psi_sx * inverse_motor_inertia;
@@ -423,7 +424,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 92 operations.
+/// 88 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     _time: R,
@@ -445,17 +446,16 @@ pub fn parameter_jacobian<R: Real>(
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
     let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t4 = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency;
-    let t5 = t4 * p.motor_pole_pairs;
-    let t6 = t5 * p.motor_k_r;
-    let motor_torque = t6 / motor_x_s_times_motor_sigma * t3;
+    let t4 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t4 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
+        * t3;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let motor_omega_dot = motor_torque * inverse_motor_inertia;
-    let motor_omega_0_times_motor_alpha_s = motor_omega_0 * p.motor_alpha_s;
-    let t7 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
-    let motor_omega_0_times_motor_alpha_r = motor_omega_0 * p.motor_alpha_r;
-    let t8 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
-    let t9 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let t5 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let t6 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t7 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
@@ -464,36 +464,36 @@ pub fn parameter_jacobian<R: Real>(
     let motor_omega_dot_by_motor_supply_frequency = R::literal(9.424_777_960_769_38)
         * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
         * inverse_motor_inertia;
-    let t10 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t10 * t1;
+        * motor_psi_sy - t8 * t1;
     let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t10 * t2;
-    let t11 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx) - t8 * t2;
+    let t9 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t11 * t7;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t11 * t8
+        * motor_psi_ry + t9 * t5;
+    let motor_psi_ry_dot_by_motor_supply_frequency = t9 * t6
         - R::literal(core::f64::consts::TAU) * motor_psi_rx;
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = t4 * p.motor_k_r
-        / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
+        * motor_omega_0 / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
-    let motor_omega_dot_by_motor_k_s = t5 * (p.motor_k_r * p.motor_k_r)
-        / (p.motor_x_s * (motor_sigma * motor_sigma)) * t3 * inverse_motor_inertia;
-    let motor_psi_rx_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_sx;
-    let motor_psi_ry_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t5 / (p.motor_x_s * (t9 * t9))
+    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
+        * inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = -(t4 * motor_omega_0 / (p.motor_x_s * (t7 * t7))
         * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
         * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_rx;
-    let motor_psi_sy_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = -(t6 / (p.motor_x_s * p.motor_x_s * motor_sigma)
-        * t3 * inverse_motor_inertia);
+    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
+        * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t1);
     let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t7;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t8;
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t5;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t6;
     [
         motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_supply_frequency,
@@ -543,28 +543,25 @@ pub fn time_derivative<R: Real>(
 
 /// Wanted outputs.
 ///
-/// 33 operations.
+/// 27 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let t0 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
-    let t1 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / (p.motor_x_s * motor_sigma)
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t0 = motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
+    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / motor_x_s_times_motor_sigma
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let t2 = R::literal(39.478_417_604_357_43)
-        * (p.motor_supply_frequency * p.motor_supply_frequency)
-        / (p.motor_x_s * p.motor_x_s * (motor_sigma * motor_sigma));
     Outputs {
         speed: motor_omega,
         torque: motor_torque,
-        slip: R::literal(0.5)
-            / (R::literal(core::f64::consts::PI) * p.motor_supply_frequency)
-            * motor_slip_speed,
-        stator_current: (t2 * (t0 * t0) + t2 * (t1 * t1)).sqrt(),
+        slip: R::literal(1.0) / motor_omega_0 * motor_slip_speed,
+        stator_current: (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy).sqrt(),
     }
 }
 
@@ -576,22 +573,25 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
-    let t1 = motor_omega_0 * p.motor_k_r / (p.motor_k_s * p.motor_x_s * motor_sigma);
+    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
+    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
+    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
     Energy {
         kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega),
         potential: R::literal(0.0),
         stored: R::literal(0.75)
-            * (t0 * motor_psi_sx * (motor_psi_sx - p.motor_k_r * motor_psi_rx)
-                + t0 * motor_psi_sy * (motor_psi_sy - p.motor_k_r * motor_psi_ry)
-                + t1 * motor_psi_rx * (motor_psi_rx - p.motor_k_s * motor_psi_sx)
-                + t1 * motor_psi_ry * (motor_psi_ry - p.motor_k_s * motor_psi_sy)),
+            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
+                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
     }
 }
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 129 operations.
+/// 106 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -601,12 +601,10 @@ pub fn power_balance<R: Real>(
     let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_k_s_times_motor_x_s = p.motor_k_s * p.motor_x_s;
-    let cos_motor_supply_phase = p.motor_supply_phase.cos();
+    let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * cos_motor_supply_phase;
-    let sin_motor_supply_phase = p.motor_supply_phase.sin();
-    let motor_u_y = t0 * sin_motor_supply_phase;
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
     let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
     let t1 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
@@ -615,58 +613,44 @@ pub fn power_balance<R: Real>(
     let t3 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
     let motor_i_sy = t2 * t3;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
-    let t4 = motor_psi_rx - motor_k_s_times_motor_psi_sx;
-    let motor_omega_0_times_motor_k_r = motor_omega_0 * p.motor_k_r;
-    let t5 = motor_omega_0_times_motor_k_r / (motor_k_s_times_motor_x_s * motor_sigma);
-    let motor_i_rx = t5 * t4;
+    let t4 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t4 * (motor_psi_rx - motor_k_s_times_motor_psi_sx);
     let motor_k_s_times_motor_psi_sy = p.motor_k_s * motor_psi_sy;
-    let t6 = motor_psi_ry - motor_k_s_times_motor_psi_sy;
-    let motor_i_ry = t5 * t6;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma
+    let motor_i_ry = t4 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / motor_x_s_times_motor_sigma
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     let motor_omega_dot = motor_torque * (R::literal(1.0) / p.motor_inertia);
-    let motor_omega_0_times_motor_alpha_s = motor_omega_0 * p.motor_alpha_s;
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_omega_0_times_motor_alpha_s * t1;
+        - motor_alpha_s_times_motor_omega_0 * t1;
     let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_omega_0_times_motor_alpha_s * t3;
-    let motor_omega_0_times_motor_alpha_r = motor_omega_0 * p.motor_alpha_r;
-    let motor_psi_rx_dot = motor_omega_0_times_motor_alpha_r
-        * (motor_k_s_times_motor_psi_sx - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = motor_omega_0_times_motor_alpha_r
+        - motor_alpha_s_times_motor_omega_0 * t3;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
+        + motor_alpha_r_times_motor_omega_0
+            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
+    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
         * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
         - motor_psi_rx * motor_slip_speed;
-    let motor_sigma_squared = motor_sigma * motor_sigma;
-    let motor_x_s_squared = p.motor_x_s * p.motor_x_s;
-    let t7 = R::literal(39.478_417_604_357_43)
-        * (p.motor_supply_frequency * p.motor_supply_frequency);
-    let t8 = t7 / (motor_x_s_squared * motor_sigma_squared);
-    let t9 = motor_omega_0_times_motor_k_r / motor_x_s_times_motor_sigma;
-    let t10 = p.motor_inertia * motor_omega * motor_omega_dot
-        + R::literal(0.75) * (t2 * motor_psi_sx + motor_i_sx - t9 * motor_psi_rx)
+    let t5 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t6 = p.motor_inertia * motor_omega * motor_omega_dot
+        + R::literal(0.75) * (motor_i_sx + t2 * motor_psi_sx - t5 * motor_psi_rx)
             * motor_psi_sx_dot
-        + R::literal(0.75) * (t2 * motor_psi_sy + motor_i_sy - t9 * motor_psi_ry)
+        + R::literal(0.75) * (motor_i_sy + t2 * motor_psi_sy - t5 * motor_psi_ry)
             * motor_psi_sy_dot
-        + R::literal(0.75) * (t5 * motor_psi_rx + motor_i_rx - t9 * motor_psi_sx)
+        + R::literal(0.75) * (motor_i_rx + t4 * motor_psi_rx - t5 * motor_psi_sx)
             * motor_psi_rx_dot;
-    let t11 = R::literal(core::f64::consts::TAU) * p.motor_phase_voltage
-        * p.motor_supply_frequency * R::literal(core::f64::consts::SQRT_2);
-    let t12 = t7 * (p.motor_k_r * p.motor_k_r)
-        / (p.motor_k_s * p.motor_k_s * motor_x_s_squared * motor_sigma_squared);
     PowerBalance {
-        stored_rate: t10
-            + R::literal(0.75) * (t5 * motor_psi_ry + motor_i_ry - t9 * motor_psi_sy)
+        stored_rate: t6
+            + R::literal(0.75) * (motor_i_ry + t4 * motor_psi_ry - t5 * motor_psi_sy)
                 * motor_psi_ry_dot,
-        supplied: R::literal(1.5)
-            * (t11 * cos_motor_supply_phase / motor_x_s_times_motor_sigma * t1
-                + t11 * sin_motor_supply_phase / motor_x_s_times_motor_sigma * t3),
+        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy),
         dissipated: R::literal(1.5)
-            * (motor_k_s_times_motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r
-                * (t12 * (t4 * t4) + t12 * (t6 * t6))
-                + p.motor_x_s * p.motor_alpha_s * motor_sigma
-                    * (t8 * (t1 * t1) + t8 * (t3 * t3))),
+            * (p.motor_x_s * p.motor_alpha_s * motor_sigma
+                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
+                + p.motor_alpha_r * motor_sigma * motor_x_r
+                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry)),
     }
 }
 

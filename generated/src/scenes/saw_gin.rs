@@ -43,15 +43,15 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                     79
+//   rate                     80
 //   mass_matrix               0
-//   forcing                  43
-//   rate_jacobian            75
-//   parameter_jacobian      189
+//   forcing                  45
+//   rate_jacobian            76
+//   parameter_jacobian      186
 //   time_derivative          32
-//   outputs                  60
+//   outputs                  57
 //   energy                   41
-//   power_balance           180
+//   power_balance           156
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -406,52 +406,55 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y' = [q', M^-1 f, h]`, in the units of the states per second.
 ///
-/// 79 operations.
+/// 80 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let load_resistance = (p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh()
+    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / (p.motor_x_s * motor_sigma)
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
     let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
         + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
-    let motor_omega_0_times_motor_alpha_s = motor_omega_0 * p.motor_alpha_s;
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_omega_0_times_motor_alpha_s
+        - motor_alpha_s_times_motor_omega_0
             * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
     let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_omega_0_times_motor_alpha_s
+        - motor_alpha_s_times_motor_omega_0
             * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_omega_0_times_motor_alpha_r = motor_omega_0 * p.motor_alpha_r;
-    let motor_psi_rx_dot = motor_omega_0_times_motor_alpha_r
-        * (p.motor_k_s * motor_psi_sx - motor_psi_rx) + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = motor_omega_0_times_motor_alpha_r
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
+        + motor_alpha_r_times_motor_omega_0
+            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
+    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
         motor_omega,
@@ -479,7 +482,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 43 operations.
+/// 45 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     time: R,
@@ -488,25 +491,28 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let load_resistance = (p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh()
+    let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / (p.motor_x_s * motor_sigma)
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let motor_phi_forcing = motor_torque - coupling_torque;
     let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
         + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance;
@@ -515,7 +521,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 75 operations.
+/// 76 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     time: R,
@@ -525,12 +531,17 @@ pub fn rate_jacobian<R: Real>(
     let [_, _, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let t0 = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let t0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
     let t1 = t0 / (p.motor_x_s * motor_sigma);
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
     let t2 = (inverse_load_standstill_band * cylinder_omega).tanh();
@@ -551,26 +562,21 @@ pub fn rate_jacobian<R: Real>(
     let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_omega = (-(p.coupling_damping
         * coupling_ratio_squared)
-        - inverse_load_standstill_band * (R::literal(1.0) - t2 * t2)
+        - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t2 * t2)
             * (p.load_mean
                 + p.load_amplitude
                     * (p.load_phase
-                        + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                            * R::literal(9.869_604_401_089_358) * time)
-                        .sin())
-            / (R::literal(1.0)
-                + (-(R::literal(1.0) / p.load_engagement_width
-                    * (time - p.load_engagement_time)))
-                    .exp())) * inverse_cylinder_inertia;
+                        + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                        .sin())) * inverse_cylinder_inertia;
     let t5 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_omega_dot_by_motor_psi_sx = t5 * motor_psi_ry * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_sx = -(motor_omega_0 * p.motor_alpha_s);
+    let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_sx = motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
+    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_omega_dot_by_motor_psi_sy = t1 * motor_psi_rx * inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = t1 * motor_psi_sy * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_rx = motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
-    let motor_psi_rx_dot_by_motor_psi_rx = -(motor_omega_0 * p.motor_alpha_r);
+    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
         - motor_omega_0;
     let motor_omega_dot_by_motor_psi_ry = t5 * motor_psi_sx * inverse_motor_inertia;
@@ -608,7 +614,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 189 operations.
+/// 186 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -618,6 +624,7 @@ pub fn parameter_jacobian<R: Real>(
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let cos_motor_supply_phase = p.motor_supply_phase.cos();
@@ -625,83 +632,81 @@ pub fn parameter_jacobian<R: Real>(
     let motor_u_x = t0 * cos_motor_supply_phase;
     let sin_motor_supply_phase = p.motor_supply_phase.sin();
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let t1 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t2 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
-    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
-    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t4 = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency;
-    let t5 = t4 * p.motor_pole_pairs;
-    let t6 = t5 * p.motor_k_r;
-    let motor_torque = t6 / motor_x_s_times_motor_sigma * t3;
     let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
     let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
     let time_minus_load_engagement_time = time - p.load_engagement_time;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t7 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t8 = R::literal(1.0) + t7;
-    let t9 = p.load_phase
-        + R::literal(0.033_333_333_333_333_33) * p.load_speed
-            * R::literal(9.869_604_401_089_358) * time;
-    let t10 = t9.sin();
-    let t11 = p.load_mean + p.load_amplitude * t10;
-    let t12 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = t11 * t12 / t8;
+    let t1 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t2 = R::literal(1.0) + t1;
+    let load_engagement = R::literal(1.0) / t2;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let t3 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
+    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
+    let t5 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t6 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t6 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
+        * t5;
+    let t7 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t8 = t7.sin();
+    let t9 = p.load_mean + p.load_amplitude * t8;
+    let t10 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t9 * t10;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t13 = p.coupling_stiffness * p.coupling_ratio;
-    let t14 = p.coupling_damping * p.coupling_ratio;
+    let t11 = p.coupling_stiffness * p.coupling_ratio;
+    let t12 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let cylinder_omega_dot = (t13 * coupling_twist + t14 * coupling_twist_rate
+    let cylinder_omega_dot = (t11 * coupling_twist + t12 * coupling_twist_rate
         - load_resistance) * inverse_cylinder_inertia;
-    let motor_omega_0_times_motor_alpha_s = motor_omega_0 * p.motor_alpha_s;
-    let t15 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
-    let motor_omega_0_times_motor_alpha_r = motor_omega_0 * p.motor_alpha_r;
-    let t16 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
-    let t17 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let t13 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let t14 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(9.424_777_960_769_38)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t5
         * inverse_motor_inertia;
-    let t18 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t18 * t1;
+        * motor_psi_sy - t16 * t3;
     let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t18 * t2;
-    let t19 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx) - t16 * t4;
+    let t17 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t19 * t15;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t19 * t16
+        * motor_psi_ry + t17 * t13;
+    let motor_psi_ry_dot_by_motor_supply_frequency = t17 * t14
         - R::literal(core::f64::consts::TAU) * motor_psi_rx;
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
-    let motor_omega_dot_by_motor_pole_pairs = t4 * p.motor_k_r
-        / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
+        * motor_omega_0 / motor_x_s_times_motor_sigma * t5 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
-    let motor_omega_dot_by_motor_k_s = t5 * (p.motor_k_r * p.motor_k_r)
-        / (p.motor_x_s * (motor_sigma * motor_sigma)) * t3 * inverse_motor_inertia;
-    let motor_psi_rx_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_sx;
-    let motor_psi_ry_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t5 / (p.motor_x_s * (t17 * t17))
+    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
+        * inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = -(t6 * motor_omega_0 / (p.motor_x_s * (t15 * t15))
         * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
         * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_rx;
-    let motor_psi_sy_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = -(t6 / (p.motor_x_s * p.motor_x_s * motor_sigma)
-        * t3 * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t1);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t15;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t16;
+    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
+        * inverse_motor_inertia);
+    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t3);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t4);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
         - motor_phi) * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
@@ -712,29 +717,31 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi
         + p.coupling_damping * cylinder_omega) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = (coupling_torque - t13 * cylinder_phi
-        - t14 * cylinder_omega) * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = (coupling_torque - t11 * cylinder_phi
+        - t12 * cylinder_omega) * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(t12 / t8 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(t10 * t12 / t8
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t10
         * inverse_cylinder_inertia);
-    let t20 = t9.cos();
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t8 * t10
+        * inverse_cylinder_inertia);
+    let t18 = t7.cos();
     let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
-        * p.load_amplitude * R::literal(9.869_604_401_089_358) * time * t20 * t12 / t8
-        * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * t20 * t12 / t8
-        * inverse_cylinder_inertia);
-    let t21 = t8 * t8;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t11
-        * t7 * t12 / t21 * inverse_cylinder_inertia;
+        * p.load_amplitude * R::literal(9.869_604_401_089_358) * time * load_engagement
+        * t18 * t10 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t18
+        * t10 * inverse_cylinder_inertia);
+    let t19 = t2 * t2;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t9
+        * t1 * t10 / t19 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0)
         / (p.load_engagement_width * p.load_engagement_width)
-        * time_minus_load_engagement_time * t11 * t7 * t12 / t21
+        * time_minus_load_engagement_time * t9 * t1 * t10 / t19
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
-        * (R::literal(1.0) - t12 * t12) * t11 / t8 * inverse_cylinder_inertia;
+        * load_engagement * (R::literal(1.0) - t10 * t10) * t9
+        * inverse_cylinder_inertia;
     [
         motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_supply_frequency,
@@ -787,18 +794,17 @@ pub fn time_derivative<R: Real>(
     p: &Parameters<R>,
 ) -> [R; STATES] {
     let [_, _, _, cylinder_omega, ..] = *state;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
     let t1 = R::literal(1.0) + t0;
-    let t2 = p.load_phase
-        + R::literal(0.033_333_333_333_333_33) * p.load_speed
-            * R::literal(9.869_604_401_089_358) * time;
+    let load_engagement = R::literal(1.0) / t1;
+    let t2 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
     let t3 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width
-        * (p.load_mean + p.load_amplitude * t2.sin()) * t0 * t3 / (t1 * t1))
-        - R::literal(0.033_333_333_333_333_33) * p.load_amplitude * p.load_speed
-            * R::literal(9.869_604_401_089_358) * t2.cos() * t3 / t1)
-        * (R::literal(1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (-(R::literal(core::f64::consts::PI)
+        * p.load_amplitude * load_omega_2 * load_engagement * t2.cos() * t3)
+        - inverse_load_engagement_width * (p.load_mean + p.load_amplitude * t2.sin())
+            * t0 * t3 / (t1 * t1)) * (R::literal(1.0) / p.cylinder_inertia);
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -813,38 +819,40 @@ pub fn time_derivative<R: Real>(
 
 /// Wanted outputs.
 ///
-/// 60 operations.
+/// 57 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let t0 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
-    let t1 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let load_resistance = (p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh()
+    let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t0 = motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
+    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / motor_x_s_times_motor_sigma
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
         + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
-    let t2 = R::literal(39.478_417_604_357_43)
-        * (p.motor_supply_frequency * p.motor_supply_frequency)
-        / (p.motor_x_s * p.motor_x_s * (motor_sigma * motor_sigma));
     Outputs {
         motor_speed: motor_omega,
         cylinder_speed: cylinder_omega,
@@ -853,7 +861,7 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         load_torque: load_resistance,
         twist: coupling_twist,
         cylinder_acceleration: cylinder_omega_dot,
-        stator_current: (t2 * (t0 * t0) + t2 * (t1 * t1)).sqrt(),
+        stator_current: (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy).sqrt(),
     }
 }
 
@@ -866,25 +874,28 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
-    let t1 = motor_omega_0 * p.motor_k_r / (p.motor_k_s * p.motor_x_s * motor_sigma);
+    let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
+    let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
+    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
+    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
+    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
     Energy {
         kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
             + R::literal(0.5) * p.cylinder_inertia * (cylinder_omega * cylinder_omega),
         potential: R::literal(0.5) * p.coupling_stiffness
             * (coupling_twist * coupling_twist),
         stored: R::literal(0.75)
-            * (t0 * motor_psi_sx * (motor_psi_sx - p.motor_k_r * motor_psi_rx)
-                + t0 * motor_psi_sy * (motor_psi_sy - p.motor_k_r * motor_psi_ry)
-                + t1 * motor_psi_rx * (motor_psi_rx - p.motor_k_s * motor_psi_sx)
-                + t1 * motor_psi_ry * (motor_psi_ry - p.motor_k_s * motor_psi_sy)),
+            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
+                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
     }
 }
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 180 operations.
+/// 156 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     time: R,
@@ -894,99 +905,84 @@ pub fn power_balance<R: Real>(
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_k_s_times_motor_x_s = p.motor_k_s * p.motor_x_s;
-    let cos_motor_supply_phase = p.motor_supply_phase.cos();
+    let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * cos_motor_supply_phase;
-    let sin_motor_supply_phase = p.motor_supply_phase.sin();
-    let motor_u_y = t0 * sin_motor_supply_phase;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let t1 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t2 = motor_omega_0 / motor_x_s_times_motor_sigma;
-    let motor_i_sx = t2 * t1;
-    let t3 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
-    let motor_i_sy = t2 * t3;
-    let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
-    let t4 = motor_psi_rx - motor_k_s_times_motor_psi_sx;
-    let motor_omega_0_times_motor_k_r = motor_omega_0 * p.motor_k_r;
-    let t5 = motor_omega_0_times_motor_k_r / (motor_k_s_times_motor_x_s * motor_sigma);
-    let motor_i_rx = t5 * t4;
-    let motor_k_s_times_motor_psi_sy = p.motor_k_s * motor_psi_sy;
-    let t6 = motor_psi_ry - motor_k_s_times_motor_psi_sy;
-    let motor_i_ry = t5 * t6;
-    let motor_torque = R::literal(9.424_777_960_769_38) * p.motor_supply_frequency
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let t7 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t7 + p.coupling_damping * coupling_twist_rate;
-    let t8 = R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width
-            * (time - p.load_engagement_time)))
-            .exp();
-    let t9 = p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin();
-    let t10 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = t9 * t10 / t8;
-    let t11 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
-    let t12 = p.coupling_damping * p.coupling_ratio;
+    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let t1 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
+    let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_i_sx = t3 * t2;
+    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let motor_i_sy = t3 * t4;
+    let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
+    let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t5 * (motor_psi_rx - motor_k_s_times_motor_psi_sx);
+    let motor_k_s_times_motor_psi_sy = p.motor_k_s * motor_psi_sy;
+    let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / motor_x_s_times_motor_sigma
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
+    let t7 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let cylinder_omega_dot = (t11 + t12 * coupling_twist_rate - load_resistance)
+    let cylinder_omega_dot = (t6 + t7 * coupling_twist_rate - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
-    let motor_omega_0_times_motor_alpha_s = motor_omega_0 * p.motor_alpha_s;
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_omega_0_times_motor_alpha_s * t1;
+        - motor_alpha_s_times_motor_omega_0 * t2;
     let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_omega_0_times_motor_alpha_s * t3;
-    let motor_omega_0_times_motor_alpha_r = motor_omega_0 * p.motor_alpha_r;
-    let motor_psi_rx_dot = motor_omega_0_times_motor_alpha_r
-        * (motor_k_s_times_motor_psi_sx - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = motor_omega_0_times_motor_alpha_r
+        - motor_alpha_s_times_motor_omega_0 * t4;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
+        + motor_alpha_r_times_motor_omega_0
+            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
+    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
         * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
         - motor_psi_rx * motor_slip_speed;
-    let motor_sigma_squared = motor_sigma * motor_sigma;
-    let motor_x_s_squared = p.motor_x_s * p.motor_x_s;
-    let t13 = R::literal(39.478_417_604_357_43)
-        * (p.motor_supply_frequency * p.motor_supply_frequency);
-    let t14 = t13 / (motor_x_s_squared * motor_sigma_squared);
-    let t15 = motor_omega_0_times_motor_k_r / motor_x_s_times_motor_sigma;
-    let t16 = t7 * motor_omega - t11 * cylinder_omega
+    let t8 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t9 = t1 * motor_omega - t6 * cylinder_omega
         + p.motor_inertia * motor_omega * motor_omega_dot
         + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot
-        + R::literal(0.75) * (t2 * motor_psi_sx + motor_i_sx - t15 * motor_psi_rx)
+        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t8 * motor_psi_rx)
             * motor_psi_sx_dot
-        + R::literal(0.75) * (t2 * motor_psi_sy + motor_i_sy - t15 * motor_psi_ry)
+        + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t8 * motor_psi_ry)
             * motor_psi_sy_dot;
-    let t17 = R::literal(core::f64::consts::TAU) * p.motor_phase_voltage
-        * p.motor_supply_frequency * R::literal(core::f64::consts::SQRT_2);
-    let t18 = t13 * (p.motor_k_r * p.motor_k_r)
-        / (p.motor_k_s * p.motor_k_s * motor_x_s_squared * motor_sigma_squared);
-    let t19 = R::literal(1.5)
-        * (motor_k_s_times_motor_x_s * p.motor_alpha_r * motor_sigma / p.motor_k_r
-            * (t18 * (t4 * t4) + t18 * (t6 * t6))
-            + p.motor_x_s * p.motor_alpha_s * motor_sigma
-                * (t14 * (t1 * t1) + t14 * (t3 * t3)))
-        + p.coupling_damping * motor_omega * coupling_twist_rate;
     PowerBalance {
-        stored_rate: t16
-            + R::literal(0.75) * (t5 * motor_psi_rx + motor_i_rx - t15 * motor_psi_sx)
+        stored_rate: t9
+            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t8 * motor_psi_sx)
                 * motor_psi_rx_dot
-            + R::literal(0.75) * (t5 * motor_psi_ry + motor_i_ry - t15 * motor_psi_sy)
+            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t8 * motor_psi_sy)
                 * motor_psi_ry_dot,
-        supplied: R::literal(1.5)
-            * (t17 * cos_motor_supply_phase / motor_x_s_times_motor_sigma * t1
-                + t17 * sin_motor_supply_phase / motor_x_s_times_motor_sigma * t3)
-            - cylinder_omega * t9 * t10 / t8,
-        dissipated: t19 - t12 * cylinder_omega * coupling_twist_rate,
+        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy)
+            - cylinder_omega * load_resistance,
+        dissipated: R::literal(1.5)
+            * (p.motor_x_s * p.motor_alpha_s * motor_sigma
+                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
+                + p.motor_alpha_r * motor_sigma * motor_x_r
+                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry))
+            + p.coupling_damping * motor_omega * coupling_twist_rate
+            - t7 * cylinder_omega * coupling_twist_rate,
     }
 }
 

@@ -42,15 +42,15 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                     85
+//   rate                     86
 //   mass_matrix               0
-//   forcing                  41
-//   rate_jacobian            80
-//   parameter_jacobian      178
+//   forcing                  42
+//   rate_jacobian            81
+//   parameter_jacobian      179
 //   time_derivative          32
-//   outputs                  42
+//   outputs                  43
 //   energy                   12
-//   power_balance            65
+//   power_balance            63
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -404,32 +404,34 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y' = [q', M^-1 f, h]`, in the units of the states per second.
 ///
-/// 85 operations.
+/// 86 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
-    let motor_rotor_term = p.motor_literal * motor_phi
-        + (R::literal(1.0) - p.motor_literal) * motor_omega;
-    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
-        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
-        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let load_resistance = (p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh()
+    let motor_rotor_term = p.motor_literal * motor_phi
+        + (R::literal(1.0) - p.motor_literal) * motor_omega;
+    let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
+        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
+        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
     let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
@@ -477,7 +479,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 41 operations.
+/// 42 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     time: R,
@@ -486,24 +488,26 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
-    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
-        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
-        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let load_resistance = (p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh()
+    let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
+        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
+        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let motor_phi_forcing = motor_torque - coupling_torque;
     let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
         + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance;
@@ -512,7 +516,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 80 operations.
+/// 81 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     time: R,
@@ -521,7 +525,13 @@ pub fn rate_jacobian<R: Real>(
 ) -> [R; 30] {
     let [motor_phi, _, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
     motor_psi_x2, motor_psi_y2] = *state;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_literal_times_motor_phi = p.motor_literal * motor_phi;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
     let t0 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
         / (p.motor_sigma * p.motor_x_s);
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
@@ -551,17 +561,12 @@ pub fn rate_jacobian<R: Real>(
     let motor_omega_dot_by_cylinder_omega = t3 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_omega = (-(p.coupling_damping
         * coupling_ratio_squared)
-        - inverse_load_standstill_band * (R::literal(1.0) - t1 * t1)
+        - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t1 * t1)
             * (p.load_mean
                 + p.load_amplitude
                     * (p.load_phase
-                        + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                            * R::literal(9.869_604_401_089_358) * time)
-                        .sin())
-            / (R::literal(1.0)
-                + (-(R::literal(1.0) / p.load_engagement_width
-                    * (time - p.load_engagement_time)))
-                    .exp())) * inverse_cylinder_inertia;
+                        + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                        .sin())) * inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_psi_x1 = -(t0 * motor_psi_y2 * inverse_motor_inertia);
     let motor_psi_x1_dot_by_motor_psi_x1 = -(p.motor_omega_0 * p.motor_alpha_s);
     let motor_psi_y1_dot_by_motor_psi_x1 = -p.motor_omega_0;
@@ -610,7 +615,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 178 operations.
+/// 179 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -619,31 +624,31 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 38] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
-    let motor_psi_x1_times_motor_psi_y2 = motor_psi_x1 * motor_psi_y2;
-    let motor_psi_y1_times_motor_psi_x2 = motor_psi_y1 * motor_psi_x2;
-    let t0 = motor_psi_y1_times_motor_psi_x2 - motor_psi_x1_times_motor_psi_y2;
-    let t1 = R::literal(1.5) * p.motor_omega_0;
-    let t2 = t1 * p.motor_pole_pairs;
-    let t3 = t2 * p.motor_k_r;
-    let motor_sigma_times_motor_x_s = p.motor_sigma * p.motor_x_s;
-    let motor_torque = t3 / motor_sigma_times_motor_x_s * t0;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
     let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
     let time_minus_load_engagement_time = time - p.load_engagement_time;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t4 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t5 = R::literal(1.0) + t4;
-    let t6 = p.load_phase
-        + R::literal(0.033_333_333_333_333_33) * p.load_speed
-            * R::literal(9.869_604_401_089_358) * time;
+    let t0 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t1 = R::literal(1.0) + t0;
+    let load_engagement = R::literal(1.0) / t1;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_psi_x1_times_motor_psi_y2 = motor_psi_x1 * motor_psi_y2;
+    let motor_psi_y1_times_motor_psi_x2 = motor_psi_y1 * motor_psi_x2;
+    let t2 = motor_psi_y1_times_motor_psi_x2 - motor_psi_x1_times_motor_psi_y2;
+    let t3 = R::literal(1.5) * p.motor_omega_0;
+    let t4 = t3 * p.motor_pole_pairs;
+    let t5 = t4 * p.motor_k_r;
+    let motor_sigma_times_motor_x_s = p.motor_sigma * p.motor_x_s;
+    let motor_torque = t5 / motor_sigma_times_motor_x_s * t2;
+    let t6 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
     let t7 = t6.sin();
     let t8 = p.load_mean + p.load_amplitude * t7;
     let t9 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = t8 * t9 / t5;
+    let load_resistance = load_engagement * t8 * t9;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let t10 = p.coupling_stiffness * p.coupling_ratio;
@@ -659,7 +664,7 @@ pub fn parameter_jacobian<R: Real>(
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_x1_dot_by_motor_gamma = -(p.motor_u_m * sin_motor_gamma);
     let motor_omega_dot_by_motor_omega_0 = R::literal(1.5) * p.motor_pole_pairs
-        * p.motor_k_r / motor_sigma_times_motor_x_s * t0 * inverse_motor_inertia;
+        * p.motor_k_r / motor_sigma_times_motor_x_s * t2 * inverse_motor_inertia;
     let motor_k_r_times_motor_alpha_s = p.motor_k_r * p.motor_alpha_s;
     let motor_psi_x1_dot_by_motor_omega_0 = motor_psi_y1
         + motor_k_r_times_motor_alpha_s * motor_psi_x2 - p.motor_alpha_s * motor_psi_x1;
@@ -670,18 +675,18 @@ pub fn parameter_jacobian<R: Real>(
         + motor_k_s_times_motor_alpha_r * motor_psi_x1 - p.motor_alpha_r * motor_psi_x2;
     let motor_psi_y2_dot_by_motor_omega_0 = motor_k_s_times_motor_alpha_r * motor_psi_y1
         - motor_psi_x2 - p.motor_alpha_r * motor_psi_y2;
-    let motor_omega_dot_by_motor_pole_pairs = t1 * p.motor_k_r
-        / motor_sigma_times_motor_x_s * t0 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_pole_pairs = t3 * p.motor_k_r
+        / motor_sigma_times_motor_x_s * t2 * inverse_motor_inertia;
     let motor_psi_x2_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_x1;
     let motor_psi_y2_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_y1;
-    let motor_omega_dot_by_motor_k_r = t2 / motor_sigma_times_motor_x_s * t0
+    let motor_omega_dot_by_motor_k_r = t4 / motor_sigma_times_motor_x_s * t2
         * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_x2;
     let motor_psi_y1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_y2;
     let t12 = motor_psi_x1_times_motor_psi_y2 - motor_psi_y1_times_motor_psi_x2;
-    let motor_omega_dot_by_motor_sigma = t3
+    let motor_omega_dot_by_motor_sigma = t5
         / (p.motor_sigma * p.motor_sigma * p.motor_x_s) * t12 * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_x_s = t3 / (p.motor_sigma * (p.motor_x_s * p.motor_x_s))
+    let motor_omega_dot_by_motor_x_s = t5 / (p.motor_sigma * (p.motor_x_s * p.motor_x_s))
         * t12 * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_alpha_s = p.motor_omega_0
         * (p.motor_k_r * motor_psi_x2 - motor_psi_x1);
@@ -709,25 +714,26 @@ pub fn parameter_jacobian<R: Real>(
         - t11 * cylinder_omega) * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(t9 / t5 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(t7 * t9 / t5
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t9
+        * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t7 * t9
         * inverse_cylinder_inertia);
     let t13 = t6.cos();
     let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
-        * p.load_amplitude * R::literal(9.869_604_401_089_358) * time * t13 * t9 / t5
-        * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * t13 * t9 / t5
-        * inverse_cylinder_inertia);
-    let t14 = t5 * t5;
+        * p.load_amplitude * R::literal(9.869_604_401_089_358) * time * load_engagement
+        * t13 * t9 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t13
+        * t9 * inverse_cylinder_inertia);
+    let t14 = t1 * t1;
     let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t8
-        * t4 * t9 / t14 * inverse_cylinder_inertia;
+        * t0 * t9 / t14 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0)
         / (p.load_engagement_width * p.load_engagement_width)
-        * time_minus_load_engagement_time * t8 * t4 * t9 / t14
+        * time_minus_load_engagement_time * t8 * t0 * t9 / t14
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
-        * (R::literal(1.0) - t9 * t9) * t8 / t5 * inverse_cylinder_inertia;
+        * load_engagement * (R::literal(1.0) - t9 * t9) * t8 * inverse_cylinder_inertia;
     [
         motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_omega_0,
@@ -780,18 +786,17 @@ pub fn time_derivative<R: Real>(
     p: &Parameters<R>,
 ) -> [R; STATES] {
     let [_, _, _, cylinder_omega, ..] = *state;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
     let t1 = R::literal(1.0) + t0;
-    let t2 = p.load_phase
-        + R::literal(0.033_333_333_333_333_33) * p.load_speed
-            * R::literal(9.869_604_401_089_358) * time;
+    let load_engagement = R::literal(1.0) / t1;
+    let t2 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
     let t3 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width
-        * (p.load_mean + p.load_amplitude * t2.sin()) * t0 * t3 / (t1 * t1))
-        - R::literal(0.033_333_333_333_333_33) * p.load_amplitude * p.load_speed
-            * R::literal(9.869_604_401_089_358) * t2.cos() * t3 / t1)
-        * (R::literal(1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (-(R::literal(core::f64::consts::PI)
+        * p.load_amplitude * load_omega_2 * load_engagement * t2.cos() * t3)
+        - inverse_load_engagement_width * (p.load_mean + p.load_amplitude * t2.sin())
+            * t0 * t3 / (t1 * t1)) * (R::literal(1.0) / p.cylinder_inertia);
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -806,29 +811,31 @@ pub fn time_derivative<R: Real>(
 
 /// Wanted outputs.
 ///
-/// 42 operations.
+/// 43 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
-    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
-        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
-        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let load_resistance = (p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh()
+    let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
+        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
+        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
         + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
@@ -859,7 +866,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 65 operations.
+/// 63 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     time: R,
@@ -868,39 +875,39 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
-    let t0 = motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2;
-    let t1 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
-        / (p.motor_sigma * p.motor_x_s);
-    let motor_torque = t1 * t0;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let t2 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t2 + p.coupling_damping * coupling_twist_rate;
-    let t3 = R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width
-            * (time - p.load_engagement_time)))
-            .exp();
-    let t4 = p.load_mean
-        + p.load_amplitude
-            * (p.load_phase
-                + R::literal(0.033_333_333_333_333_33) * p.load_speed
-                    * R::literal(9.869_604_401_089_358) * time)
-                .sin();
-    let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = t4 * t5 / t3;
-    let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
-    let t7 = p.coupling_damping * p.coupling_ratio;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let t0 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
+        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
+        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let t1 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
+    let t2 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let cylinder_omega_dot = (t6 + t7 * coupling_twist_rate - load_resistance)
+    let cylinder_omega_dot = (t1 + t2 * coupling_twist_rate - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
     PowerBalance {
-        stored_rate: t2 * motor_omega - t6 * cylinder_omega
+        stored_rate: t0 * motor_omega - t1 * cylinder_omega
             + p.motor_inertia * motor_omega * motor_omega_dot
             + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot,
-        supplied: t1 * motor_omega * t0 - cylinder_omega * t4 * t5 / t3,
+        supplied: motor_omega * motor_torque - cylinder_omega * load_resistance,
         dissipated: p.coupling_damping * motor_omega * coupling_twist_rate
-            - t7 * cylinder_omega * coupling_twist_rate,
+            - t2 * cylinder_omega * coupling_twist_rate,
     }
 }
 

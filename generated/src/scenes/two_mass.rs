@@ -273,9 +273,9 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
     let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
     let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
+    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
-    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let driver_omega_dot = (p.drive_torque - coupling_torque)
         * (R::literal(1.0) / p.driver_inertia);
     let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
@@ -308,9 +308,9 @@ pub fn forcing<R: Real>(
     let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
     let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
+    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
-    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let driver_phi_forcing = p.drive_torque - coupling_torque;
     let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
         + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance;
@@ -371,11 +371,11 @@ pub fn parameter_jacobian<R: Real>(
     let coupling_twist = driver_phi - coupling_ratio_times_cylinder_phi;
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = driver_omega - coupling_ratio_times_cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
     let load_frequency_times_time = p.load_frequency * time;
     let sin_load_frequency_times_time = load_frequency_times_time.sin();
     let resistance = p.load_torque + p.load_amplitude * sin_load_frequency_times_time;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
     let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let t0 = p.coupling_stiffness * p.coupling_ratio;
@@ -480,9 +480,9 @@ pub fn power_balance<R: Real>(
     let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
     let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
+    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let t0 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
-    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let t1 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t2 = p.coupling_damping * p.coupling_ratio;
     let driver_omega_dot = (p.drive_torque - coupling_torque)

@@ -99,6 +99,7 @@ fn symbol(symbol: Symbol, system: &LagrangianSystem) -> String {
     match symbol {
         Symbol::Time => "t".to_owned(),
         Symbol::Pi => "pi".to_owned(),
+        Symbol::Helper(id) => format!("helper {}", id.0),
         Symbol::Coordinate(id) => coordinate(id).position.name.path.clone(),
         Symbol::Velocity(id) => coordinate(id).velocity.name.path.clone(),
         Symbol::Acceleration(id) => format!("{}''", coordinate(id).position.name.path),

@@ -4,8 +4,11 @@
 //! [`Integrator`], and add one row to the table below.
 
 mod diffsol;
+mod explicit;
+mod one_step;
 mod stretch;
 mod system;
+mod tableau;
 
 use std::fmt;
 use std::str::FromStr;
@@ -23,8 +26,12 @@ methods! {
     TrBdf2 { name: "tr_bdf2", order: 2, implicit: true, integrator: diffsol::TrBdf2 },
     /// Singly diagonally implicit Runge-Kutta of order 3, explicit first stage; for stiff machines.
     Esdirk34 { name: "esdirk34", order: 3, implicit: true, integrator: diffsol::Esdirk34 },
-    /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
+    /// Explicit Runge-Kutta of order 5 by Tsitouras, diffsol's; for machines that are not stiff.
     Tsit45 { name: "tsit45", order: 5, implicit: false, integrator: diffsol::Tsit45 },
+    /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
+    Tsit5 { name: "tsit5", order: 5, implicit: false, integrator: explicit::Tsit5 },
+    /// Explicit Runge-Kutta of order 8 by Dormand and Prince; not stiff, tight tolerances.
+    Dop853 { name: "dop853", order: 8, implicit: false, integrator: explicit::Dop853 },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.

@@ -5,7 +5,12 @@
 
 mod diffsol;
 mod explicit;
+mod lanes;
+mod lu;
 mod one_step;
+mod quadrature;
+mod rosenbrock;
+mod step_matrix;
 mod stretch;
 mod system;
 mod tableau;
@@ -32,6 +37,8 @@ methods! {
     Tsit5 { name: "tsit5", order: 5, implicit: false, integrator: explicit::Tsit5 },
     /// Explicit Runge-Kutta of order 8 by Dormand and Prince; not stiff, tight tolerances.
     Dop853 { name: "dop853", order: 8, implicit: false, integrator: explicit::Dop853 },
+    /// Rosenbrock method of order 5 by Steinebach; for stiff machines.
+    Rodas5p { name: "rodas5p", order: 5, implicit: true, integrator: rosenbrock::Rodas5p },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.

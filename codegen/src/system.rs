@@ -97,7 +97,8 @@ pub struct RunDefaults {
 }
 
 /// Methods a spec may name.
-pub const METHODS: &[&str] = &["bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853"];
+pub const METHODS: &[&str] =
+    &["bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p"];
 
 /// A source file that took part, for headers, `rerun-if-changed` and freshness.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -4,12 +4,10 @@
 //! next to nothing: work arrays are made once, stages lie in lanes of four, and
 //! no zero coefficient is ever multiplied.
 
+use super::lanes::{LANES, Sum, combine, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Stopped, Stretch};
-
-/// Stages are padded to a multiple of so many states, and summed so many at once.
-const LANES: usize = 4;
 
 /// [`TSIT5`].
 pub(super) struct Tsit5;
@@ -55,8 +53,8 @@ pub(super) struct ExplicitSteps<'a> {
     stages: Vec<f64>,
     error: Vec<f64>,
     /// Rows of a, with offsets into `stages` for stages.
-    sums: Vec<Vec<(usize, f64)>>,
-    estimates: Vec<Vec<(usize, f64)>>,
+    sums: Vec<Sum>,
+    estimates: Vec<Sum>,
     weights: Vec<f64>,
     has_extra_stages: bool,
     has_ended: bool,
@@ -67,8 +65,7 @@ impl<'a> ExplicitSteps<'a> {
         let size = stretch.system.len();
         let width = size.next_multiple_of(LANES);
         let count = pair.nodes.len();
-        let offsets =
-            |row: &Row| row.iter().map(|&(stage, weight)| (stage * width, weight)).collect();
+        let offsets = |row: &Row| sum(row, width);
         let zeros = || vec![0.0; width];
         Self {
             pair,
@@ -124,8 +121,8 @@ impl<'a> ExplicitSteps<'a> {
 
     /// The error of the step over what the tolerances allow.
     fn error(&mut self) -> f64 {
-        let mut norm = |sum: &[(usize, f64)]| {
-            combine(sum, &self.stages, self.step, None, &mut self.error);
+        let mut norm = |row: &Sum| {
+            combine(row, &self.stages, self.step, None, &mut self.error);
             super::one_step::weighted_norm(
                 self.stretch,
                 &self.error[..self.size],
@@ -188,9 +185,10 @@ impl OneStep for ExplicitSteps<'_> {
     }
 
     fn first_step(&mut self) -> f64 {
-        let (state, rate) = (&self.start[..self.size], &self.stages[..self.size]);
-        let trial = &mut self.argument[..self.size];
-        let trial_rate = &mut self.error[..self.size];
+        let states = self.stretch.system.states();
+        let (state, rate) = (&self.start[..states], &self.stages[..states]);
+        let trial = &mut self.argument[..states];
+        let trial_rate = &mut self.error[..states];
         first_step(self.stretch, self.pair.order, self.time, (state, rate), (trial, trial_rate))
     }
 
@@ -260,39 +258,6 @@ impl OneStep for ExplicitSteps<'_> {
             safety: 0.9,
             smallest: 0.2,
             largest: 8.0,
-        }
-    }
-}
-
-/// `into` = start + step sum of weight times stage; start 0 if there is none.
-/// All in lanes, so that the compiler needs no tail.
-fn combine(
-    sum: &[(usize, f64)],
-    stages: &[f64],
-    step: f64,
-    start: Option<&[f64]>,
-    into: &mut [f64],
-) {
-    for (block, into) in into.chunks_exact_mut(LANES).enumerate() {
-        let at = block * LANES;
-        let mut total = [0.0; LANES];
-        for &(offset, weight) in sum {
-            let stage = &stages[offset + at..][..LANES];
-            for (total, stage) in total.iter_mut().zip(stage) {
-                *total += weight * stage;
-            }
-        }
-        match start {
-            Some(start) => {
-                for ((into, total), start) in into.iter_mut().zip(total).zip(&start[at..]) {
-                    *into = start + step * total;
-                }
-            }
-            None => {
-                for (into, total) in into.iter_mut().zip(total) {
-                    *into = step * total;
-                }
-            }
         }
     }
 }

@@ -202,7 +202,8 @@ fn require_possible_tolerance(stretch: &Stretch<'_>, state: &[f64]) -> Result<()
 /// A first step by the size of the rate and of its change over a trial step
 /// (Hairer, Norsett, Wanner, section II.4); `order` is the method's.
 ///
-/// `rate` is f(t, y) at the start; `trial` and `trial_rate` are scratch.
+/// `rate` is f(t, y) at the start; `trial` and `trial_rate` are scratch; all of them
+/// without quadratures.
 pub(super) fn first_step(
     stretch: &Stretch<'_>,
     order: u32,
@@ -225,7 +226,7 @@ pub(super) fn first_step(
     for ((trial, state), rate) in trial.iter_mut().zip(state).zip(rate) {
         *trial = state + guess * rate;
     }
-    stretch.rate(time + guess, trial, trial_rate);
+    stretch.state_rate(time + guess, trial, trial_rate);
     let change = size(&mut trial_rate.iter().zip(rate).map(|(ahead, rate)| ahead - rate)) / guess;
     let largest = of_rate.max(change);
     let step = if largest.is_nan() {

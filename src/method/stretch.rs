@@ -49,6 +49,23 @@ impl<'a> Stretch<'a> {
         self.system.rate(self.within(time), state, rate);
     }
 
+    /// f(t, y) without quadratures at `time` moved into the stretch.
+    pub fn state_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.system.state_rate(self.within(time), state, rate);
+    }
+
+    /// Rates of the quadratures at `time` moved into the stretch.
+    #[must_use]
+    pub fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
+        self.system.flow_rates(self.within(time), state)
+    }
+
+    /// Partial derivative of f with respect to time, without quadratures, at
+    /// `time` moved into the stretch.
+    pub fn time_derivative(&self, time: f64, state: &[f64], derivative: &mut [f64]) {
+        self.system.time_derivative(self.within(time), state, derivative);
+    }
+
     /// df/dy without quadratures at `time` moved into the stretch.
     pub fn jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.system.jacobian(self.within(time), state, values);

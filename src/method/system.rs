@@ -91,14 +91,19 @@ impl<'a> System<'a> {
 
     /// f(t, y), `len` long.
     pub fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
-        self.count(|work| work.rate_evaluations += 1);
         let states = self.states();
         let (rate, flow_rates) = rate.split_at_mut(states);
         let state = &state[..states];
-        self.simulator.rate(time, state, self.parameters, rate);
+        self.state_rate(time, state, rate);
         if self.with_flows {
             flow_rates.copy_from_slice(&self.flow_rates(time, state));
         }
+    }
+
+    /// f(t, y) without the quadratures, `states` long.
+    pub fn state_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.count(|work| work.rate_evaluations += 1);
+        self.simulator.rate(time, state, self.parameters, rate);
     }
 
     /// Nonzeros of df/dy without the rows of the quadratures.
@@ -158,7 +163,9 @@ impl<'a> System<'a> {
         self.work.get()
     }
 
-    fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
+    /// Rates of the quadratures.
+    #[must_use]
+    pub fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
         let power = self.simulator.power_balance(time, state, self.parameters);
         let passed = power.supplied.abs() + power.dissipated.abs();
         [power.supplied, power.dissipated, passed]

@@ -1,9 +1,11 @@
 //! Coefficients of explicit Runge-Kutta pairs, each as published.
 
 mod dop853;
+mod rodas5p;
 mod tsit5;
 
 pub(super) use dop853::DOP853;
+pub(super) use rodas5p::RODAS5P;
 pub(super) use tsit5::TSIT5;
 
 /// The nonzeros of a row of coefficients, as (stage, coefficient).
@@ -40,4 +42,29 @@ pub(super) struct Dense {
     pub(super) extra: &'static [Row],
     /// Writes b_i(theta) of all stages, the extra ones last.
     pub(super) weights: fn(f64, &mut [f64]),
+}
+
+/// A Rosenbrock method, transformed so that no product of the Jacobian J and a
+/// stage occurs (Hairer, Wanner, section IV.7):
+///
+/// ```text
+/// (I / (gamma h) - J) U_i = f(t + c_i h, Y_i) + sum_j C_ij U_j / h + d_i h f_t
+/// Y_i = y + sum_j a_ij U_j
+/// ```
+///
+/// with the last stage as estimate of the error.
+pub(super) struct Rosenbrock {
+    pub(super) gamma: f64,
+    /// c.
+    pub(super) nodes: &'static [f64],
+    /// d.
+    pub(super) time_weights: &'static [f64],
+    /// a of the stages, then of the state at the end of the step. A row that
+    /// begins with the stage before it continues the row before it.
+    pub(super) states: &'static [Row],
+    /// C.
+    pub(super) stages: &'static [Row],
+    /// Weights of D_1, D_2, D_3 in the dense output, with s = 1 - theta,
+    /// y(t + theta h) = s y + theta (y_new + s (D_1 + theta (D_2 + theta D_3))).
+    pub(super) dense: &'static [[f64; 8]; 3],
 }

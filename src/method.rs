@@ -8,7 +8,10 @@ mod explicit;
 mod lanes;
 mod lu;
 mod one_step;
+#[cfg(test)]
+mod order;
 mod quadrature;
+mod radau;
 mod rosenbrock;
 mod step_matrix;
 mod stretch;
@@ -39,6 +42,8 @@ methods! {
     Dop853 { name: "dop853", order: 8, implicit: false, integrator: explicit::Dop853 },
     /// Rosenbrock method of order 5 by Steinebach; for stiff machines.
     Rodas5p { name: "rodas5p", order: 5, implicit: true, integrator: rosenbrock::Rodas5p },
+    /// Radau IIA of orders 5, 9 and 13, whichever pays; stiff machines, tight tolerances.
+    Radau { name: "radau", order: 13, implicit: true, integrator: radau::Radau },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.

@@ -258,6 +258,7 @@ impl OneStep for ExplicitSteps<'_> {
             safety: 0.9,
             smallest: 0.2,
             largest: 8.0,
+            hold: 1.0,
         }
     }
 }

@@ -50,6 +50,9 @@ pub(super) struct Pace {
     pub(super) safety: f64,
     pub(super) smallest: f64,
     pub(super) largest: f64,
+    /// A step that would grow by less than this stays, and so do the factors of its
+    /// matrix; 1 if there are none to keep.
+    pub(super) hold: f64,
 }
 
 /// Where [`drive`] ended before the end of the stretch because it was told to.
@@ -129,7 +132,8 @@ impl Pace {
     fn factor(&self, error: f64, last_error: f64) -> f64 {
         let wanted = self.safety * error.powf(-self.exponent) * last_error.powf(self.memory);
         // An error of zero wants an infinite step; a NaN cannot be.
-        wanted.min(self.largest).max(self.smallest)
+        let factor = wanted.min(self.largest).max(self.smallest);
+        if (1.0..=self.hold).contains(&factor) { 1.0 } else { factor }
     }
 }
 

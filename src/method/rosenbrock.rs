@@ -267,7 +267,7 @@ impl OneStep for RosenbrockSteps<'_> {
     }
 
     fn pace(&self) -> Pace {
-        Pace { exponent: 0.2, memory: 0.0, safety: 0.9, smallest: 0.2, largest: 6.0 }
+        Pace { exponent: 0.2, memory: 0.0, safety: 0.9, smallest: 0.2, largest: 6.0, hold: 1.0 }
     }
 }
 

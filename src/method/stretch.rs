@@ -32,6 +32,11 @@ impl<'a> Stretch<'a> {
         }
     }
 
+    #[cfg(test)]
+    pub(super) fn for_test(system: &'a System<'a>, from: f64, until: f64, atol: &'a [f64]) -> Self {
+        Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX }
+    }
+
     /// `time` moved into \[from, until).
     ///
     /// A jump at t0 has its new value from t0 on, so a method that evaluates the

@@ -1,10 +1,12 @@
 //! Coefficients of explicit Runge-Kutta pairs, each as published.
 
 mod dop853;
+mod radau;
 mod rodas5p;
 mod tsit5;
 
 pub(super) use dop853::DOP853;
+pub(super) use radau::{RADAU, Radau};
 pub(super) use rodas5p::RODAS5P;
 pub(super) use tsit5::TSIT5;
 

@@ -2,9 +2,11 @@
 #![allow(dead_code, unused_imports)]
 
 pub mod oscillator;
+pub mod pendulum;
 pub mod scalar;
 
 pub use oscillator::Oscillator;
+pub use pendulum::Pendulum;
 pub use scalar::Scalar;
 
 /// Closed form of [`Oscillator`] with its default parameters: angle and speed.

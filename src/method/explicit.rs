@@ -57,7 +57,6 @@ pub(super) struct ExplicitSteps<'a> {
     estimates: Vec<Sum>,
     weights: Vec<f64>,
     has_extra_stages: bool,
-    has_ended: bool,
 }
 
 impl<'a> ExplicitSteps<'a> {
@@ -83,7 +82,6 @@ impl<'a> ExplicitSteps<'a> {
             estimates: pair.estimates.iter().map(offsets).collect(),
             weights: vec![0.0; count],
             has_extra_stages: false,
-            has_ended: false,
         }
     }
 

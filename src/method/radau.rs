@@ -139,7 +139,10 @@ impl<'a> RadauSteps<'a> {
         {
             *scale = looser * (atol + rtol * state.abs());
         }
-        self.newton.set_tolerance(if self.is_fixed { 1e-16 } else { rtol * looser });
+        self.newton.set_tolerance(rtol * looser);
+        if self.is_fixed {
+            self.newton.demand(1e-9);
+        }
     }
 
     fn try_step(&mut self) -> Result<f64, Trial> {

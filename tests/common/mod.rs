@@ -1,12 +1,12 @@
 //! Simulators written by hand, for tests of the runtime.
 #![allow(dead_code, unused_imports)]
 
+pub mod hard_spring;
 pub mod oscillator;
-pub mod pendulum;
 pub mod scalar;
 
+pub use hard_spring::HardSpring;
 pub use oscillator::Oscillator;
-pub use pendulum::Pendulum;
 pub use scalar::Scalar;
 
 /// Closed form of [`Oscillator`] with its default parameters: angle and speed.

@@ -82,6 +82,11 @@ impl<'a> Newton<'a> {
         self.tolerance = (10.0 * f64::EPSILON / rtol).max(rtol.sqrt()).min(0.03);
     }
 
+    /// Sets the tolerance itself, in units of the scale.
+    pub(super) fn demand(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
+    }
+
     /// Forgets everything: another run begins.
     pub(super) fn forget(&mut self) {
         self.jacobian_state = JacobianState::Unknown;

@@ -3,6 +3,7 @@
 //! To add a method: write one file in `src/method/` with a type that is an
 //! [`Integrator`], and add one row to the table below.
 
+mod auto;
 mod diffsol;
 mod explicit;
 mod lanes;
@@ -44,6 +45,8 @@ methods! {
     Rodas5p { name: "rodas5p", order: 5, implicit: true, integrator: rosenbrock::Rodas5p },
     /// Radau IIA of orders 5, 9 and 13, whichever pays; stiff machines, tight tolerances.
     Radau { name: "radau", order: 13, implicit: true, integrator: radau::Radau },
+    /// Explicit where it can be, implicit where the machine is stiff, by the tolerance.
+    Auto { name: "auto", order: 13, implicit: true, integrator: auto::Auto },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.

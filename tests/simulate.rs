@@ -227,7 +227,7 @@ fn unknown_names_are_refused_with_the_nearest_known() {
     assert_eq!(
         error.to_string(),
         "there is no method `bfd` (did you mean `bdf`?); known are bdf, tr_bdf2, esdirk34, \
-         tsit45, tsit5, dop853, rodas5p, radau"
+         tsit45, tsit5, dop853, rodas5p, radau, auto"
     );
     let error = "runge".parse::<Method>().unwrap_err().to_string();
     assert!(error.starts_with("there is no method `runge`; known are bdf"), "{error}");

@@ -120,6 +120,11 @@ impl<'a> RadauSteps<'a> {
         }
     }
 
+    /// The last Jacobian evaluated, in pattern order.
+    pub(super) fn jacobian(&self) -> &[f64] {
+        self.newton.jacobian()
+    }
+
     /// Keeps to the method of so many stages, and solves for them to rounding.
     #[cfg(test)]
     pub(super) fn of_stages(mut self, stages: usize) -> Self {

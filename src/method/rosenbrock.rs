@@ -88,6 +88,11 @@ impl<'a> RosenbrockSteps<'a> {
         }
     }
 
+    /// J at the start of the last step, in pattern order.
+    pub(super) fn jacobian(&self) -> &[f64] {
+        &self.jacobian
+    }
+
     /// f, f_t and J at the start, once a step however often it is tried.
     fn linearize(&mut self) -> Result<(), Trial> {
         if self.is_linearized {

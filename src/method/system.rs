@@ -1,6 +1,6 @@
 //! The equations a method integrates, and the count of how often it asks.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use machinist_scenes::{Simulator, SparsityPattern};
 use serde::Serialize;
@@ -39,6 +39,7 @@ pub struct System<'a> {
     states: usize,
     with_flows: bool,
     work: Cell<Work>,
+    notes: RefCell<Vec<String>>,
 }
 
 impl<'a> System<'a> {
@@ -46,7 +47,14 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64], with_flows: bool) -> Self {
         let states = simulator.shape().states();
-        Self { simulator, parameters, states, with_flows, work: Cell::default() }
+        Self {
+            simulator,
+            parameters,
+            states,
+            with_flows,
+            work: Cell::default(),
+            notes: RefCell::default(),
+        }
     }
 
     /// The simulator, for methods that need more than rate and Jacobian.
@@ -148,6 +156,22 @@ impl<'a> System<'a> {
         let states = self.states();
         let (state, derivative) = (&state[..states], &mut derivative[..states]);
         self.simulator.time_derivative(time, state, self.parameters, derivative);
+    }
+
+    /// Tells the user something of how the run went; what has been said already,
+    /// or too much, is left out.
+    pub fn note(&self, note: String) {
+        const MOST: usize = 100;
+        let mut notes = self.notes.borrow_mut();
+        if notes.len() < MOST && !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+
+    /// All that was noted.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        self.notes.borrow().clone()
     }
 
     /// Adds to the work counted.

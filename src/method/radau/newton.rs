@@ -111,6 +111,11 @@ impl<'a> Newton<'a> {
         ((1.0 + 2.0 * limit) / (self.iterations as f64 + 2.0 * limit)).min(1.0)
     }
 
+    /// The last Jacobian evaluated, in pattern order.
+    pub(super) fn jacobian(&self) -> &[f64] {
+        &self.jacobian
+    }
+
     /// Estimated contraction of one iteration.
     pub(super) fn contraction(&self) -> f64 {
         self.contraction

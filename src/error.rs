@@ -112,6 +112,12 @@ pub enum StopCause {
         /// What is not finite.
         what: String,
     },
+    /// The tolerance is finer than numbers are.
+    #[error("rounding alone exceeds the relative tolerance {rtol}. Hint: 1e-14 is about the least")]
+    ToleranceBelowRounding {
+        /// The relative tolerance.
+        rtol: f64,
+    },
     /// Newton's iteration fails however small the step.
     #[error(
         "Newton's iteration does not converge. \

@@ -1,9 +1,11 @@
 //! Simulators written by hand, for tests of the runtime.
 #![allow(dead_code, unused_imports)]
 
+pub mod hard_spring;
 pub mod oscillator;
 pub mod scalar;
 
+pub use hard_spring::HardSpring;
 pub use oscillator::Oscillator;
 pub use scalar::Scalar;
 

@@ -6,6 +6,7 @@
 mod diffsol;
 mod stretch;
 mod system;
+mod taylor;
 
 use std::fmt;
 use std::str::FromStr;
@@ -25,6 +26,8 @@ methods! {
     Esdirk34 { name: "esdirk34", order: 3, implicit: true, integrator: diffsol::Esdirk34 },
     /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
     Tsit45 { name: "tsit45", order: 5, implicit: false, integrator: diffsol::Tsit45 },
+    /// Taylor series of an order that follows the tolerance; the fastest for smooth machines that are not stiff.
+    Taylor { name: "taylor", order: 30, implicit: false, integrator: taylor::Taylor },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.

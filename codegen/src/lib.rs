@@ -15,5 +15,6 @@ pub mod program;
 pub mod prune;
 pub mod system;
 pub mod tape;
+pub mod taylor;
 pub mod trigonometry;
 pub mod write;

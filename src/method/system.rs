@@ -158,7 +158,7 @@ impl<'a> System<'a> {
         self.work.get()
     }
 
-    fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
+    pub(super) fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
         let power = self.simulator.power_balance(time, state, self.parameters);
         let passed = power.supplied.abs() + power.dissipated.abs();
         [power.supplied, power.dissipated, passed]

@@ -1,3 +1,8 @@
-//! The command line of Machinist.
+//! The `machinist` program.
 
-fn main() {}
+mod cli;
+mod report;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

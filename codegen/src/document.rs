@@ -2,7 +2,7 @@
 
 mod printer;
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, HelperId, ParameterId, Symbol};
 use crate::lagrange::EquationsOfMotion;
 use crate::system::{LagrangianSystem, Quantity};
 use printer::Printer;
@@ -87,13 +87,15 @@ impl Document {
         ];
         let mut text = String::new();
         for (heading, equations) in sections.into_iter().filter(|(_, e)| !e.is_empty()) {
-            text.push_str(&format!("{heading}\n"));
+            text.push_str(heading);
+            text.push('\n');
             for equation in equations {
                 let unit = match equation.unit.as_str() {
                     "" => String::new(),
                     unit => format!("   [{unit}]"),
                 };
-                text.push_str(&format!("  {} = {}{unit}\n", equation.left, equation.right));
+                let Equation { left, right, .. } = equation;
+                text.extend(["  ", left, " = ", right, &unit, "\n"]);
             }
             text.push('\n');
         }
@@ -132,7 +134,7 @@ fn energies(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     [
         ("T", kinetic, "J", "kinetic energy"),
         ("V", potential, "J", "potential energy"),
-        ("D", &equations.system.dissipation, "W", "Rayleigh dissipation"),
+        ("D", &equations.dissipation, "W", "Rayleigh dissipation"),
         ("W", stored, "J", "energy of the first-order states"),
     ]
     .into_iter()
@@ -214,6 +216,7 @@ fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) ->
         (Symbol::FirstOrder(FirstOrderId(index)), _) => {
             name(&system.first_order[index as usize].quantity)
         }
+        (Symbol::Helper(HelperId(index)), _) => name(&system.helpers[index as usize].quantity),
         (Symbol::Parameter(ParameterId(index)), _) => {
             name(&system.parameters[index as usize].quantity)
         }

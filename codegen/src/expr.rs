@@ -17,6 +17,10 @@ pub struct FirstOrderId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ParameterId(pub u32);
 
+/// Index of a helper of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct HelperId(pub u32);
+
 /// Index of an interpolation table of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TableId(pub u32);
@@ -38,23 +42,38 @@ pub enum Symbol {
     FirstOrder(FirstOrderId),
     /// Parameter p.
     Parameter(ParameterId),
+    /// A helper standing for its expression; from [`crate::abbreviate`] on only.
+    Helper(HelperId),
 }
 
 /// The functions expressions know, by their usual names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
+    /// Square root.
     Sqrt,
+    /// Absolute value.
     Abs,
+    /// Exponential function.
     Exp,
+    /// Natural logarithm.
     Ln,
+    /// Sine.
     Sin,
+    /// Cosine.
     Cos,
+    /// Tangent.
     Tan,
+    /// Inverse sine.
     Asin,
+    /// Inverse cosine.
     Acos,
+    /// Inverse tangent.
     Atan,
+    /// Hyperbolic sine.
     Sinh,
+    /// Hyperbolic cosine.
     Cosh,
+    /// Hyperbolic tangent.
     Tanh,
     /// `select_less(a, b, x, y)`: x where a < b, else y. `min`, `max`, `step`,
     /// `piecewise` and `smooth_step` are written with it; it is differentiated
@@ -62,7 +81,9 @@ pub enum Function {
     SelectLess,
     /// Cubic table or a derivative of it, of one argument.
     Table {
+        /// Which table.
         table: TableId,
+        /// 0 for the value, k for the k-th derivative.
         order: u32,
     },
 }

@@ -26,6 +26,8 @@ pub struct EquationsOfMotion {
     pub rates: Vec<Expr>,
     /// T, V and the energy of first-order states, as derived from.
     pub energy: [Expr; 3],
+    /// D, in the same form.
+    pub dissipation: Expr,
     /// Power supplied, but for `time_momentum`.
     pub supplied: Expr,
     /// Power lost.
@@ -74,6 +76,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
             let form = cas.form(energy);
             cas.expr(&form)
         }),
+        dissipation: cas.expr(&dissipation),
         supplied: power.supplied,
         dissipated: power.dissipated,
         time_momentum: power.time_momentum,

@@ -1,7 +1,11 @@
 //! Build-time half of Machinist: spec text to emitted Rust.
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
+pub mod abbreviate;
+mod build;
 pub mod cas;
+pub mod diagnostic;
+pub mod dimension;
 pub mod document;
 pub mod emit;
 pub mod evaluate;
@@ -11,10 +15,16 @@ pub mod fold;
 pub mod lagrange;
 pub mod linearize;
 pub mod lower;
+pub mod pipeline;
 pub mod program;
 pub mod prune;
+pub mod scene;
+pub mod spec;
+mod stack;
 pub mod system;
 pub mod tape;
 pub mod taylor;
 pub mod trigonometry;
 pub mod write;
+
+pub use build::{Build, BuildError};

@@ -6,15 +6,20 @@ use crate::tape::Tape;
 /// Structural nonzeros, sorted by row, then by column.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct SparsityPattern {
+    /// Number of rows.
     pub rows: usize,
+    /// Number of columns.
     pub columns: usize,
+    /// (row, column) of every nonzero.
     pub entries: Vec<(u32, u32)>,
 }
 
 /// A matrix: the tape's results are its structural nonzeros in pattern order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MatrixTape {
+    /// Where the nonzeros are.
     pub pattern: SparsityPattern,
+    /// Their values.
     pub tape: Tape,
 }
 
@@ -29,10 +34,13 @@ pub struct Program {
     pub discontinuities: Tape,
     /// `states` results.
     pub rate: Tape,
+    /// dy'/dy.
     pub rate_jacobian: MatrixTape,
+    /// dy'/dp.
     pub parameter_jacobian: MatrixTape,
     /// `states` results.
     pub time_derivative: Tape,
+    /// M, both triangles.
     pub mass_matrix: MatrixTape,
     /// `coordinates` results.
     pub forcing: Tape,

@@ -20,6 +20,7 @@ pub struct Name {
 /// A named quantity with unit and meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
+    /// What it is called.
     pub name: Name,
     /// SI unit as the spec writes it; `1` for a pure number.
     pub unit: String,
@@ -30,7 +31,9 @@ pub struct Quantity {
 /// A generalized coordinate with its velocity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coordinate {
+    /// q.
     pub position: Quantity,
+    /// q'.
     pub velocity: Quantity,
     /// Names of the other port angles identified with this one, with the factor
     /// by which they follow it, for documents: (`coupling.input.angle`, factor).
@@ -44,7 +47,9 @@ pub struct Coordinate {
 /// A first-order state z with z' = rate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FirstOrderState {
+    /// z.
     pub quantity: Quantity,
+    /// h.
     pub rate: Expr,
     /// Initial value; of parameters only.
     pub initial: Expr,
@@ -55,14 +60,18 @@ pub struct FirstOrderState {
 /// A parameter with its value in the spec.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
+    /// What it is.
     pub quantity: Quantity,
+    /// Its value in SI units.
     pub value: f64,
 }
 
 /// A named expression: a helper of a unit, or an output of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Definition {
+    /// What it is.
     pub quantity: Quantity,
+    /// What it stands for.
     pub expr: Expr,
 }
 
@@ -70,8 +79,11 @@ pub struct Definition {
 /// contract.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
+    /// What it is called.
     pub name: Name,
+    /// Abscissae, increasing.
     pub knots: Vec<f64>,
+    /// Cubic of each interval, in powers of the distance from its first knot.
     pub coefficients: Vec<[f64; 4]>,
 }
 
@@ -88,9 +100,13 @@ pub struct GeneralizedForce {
 /// The run a scene asks for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunDefaults {
+    /// Start time \[s\].
     pub from: f64,
+    /// End time \[s\].
     pub until: f64,
+    /// Number of output times, both ends included.
     pub points: usize,
+    /// Relative tolerance.
     pub rtol: f64,
     /// One of [`METHODS`].
     pub method: String,
@@ -102,7 +118,8 @@ pub const METHODS: &[&str] = &["bdf", "tr_bdf2", "esdirk34", "tsit45", "taylor"]
 /// A source file that took part, for headers, `rerun-if-changed` and freshness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SourceFile {
-    /// Path as found; absolute paths never reach emitted text.
+    /// Path as found, empty for a unit that comes with Machinist; absolute paths
+    /// never reach emitted text.
     pub path: std::path::PathBuf,
     /// File name relative to the folder of specs, with forward slashes.
     pub label: String,
@@ -121,8 +138,11 @@ pub struct LagrangianSystem {
     pub doc: String,
     /// Where the equations come from.
     pub source: String,
+    /// q.
     pub coordinates: Vec<Coordinate>,
+    /// z.
     pub first_order: Vec<FirstOrderState>,
+    /// p.
     pub parameters: Vec<Parameter>,
     /// T.
     pub kinetic: Expr,
@@ -143,9 +163,11 @@ pub struct LagrangianSystem {
     pub helpers: Vec<Definition>,
     /// Wanted outputs.
     pub outputs: Vec<Definition>,
+    /// Tables that expressions refer to.
     pub tables: Vec<Table>,
     /// Times at which the right-hand side jumps; of parameters only.
     pub discontinuities: Vec<Expr>,
+    /// The run unless told otherwise.
     pub run: RunDefaults,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,

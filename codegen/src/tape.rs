@@ -23,10 +23,15 @@ pub enum Op {
     State(u32),
     /// Entry of the parameters.
     Parameter(u32),
+    /// -a.
     Neg(NodeId),
+    /// a + b.
     Add(NodeId, NodeId),
+    /// a - b.
     Sub(NodeId, NodeId),
+    /// a b.
     Mul(NodeId, NodeId),
+    /// a / b.
     Div(NodeId, NodeId),
     /// Integer power.
     Powi(NodeId, i32),
@@ -36,15 +41,22 @@ pub enum Op {
     Call(Unary, NodeId),
     /// `then` where `lhs < rhs`, else `otherwise`.
     SelectLess {
+        /// Left of the comparison.
         lhs: NodeId,
+        /// Right of it.
         rhs: NodeId,
+        /// Where it holds.
         then: NodeId,
+        /// Where it does not.
         otherwise: NodeId,
     },
     /// Cubic table or its derivative.
     Table {
+        /// Which table.
         table: TableId,
+        /// Order of the derivative.
         order: u32,
+        /// Where it is read.
         argument: NodeId,
     },
 }
@@ -52,6 +64,7 @@ pub enum Op {
 /// A node with the name it bears in emitted code, if the spec gives it one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
+    /// What it computes.
     pub op: Op,
     /// A valid Rust identifier, unique on the tape, or `None`.
     pub name: Option<String>,
@@ -60,7 +73,9 @@ pub struct Node {
 /// Nodes in order of evaluation, and which of them are the results.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tape {
+    /// In order of evaluation.
     pub nodes: Vec<Node>,
+    /// Which of them are the results.
     pub results: Vec<NodeId>,
 }
 

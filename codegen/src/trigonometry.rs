@@ -63,19 +63,14 @@ fn combine_sum(terms: Vec<Expr>) -> Expr {
             terms[at] = None;
             terms[other] = None;
             // The new term may meet yet another one, or one of its own kind.
-            match places.get(&merged.factors).filter(|place| terms[**place].is_some()) {
-                Some(place) => {
-                    let place = *place;
-                    if let Some(known) = &mut terms[place] {
-                        known.coefficient += merged.coefficient;
-                    }
-                    at = at.min(place);
-                }
-                None => {
-                    places.insert(merged.factors.clone(), terms.len());
-                    terms.push(Some(merged));
-                    at += 1;
-                }
+            let place = places.get(&merged.factors).copied().unwrap_or(terms.len());
+            if let Some(Some(known)) = terms.get_mut(place) {
+                known.coefficient += merged.coefficient;
+                at = at.min(place);
+            } else {
+                places.insert(merged.factors.clone(), terms.len());
+                terms.push(Some(merged));
+                at += 1;
             }
         } else {
             at += 1;
@@ -140,9 +135,10 @@ fn joined(
         _ if x == y && first == second => equal.then_some((1, None)),
         _ if x == y => None,
         // sin x sin y + cos x cos y, or its negative.
-        (Function::Sin, Function::Sin) if equal => Some((1, call(Function::Cos, difference(x, y)))),
+        (Function::Sin, Function::Sin) | (Function::Cos, Function::Cos) if equal => {
+            Some((1, call(Function::Cos, difference(x, y))))
+        }
         (Function::Sin, Function::Sin) if opposite => Some((-1, call(Function::Cos, sum(x, y)))),
-        (Function::Cos, Function::Cos) if equal => Some((1, call(Function::Cos, difference(x, y)))),
         (Function::Cos, Function::Cos) if opposite => Some((1, call(Function::Cos, sum(x, y)))),
         // sin x cos y + cos x sin y, and so on.
         (Function::Sin | Function::Cos, _) if equal => Some((1, call(Function::Sin, sum(x, y)))),

@@ -18,6 +18,9 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("elementary functions come from `std` or `libm`: turn on one of these features");
+
 mod contract;
 mod include;
 mod real;

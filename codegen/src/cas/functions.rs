@@ -70,6 +70,7 @@ impl Vocabulary {
             Symbol::Acceleration(id) => format!("machinist::a{}", id.0),
             Symbol::FirstOrder(id) => format!("machinist::z{}", id.0),
             Symbol::Parameter(id) => format!("machinist::p{}", id.0),
+            Symbol::Helper(id) => unreachable!("helper {} has been put in", id.0),
         };
         let name = symbol!(text.as_str());
         self.name(symbol, name);

@@ -6,7 +6,8 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::{Notation, dotted, symbol_name};
-use crate::expr::{Expr, Function, Symbol};
+use crate::abbreviate::Abbreviations;
+use crate::expr::{Expr, Function, HelperId, Symbol};
 use crate::lagrange::EquationsOfMotion;
 use crate::system::{LagrangianSystem, Quantity};
 
@@ -22,7 +23,7 @@ enum Strength {
 /// Prints expressions and remembers which helpers it named.
 pub(super) struct Printer<'a> {
     system: &'a LagrangianSystem,
-    helpers: &'a [Expr],
+    abbreviations: Abbreviations,
     notation: Notation,
     used: RefCell<Vec<usize>>,
 }
@@ -31,7 +32,7 @@ impl<'a> Printer<'a> {
     pub(super) fn new(equations: &'a EquationsOfMotion, notation: Notation) -> Self {
         Printer {
             system: &equations.system,
-            helpers: &equations.helpers,
+            abbreviations: Abbreviations::new(&equations.helpers),
             notation,
             used: RefCell::new(Vec::new()),
         }
@@ -42,13 +43,23 @@ impl<'a> Printer<'a> {
         self.used.borrow().clone()
     }
 
+    /// An expression with helpers by their names.
     pub(super) fn print(&self, expr: &Expr) -> String {
-        self.expr(expr, None).0
+        self.short(&self.abbreviations.apply(expr))
     }
 
-    /// A helper's own definition: other helpers by name, itself in full.
+    /// A helper's own definition: smaller helpers by name, itself in full.
     pub(super) fn print_helper(&self, index: usize) -> String {
-        self.expr(&self.helpers[index], Some(index)).0
+        let mut entries = self.abbreviations.entries().iter();
+        match entries.find(|(id, _)| id.0 as usize == index) {
+            Some((_, definition)) => self.short(definition),
+            None => String::new(),
+        }
+    }
+
+    /// An expression in which helpers stand already.
+    fn short(&self, expr: &Expr) -> String {
+        self.expr(expr).0
     }
 
     pub(super) fn quantity(&self, quantity: &Quantity) -> String {
@@ -67,25 +78,13 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn named(&self, expr: &Expr, except: Option<usize>) -> Option<(String, Strength)> {
-        if matches!(expr, Expr::Symbol(_) | Expr::Number(_)) {
-            return None;
-        }
-        let index = self.helpers.iter().position(|helper| helper == expr)?;
-        (Some(index) != except).then(|| {
-            self.used.borrow_mut().push(index);
-            (self.quantity(&self.system.helpers[index].quantity), Strength::Atom)
-        })
-    }
-
-    /// `except` is the helper being defined; inside it all helpers have names.
-    fn expr(&self, expr: &Expr, except: Option<usize>) -> (String, Strength) {
-        if let Some(named) = self.named(expr, except) {
-            return named;
-        }
+    fn expr(&self, expr: &Expr) -> (String, Strength) {
         match expr {
             Expr::Number(value) => self.number(value),
             Expr::Symbol(symbol) => {
+                if let Symbol::Helper(HelperId(index)) = symbol {
+                    self.used.borrow_mut().push(*index as usize);
+                }
                 (symbol_name(self.system, *symbol, self.notation), Strength::Atom)
             }
             Expr::Sum(terms) => (self.sum(terms), Strength::Sum),
@@ -96,7 +95,7 @@ impl<'a> Printer<'a> {
     }
 
     fn within(&self, expr: &Expr, least: Strength) -> String {
-        let (text, strength) = self.expr(expr, None);
+        let (text, strength) = self.expr(expr);
         if strength < least { self.parenthesized(&text) } else { text }
     }
 
@@ -165,6 +164,12 @@ impl<'a> Printer<'a> {
                 _ => above.push(factor.clone()),
             }
         }
+        // Parameters stand before what varies, as engineers write.
+        let varies = |factor: &Expr| {
+            !matches!(factor, Expr::Number(_) | Expr::Symbol(Symbol::Pi | Symbol::Parameter(_)))
+        };
+        above.sort_by_key(varies);
+        below.sort_by_key(varies);
         let sign = if coefficient.is_negative() { "-" } else { "" };
         let coefficient = coefficient.abs();
         let whole = |n: &num_bigint::BigInt| Expr::Number(BigRational::from_integer(n.clone()));
@@ -223,13 +228,13 @@ impl<'a> Printer<'a> {
             }
             Notation::Latex => {
                 // A dot or a subscript already there stays readable with braces.
-                (format!("{{{base_text}}}^{{{}}}", self.print(exponent)), Strength::Power)
+                (format!("{{{base_text}}}^{{{}}}", self.short(exponent)), Strength::Power)
             }
         }
     }
 
     fn call(&self, function: Function, arguments: &[Expr]) -> String {
-        let arguments: Vec<String> = arguments.iter().map(|a| self.print(a)).collect();
+        let arguments: Vec<String> = arguments.iter().map(|a| self.short(a)).collect();
         match (function, self.notation) {
             (Function::Sqrt, Notation::Latex) => format!("\\sqrt{{{}}}", arguments[0]),
             (Function::Abs, Notation::Latex) => format!("\\left|{}\\right|", arguments[0]),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::expr::{Expr, Function, TableId};
+use crate::expr::{Expr, Function, HelperId, TableId};
 use crate::fold;
 use crate::tape::{Node, NodeId, Op, Tape};
 
@@ -16,7 +16,7 @@ pub struct Graph {
     constant: Vec<bool>,
     coordinates: u32,
     accelerations: Vec<NodeId>,
-    pub(super) sums: Vec<(Vec<Expr>, NodeId)>,
+    helpers: HashMap<HelperId, NodeId>,
 }
 
 /// Two operations with equal keys compute the same value.
@@ -41,10 +41,15 @@ impl Graph {
         self.accelerations = accelerations;
     }
 
+    /// What a helper stands for from now on.
+    pub fn set_helper(&mut self, id: HelperId, node: NodeId) {
+        self.helpers.insert(id, node);
+    }
+
     /// The nodes of an expression.
     ///
     /// # Panics
-    /// If it holds accelerations before they are set.
+    /// If it holds accelerations or helpers before they are set.
     pub fn lower(&mut self, expr: &Expr) -> NodeId {
         super::terms::lower(self, expr)
     }
@@ -59,6 +64,7 @@ impl Graph {
             Symbol::FirstOrder(id) => self.push(Op::State(2 * self.coordinates + id.0)),
             Symbol::Parameter(id) => self.push(Op::Parameter(id.0)),
             Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
+            Symbol::Helper(id) => self.helpers[&id],
         }
     }
 

@@ -1,7 +1,8 @@
 //! The functions of a scene, put together on one graph.
 
 use super::graph::Graph;
-use super::terms;
+use crate::abbreviate::Abbreviations;
+use crate::expr::Expr;
 use crate::factor::{Factorization, factor};
 use crate::linearize::{Linearization, Partials};
 use crate::program::{MatrixTape, Program, SparsityPattern};
@@ -17,10 +18,10 @@ pub fn lower(linearization: &Linearization) -> Program {
     let time_column = build.column(&linearization.time);
     let initial = build.initial_state();
     let discontinuities: Vec<NodeId> =
-        system.discontinuities.iter().map(|time| build.graph.lower(time)).collect();
+        system.discontinuities.iter().map(|time| build.lower(time)).collect();
     let outputs: Vec<NodeId> =
-        linearization.equations.outputs.iter().map(|output| build.graph.lower(output)).collect();
-    let energy = linearization.equations.energy.each_ref().map(|e| build.graph.lower(e));
+        linearization.equations.outputs.iter().map(|output| build.lower(output)).collect();
+    let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let balance = build.power_balance();
     let graph = &build.graph;
     Program {
@@ -41,6 +42,7 @@ pub fn lower(linearization: &Linearization) -> Program {
 
 struct Build<'a> {
     linearization: &'a Linearization,
+    abbreviations: Abbreviations,
     graph: Graph,
     mass_matrix: Vec<Vec<NodeId>>,
     factorization: Factorization,
@@ -54,18 +56,19 @@ impl<'a> Build<'a> {
         let equations = &linearization.equations;
         let system = &equations.system;
         let mut graph = Graph::for_scene(system.coordinates.len());
-        for (helper, expr) in system.helpers.iter().zip(&equations.helpers) {
-            if !mentions_acceleration(expr) {
-                let node = graph.lower(expr);
-                graph.name(node, &helper.quantity.name.ident);
-                terms::register_sum(&mut graph, expr, node);
-            }
+        let abbreviations = Abbreviations::new(&equations.helpers);
+        for (id, definition) in abbreviations.entries() {
+            let node = graph.lower(definition);
+            graph.name(node, &system.helpers[id.0 as usize].quantity.name.ident);
+            graph.set_helper(*id, node);
         }
+        let short = |expr: &Expr| abbreviations.apply(expr);
         let rows = equations.mass_matrix.iter();
         let mass_matrix: Vec<Vec<NodeId>> =
-            rows.map(|row| row.iter().map(|entry| graph.lower(entry)).collect()).collect();
+            rows.map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
         let factorization = factor(&mut graph, &mass_matrix);
-        let forcing: Vec<NodeId> = equations.forcing.iter().map(|f| graph.lower(f)).collect();
+        let forcing: Vec<NodeId> =
+            equations.forcing.iter().map(|f| graph.lower(&short(f))).collect();
         let accelerations = factorization.solve(&mut graph, &forcing);
         for (coordinate, node) in system.coordinates.iter().zip(&accelerations) {
             graph.name(*node, &format!("{}_dot", coordinate.velocity.name.ident));
@@ -76,12 +79,17 @@ impl<'a> Build<'a> {
             .take(system.coordinates.len())
             .map(|symbol| graph.symbol(symbol))
             .collect::<Vec<_>>();
-        let rates: Vec<NodeId> = equations.rates.iter().map(|h| graph.lower(h)).collect();
+        let rates: Vec<NodeId> = equations.rates.iter().map(|h| graph.lower(&short(h))).collect();
         for (state, node) in system.first_order.iter().zip(&rates) {
             graph.name(*node, &format!("{}_dot", state.quantity.name.ident));
         }
         let rate = [velocities, accelerations, rates].concat();
-        Build { linearization, graph, mass_matrix, factorization, forcing, rate }
+        Build { linearization, abbreviations, graph, mass_matrix, factorization, forcing, rate }
+    }
+
+    fn lower(&mut self, expr: &Expr) -> NodeId {
+        let short = self.abbreviations.apply(expr);
+        self.graph.lower(&short)
     }
 
     fn coordinates(&self) -> usize {
@@ -95,10 +103,10 @@ impl<'a> Build<'a> {
         let one = self.graph.literal(1.0);
         let mut right_side = vec![zero; n];
         for (row, expr) in &partials.forcing {
-            right_side[*row] = self.graph.lower(expr);
+            right_side[*row] = self.lower(expr);
         }
         for (i, j, expr) in &partials.mass_matrix {
-            let entry = self.graph.lower(expr);
+            let entry = self.lower(expr);
             self.subtract_product(&mut right_side, *i, entry, *j);
             if i != j {
                 self.subtract_product(&mut right_side, *j, entry, *i);
@@ -108,7 +116,7 @@ impl<'a> Build<'a> {
         let mut column = vec![zero; self.rate.len()];
         column[n..2 * n].copy_from_slice(&accelerations);
         for (row, expr) in &partials.rates {
-            column[2 * n + row] = self.graph.lower(expr);
+            column[2 * n + row] = self.lower(expr);
         }
         if let crate::expr::Symbol::Velocity(id) = partials.symbol {
             column[id.0 as usize] = one;
@@ -163,7 +171,7 @@ impl<'a> Build<'a> {
         let positions = system.coordinates.iter().map(|c| &c.initial[0]);
         let velocities = system.coordinates.iter().map(|c| &c.initial[1]);
         let states = system.first_order.iter().map(|z| &z.initial);
-        positions.chain(velocities).chain(states).map(|e| self.graph.lower(e)).collect()
+        positions.chain(velocities).chain(states).map(|e| self.lower(e)).collect()
     }
 
     /// dE/dt by the chain rule, power supplied, power dissipated.
@@ -171,34 +179,20 @@ impl<'a> Build<'a> {
         let linearization = self.linearization;
         let stored = self.total_derivative(|partials| &partials.energy);
         let by_time = self.total_derivative(|partials| &partials.time_momentum);
-        let supplied = self.graph.lower(&linearization.equations.supplied);
+        let supplied = self.lower(&linearization.equations.supplied);
         let supplied = self.graph.add(supplied, by_time);
-        let dissipated = self.graph.lower(&linearization.equations.dissipated);
+        let dissipated = self.lower(&linearization.equations.dissipated);
         [stored, supplied, dissipated]
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.
-    fn total_derivative(&mut self, of: impl Fn(&Partials) -> &crate::expr::Expr) -> NodeId {
-        let mut total = self.graph.lower(of(&self.linearization.time));
+    fn total_derivative(&mut self, of: impl Fn(&Partials) -> &Expr) -> NodeId {
+        let mut total = self.lower(of(&self.linearization.time));
         for (index, partials) in self.linearization.state.iter().enumerate() {
-            let slope = self.graph.lower(of(partials));
+            let slope = self.lower(of(partials));
             let part = self.graph.mul(slope, self.rate[index]);
             total = self.graph.add(total, part);
         }
         total
-    }
-}
-
-fn mentions_acceleration(expr: &crate::expr::Expr) -> bool {
-    use crate::expr::{Expr, Symbol};
-    match expr {
-        Expr::Number(_) => false,
-        Expr::Symbol(symbol) => matches!(symbol, Symbol::Acceleration(_)),
-        Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
-            parts.iter().any(mentions_acceleration)
-        }
-        Expr::Power(base, exponent) => {
-            mentions_acceleration(base) || mentions_acceleration(exponent)
-        }
     }
 }

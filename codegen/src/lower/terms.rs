@@ -1,13 +1,12 @@
 //! Sums and products in the order that costs least: what depends on parameters
 //! only comes first, so that it is shared and can be computed once; signs become
-//! subtractions and negative powers divisions; sums that have a name are found
-//! again inside larger ones.
+//! subtractions and negative powers divisions.
 
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::graph::Graph;
-use crate::expr::{Expr, Function, Symbol};
+use crate::expr::{Expr, Function};
 use crate::tape::NodeId;
 
 pub(super) fn lower(graph: &mut Graph, expr: &Expr) -> NodeId {
@@ -112,12 +111,10 @@ fn divide(graph: &mut Graph, numerator: NodeId, factors: &[NodeId]) -> NodeId {
     }
 }
 
-/// A sum: named sums found again, parameters first, then what is added, then what
-/// is subtracted.
+/// A sum: parameters first, then what is added, then what is subtracted.
 fn sum(graph: &mut Graph, terms: &[Expr]) -> NodeId {
-    let (found, left) = named_parts(graph, terms);
-    let mut nodes: Vec<(NodeId, bool)> = found;
-    for term in &left {
+    let mut nodes: Vec<(NodeId, bool)> = Vec::new();
+    for term in terms {
         let (positive, negative) = without_sign(term);
         nodes.push((lower(graph, &positive), negative));
     }
@@ -157,51 +154,4 @@ fn without_sign(term: &Expr) -> (Expr, bool) {
         },
         _ => (term.clone(), false),
     }
-}
-
-fn negated(term: &Expr) -> Expr {
-    match without_sign(term) {
-        (positive, true) => positive,
-        (Expr::Number(value), false) => Expr::Number(-value),
-        (Expr::Product(mut factors), false) => {
-            match factors.first_mut() {
-                Some(Expr::Number(value)) => *value = -value.clone(),
-                _ => factors.insert(0, Expr::Number(-BigRational::one())),
-            }
-            Expr::Product(factors)
-        }
-        (term, false) => Expr::Product(vec![Expr::Number(-BigRational::one()), term]),
-    }
-}
-
-/// Registers a named sum, so that larger sums find it.
-pub(super) fn register_sum(graph: &mut Graph, expr: &Expr, node: NodeId) {
-    if let Expr::Sum(terms) = expr
-        && !terms.iter().all(|term| matches!(term, Expr::Symbol(_) | Expr::Number(_)))
-        && !matches!(expr, Expr::Symbol(Symbol::Pi))
-    {
-        graph.sums.push((terms.clone(), node));
-        // Longest first: a part of a part would hide the whole.
-        graph.sums.sort_by_key(|(terms, _)| std::cmp::Reverse(terms.len()));
-    }
-}
-
-/// Named sums within `terms`, each with its sign, and the terms left over.
-fn named_parts(graph: &Graph, terms: &[Expr]) -> (Vec<(NodeId, bool)>, Vec<Expr>) {
-    let mut left = terms.to_vec();
-    let mut found = Vec::new();
-    for (parts, node) in &graph.sums {
-        if parts.len() >= left.len() + 1 {
-            continue;
-        }
-        for negative in [false, true] {
-            let wanted: Vec<Expr> =
-                if negative { parts.iter().map(negated).collect() } else { parts.clone() };
-            if wanted.iter().all(|part| left.contains(part)) {
-                left.retain(|term| !wanted.contains(term));
-                found.push((*node, negative));
-            }
-        }
-    }
-    (found, left)
 }

@@ -359,7 +359,7 @@ pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [state_2, STATES_2, p_2] = *state;
     let inertia = p.STATES * p.time.powi(2);
-    let STATES_2_rate = (p_2 - p.arm_damping * STATES_2
+    let STATES_2_dot = (p_2 - p.arm_damping * STATES_2
         - p.STATES * p.arm_gravity * p.time * state_2.sin()) / inertia;
     let load = R::select_less(
         time,
@@ -367,8 +367,8 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
         R::literal(0.0),
         R::interpolate(&DRIVE_LOAD_TABLE, 0, time),
     );
-    let p_2_rate = (load - p_2) / p.drive_lag;
-    [STATES_2, STATES_2_rate, p_2_rate]
+    let p_2_dot = (load - p_2) / p.drive_lag;
+    [STATES_2, STATES_2_dot, p_2_dot]
 }
 
 /// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
@@ -410,17 +410,17 @@ pub fn rate_jacobian<R: Real>(
 ) -> [R; 5] {
     let [state_2, ..] = *state;
     let inertia = p.STATES * p.time.powi(2);
-    let STATES_2_rate_by_state_2 = -(p.STATES * p.arm_gravity * p.time * state_2.cos()
+    let STATES_2_dot_by_state_2 = -(p.STATES * p.arm_gravity * p.time * state_2.cos()
         / inertia);
-    let STATES_2_rate_by_STATES_2 = -(p.arm_damping / inertia);
-    let STATES_2_rate_by_p_2 = R::literal(1.0) / inertia;
-    let p_2_rate_by_p_2 = -(R::literal(1.0) / p.drive_lag);
+    let STATES_2_dot_by_STATES_2 = -(p.arm_damping / inertia);
+    let STATES_2_dot_by_p_2 = R::literal(1.0) / inertia;
+    let p_2_dot_by_p_2 = -(R::literal(1.0) / p.drive_lag);
     [
         R::literal(1.0),
-        STATES_2_rate_by_state_2,
-        STATES_2_rate_by_STATES_2,
-        STATES_2_rate_by_p_2,
-        p_2_rate_by_p_2,
+        STATES_2_dot_by_state_2,
+        STATES_2_dot_by_STATES_2,
+        STATES_2_dot_by_p_2,
+        p_2_dot_by_p_2,
     ]
 }
 
@@ -434,10 +434,10 @@ pub fn parameter_jacobian<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 2] {
     let [state_2, STATES_2, ..] = *state;
-    let STATES_2_rate_by_arm_gravity = -(state_2.sin() / p.time);
+    let STATES_2_dot_by_arm_gravity = -(state_2.sin() / p.time);
     let inertia = p.STATES * p.time.powi(2);
-    let STATES_2_rate_by_arm_damping = -(STATES_2 / inertia);
-    [STATES_2_rate_by_arm_gravity, STATES_2_rate_by_arm_damping]
+    let STATES_2_dot_by_arm_damping = -(STATES_2 / inertia);
+    [STATES_2_dot_by_arm_gravity, STATES_2_dot_by_arm_damping]
 }
 
 /// Partial derivative of `y'` with respect to time.
@@ -449,13 +449,13 @@ pub fn time_derivative<R: Real>(
     _state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; STATES] {
-    let p_2_rate_by_time = R::select_less(
+    let p_2_dot_by_time = R::select_less(
         time,
         p.start,
         R::literal(0.0),
         R::interpolate(&DRIVE_LOAD_TABLE, 1, time),
     ) / p.drive_lag;
-    [R::literal(0.0), R::literal(0.0), p_2_rate_by_time]
+    [R::literal(0.0), R::literal(0.0), p_2_dot_by_time]
 }
 
 /// Wanted outputs.

@@ -216,7 +216,7 @@ pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [arm_phi, arm_phi_dot, drive_torque] = *state;
     let inertia = p.arm_mass * p.arm_length.powi(2);
-    let arm_phi_dot_rate = (drive_torque - p.arm_damping * arm_phi_dot
+    let arm_phi_dot_dot = (drive_torque - p.arm_damping * arm_phi_dot
         - p.arm_mass * p.arm_gravity * p.arm_length * arm_phi.sin()) / inertia;
     let load = R::select_less(
         time,
@@ -224,8 +224,8 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
         R::literal(0.0),
         R::interpolate(&DRIVE_LOAD_TABLE, 0, time),
     );
-    let drive_torque_rate = (load - drive_torque) / p.drive_lag;
-    [arm_phi_dot, arm_phi_dot_rate, drive_torque_rate]
+    let drive_torque_dot = (load - drive_torque) / p.drive_lag;
+    [arm_phi_dot, arm_phi_dot_dot, drive_torque_dot]
 }
 
 /// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
@@ -267,17 +267,17 @@ pub fn rate_jacobian<R: Real>(
 ) -> [R; 5] {
     let [arm_phi, ..] = *state;
     let inertia = p.arm_mass * p.arm_length.powi(2);
-    let arm_phi_dot_rate_by_arm_phi = -(p.arm_mass * p.arm_gravity * p.arm_length
+    let arm_phi_dot_dot_by_arm_phi = -(p.arm_mass * p.arm_gravity * p.arm_length
         * arm_phi.cos() / inertia);
-    let arm_phi_dot_rate_by_arm_phi_dot = -(p.arm_damping / inertia);
-    let arm_phi_dot_rate_by_drive_torque = R::literal(1.0) / inertia;
-    let drive_torque_rate_by_drive_torque = -(R::literal(1.0) / p.drive_lag);
+    let arm_phi_dot_dot_by_arm_phi_dot = -(p.arm_damping / inertia);
+    let arm_phi_dot_dot_by_drive_torque = R::literal(1.0) / inertia;
+    let drive_torque_dot_by_drive_torque = -(R::literal(1.0) / p.drive_lag);
     [
         R::literal(1.0),
-        arm_phi_dot_rate_by_arm_phi,
-        arm_phi_dot_rate_by_arm_phi_dot,
-        arm_phi_dot_rate_by_drive_torque,
-        drive_torque_rate_by_drive_torque,
+        arm_phi_dot_dot_by_arm_phi,
+        arm_phi_dot_dot_by_arm_phi_dot,
+        arm_phi_dot_dot_by_drive_torque,
+        drive_torque_dot_by_drive_torque,
     ]
 }
 
@@ -291,10 +291,10 @@ pub fn parameter_jacobian<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 2] {
     let [arm_phi, arm_phi_dot, ..] = *state;
-    let arm_phi_dot_rate_by_arm_gravity = -(arm_phi.sin() / p.arm_length);
+    let arm_phi_dot_dot_by_arm_gravity = -(arm_phi.sin() / p.arm_length);
     let inertia = p.arm_mass * p.arm_length.powi(2);
-    let arm_phi_dot_rate_by_arm_damping = -(arm_phi_dot / inertia);
-    [arm_phi_dot_rate_by_arm_gravity, arm_phi_dot_rate_by_arm_damping]
+    let arm_phi_dot_dot_by_arm_damping = -(arm_phi_dot / inertia);
+    [arm_phi_dot_dot_by_arm_gravity, arm_phi_dot_dot_by_arm_damping]
 }
 
 /// Partial derivative of `y'` with respect to time.
@@ -306,13 +306,13 @@ pub fn time_derivative<R: Real>(
     _state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; STATES] {
-    let drive_torque_rate_by_time = R::select_less(
+    let drive_torque_dot_by_time = R::select_less(
         time,
         p.start,
         R::literal(0.0),
         R::interpolate(&DRIVE_LOAD_TABLE, 1, time),
     ) / p.drive_lag;
-    [R::literal(0.0), R::literal(0.0), drive_torque_rate_by_time]
+    [R::literal(0.0), R::literal(0.0), drive_torque_dot_by_time]
 }
 
 /// Wanted outputs.

@@ -68,11 +68,13 @@ pub(super) fn body(
         scope,
         places: plan(tape, result_names.spread),
         names: vec![None; tape.nodes.len()],
+        spare_names: vec![None; tape.nodes.len()],
         namer: scope.namer.clone(),
         temporaries: 0,
         reads: Reads::default(),
     };
-    writer.name_from_spec(&result_names.names)?;
+    writer.name_from_spec()?;
+    writer.name_results(result_names)?;
     let mut statements = Vec::new();
     for index in 0..tape.nodes.len() {
         if writer.places[index] == Place::Statement {
@@ -119,25 +121,39 @@ struct Writer<'a> {
     places: Vec<Place>,
     /// Names of the variables, the spec's and those made so far.
     names: Vec<Option<Ident>>,
+    /// Names for nodes that get no more telling one.
+    spare_names: Vec<Option<String>>,
     namer: Namer,
     temporaries: u32,
     reads: Reads,
 }
 
 impl Writer<'_> {
-    /// Claims the spec's names, then the names of results, before any name of
-    /// our own making can take them.
-    fn name_from_spec(&mut self, result_names: &[String]) -> Result<(), EmitError> {
+    /// Claims the spec's names, before any name of our own making can take them.
+    fn name_from_spec(&mut self) -> Result<(), EmitError> {
         for (index, node) in self.tape.nodes.iter().enumerate() {
             if let (Some(name), Place::Statement) = (&node.name, self.places[index]) {
                 identifier(name)?;
                 self.names[index] = Some(self.namer.claim(name));
             }
         }
-        for (&NodeId(result), name) in self.tape.results.iter().zip(result_names) {
-            let index = result as usize;
-            if self.places[index] == Place::Statement && self.names[index].is_none() {
-                identifier(name)?;
+        Ok(())
+    }
+
+    /// Names results. In an array of them, one that other expressions use as well
+    /// (an inverse inertia) is rather named by what it is.
+    fn name_results(&mut self, results: &ResultNames) -> Result<(), EmitError> {
+        let operands = self.tape.nodes.iter().flat_map(|node| node.op.operands());
+        let operands: BTreeSet<NodeId> = operands.collect();
+        for (result, name) in self.tape.results.iter().zip(&results.names) {
+            let index = result.0 as usize;
+            if self.places[index] != Place::Statement || self.names[index].is_some() {
+                continue;
+            }
+            identifier(name)?;
+            if results.spread && operands.contains(result) {
+                self.spare_names[index].get_or_insert_with(|| name.clone());
+            } else {
                 self.names[index] = Some(self.namer.claim(name));
             }
         }
@@ -150,13 +166,12 @@ impl Writer<'_> {
             return name.clone();
         }
         let telling = self.describe(&self.tape.nodes[index].op);
-        let name = if let Some(wanted) = telling.filter(|name| name.len() <= LONGEST_NAME) {
-            self.namer.claim(&wanted)
-        } else {
-            let wanted = format!("t{}", self.temporaries);
+        let telling = telling.filter(|name| name.len() <= LONGEST_NAME);
+        let wanted = telling.or_else(|| self.spare_names[index].take()).unwrap_or_else(|| {
             self.temporaries += 1;
-            self.namer.claim(&wanted)
-        };
+            format!("t{}", self.temporaries - 1)
+        });
+        let name = self.namer.claim(&wanted);
         self.names[index] = Some(name.clone());
         name
     }

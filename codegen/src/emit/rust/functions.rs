@@ -132,7 +132,7 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
     };
     let fields = |names: [&str; 3]| names.map(|name| format_ident!("{name}")).to_vec();
     let n = scene.program.system.coordinates.len();
-    let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_rate")).collect();
+    let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_dot")).collect();
     match function {
         "initial_state" => Manner {
             of_parameters_only: true,
@@ -181,10 +181,10 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
     }
 }
 
-/// `phi_dot_rate_by_phi` for every nonzero of a Jacobian.
+/// `phi_dot_dot_by_phi` for every nonzero of a Jacobian.
 fn derivatives(pattern: &SparsityPattern, rows: &[String], columns: &[Ident]) -> Vec<String> {
     let names = pattern.entries.iter().map(|&(row, column)| {
-        let row = rows.get(row as usize).map_or("rate", String::as_str);
+        let row = rows.get(row as usize).map_or("dot", String::as_str);
         let column = columns.get(column as usize).map_or("it".to_owned(), ToString::to_string);
         format!("{row}_by_{column}")
     });

@@ -1,0 +1,145 @@
+//! Scenes emitted by a crate's own `build.rs`.
+//!
+//! ```no_run
+//! // build.rs
+//! fn main() -> Result<(), machinist_codegen::BuildError> {
+//!     machinist_codegen::Build::new().scene("specs/drive.toml").compile()
+//! }
+//! ```
+//!
+//! and in the crate, which depends on `machinist-scenes`:
+//!
+//! ```text
+//! mod drive {
+//!     machinist_scenes::include_scene!("drive");
+//! }
+//! ```
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use crate::diagnostic::Diagnostics;
+use crate::emit::rust::emit;
+use crate::emit::{EmitError, EmitOptions};
+use crate::pipeline;
+use crate::program::Program;
+use crate::write::{WriteError, write_within};
+
+/// Emits scenes to `OUT_DIR`, one file a scene, for a build script.
+#[derive(Debug, Clone, Default)]
+#[must_use = "nothing is emitted until `compile`"]
+pub struct Build {
+    scenes: Vec<PathBuf>,
+    out_dir: Option<PathBuf>,
+}
+
+impl Build {
+    /// A build of no scenes yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds the spec of a scene; its path is relative to the crate.
+    pub fn scene(mut self, path: impl Into<PathBuf>) -> Self {
+        self.scenes.push(path.into());
+        self
+    }
+
+    /// Adds the specs of several scenes.
+    pub fn scenes<P: Into<PathBuf>>(mut self, paths: impl IntoIterator<Item = P>) -> Self {
+        self.scenes.extend(paths.into_iter().map(Into::into));
+        self
+    }
+
+    /// Writes to this folder instead of `OUT_DIR`.
+    pub fn out_dir(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.out_dir = Some(folder.into());
+        self
+    }
+
+    /// Emits `<scene>.rs` for every scene, named as its spec names it, and tells
+    /// Cargo every file that was read. Files that would not change are not
+    /// touched.
+    ///
+    /// # Errors
+    /// [`BuildError`]: a mistake in a spec, two scenes of one name, or a file
+    /// that cannot be written. Nothing is written then, but for the last.
+    pub fn compile(&self) -> Result<(), BuildError> {
+        let folder = self.folder()?;
+        let texts = self.texts()?;
+        for (name, text) in &texts {
+            write_within(&folder, &format!("{name}.rs"), text)?;
+        }
+        Ok(())
+    }
+
+    fn folder(&self) -> Result<PathBuf, BuildError> {
+        let folder = self.out_dir.clone().or_else(|| std::env::var_os("OUT_DIR").map(Into::into));
+        folder.ok_or(BuildError::NoFolder)
+    }
+
+    /// The text of every scene by its name.
+    fn texts(&self) -> Result<BTreeMap<String, String>, BuildError> {
+        let options = EmitOptions::for_build_script();
+        let mut texts = BTreeMap::new();
+        for scene in &self.scenes {
+            let program = generate(scene)?;
+            let name = program.system.name.clone();
+            let text = emit(&program, &options)
+                .map_err(|source| BuildError::Emit { scene: name.clone(), source })?;
+            if texts.insert(name.clone(), text).is_some() {
+                return Err(BuildError::NamedTwice { scene: name });
+            }
+        }
+        Ok(texts)
+    }
+}
+
+/// A scene to its program, with word to Cargo of the files that took part. A
+/// scene that fails needs the spec itself only: Cargo runs a build script that
+/// has failed again in any case.
+fn generate(scene: &Path) -> Result<Program, BuildError> {
+    println!("cargo:rerun-if-changed={}", scene.display());
+    let program = pipeline::generate(scene)?;
+    // Units that come with Machinist have no path; they change with the crate.
+    for file in program.system.files.iter().filter(|file| !file.path.as_os_str().is_empty()) {
+        println!("cargo:rerun-if-changed={}", file.path.display());
+    }
+    Ok(program)
+}
+
+/// Why scenes could not be emitted by a build script. Its `Debug` form is the
+/// report for people, because that is what Cargo shows when `main` returns it.
+#[derive(thiserror::Error)]
+pub enum BuildError {
+    /// A spec is wrong.
+    #[error("{}", .0.render())]
+    Spec(#[from] Diagnostics),
+    /// Two specs give their scene the same name.
+    #[error("two scenes are named `{scene}`; they would overwrite each other")]
+    NamedTwice {
+        /// The name.
+        scene: String,
+    },
+    /// A scene cannot be emitted.
+    #[error("scene `{scene}`: {source}")]
+    Emit {
+        /// The scene.
+        scene: String,
+        /// What is wrong with it.
+        source: EmitError,
+    },
+    /// A file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// There is no folder to write to.
+    #[error("OUT_DIR is not set: call this from a build script, or name a folder with `out_dir`")]
+    NoFolder,
+}
+
+impl fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self}")
+    }
+}

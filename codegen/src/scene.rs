@@ -1,0 +1,49 @@
+//! Units joined into one system, checked.
+//!
+//! Excluded: text (it has been read by [`crate::spec`]) and calculus (it comes
+//! after, in the derivation). What leaves this room has no names to look up, no
+//! joints and no dimensions any more.
+
+mod assemble;
+mod evaluate;
+mod functions;
+mod joints;
+mod layout;
+mod lookup;
+mod names;
+mod resolve;
+mod spline;
+mod typed;
+
+use crate::diagnostic::{Diagnostic, Diagnostics, Mistake};
+use crate::expr::ParameterId;
+use crate::spec::SceneSpec;
+use crate::stack;
+use crate::system::LagrangianSystem;
+
+/// Checks a scene and joins its units: instances get their parameters and inputs,
+/// joined coordinates become one, energies are summed, forces act by virtual work.
+///
+/// # Errors
+/// Every mistake of the spec that its text alone does not show, each at the term
+/// or name that is wrong; see "What is checked" of the spec language.
+pub fn compose(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
+    stack::with_room(|| join(spec)).map_err(|_| Diagnostic::no_thread())?
+}
+
+fn join(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
+    let mut mistakes = Vec::new();
+    let mut layout = layout::Layout::new(spec, &mut mistakes);
+    let values = assemble::parameter_values(spec, &layout, &mut mistakes);
+    stop_at(spec, &mistakes)?;
+    let parameter = |id: ParameterId| values[id.0 as usize];
+    joints::identify(spec, &mut layout, &parameter, &mut mistakes);
+    stop_at(spec, &mistakes)?;
+    let system = assemble::assemble(spec, &layout, &values, &mut mistakes);
+    stop_at(spec, &mistakes)?;
+    Ok(system)
+}
+
+fn stop_at(spec: &SceneSpec, mistakes: &[Mistake]) -> Result<(), Diagnostics> {
+    if mistakes.is_empty() { Ok(()) } else { Err(spec.sources.diagnostics(mistakes)) }
+}

@@ -1,0 +1,391 @@
+//! The system of a scene whose coordinates are known.
+
+mod initial;
+mod outputs;
+
+use crate::diagnostic::{Mistake, Span};
+use crate::dimension::Dimension;
+use crate::expr::{CoordinateId, Expr, Symbol};
+use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
+use crate::scene::names::{Flat, name};
+use crate::scene::resolve::{Resolved, Resolver, Wanted};
+use crate::scene::typed::{integer, product, sum};
+use crate::spec::expression::Ast;
+use crate::spec::{Declared, InstanceSpec, SceneSpec, UnitSpec, did_you_mean, quoted};
+use crate::system::{
+    Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Name, Parameter, Quantity,
+    RunDefaults,
+};
+
+/// Values of all parameters, those of the scene first; instances may have others
+/// than their units.
+pub fn parameter_values(
+    spec: &SceneSpec,
+    layout: &Layout,
+    mistakes: &mut Vec<Mistake>,
+) -> Vec<f64> {
+    let mut values: Vec<f64> = spec.parameters.iter().map(|parameter| parameter.value).collect();
+    for instance in &spec.instances {
+        let unit = &spec.units[instance.unit];
+        let first = values.len();
+        values.extend(unit.parameters.iter().map(|parameter| parameter.value));
+        for (name, value) in &instance.parameters {
+            if let Some(Local::Parameter(index)) = layout.units[instance.unit].get(&name.value) {
+                values[first + index] = *value;
+                continue;
+            }
+            let (unit_name, wanted) = (quoted(&unit.name), quoted(&name.value));
+            let message = format!("unit {unit_name} has no parameter {wanted}");
+            let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
+            let help = did_you_mean(&name.value, known);
+            mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+        }
+    }
+    values
+}
+
+/// The system; it means nothing if mistakes were found.
+pub fn assemble(
+    spec: &SceneSpec,
+    layout: &Layout,
+    values: &[f64],
+    mistakes: &mut Vec<Mistake>,
+) -> LagrangianSystem {
+    let mut assembler =
+        Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), mistakes };
+    assembler.inputs();
+    let energies = assembler.energies();
+    let [kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
+        energies;
+    let generalized_force = assembler.forces();
+    let initial = assembler.initial();
+    let coordinates = assembler.coordinates(&initial);
+    let first_order = assembler.first_order(&initial);
+    let parameters = assembler.parameters();
+    let helpers = assembler.helpers();
+    let outputs = assembler.outputs();
+    assembler.inertia(&kinetic);
+    assembler.clashes();
+    let (tables, discontinuities) = (assembler.resolver.tables, assembler.resolver.discontinuities);
+    let run = &spec.run;
+    LagrangianSystem {
+        name: spec.name.value.clone(),
+        title: spec.title.clone(),
+        doc: or_of_units(&spec.doc, spec, |unit| &unit.doc),
+        source: or_of_units(&spec.source, spec, |unit| &unit.source),
+        coordinates,
+        first_order,
+        parameters,
+        kinetic,
+        potential,
+        dissipation,
+        generalized_force,
+        stored_energy,
+        supplied_power,
+        dissipated_power,
+        helpers,
+        outputs,
+        tables,
+        discontinuities,
+        run: RunDefaults {
+            from: run.from,
+            until: run.until,
+            points: run.points,
+            rtol: run.rtol,
+            method: run.method.clone(),
+        },
+        files: spec.sources.files(),
+    }
+}
+
+/// The scene's own text, or those of its units, one a line.
+fn or_of_units(own: &str, spec: &SceneSpec, of: fn(&UnitSpec) -> &String) -> String {
+    if !own.trim().is_empty() {
+        return own.trim().to_owned();
+    }
+    let lines = spec.units.iter().filter_map(|unit| {
+        let text = of(unit).split_whitespace().collect::<Vec<_>>().join(" ");
+        let title = if unit.title.is_empty() { &unit.name } else { &unit.title };
+        (!text.is_empty()).then(|| format!("{title}: {text}"))
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+struct Assembler<'a> {
+    spec: &'a SceneSpec,
+    layout: &'a Layout,
+    values: &'a [f64],
+    resolver: Resolver<'a>,
+    mistakes: &'a mut Vec<Mistake>,
+}
+
+impl<'a> Assembler<'a> {
+    fn instances(&self) -> impl Iterator<Item = (usize, &'a InstanceSpec, &'a UnitSpec)> + use<'a> {
+        let spec = self.spec;
+        let instances = spec.instances.iter().enumerate();
+        instances.map(|(index, instance)| (index, instance, &spec.units[instance.unit]))
+    }
+
+    /// The expression, or 0 after noting what is wrong with it.
+    fn note(&mut self, resolved: Resolved) -> Expr {
+        match resolved {
+            Ok(typed) => typed.expr,
+            Err(mistake) => {
+                self.mistakes.push(*mistake);
+                integer(0)
+            }
+        }
+    }
+
+    /// Every input is bound by an expression of its unit, and nothing else is bound.
+    fn inputs(&mut self) {
+        for (index, instance, unit) in self.instances() {
+            for input in &unit.inputs {
+                let scope = Scope::Instance(index);
+                let resolved = self.resolver.value(&input.name.value, input.name.span, scope);
+                self.note(resolved);
+            }
+            for (name, _) in &instance.inputs {
+                if !unit.inputs.iter().any(|input| input.name.value == name.value) {
+                    let message =
+                        format!("unit {} has no input {}", quoted(&unit.name), quoted(&name.value));
+                    let known = unit.inputs.iter().map(|input| input.name.value.as_str());
+                    let help = did_you_mean(&name.value, known);
+                    self.mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
+                }
+            }
+        }
+    }
+
+    /// T, V, D, stored energy, supplied and dissipated power: sums over instances.
+    fn energies(&mut self) -> [Expr; 6] {
+        let energy = |what: &str| Wanted { energy: true, ..Wanted::new(Dimension::ENERGY, what) };
+        let power = |what: &str| Wanted::new(Dimension::POWER, what);
+        let place = crate::scene::typed::Uses::PLACE;
+        let wanted = [
+            energy("the kinetic energy"),
+            energy("the potential energy").of(place),
+            power("the dissipation"),
+            energy("the stored energy"),
+            power("the supplied power"),
+            power("the dissipated power"),
+        ];
+        let mut terms: [Vec<Expr>; 6] = Default::default();
+        for (index, _, unit) in self.instances() {
+            let (energy, power) = (&unit.energy, &unit.power);
+            let texts: [&Option<Ast>; 6] = [
+                &energy.kinetic,
+                &energy.potential,
+                &energy.dissipation,
+                &energy.stored,
+                &power.supplied,
+                &power.dissipated,
+            ];
+            for ((text, wanted), terms) in texts.into_iter().zip(&wanted).zip(&mut terms) {
+                if let Some(ast) = text {
+                    let resolved = self.resolver.expect(ast, Scope::Instance(index), wanted);
+                    terms.push(self.note(resolved));
+                }
+            }
+        }
+        terms.map(sum)
+    }
+
+    /// Q of each coordinate of the scene: a force on a coordinate that follows
+    /// another by a factor acts on that one times the factor (virtual work).
+    fn forces(&mut self) -> Vec<GeneralizedForce> {
+        let count = self.layout.representatives.len();
+        let mut forces: Vec<[Vec<Expr>; 2]> = vec![Default::default(); count];
+        for (index, _, unit) in self.instances() {
+            for force in &unit.forces {
+                let names = &self.layout.units[self.spec.instances[index].unit];
+                let Some(Local::Coordinate(place)) = names.get(&force.coordinate.value) else {
+                    self.mistakes.push(unknown_coordinate(&force.coordinate, unit));
+                    continue;
+                };
+                let slot = self.layout.slot(index, place);
+                let (id, q) = self.force(&force.expression, Scope::Instance(index), slot);
+                if force.conversion {
+                    forces[id.0 as usize][1].push(q.clone());
+                }
+                forces[id.0 as usize][0].push(q);
+            }
+        }
+        for force in &self.spec.forces {
+            match find_port(self.spec, self.layout, &force.port) {
+                Ok((_, slot)) => {
+                    let (id, q) = self.force(&force.expression, Scope::Scene, slot);
+                    forces[id.0 as usize][0].push(q);
+                }
+                Err(mistake) => self.mistakes.push(*mistake),
+            }
+        }
+        let forces = forces.into_iter().map(|force| force.map(sum));
+        forces.map(|[total, conversion]| GeneralizedForce { total, conversion }).collect()
+    }
+
+    fn force(&mut self, ast: &Ast, scope: Scope, slot: usize) -> (CoordinateId, Expr) {
+        let coordinate = coordinate_spec(self.spec, self.layout, slot);
+        let dimension = Dimension::ENERGY.over(coordinate.unit.unit.dimension);
+        let what = format!("the force on {}", quoted(&coordinate.name.value));
+        let wanted = Wanted::new(dimension.unwrap_or(Dimension::ENERGY), what);
+        let resolved = self.resolver.expect(ast, scope, &wanted);
+        let q = self.note(resolved);
+        let link = &self.layout.links[slot];
+        (link.id, product(vec![Layout::factor(link), q]))
+    }
+
+    fn coordinates(&mut self, initial: &initial::Initial) -> Vec<Coordinate> {
+        let layout = self.layout;
+        let coordinates = layout.representatives.iter().zip(&initial.coordinates);
+        let coordinates = coordinates.enumerate().map(|(id, (slot, initial))| {
+            let spec = coordinate_spec(self.spec, layout, *slot);
+            let instance = &self.spec.instances[layout.coordinate(*slot).0].name.value;
+            let position = quantity(Some(instance), &spec.name.value, &spec.unit.text, &spec.doc);
+            let doc =
+                if spec.doc.is_empty() { String::new() } else { format!("rate of {}", spec.doc) };
+            let unit = per_second(&spec.unit);
+            let velocity = quantity(Some(instance), &spec.velocity.value, &unit, &doc);
+            let followers = layout
+                .links
+                .iter()
+                .enumerate()
+                .filter(|(other, link)| link.id.0 as usize == id && other != slot);
+            let identified = followers.map(|(other, link)| {
+                let spec = &coordinate_spec(self.spec, layout, other).name.value;
+                let instance = &self.spec.instances[layout.coordinate(other).0].name.value;
+                (format!("{instance}.{spec}"), Layout::factor(link))
+            });
+            let identified = identified.collect();
+            Coordinate {
+                position,
+                velocity,
+                identified,
+                initial: initial.clone(),
+                scale: spec.scale,
+            }
+        });
+        coordinates.collect()
+    }
+
+    fn first_order(&mut self, initial: &initial::Initial) -> Vec<FirstOrderState> {
+        let mut states = Vec::new();
+        for (index, instance, unit) in self.instances() {
+            for state in &unit.states {
+                let what = format!("the rate of {}", quoted(&state.name.value));
+                let rate = state.unit.unit.per_second(1).unwrap_or_default().dimension;
+                let wanted = Wanted::new(rate, what);
+                let resolved = self.resolver.expect(&state.rate, Scope::Instance(index), &wanted);
+                let rate = self.note(resolved);
+                let instance = Some(instance.name.value.as_str());
+                let quantity = quantity(instance, &state.name.value, &state.unit.text, &state.doc);
+                let initial = initial.states[states.len()].clone();
+                states.push(FirstOrderState { quantity, rate, initial, scale: state.scale });
+            }
+        }
+        states
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let own = self.spec.parameters.iter().map(|parameter| (None, parameter));
+        let of_units = self.instances().flat_map(|(_, instance, unit)| {
+            let name = Some(instance.name.value.as_str());
+            unit.parameters.iter().map(move |parameter| (name, parameter))
+        });
+        let all = own.chain(of_units).zip(self.values);
+        let parameters = all.map(|((instance, parameter), value)| Parameter {
+            quantity: quantity(
+                instance,
+                &parameter.name.value,
+                &parameter.unit.text,
+                &parameter.doc,
+            ),
+            value: *value,
+        });
+        parameters.collect()
+    }
+
+    /// Every coordinate's velocity is somewhere in T.
+    fn inertia(&mut self, kinetic: &Expr) {
+        if !self.mistakes.is_empty() {
+            return;
+        }
+        let mut moving = vec![false; self.layout.representatives.len()];
+        mark_velocities(kinetic, &mut moving);
+        for (id, slot) in self.layout.representatives.iter().enumerate() {
+            if moving[id] {
+                continue;
+            }
+            let spec = coordinate_spec(self.spec, self.layout, *slot);
+            let instance = &self.spec.instances[self.layout.coordinate(*slot).0].name;
+            let message = format!(
+                "coordinate {} has no inertia: its velocity is in no kinetic energy",
+                quoted(&format!("{}.{}", instance.value, spec.name.value))
+            );
+            let help = "join it to a unit with inertia, or give it a kinetic energy";
+            let mistake = Mistake::new(spec.name.span, message, "without inertia");
+            self.mistakes.push(mistake.help(help));
+        }
+    }
+
+    /// Names of one kind stay apart once flattened.
+    fn clashes(&mut self) {
+        let [mut states, mut parameters, mut helpers] =
+            [Flat::default(), Flat::default(), Flat::default()];
+        let mut clashes = Vec::new();
+        let mut take = |flat: &mut Flat, name: &Name, span: Span| {
+            clashes.extend(flat.take(name, span).err().map(|mistake| *mistake));
+        };
+        for parameter in &self.spec.parameters {
+            take(&mut parameters, &name(None, &parameter.name.value), parameter.name.span);
+        }
+        for (_, instance, unit) in self.instances() {
+            let whose = Some(instance.name.value.as_str());
+            // The instance is what the scene's author can rename.
+            let span = instance.name.span;
+            for coordinate in &unit.coordinates {
+                take(&mut states, &name(whose, &coordinate.name.value), span);
+                take(&mut states, &name(whose, &coordinate.velocity.value), span);
+            }
+            for state in &unit.states {
+                take(&mut states, &name(whose, &state.name.value), span);
+            }
+            for parameter in &unit.parameters {
+                take(&mut parameters, &name(whose, &parameter.name.value), span);
+            }
+            for helper in &unit.helpers {
+                take(&mut helpers, &name(whose, &helper.name.value), span);
+            }
+        }
+        for helper in &self.spec.helpers {
+            take(&mut helpers, &name(None, &helper.name.value), helper.name.span);
+        }
+        self.mistakes.extend(clashes);
+    }
+}
+
+fn quantity(instance: Option<&str>, own: &str, unit: &str, doc: &str) -> Quantity {
+    let doc = doc.split_whitespace().collect::<Vec<_>>().join(" ");
+    Quantity { name: name(instance, own), unit: unit.trim().to_owned(), doc }
+}
+
+/// `rad` as `rad/s`.
+fn per_second(unit: &Declared) -> String {
+    format!("{}/s", unit.text.trim())
+}
+
+fn mark_velocities(expr: &Expr, moving: &mut [bool]) {
+    match expr {
+        Expr::Symbol(Symbol::Velocity(id)) => moving[id.0 as usize] = true,
+        Expr::Symbol(_) | Expr::Number(_) => {}
+        Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
+            for part in parts {
+                mark_velocities(part, moving);
+            }
+        }
+        Expr::Power(base, exponent) => {
+            mark_velocities(base, moving);
+            mark_velocities(exponent, moving);
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Initial values.
+
+use crate::diagnostic::{Mistake, Span, Spanned};
+use crate::dimension::Dimension;
+use crate::expr::{Expr, ParameterId};
+use crate::scene::assemble::Assembler;
+use crate::scene::evaluate::evaluate;
+use crate::scene::layout::{Local, Scope, find_instance};
+use crate::scene::resolve::Wanted;
+use crate::scene::typed::{Uses, integer, product, reciprocal};
+use crate::spec::{Formula, did_you_mean, quoted};
+
+/// Initial values of everything, of parameters only.
+pub struct Initial {
+    /// Position and velocity of each coordinate of the scene.
+    pub coordinates: Vec<[Expr; 2]>,
+    /// Of each first-order state.
+    pub states: Vec<Expr>,
+}
+
+/// What an entry of `[initial]` sets.
+enum Target {
+    /// Coordinate of the scene, 0 or 1 for its velocity, and the factor by which
+    /// the named one follows it.
+    Coordinate(usize, usize, Option<Expr>),
+    State(usize),
+}
+
+impl Assembler<'_> {
+    pub(super) fn initial(&mut self) -> Initial {
+        let coordinates = self.layout.representatives.iter().map(|_| [integer(0), integer(0)]);
+        let mut initial = Initial { coordinates: coordinates.collect(), states: self.of_units() };
+        let mut set: Vec<(usize, usize)> = Vec::new();
+        for (name, formula) in &self.spec.initial {
+            let (target, dimension) = match self.target(name) {
+                Ok(found) => found,
+                Err(mistake) => {
+                    self.mistakes.push(*mistake);
+                    continue;
+                }
+            };
+            let what = format!("the initial {}", quoted(&name.value));
+            let value = self.initial_value(formula, Scope::Scene, dimension, what);
+            let (place, value, key) = match target {
+                Target::State(index) => (&mut initial.states[index], value, (index, 2)),
+                Target::Coordinate(index, order, factor) => {
+                    let value = match factor {
+                        Some(factor) => product(vec![value, reciprocal(factor)]),
+                        None => value,
+                    };
+                    (&mut initial.coordinates[index][order], value, (index, order))
+                }
+            };
+            *place = value;
+            if set.contains(&key) {
+                let message = format!("the initial {} is given twice", quoted(&name.value));
+                let mistake = Mistake::new(name.span, message, "given again");
+                self.mistakes.push(mistake.help("joined coordinates start together"));
+            }
+            set.push(key);
+        }
+        initial
+    }
+
+    /// Initial values of states as their units say.
+    fn of_units(&mut self) -> Vec<Expr> {
+        let mut values = Vec::new();
+        for (index, _, unit) in self.instances() {
+            for state in &unit.states {
+                let what = format!("the initial {}", quoted(&state.name.value));
+                let dimension = state.unit.unit.dimension;
+                values.push(state.initial.as_ref().map_or_else(
+                    || integer(0),
+                    |formula| self.initial_value(formula, Scope::Instance(index), dimension, what),
+                ));
+            }
+        }
+        values
+    }
+
+    fn initial_value(
+        &mut self,
+        formula: &Formula,
+        scope: Scope,
+        dimension: Dimension,
+        what: String,
+    ) -> Expr {
+        let wanted = Wanted::new(dimension, what).of(Uses::PARAMETERS);
+        let resolved = self.resolver.formula(formula, scope, &wanted);
+        let good = resolved.is_ok();
+        let expr = self.note(resolved);
+        if good {
+            self.finite(&expr, formula.span(), "an initial value");
+        }
+        expr
+    }
+
+    /// An expression of parameters is finite at their values in the spec.
+    pub(super) fn finite(&mut self, expr: &Expr, span: Span, what: &str) {
+        let value = evaluate(expr, &|id: ParameterId| self.values[id.0 as usize]);
+        if !value.is_finite() {
+            let message = format!("{what} is a finite number, but this is {value}");
+            self.mistakes.push(Mistake::new(span, message, "not finite"));
+        }
+    }
+
+    fn target(&self, path: &Spanned<String>) -> Result<(Target, Dimension), Box<Mistake>> {
+        let Some((instance, name)) = path.value.split_once('.') else {
+            let message = format!("{} is nothing that has an initial value", quoted(&path.value));
+            let mistake = Mistake::new(path.span, message, "not instance.name");
+            return Err(Box::new(mistake.help("write \"instance.name\" = value")));
+        };
+        let instance = find_instance(self.spec, instance, path.span)?;
+        let unit_index = self.spec.instances[instance].unit;
+        let (unit, names) = (&self.spec.units[unit_index], &self.layout.units[unit_index]);
+        let (index, order) = match names.get(name) {
+            Some(Local::Coordinate(index)) => (index, 0),
+            Some(Local::Velocity(index)) => (index, 1),
+            Some(Local::State(index)) => {
+                let id = self.layout.state(instance, index).0 as usize;
+                return Ok((Target::State(id), unit.states[index].unit.unit.dimension));
+            }
+            _ => {
+                let message = format!("{} has no initial value", quoted(&path.value));
+                let coordinates = unit.coordinates.iter();
+                let coordinates = coordinates.flat_map(|c| [&c.name.value, &c.velocity.value]);
+                let known = coordinates.chain(unit.states.iter().map(|state| &state.name.value));
+                let help = did_you_mean(name, known.map(String::as_str));
+                let label = "no coordinate, velocity or state";
+                return Err(Box::new(Mistake::new(path.span, message, label).help(help)));
+            }
+        };
+        let link = self.layout.link(instance, index);
+        let target = Target::Coordinate(link.id.0 as usize, order, link.factor.clone());
+        let declared = unit.coordinates[index].unit.unit;
+        let dimension = declared.per_second(order as i32).unwrap_or(declared).dimension;
+        Ok((target, dimension))
+    }
+}

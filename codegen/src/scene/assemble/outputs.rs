@@ -1,0 +1,143 @@
+//! Helpers and wanted outputs.
+
+use crate::diagnostic::{Mistake, Span};
+use crate::scene::assemble::{Assembler, per_second, quantity};
+use crate::scene::layout::{Local, Scope, find_instance};
+use crate::scene::resolve::Wanted;
+use crate::scene::typed::Uses;
+use crate::spec::expression::{Ast, Node};
+use crate::spec::{Declared, DefinitionSpec, OutputSpec, quoted};
+use crate::system::{Definition, Quantity};
+
+impl Assembler<'_> {
+    /// Every helper, those of instances first. Outputs of units are checked on the
+    /// way, wanted or not.
+    pub(super) fn helpers(&mut self) -> Vec<Definition> {
+        let mut helpers = Vec::new();
+        for (index, instance, unit) in self.instances() {
+            let scope = Scope::Instance(index);
+            for helper in &unit.helpers {
+                helpers.push(self.helper(helper, scope, Some(&instance.name.value)));
+            }
+            for output in &unit.outputs {
+                let resolved = self.resolver.value(&output.name.value, output.name.span, scope);
+                self.note(resolved);
+            }
+        }
+        for helper in &self.spec.helpers {
+            helpers.push(self.helper(helper, Scope::Scene, None));
+        }
+        helpers
+    }
+
+    fn helper(
+        &mut self,
+        spec: &DefinitionSpec,
+        scope: Scope,
+        instance: Option<&str>,
+    ) -> Definition {
+        let resolved = self.resolver.value(&spec.name.value, spec.name.span, scope);
+        let quantity = quantity(instance, &spec.name.value, &spec.unit.text, &spec.doc);
+        Definition { quantity, expr: self.note(resolved) }
+    }
+
+    pub(super) fn outputs(&mut self) -> Vec<Definition> {
+        let outputs = self.spec.outputs.iter();
+        outputs
+            .map(|output| match output {
+                OutputSpec::Definition(definition) => self.output(definition),
+                OutputSpec::Alias { of, .. } => {
+                    let wanted = self.alias(of).and_then(|(unit, doc)| {
+                        let typed = self.resolver.expect_any(of, Scope::Scene)?;
+                        Ok((unit, doc, typed))
+                    });
+                    let name = &output.name().value;
+                    match wanted {
+                        Ok((unit, doc, typed)) => Definition {
+                            quantity: quantity(None, name, &unit, &doc),
+                            expr: typed.expr,
+                        },
+                        Err(mistake) => {
+                            let expr = self.note(Err(mistake));
+                            Definition { quantity: quantity(None, name, "1", ""), expr }
+                        }
+                    }
+                }
+            })
+            .collect()
+    }
+
+    fn output(&mut self, definition: &DefinitionSpec) -> Definition {
+        let name = &definition.name.value;
+        let what = format!("output {}", quoted(name));
+        let wanted = Wanted::new(definition.unit.unit.dimension, what).of(Uses::ANYTHING);
+        let resolved = self.resolver.expect(&definition.expression, Scope::Scene, &wanted);
+        let quantity: Quantity = quantity(None, name, &definition.unit.text, &definition.doc);
+        Definition { quantity, expr: self.note(resolved) }
+    }
+
+    /// Unit and meaning of what an output is another name for.
+    fn alias(&self, of: &Ast) -> Result<(String, String), Box<Mistake>> {
+        let plain = |unit: &Declared, doc: &str| Ok((unit.text.clone(), doc.to_owned()));
+        match &of.node {
+            Node::Name(None, name) => match self.layout.scene.get(name) {
+                Some(Local::Helper(index)) => {
+                    let helper = &self.spec.helpers[index];
+                    plain(&helper.unit, &helper.doc)
+                }
+                Some(Local::Parameter(index)) => {
+                    let parameter = &self.spec.parameters[index];
+                    plain(&parameter.unit, &parameter.doc)
+                }
+                _ => self.unknown_alias(name, of.span),
+            },
+            Node::Name(Some(instance), name) => {
+                let instance = find_instance(self.spec, instance, of.span)?;
+                let unit_index = self.spec.instances[instance].unit;
+                let unit = &self.spec.units[unit_index];
+                let rate = |index: usize, rates: usize| {
+                    let coordinate = &unit.coordinates[index];
+                    let doc = &coordinate.doc;
+                    let doc = if doc.is_empty() {
+                        String::new()
+                    } else {
+                        format!("{}{doc}", "rate of ".repeat(rates))
+                    };
+                    let per = per_second(&coordinate.unit);
+                    Ok((if rates == 1 { per } else { format!("{per}^2") }, doc))
+                };
+                match self.layout.units[unit_index].get(name) {
+                    Some(Local::Coordinate(i)) => {
+                        plain(&unit.coordinates[i].unit, &unit.coordinates[i].doc)
+                    }
+                    Some(Local::Velocity(i)) => rate(i, 1),
+                    Some(Local::Acceleration(i)) => rate(i, 2),
+                    Some(Local::Parameter(i)) => {
+                        plain(&unit.parameters[i].unit, &unit.parameters[i].doc)
+                    }
+                    Some(Local::Input(i)) => plain(&unit.inputs[i].unit, &unit.inputs[i].doc),
+                    Some(Local::State(i)) => plain(&unit.states[i].unit, &unit.states[i].doc),
+                    Some(Local::Helper(i)) => plain(&unit.helpers[i].unit, &unit.helpers[i].doc),
+                    Some(Local::Output(i)) => plain(&unit.outputs[i].unit, &unit.outputs[i].doc),
+                    None => Ok((String::new(), String::new())),
+                }
+            }
+            _ => {
+                let message = "an output in quotes is the name of something, not an expression";
+                let help = "write { expression = \"...\", unit = \"...\" }";
+                Err(Box::new(Mistake::new(of.span, message, "not a name").help(help)))
+            }
+        }
+    }
+
+    fn unknown_alias<T>(&self, name: &str, span: Span) -> Result<T, Box<Mistake>> {
+        let known = self
+            .layout
+            .scene
+            .iter()
+            .chain(self.spec.instances.iter().map(|instance| instance.name.value.as_str()));
+        let message = format!("unknown name {}", quoted(name));
+        let help = crate::spec::did_you_mean(name, known);
+        Err(Box::new(Mistake::new(span, message, "unknown").help(help)))
+    }
+}

@@ -1,0 +1,47 @@
+//! Value of an expression of parameters at their values in the spec.
+
+use num_traits::ToPrimitive as _;
+
+use crate::expr::{Expr, Function, ParameterId, Symbol};
+
+/// The value; NaN if the expression depends on anything but parameters.
+pub fn evaluate(expr: &Expr, parameter: &impl Fn(ParameterId) -> f64) -> f64 {
+    let value = |expr: &Expr| evaluate(expr, parameter);
+    match expr {
+        Expr::Number(number) => number.to_f64().unwrap_or(f64::NAN),
+        Expr::Symbol(Symbol::Parameter(id)) => parameter(*id),
+        Expr::Symbol(Symbol::Pi) => std::f64::consts::PI,
+        Expr::Symbol(_) => f64::NAN,
+        Expr::Sum(terms) => terms.iter().map(value).sum(),
+        Expr::Product(factors) => factors.iter().map(value).product(),
+        Expr::Power(base, exponent) => value(base).powf(value(exponent)),
+        Expr::Call(Function::SelectLess, arguments) => match arguments.as_slice() {
+            [a, b, then, otherwise] => value(if value(a) < value(b) { then } else { otherwise }),
+            _ => f64::NAN,
+        },
+        Expr::Call(function, arguments) => match arguments.as_slice() {
+            [argument] => unary(*function, value(argument)),
+            _ => f64::NAN,
+        },
+    }
+}
+
+/// Value of a function of one argument; NaN for a table.
+pub fn unary(function: Function, x: f64) -> f64 {
+    match function {
+        Function::Sqrt => x.sqrt(),
+        Function::Abs => x.abs(),
+        Function::Exp => x.exp(),
+        Function::Ln => x.ln(),
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.tan(),
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+        Function::SelectLess | Function::Table { .. } => f64::NAN,
+    }
+}

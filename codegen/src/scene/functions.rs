@@ -1,0 +1,369 @@
+//! Calls: arguments checked, switches written with `select_less`, tables looked up.
+
+use crate::diagnostic::{Mistake, Span};
+use crate::dimension::{Angular, Dimension};
+use crate::expr::{Expr, Function, Symbol, TableId};
+use crate::scene::evaluate::unary;
+use crate::scene::layout::Scope;
+use crate::scene::resolve::{Resolved, Resolver};
+use crate::scene::spline;
+use crate::scene::typed::{Typed, Uses, integer, power, product, select_less, sum};
+use crate::spec::expression::{Ast, Node};
+use crate::spec::{did_you_mean, quoted};
+use crate::system::{Name, Table};
+
+/// Functions of one pure number.
+const PURE: &[(&str, Function)] = &[
+    ("sin", Function::Sin),
+    ("cos", Function::Cos),
+    ("tan", Function::Tan),
+    ("asin", Function::Asin),
+    ("acos", Function::Acos),
+    ("atan", Function::Atan),
+    ("sinh", Function::Sinh),
+    ("cosh", Function::Cosh),
+    ("tanh", Function::Tanh),
+    ("exp", Function::Exp),
+    ("ln", Function::Ln),
+];
+/// The rest, with what they take.
+const OTHERS: &[(&str, &str)] = &[
+    ("sqrt", "sqrt(x)"),
+    ("abs", "abs(x)"),
+    ("min", "min(a, b)"),
+    ("max", "max(a, b)"),
+    ("sign", "sign(x)"),
+    ("smooth_step", "smooth_step(x)"),
+    ("step", "step(t, t0)"),
+    ("piecewise", "piecewise(t < t1, a, t < t2, b, c)"),
+    ("table", "table(\"file.csv\", \"column\", x)"),
+];
+
+impl Resolver<'_> {
+    /// Resolves a call.
+    pub(super) fn call(
+        &mut self,
+        function: &str,
+        name: Span,
+        arguments: &[Ast],
+        span: Span,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Resolved {
+        let pure = PURE.iter().find(|(known, _)| *known == function);
+        match (function, arguments) {
+            (_, [x]) if let Some((_, pure)) = pure => self.pure(*pure, x, scope, allowed),
+            ("sqrt", [x]) => self.root(x, scope, allowed),
+            ("abs", [x]) => {
+                let x = self.resolve(x, scope, allowed)?;
+                let mut typed = like(&x, &[&x]);
+                typed.value = x.value.map(f64::abs);
+                typed.expr = Expr::Call(Function::Abs, vec![x.expr]);
+                Ok(typed)
+            }
+            ("min" | "max", [a, b]) => self.extremum(function == "min", a, b, scope, allowed),
+            ("sign", [x]) => self.sign(x, span, scope, allowed),
+            ("smooth_step", [x]) => self.smooth_step(x, span, scope, allowed),
+            ("step", [t, at]) => self.step(t, at, span, scope, allowed),
+            ("piecewise", [.., _]) if arguments.len() >= 3 && arguments.len() % 2 == 1 => {
+                self.piecewise(arguments, span, scope, allowed)
+            }
+            ("table", [file, column, x]) => self.table(file, column, x, scope, allowed),
+            _ => Err(Box::new(unknown(function, name, span, arguments.len()))),
+        }
+    }
+
+    fn pure(&mut self, function: Function, x: &Ast, scope: Scope, allowed: Uses) -> Resolved {
+        let x = self.number(x, scope, allowed)?;
+        let mut typed = Typed::over(&[&x]);
+        typed.angular = Angular::of_function(x.uses.moves());
+        typed.value = x.value.map(|value| unary(function, value));
+        typed.expr = Expr::Call(function, vec![x.expr]);
+        Ok(typed)
+    }
+
+    /// An argument without dimension.
+    fn number(&mut self, x: &Ast, scope: Scope, allowed: Uses) -> Resolved {
+        let typed = self.resolve(x, scope, allowed)?;
+        match typed.dimension {
+            None | Some(Dimension::ONE) => Ok(typed),
+            Some(dimension) => {
+                let message = "the argument of this function is a pure number";
+                let label = format!("in {dimension}");
+                Err(Box::new(
+                    Mistake::new(x.span, message, label)
+                        .help("divide it by a quantity of its unit"),
+                ))
+            }
+        }
+    }
+
+    fn root(&mut self, of: &Ast, scope: Scope, allowed: Uses) -> Resolved {
+        let x = self.resolve(of, scope, allowed)?;
+        let mut typed = Typed::over(&[&x]);
+        typed.dimension = match x.dimension {
+            None => None,
+            Some(dimension) => Some(dimension.power(1, 2).ok_or_else(|| {
+                let label = format!("in {dimension}");
+                Mistake::new(of.span, "this root has no dimension in SI units", label)
+            })?),
+        };
+        typed.angular = x.angular.power(1, 2);
+        typed.value = x.value.map(f64::sqrt);
+        typed.expr = Expr::Call(Function::Sqrt, vec![x.expr]);
+        Ok(typed)
+    }
+
+    /// min(a, b) = a where a < b, else b; max likewise.
+    fn extremum(&mut self, min: bool, a: &Ast, b: &Ast, scope: Scope, allowed: Uses) -> Resolved {
+        let (x, y) = (self.resolve(a, scope, allowed)?, self.resolve(b, scope, allowed)?);
+        Self::agree(b.span, &x, &y)?;
+        self.spend(x.terms.saturating_add(y.terms), a.span)?;
+        let mut typed = like(&x, &[&x, &y, &x, &y]);
+        typed.dimension = x.dimension.or(y.dimension);
+        typed.angular = x.angular.plus(y.angular);
+        let extremum = if min { f64::min } else { f64::max };
+        typed.value = x.value.zip(y.value).map(|(x, y)| extremum(x, y));
+        let (x, y) = (x.expr, y.expr);
+        let (then, otherwise) = if min { (x.clone(), y.clone()) } else { (y.clone(), x.clone()) };
+        typed.expr = select_less(x, y, then, otherwise);
+        Ok(typed)
+    }
+
+    fn agree(span: Span, a: &Typed, b: &Typed) -> Result<(), Box<Mistake>> {
+        match a.dimension.zip(b.dimension) {
+            Some((a, b)) if a != b => {
+                let message = format!("the values before are in {a}, but this one is in {b}");
+                Err(Box::new(Mistake::new(span, message, format!("in {b}"))))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn sign(&mut self, x: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
+        let x = self.resolve(x, scope, allowed)?;
+        self.spend(3, span)?;
+        let mut typed = Typed::over(&[&x]);
+        typed.terms += 3;
+        typed.angular = Angular::of_function(x.uses.moves());
+        typed.value = x.value.map(|x| if x < 0.0 { -1.0 } else { 1.0 });
+        typed.expr = select_less(x.expr, integer(0), integer(-1), integer(1));
+        Ok(typed)
+    }
+
+    /// 0 below 0, 1 above 1, between them x^3 (10 - 15 x + 6 x^2).
+    fn smooth_step(&mut self, x: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
+        let x = self.number(x, scope, allowed)?;
+        self.spend(x.terms.saturating_mul(4).saturating_add(9), span)?;
+        let mut typed = Typed::over(&[&x, &x, &x, &x, &x]);
+        typed.terms += 9;
+        typed.depth += 5;
+        typed.bits = x.bits.saturating_mul(5);
+        typed.angular = Angular::of_function(x.uses.moves());
+        typed.value = x.value.map(|x| {
+            let x = x.clamp(0.0, 1.0);
+            x * x * x * (10.0 - 15.0 * x + 6.0 * x * x)
+        });
+        let x = x.expr;
+        let raised = |n: i64| power(x.clone(), &num_rational::BigRational::from_integer(n.into()));
+        let blend = sum(vec![
+            integer(10),
+            product(vec![integer(-15), x.clone()]),
+            product(vec![integer(6), raised(2)]),
+        ]);
+        let inside = product(vec![raised(3), blend]);
+        let above = select_less(x.clone(), integer(1), inside, integer(1));
+        typed.expr = select_less(x, integer(0), integer(0), above);
+        Ok(typed)
+    }
+
+    fn step(&mut self, t: &Ast, at: &Ast, span: Span, scope: Scope, allowed: Uses) -> Resolved {
+        let (time, at) = self.condition(t, at, scope, allowed)?;
+        self.spend(2, span)?;
+        let mut typed = Typed::over(&[&time, &at]);
+        typed.terms += 2;
+        typed.angular = Angular::of_function(false);
+        typed.expr = select_less(time.expr, at.expr, integer(0), integer(1));
+        Ok(typed)
+    }
+
+    fn piecewise(
+        &mut self,
+        arguments: &[Ast],
+        span: Span,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Resolved {
+        let mut parts: Vec<Typed> = Vec::new();
+        let mut conditions = Vec::new();
+        for pair in arguments.chunks(2) {
+            let [condition, value] = pair else { continue };
+            let Node::Less(t, at) = &condition.node else {
+                return Err(Box::new(no_condition(condition.span)));
+            };
+            conditions.push(self.condition(t, at, scope, allowed)?);
+            parts.push(self.piece(value, &parts, scope, allowed)?);
+        }
+        if let Some(last) = arguments.last() {
+            parts.push(self.piece(last, &parts, scope, allowed)?);
+        }
+        let bounds = conditions.iter().flat_map(|(time, at)| [time, at]);
+        let mut typed = Typed::over(&parts.iter().chain(bounds).collect::<Vec<_>>());
+        typed.depth += conditions.len();
+        typed.dimension = parts.iter().find_map(|part| part.dimension);
+        let angular = parts.iter().map(|part| part.angular).reduce(Angular::plus);
+        typed.angular = angular.unwrap_or_default();
+        if typed.depth > 400 {
+            let message = "piecewise has too many pieces";
+            return Err(Box::new(Mistake::new(span, message, "here").help("use a table")));
+        }
+        let mut values = parts.into_iter().map(|part| part.expr).rev();
+        let last = values.next().unwrap_or_else(|| integer(0));
+        typed.expr =
+            conditions.into_iter().rev().zip(values).fold(last, |otherwise, ((time, at), then)| {
+                select_less(time.expr, at.expr, then, otherwise)
+            });
+        Ok(typed)
+    }
+
+    /// A value of the same dimension as those before it.
+    fn piece(&mut self, ast: &Ast, before: &[Typed], scope: Scope, allowed: Uses) -> Resolved {
+        let value = self.resolve(ast, scope, allowed)?;
+        if let Some(known) = before.iter().find(|part| part.dimension.is_some()) {
+            Self::agree(ast.span, known, &value)?;
+        }
+        Ok(value)
+    }
+
+    /// `t < at` with `at` of parameters only, where the solver has to stop.
+    fn condition(
+        &mut self,
+        t: &Ast,
+        at: &Ast,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Result<(Typed, Typed), Box<Mistake>> {
+        let time = self.resolve(t, scope, allowed)?;
+        if time.expr != Expr::Symbol(Symbol::Time) {
+            return Err(Box::new(no_condition(t.span)));
+        }
+        let at_time = self.resolve(at, scope, Uses::ANYTHING)?;
+        if at_time.uses != Uses::default() {
+            return Err(Box::new(no_condition(at.span)));
+        }
+        if let Some(dimension) = at_time.dimension
+            && dimension != Dimension::TIME
+        {
+            let message = format!("a time is in s, but this is in {dimension}");
+            let mistake = Mistake::new(at.span, message, format!("in {dimension}"));
+            return Err(Box::new(mistake.help("a number carries its unit in brackets: 0.1 [s]")));
+        }
+        if !self.discontinuities.contains(&at_time.expr) {
+            self.discontinuities.push(at_time.expr.clone());
+        }
+        Ok((time, at_time))
+    }
+
+    fn table(
+        &mut self,
+        file: &Ast,
+        column: &Ast,
+        x: &Ast,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Resolved {
+        let (Node::Text(path), Node::Text(name)) = (&file.node, &column.node) else {
+            let mistake =
+                Mistake::new(file.span.to(column.span), "a table is named by two texts", "here");
+            return Err(Box::new(mistake.help("write table('file.csv', 'column', x)")));
+        };
+        let spec = self.spec;
+        let found = spec.tables.iter().position(|t| t.spec == file.span.file && t.path == *path);
+        let Some(index) = found else {
+            return Err(Box::new(Mistake::new(file.span, "this table was not read", "here")));
+        };
+        let columns = &spec.tables[index].columns;
+        let place = columns.iter().skip(1).position(|c| c.name == *name).map(|place| place + 1);
+        let Some(place) = place else {
+            let message = format!("the table has no column {}", quoted(name));
+            let help = did_you_mean(name, columns.iter().skip(1).map(|c| c.name.as_str()));
+            return Err(Box::new(Mistake::new(column.span, message, "unknown").help(help)));
+        };
+        let argument = self.resolve(x, scope, allowed)?;
+        let abscissa = &columns[0];
+        if argument.dimension.is_some_and(|dimension| dimension != abscissa.unit.dimension) {
+            let wanted = abscissa.unit.dimension;
+            let message =
+                format!("the table goes over {}, which is in {wanted}", quoted(&abscissa.name));
+            return Err(Box::new(Mistake::new(x.span, message, "of another dimension")));
+        }
+        let mut typed = Typed::over(&[&argument]);
+        typed.dimension = Some(columns[place].unit.dimension);
+        typed.angular = Angular::of(columns[place].unit, argument.uses.moves());
+        let table = self.table_id(index, place, column.span)?;
+        typed.expr = Expr::Call(Function::Table { table, order: 0 }, vec![argument.expr]);
+        Ok(typed)
+    }
+
+    /// The table of a column, made at its first use.
+    fn table_id(
+        &mut self,
+        index: usize,
+        column: usize,
+        span: Span,
+    ) -> Result<TableId, Box<Mistake>> {
+        let known = self.table_columns.iter().position(|known| *known == (index, column));
+        if let Some(known) = known {
+            return Ok(TableId(known as u32));
+        }
+        let csv = &self.spec.tables[index];
+        let (x, y) = (&csv.columns[0], &csv.columns[column]);
+        let Some(coefficients) = spline::natural(&x.values, &y.values) else {
+            let message = "no spline goes through this column: its numbers are too far apart";
+            return Err(Box::new(Mistake::new(span, message, "here")));
+        };
+        let stem = csv.path.rsplit('/').next().unwrap_or_default().split('.').next();
+        let stem = stem.unwrap_or_default();
+        let path = format!("{}:{}", csv.path, y.name);
+        let mut ident: String = format!("table_{stem}_{}", y.name);
+        ident = ident.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+        let taken = |ident: &str| self.tables.iter().any(|table| table.name.ident == ident);
+        let mut unique = ident.clone();
+        for number in 2.. {
+            if !taken(&unique) {
+                break;
+            }
+            unique = format!("{ident}_{number}");
+        }
+        let latex = format!(r"\mathrm{{{}}}", y.name.replace('_', r"\_"));
+        let name = Name { path, ident: unique, latex };
+        self.tables.push(Table { name, knots: x.values.clone(), coefficients });
+        self.table_columns.push((index, column));
+        Ok(TableId(self.tables.len() as u32 - 1))
+    }
+}
+
+/// Of the dimension and angles of `x`, made of `parts`.
+fn like(x: &Typed, parts: &[&Typed]) -> Typed {
+    Typed { dimension: x.dimension, angular: x.angular, ..Typed::over(parts) }
+}
+
+fn no_condition(span: Span) -> Mistake {
+    let message = "a condition compares time `t` with a time made of parameters";
+    Mistake::new(span, message, "not such a condition")
+        .help("switching on a coordinate or state would need an event; use smooth_step, min or max")
+}
+
+fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {
+    if PURE.iter().any(|(known, _)| *known == function) {
+        let message = format!("{function} takes one argument, not {given}");
+        return Mistake::new(span, message, "here");
+    }
+    if let Some((_, usage)) = OTHERS.iter().find(|(known, _)| *known == function) {
+        let message = format!("{function} does not take {given} arguments like these");
+        return Mistake::new(span, message, "here").help(format!("write {usage}"));
+    }
+    let known = PURE.iter().map(|(name, _)| *name).chain(OTHERS.iter().map(|(name, _)| *name));
+    let message = format!("unknown function {}", quoted(function));
+    Mistake::new(name, message, "unknown").help(did_you_mean(function, known))
+}

@@ -1,0 +1,175 @@
+//! Joints: which coordinates of instances are one coordinate of the scene.
+
+use std::collections::VecDeque;
+
+use crate::diagnostic::{Mistake, Spanned};
+use crate::dimension::Dimension;
+use crate::expr::{CoordinateId, Expr, ParameterId};
+use crate::scene::evaluate::evaluate;
+use crate::scene::layout::{Layout, Link, Scope, coordinate_spec, find_port};
+use crate::scene::resolve::{Resolver, Wanted};
+use crate::scene::typed::{Uses, integer, product, reciprocal};
+use crate::spec::{JointSpec, SceneSpec, quoted};
+
+/// q of slot `first` = ratio * q of slot `second`; `None` for 1.
+struct Edge {
+    slots: [usize; 2],
+    ratio: Option<Expr>,
+}
+
+/// Identifies joined coordinates. Of a joined set, the coordinate of the earliest
+/// instance with a kinetic energy of its own stands for all (a rotor's angle rather
+/// than that of the coupling's end on it), else the earliest; since joints may close
+/// no loop, the others follow it by the product of ratios along the only path there
+/// is.
+pub fn identify(
+    spec: &SceneSpec,
+    layout: &mut Layout,
+    parameter: &impl Fn(ParameterId) -> f64,
+    mistakes: &mut Vec<Mistake>,
+) {
+    let mut edges = Vec::new();
+    let mut roots: Vec<usize> = (0..layout.links.len()).collect();
+    let mut resolver = Resolver::new(spec, layout);
+    for (index, joint) in spec.joints.iter().enumerate() {
+        let edge = edge(&mut resolver, joint, parameter).and_then(|edge| {
+            unite(&mut roots, &edge, joint, &spec.joints[..index])?;
+            Ok(edge)
+        });
+        match edge {
+            Ok(edge) => edges.push(edge),
+            Err(mistake) => mistakes.push(*mistake),
+        }
+    }
+    drop(resolver);
+    let starts = starts(spec, layout, &mut roots);
+    follow(layout, &edges, &starts);
+}
+
+/// The slot that each joined set is walked from, in the order of the sets' earliest
+/// slots.
+fn starts(spec: &SceneSpec, layout: &Layout, roots: &mut [usize]) -> Vec<usize> {
+    let has_inertia = |slot: usize| {
+        let (instance, _) = layout.coordinate(slot);
+        spec.units[spec.instances[instance].unit].energy.kinetic.is_some()
+    };
+    let mut starts: Vec<Option<usize>> = vec![None; layout.links.len()];
+    for slot in 0..layout.links.len() {
+        let start = &mut starts[root(roots, slot)];
+        if start.is_none_or(|start| !has_inertia(start) && has_inertia(slot)) {
+            *start = Some(slot);
+        }
+    }
+    starts.into_iter().flatten().collect()
+}
+
+fn edge(
+    resolver: &mut Resolver<'_>,
+    joint: &JointSpec,
+    parameter: &impl Fn(ParameterId) -> f64,
+) -> Result<Edge, Box<Mistake>> {
+    let (spec, layout) = (resolver.spec, resolver.layout);
+    let [first, second] = &joint.connect;
+    let (port, slot) = find_port(spec, layout, first)?;
+    let (other, other_slot) = find_port(spec, layout, second)?;
+    let (kind, other_kind) = (port.kind.value, other.kind.value);
+    if kind != other_kind {
+        let message = format!(
+            "a joint connects ports of one kind: {} is {}",
+            quoted(&first.value),
+            kind.name()
+        );
+        return Err(Box::new(Mistake::new(second.span, message, other_kind.name())));
+    }
+    let dimension = |slot| coordinate_spec(spec, layout, slot).unit.unit.dimension;
+    if dimension(slot) != dimension(other_slot) {
+        let message = format!("{} is in {}", quoted(&first.value), dimension(slot));
+        return Err(Box::new(Mistake::new(
+            second.span,
+            message,
+            format!("in {}", dimension(other_slot)),
+        )));
+    }
+    let Some(formula) = &joint.ratio else {
+        return Ok(Edge { slots: [slot, other_slot], ratio: None });
+    };
+    let wanted = Wanted::new(Dimension::ONE, "a ratio").of(Uses::PARAMETERS);
+    let ratio = resolver.formula(formula, Scope::Scene, &wanted)?.expr;
+    let value = evaluate(&ratio, parameter);
+    if value == 0.0 || !value.is_finite() {
+        let message = format!("a ratio is a number other than 0, but this one is {value}");
+        return Err(Box::new(Mistake::new(formula.span(), message, "not a ratio")));
+    }
+    Ok(Edge { slots: [slot, other_slot], ratio: (ratio != integer(1)).then_some(ratio) })
+}
+
+/// Joins two sets, by union-find with path halving.
+fn unite(
+    roots: &mut [usize],
+    edge: &Edge,
+    joint: &JointSpec,
+    before: &[JointSpec],
+) -> Result<(), Box<Mistake>> {
+    let [a, b] = edge.slots.map(|slot| root(roots, slot));
+    if a != b {
+        roots[a.max(b)] = a.min(b);
+        return Ok(());
+    }
+    let pair = |joint: &JointSpec| {
+        let mut pair = joint.connect.clone().map(|Spanned { value, .. }| value);
+        pair.sort();
+        pair
+    };
+    let [first, second] = &joint.connect;
+    let span = first.span.to(second.span);
+    let mistake = if before.iter().any(|other| pair(other) == pair(joint)) {
+        Mistake::new(span, "these ports are joined twice", "joined before")
+    } else {
+        Mistake::new(span, "this joint closes a loop", "already joined by other joints")
+            .help("the ratios around a loop would have to agree; leave this joint out")
+    };
+    Err(Box::new(mistake))
+}
+
+fn root(roots: &mut [usize], mut slot: usize) -> usize {
+    while roots[slot] != slot {
+        roots[slot] = roots[roots[slot]];
+        slot = roots[slot];
+    }
+    slot
+}
+
+/// Walks each joined set from the coordinate that stands for it.
+fn follow(layout: &mut Layout, edges: &[Edge], starts: &[usize]) {
+    let count = layout.links.len();
+    let mut near: Vec<Vec<usize>> = vec![Vec::new(); count];
+    for (index, edge) in edges.iter().enumerate() {
+        edge.slots.iter().for_each(|slot| near[*slot].push(index));
+    }
+    let mut links: Vec<Option<Link>> = vec![None; count];
+    layout.representatives.clear();
+    for &slot in starts {
+        let id = CoordinateId(layout.representatives.len() as u32);
+        layout.representatives.push(slot);
+        links[slot] = Some(Link { id, factor: None });
+        let mut queue = VecDeque::from([(slot, None::<Expr>)]);
+        while let Some((here, factor)) = queue.pop_front() {
+            for edge in near[here].iter().map(|index| &edges[*index]) {
+                let forward = edge.slots[0] == here;
+                let next = edge.slots[usize::from(forward)];
+                if links[next].is_some() {
+                    continue;
+                }
+                let ratio = edge.ratio.clone();
+                let step = if forward { ratio.map(reciprocal) } else { ratio };
+                let factor = match (factor.clone(), step) {
+                    (Some(a), Some(b)) => Some(product(vec![a, b])).filter(|f| *f != integer(1)),
+                    (a, b) => a.or(b),
+                };
+                links[next] = Some(Link { id, factor: factor.clone() });
+                queue.push_back((next, factor));
+            }
+        }
+    }
+    layout.links = links.into_iter().flatten().collect();
+}

@@ -1,0 +1,259 @@
+//! Where everything of a scene is: names to indices, before any expression is
+//! read.
+
+use std::collections::HashMap;
+
+use crate::diagnostic::{Mistake, Span, Spanned};
+use crate::dimension::{Dimension, Unit};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId};
+use crate::scene::typed::integer;
+use crate::spec::{
+    CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, quoted,
+};
+
+/// Named things that all instances may have together.
+const MAX_NAMES: usize = 20_000;
+
+/// What a name stands for; indices are of the unit's or the scene's own lists.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Local {
+    Coordinate(usize),
+    Velocity(usize),
+    Acceleration(usize),
+    Parameter(usize),
+    Input(usize),
+    State(usize),
+    Helper(usize),
+    Output(usize),
+}
+
+/// Whose names an expression uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Scope {
+    Scene,
+    Instance(usize),
+}
+
+/// Names of a unit or of the scene, in the order of the spec.
+#[derive(Debug, Default)]
+pub struct Names {
+    order: Vec<String>,
+    by_name: HashMap<String, (Local, Span)>,
+}
+
+impl Names {
+    /// What a name stands for.
+    pub fn get(&self, name: &str) -> Option<Local> {
+        self.by_name.get(name).map(|(local, _)| *local)
+    }
+
+    /// The names, in the order of the spec.
+    pub fn iter(&self) -> impl Iterator<Item = &str> {
+        self.order.iter().map(String::as_str)
+    }
+
+    fn add(&mut self, name: &Spanned<String>, local: Local, mistakes: &mut Vec<Mistake>) {
+        if self.by_name.contains_key(&name.value) {
+            let message = format!("the name {} is given twice", quoted(&name.value));
+            let help = "coordinates, velocities, accelerations, parameters, inputs, states, \
+                        helpers and outputs share their names";
+            mistakes.push(Mistake::new(name.span, message, "given again").help(help));
+            return;
+        }
+        self.order.push(name.value.clone());
+        self.by_name.insert(name.value.clone(), (local, name.span));
+    }
+}
+
+/// How a coordinate of an instance follows a coordinate of the scene.
+#[derive(Debug, Clone)]
+pub struct Link {
+    pub id: CoordinateId,
+    /// `None` for 1.
+    pub factor: Option<Expr>,
+}
+
+/// Indices of everything of a scene.
+#[derive(Debug)]
+pub struct Layout {
+    pub units: Vec<Names>,
+    pub scene: Names,
+    /// First coordinate, parameter and state of each instance.
+    first: Vec<[usize; 3]>,
+    /// How each coordinate of each instance follows one of the scene.
+    pub links: Vec<Link>,
+    /// For each coordinate of the scene, the one that stands for it.
+    pub representatives: Vec<usize>,
+}
+
+impl Layout {
+    /// Indices of a scene in which nothing is joined yet.
+    pub fn new(spec: &SceneSpec, mistakes: &mut Vec<Mistake>) -> Self {
+        let units: Vec<Names> = spec.units.iter().map(|unit| unit_names(unit, mistakes)).collect();
+        for (unit, names) in spec.units.iter().zip(&units) {
+            unit.ports.iter().for_each(|port| check_port(port, unit, names, mistakes));
+        }
+        let mut scene = Names::default();
+        for (index, parameter) in spec.parameters.iter().enumerate() {
+            scene.add(&parameter.name, Local::Parameter(index), mistakes);
+        }
+        for (index, helper) in spec.helpers.iter().enumerate() {
+            scene.add(&helper.name, Local::Helper(index), mistakes);
+        }
+        let mut next = [0, spec.parameters.len(), 0];
+        let mut first = Vec::new();
+        let mut size = 0;
+        for instance in &spec.instances {
+            first.push(next);
+            let unit = &spec.units[instance.unit];
+            next[0] += unit.coordinates.len();
+            next[1] += unit.parameters.len();
+            next[2] += unit.states.len();
+            let names = units[instance.unit].order.len();
+            if size <= MAX_NAMES && size + names > MAX_NAMES {
+                let message = format!("a scene has at most {MAX_NAMES} named things");
+                mistakes.push(Mistake::new(instance.name.span, message, "too many from here on"));
+            }
+            size += names;
+        }
+        let slots = next[0];
+        let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });
+        let (links, representatives) = (links.collect(), (0..slots).collect());
+        Layout { units, scene, first, links, representatives }
+    }
+
+    /// Index of a coordinate of an instance among those of all instances.
+    pub fn slot(&self, instance: usize, coordinate: usize) -> usize {
+        self.first[instance][0] + coordinate
+    }
+
+    /// Id of a parameter; those of the scene come first.
+    pub fn parameter(&self, scope: Scope, index: usize) -> ParameterId {
+        let first = match scope {
+            Scope::Scene => 0,
+            Scope::Instance(instance) => self.first[instance][1],
+        };
+        ParameterId((first + index) as u32)
+    }
+
+    /// Id of a first-order state.
+    pub fn state(&self, instance: usize, index: usize) -> FirstOrderId {
+        FirstOrderId((self.first[instance][2] + index) as u32)
+    }
+
+    /// Instance and index of a slot.
+    pub fn coordinate(&self, slot: usize) -> (usize, usize) {
+        let instance = self.first.partition_point(|first| first[0] <= slot).saturating_sub(1);
+        (instance, slot - self.first[instance][0])
+    }
+
+    /// How a coordinate of an instance follows one of the scene.
+    pub fn link(&self, instance: usize, coordinate: usize) -> &Link {
+        &self.links[self.slot(instance, coordinate)]
+    }
+
+    /// Q on a coordinate of an instance as it acts on the scene's, by virtual work.
+    pub fn factor(link: &Link) -> Expr {
+        link.factor.clone().unwrap_or_else(|| integer(1))
+    }
+}
+
+/// A coordinate of an instance, by slot.
+pub fn coordinate_spec<'a>(
+    spec: &'a SceneSpec,
+    layout: &Layout,
+    slot: usize,
+) -> &'a CoordinateSpec {
+    let (instance, index) = layout.coordinate(slot);
+    &spec.units[spec.instances[instance].unit].coordinates[index]
+}
+
+/// The instance of a name.
+pub fn find_instance(spec: &SceneSpec, name: &str, span: Span) -> Result<usize, Box<Mistake>> {
+    let found = spec.instances.iter().position(|instance| instance.name.value == name);
+    found.ok_or_else(|| {
+        let message = format!("unknown instance {}", quoted(name));
+        let names = spec.instances.iter().map(|instance| instance.name.value.as_str());
+        Box::new(Mistake::new(span, message, "unknown").help(did_you_mean(name, names)))
+    })
+}
+
+/// The port of a path `instance.port`, and its coordinate's slot.
+pub fn find_port<'a>(
+    spec: &'a SceneSpec,
+    layout: &Layout,
+    path: &Spanned<String>,
+) -> Result<(&'a PortSpec, usize), Box<Mistake>> {
+    let Some((instance, port)) = path.value.split_once('.') else {
+        let message = format!("{} is no port", quoted(&path.value));
+        let mistake = Mistake::new(path.span, message, "not instance.port");
+        return Err(Box::new(mistake.help("a port is written instance.port")));
+    };
+    let instance = find_instance(spec, instance, path.span)?;
+    let unit_index = spec.instances[instance].unit;
+    let unit = &spec.units[unit_index];
+    let Some(found) = unit.ports.iter().find(|candidate| candidate.name.value == port) else {
+        let message = format!("unit {} has no port {}", quoted(&unit.name), quoted(port));
+        let help = did_you_mean(port, unit.ports.iter().map(|port| port.name.value.as_str()));
+        return Err(Box::new(Mistake::new(path.span, message, "unknown").help(help)));
+    };
+    match layout.units[unit_index].get(&found.coordinate.value) {
+        Some(Local::Coordinate(index)) => Ok((found, layout.slot(instance, index))),
+        _ => Err(Box::new(unknown_coordinate(&found.coordinate, unit))),
+    }
+}
+
+/// A coordinate that a unit does not have.
+pub fn unknown_coordinate(name: &Spanned<String>, unit: &UnitSpec) -> Mistake {
+    let message = format!("unknown coordinate {}", quoted(&name.value));
+    let names = unit.coordinates.iter().map(|c| c.name.value.as_str());
+    Mistake::new(name.span, message, "unknown").help(did_you_mean(&name.value, names))
+}
+
+fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
+    let mut names = Names::default();
+    for (index, coordinate) in unit.coordinates.iter().enumerate() {
+        names.add(&coordinate.name, Local::Coordinate(index), mistakes);
+        names.add(&coordinate.velocity, Local::Velocity(index), mistakes);
+        names.add(&coordinate.acceleration, Local::Acceleration(index), mistakes);
+    }
+    for (index, parameter) in unit.parameters.iter().enumerate() {
+        names.add(&parameter.name, Local::Parameter(index), mistakes);
+    }
+    for (index, input) in unit.inputs.iter().enumerate() {
+        names.add(&input.name, Local::Input(index), mistakes);
+    }
+    for (index, state) in unit.states.iter().enumerate() {
+        names.add(&state.name, Local::State(index), mistakes);
+    }
+    for (index, helper) in unit.helpers.iter().enumerate() {
+        names.add(&helper.name, Local::Helper(index), mistakes);
+    }
+    for (index, output) in unit.outputs.iter().enumerate() {
+        names.add(&output.name, Local::Output(index), mistakes);
+    }
+    names
+}
+
+/// A port's coordinate exists and is of the dimension of its kind.
+fn check_port(port: &PortSpec, unit: &UnitSpec, names: &Names, mistakes: &mut Vec<Mistake>) {
+    let Some(Local::Coordinate(index)) = names.get(&port.coordinate.value) else {
+        mistakes.push(unknown_coordinate(&port.coordinate, unit));
+        return;
+    };
+    let Declared { unit: Unit { dimension, .. }, .. } = unit.coordinates[index].unit;
+    let (fits, wanted) = match port.kind.value {
+        PortKind::Rotational => (dimension == Dimension::ONE, "an angle in rad"),
+        PortKind::Translational => (dimension == Dimension::LENGTH, "a length in m"),
+        PortKind::Electrical => {
+            let fits = [Dimension::CHARGE, Dimension::FLUX].contains(&dimension);
+            (fits, "a charge in C or a flux linkage in Wb")
+        }
+    };
+    if !fits {
+        let kind = port.kind.value.name();
+        let message = format!("the coordinate of a port that is {kind} is {wanted}");
+        let label = format!("its coordinate is in {dimension}");
+        mistakes.push(Mistake::new(port.kind.span, message, label));
+    }
+}

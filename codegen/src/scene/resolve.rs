@@ -1,0 +1,370 @@
+//! Expressions of the spec to expressions of the scene: names become symbols,
+//! helpers are put in, dimensions are checked term by term.
+
+use std::collections::HashMap;
+
+use num_rational::BigRational;
+use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
+
+use crate::diagnostic::{Mistake, Span};
+use crate::dimension::{Angular, Dimension, Unit};
+use crate::expr::Expr;
+use crate::scene::layout::{Layout, Scope};
+use crate::scene::lookup::{Definition, State};
+use crate::scene::typed::{self, Typed, Uses, integer, product, sum};
+use crate::spec::expression::{Ast, MAX_NESTING, Node};
+use crate::spec::{Formula, SceneSpec};
+use crate::system::Table;
+
+/// Leaves an expression may have once helpers are put in.
+const MAX_TERMS: usize = 100_000;
+/// Leaves all expressions of a scene may have together.
+const MAX_SCENE_TERMS: usize = 1_000_000;
+/// Levels of a tree: each nesting of the text makes at most a sum, a product and
+/// what is nested.
+const MAX_LEVELS: usize = 3 * MAX_NESTING + 2;
+/// Bits that exact numbers could grow to.
+const MAX_BITS: u64 = 1 << 24;
+
+pub(super) type Resolved = Result<Typed, Box<Mistake>>;
+
+/// What an expression is for.
+#[derive(Debug, Clone)]
+pub struct Wanted {
+    pub dimension: Dimension,
+    /// `the potential energy`.
+    pub what: String,
+    pub allowed: Uses,
+    /// Terms that are torques by their angles are refused.
+    pub energy: bool,
+}
+
+impl Wanted {
+    /// An expression of a dimension that may depend on anything but accelerations.
+    pub fn new(dimension: Dimension, what: impl Into<String>) -> Self {
+        Wanted { dimension, what: what.into(), allowed: Uses::MOTION, energy: false }
+    }
+
+    /// The same with other things allowed.
+    pub fn of(self, allowed: Uses) -> Self {
+        Wanted { allowed, ..self }
+    }
+}
+
+/// Resolves expressions, each definition once.
+pub struct Resolver<'a> {
+    pub(super) spec: &'a SceneSpec,
+    pub(super) layout: &'a Layout,
+    pub(super) definitions: HashMap<Definition, State>,
+    /// Tables in use, with the CSV file and column they are from.
+    pub(super) tables: Vec<Table>,
+    pub(super) table_columns: Vec<(usize, usize)>,
+    /// Times of jumps, each once.
+    pub(super) discontinuities: Vec<Expr>,
+    pub(super) level: usize,
+    pub(super) spent: usize,
+    spent_in_all: usize,
+}
+
+impl<'a> Resolver<'a> {
+    /// A resolver that has seen nothing yet.
+    pub fn new(spec: &'a SceneSpec, layout: &'a Layout) -> Self {
+        Resolver {
+            spec,
+            layout,
+            definitions: HashMap::new(),
+            tables: Vec::new(),
+            table_columns: Vec::new(),
+            discontinuities: Vec::new(),
+            level: 0,
+            spent: 0,
+            spent_in_all: 0,
+        }
+    }
+
+    /// Resolves an expression for what it is for.
+    ///
+    /// # Errors
+    /// At the term that has another dimension, depends on what is not allowed, or
+    /// uses an unknown name.
+    pub fn expect(&mut self, ast: &Ast, scope: Scope, wanted: &Wanted) -> Resolved {
+        (self.level, self.spent) = (0, 0);
+        self.nested(ast, scope, wanted)
+    }
+
+    /// The value of a name.
+    ///
+    /// # Errors
+    /// If its definition is wrong.
+    pub fn value(&mut self, name: &str, span: Span, scope: Scope) -> Resolved {
+        (self.level, self.spent) = (0, 0);
+        self.local(name, span, scope)
+    }
+
+    /// Resolves an output, which may be of any dimension and of accelerations.
+    ///
+    /// # Errors
+    /// As [`Resolver::expect`].
+    pub fn expect_any(&mut self, ast: &Ast, scope: Scope) -> Resolved {
+        (self.level, self.spent) = (0, 0);
+        self.resolve(ast, scope, Uses::ANYTHING)
+    }
+
+    /// Resolves a formula; a bare number is in the unit of what it is for.
+    ///
+    /// # Errors
+    /// As [`Resolver::expect`].
+    pub fn formula(&mut self, formula: &Formula, scope: Scope, wanted: &Wanted) -> Resolved {
+        match formula {
+            Formula::Expression(ast) => self.expect(ast, scope, wanted),
+            Formula::Number(number) => {
+                let unit = Unit { dimension: wanted.dimension, rad: 0 };
+                Ok(Typed::number(&number.value.0, Some(unit)))
+            }
+        }
+    }
+
+    /// Resolves part of an expression.
+    pub(super) fn resolve(&mut self, ast: &Ast, scope: Scope, allowed: Uses) -> Resolved {
+        self.descend(ast.span, 0)?;
+        self.level += 1;
+        let resolved = match &ast.node {
+            Node::Number(number, unit) => {
+                self.spend(1, ast.span).map(|()| Typed::number(&number.0, *unit))
+            }
+            Node::Name(instance, name) => {
+                self.name(instance.as_deref(), name, ast.span, scope, allowed)
+            }
+            Node::Negative(of) => self.resolve(of, scope, allowed).map(negative),
+            Node::Sum(terms) => self.sum(terms, scope, allowed, None),
+            Node::Product(factors) => self.product(factors, ast.span, scope, allowed),
+            Node::Power(base, exponent) => self.power(base, exponent, ast.span, scope, allowed),
+            Node::Call(function, span, arguments) => {
+                self.call(function, *span, arguments, ast.span, scope, allowed)
+            }
+            Node::Less(..) => Err(Box::new(
+                Mistake::new(ast.span, "a comparison stands only in piecewise", "not here")
+                    .help("write piecewise(t < t1, a, b)"),
+            )),
+            Node::Text(_) => Err(Box::new(
+                Mistake::new(ast.span, "a quoted text is no value", "not here")
+                    .help("only `table` takes texts"),
+            )),
+        };
+        self.level -= 1;
+        resolved.and_then(|typed| sound(typed, ast.span))
+    }
+
+    pub(super) fn sum(
+        &mut self,
+        terms: &[(bool, Ast)],
+        scope: Scope,
+        allowed: Uses,
+        wanted: Option<&Wanted>,
+    ) -> Resolved {
+        let mut parts: Vec<Typed> = Vec::with_capacity(terms.len());
+        for (negated, term) in terms {
+            let part = self.resolve(term, scope, allowed)?;
+            match wanted {
+                Some(wanted) => fits(term.span, &part, wanted)?,
+                None => same(term.span, &part, &parts)?,
+            }
+            parts.push(if *negated { negative(part) } else { part });
+        }
+        let mut typed = Typed::over(&parts.iter().collect::<Vec<_>>());
+        typed.dimension = parts.iter().find_map(|part| part.dimension);
+        let angular = parts.iter().map(|part| part.angular).reduce(Angular::plus);
+        typed.angular = angular.unwrap_or_default();
+        typed.value = parts.iter().map(|part| part.value).sum();
+        typed.expr = sum(parts.into_iter().map(|part| part.expr).collect());
+        Ok(typed)
+    }
+
+    fn product(
+        &mut self,
+        factors: &[(bool, Ast)],
+        span: Span,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Resolved {
+        let mut parts = Vec::with_capacity(factors.len());
+        for (divides, factor) in factors {
+            let part = self.resolve(factor, scope, allowed)?;
+            if *divides && part.value == Some(0.0) {
+                return Err(Box::new(Mistake::new(factor.span, "division by zero", "this is 0")));
+            }
+            parts.push(if *divides { reciprocal(part) } else { part });
+        }
+        let mut typed = Typed::over(&parts.iter().collect::<Vec<_>>());
+        for part in &parts {
+            typed.angular = typed.angular.times(part.angular);
+            let product = typed.dimension.zip(part.dimension).map(|(a, b)| a.times(b));
+            // Zero times anything is a zero of any dimension.
+            typed.dimension = product.map(|d| d.ok_or_else(|| beyond_reason(span))).transpose()?;
+        }
+        typed.value = parts.iter().map(|part| part.value).product();
+        guard_bits(typed.bits, span)?;
+        typed.expr = product(parts.into_iter().map(|part| part.expr).collect());
+        Ok(typed)
+    }
+
+    fn power(
+        &mut self,
+        base: &Ast,
+        exponent: &Ast,
+        span: Span,
+        scope: Scope,
+        allowed: Uses,
+    ) -> Resolved {
+        let number = constant(exponent).ok_or_else(|| {
+            Mistake::new(exponent.span, "an exponent is a number", "not a number")
+                .help("write exp(b*ln(a)) for a^b")
+        })?;
+        let Some((numerator, denominator)) = typed::exponent(&number) else {
+            let mistake =
+                Mistake::new(exponent.span, "an exponent is at most 64 in size", "too large");
+            return Err(Box::new(mistake));
+        };
+        let part = self.resolve(base, scope, allowed)?;
+        let mut typed = Typed::over(&[&part]);
+        typed.angular = part.angular.power(numerator, denominator);
+        typed.dimension = match part.dimension {
+            None | Some(Dimension::ONE) => Some(Dimension::ONE),
+            Some(dimension) => Some(dimension.power(numerator, denominator).ok_or_else(|| {
+                let label = format!("the base is in {dimension}");
+                Mistake::new(exponent.span, "this power has no dimension in SI units", label)
+                    .help("of a quantity with a dimension, exponents are integers or halves")
+            })?),
+        };
+        typed.bits = part.bits.saturating_mul(u64::from(numerator.unsigned_abs().max(1)));
+        typed.value = match (part.value, number.to_f64()) {
+            (Some(base), Some(exponent)) => Some(base.powf(exponent)),
+            _ => None,
+        };
+        guard_bits(typed.bits, span)?;
+        typed.terms += 1;
+        self.spend(1, span)?;
+        typed.expr = typed::power(part.expr, &number);
+        Ok(typed)
+    }
+
+    pub(super) fn descend(&self, span: Span, levels: usize) -> Result<(), Box<Mistake>> {
+        if self.level + levels <= MAX_LEVELS {
+            return Ok(());
+        }
+        let message = format!("with helpers put in, expressions nest deeper than {MAX_NESTING}");
+        Err(Box::new(Mistake::new(span, message, "too deep here")))
+    }
+
+    /// Counts leaves before they are made.
+    pub(super) fn spend(&mut self, terms: usize, span: Span) -> Result<(), Box<Mistake>> {
+        self.spent = self.spent.saturating_add(terms);
+        self.spent_in_all = self.spent_in_all.saturating_add(terms);
+        if self.spent <= MAX_TERMS && self.spent_in_all <= MAX_SCENE_TERMS {
+            return Ok(());
+        }
+        let message = if self.spent > MAX_TERMS {
+            format!("with helpers put in, the expression has more than {MAX_TERMS} terms")
+        } else {
+            format!("with helpers put in, the scene has more than {MAX_SCENE_TERMS} terms")
+        };
+        Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
+    }
+}
+
+fn negative(part: Typed) -> Typed {
+    let value = part.value.map(|value| -value);
+    Typed { value, depth: part.depth + 1, expr: product(vec![integer(-1), part.expr]), ..part }
+}
+
+fn reciprocal(part: Typed) -> Typed {
+    Typed {
+        dimension: part.dimension.and_then(|dimension| dimension.power(-1, 1)),
+        angular: part.angular.power(-1, 1),
+        value: part.value.map(f64::recip),
+        depth: part.depth + 1,
+        expr: typed::reciprocal(part.expr),
+        ..part
+    }
+}
+
+/// A number made of numbers, for exponents.
+fn constant(ast: &Ast) -> Option<BigRational> {
+    let number = match &ast.node {
+        Node::Number(number, None) => number.0.clone(),
+        Node::Negative(of) => -constant(of)?,
+        Node::Product(factors) => {
+            let mut product = BigRational::one();
+            for (divides, factor) in factors {
+                let factor = constant(factor)?;
+                product = match (divides, factor.is_zero()) {
+                    (true, true) => return None,
+                    (true, false) => product / factor,
+                    (false, _) => product * factor,
+                };
+                short(&product)?;
+            }
+            product
+        }
+        _ => return None,
+    };
+    short(&number).map(|()| number)
+}
+
+/// Numbers for exponents are short.
+fn short(number: &BigRational) -> Option<()> {
+    (typed::bits(&number.abs()) <= 4096).then_some(())
+}
+
+/// Refuses a term of another dimension than wanted.
+pub(super) fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<Mistake>> {
+    let what = &wanted.what;
+    if let Some(dimension) = part.dimension
+        && dimension != wanted.dimension
+    {
+        let message = format!("{what} is in {}, but this term is in {dimension}", wanted.dimension);
+        let mistake = Mistake::new(span, message, format!("in {dimension}"));
+        let bare = part.value.is_some() && dimension == Dimension::ONE;
+        let help = if bare { "a number carries its unit in brackets: 0.1 [s]" } else { "" };
+        return Err(Box::new(mistake.help(help)));
+    }
+    if wanted.energy && part.angular.is_torque() {
+        let message = format!("this term of {what} is a torque, not an energy");
+        let mistake = Mistake::new(span, message, "a stiffness per rad times a single angle");
+        let help = "is a square missing? a spring stores stiffness*angle^2/2";
+        return Err(Box::new(mistake.help(help)));
+    }
+    Ok(())
+}
+
+/// Refuses a term of another dimension than those before it.
+fn same(span: Span, part: &Typed, before: &[Typed]) -> Result<(), Box<Mistake>> {
+    let first = before.iter().find_map(|part| part.dimension);
+    match first.zip(part.dimension) {
+        Some((first, this)) if first != this => {
+            let message = format!("the terms before are in {first}, but this term is in {this}");
+            Err(Box::new(Mistake::new(span, message, format!("in {this}"))))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses numbers that no f64 can hold.
+pub(super) fn sound(typed: Typed, span: Span) -> Resolved {
+    if typed.value.is_some_and(|value| !value.is_finite()) {
+        return Err(Box::new(Mistake::new(span, "this is not a finite number", "not finite")));
+    }
+    Ok(typed)
+}
+
+fn guard_bits(bits: u64, span: Span) -> Result<(), Box<Mistake>> {
+    if bits <= MAX_BITS {
+        return Ok(());
+    }
+    let message = "powers of powers grow beyond what exact numbers can hold";
+    Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
+}
+
+pub(super) fn beyond_reason(span: Span) -> Mistake {
+    Mistake::new(span, "exponents of units grow beyond all reason", "here")
+}

@@ -1,0 +1,98 @@
+//! Natural cubic splines.
+
+/// Coefficients of the natural cubic spline through (x, y), one row an interval:
+/// y = c0 + c1 u + c2 u^2 + c3 u^3 with u = x - x_k.
+///
+/// The second derivatives m_k at the knots solve, with h_k = x_(k+1) - x_k,
+/// h_(k-1) m_(k-1) + 2 (h_(k-1) + h_k) m_k + h_k m_(k+1)
+///   = 6 (d_k - d_(k-1)), d_k = (y_(k+1) - y_k)/h_k, m_0 = m_N = 0
+/// (Stoer and Bulirsch, Introduction to Numerical Analysis, 2.4.2). The matrix is
+/// diagonally dominant, so that elimination needs no pivots.
+///
+/// `None` if the points are fewer than two, not sorted, or so far apart that a
+/// coefficient is no finite f64.
+pub fn natural(x: &[f64], y: &[f64]) -> Option<Vec<[f64; 4]>> {
+    if x.len() < 2 || x.len() != y.len() || x.windows(2).any(|pair| pair[0] >= pair[1]) {
+        return None;
+    }
+    let h: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let slope: Vec<f64> = y.windows(2).zip(&h).map(|(pair, h)| (pair[1] - pair[0]) / h).collect();
+    let m = second_derivatives(&h, &slope);
+    let rows = (0..h.len()).map(|k| {
+        let c1 = slope[k] - h[k] * (2.0 * m[k] + m[k + 1]) / 6.0;
+        [y[k], c1, m[k] / 2.0, (m[k + 1] - m[k]) / (6.0 * h[k])]
+    });
+    let rows: Vec<[f64; 4]> = rows.collect();
+    rows.iter().flatten().all(|c| c.is_finite()).then_some(rows)
+}
+
+/// The Thomas algorithm on the inner knots; 0 at both ends.
+fn second_derivatives(h: &[f64], slope: &[f64]) -> Vec<f64> {
+    let last = h.len();
+    let mut m = vec![0.0; last + 1];
+    let mut upper = vec![0.0; last + 1];
+    for k in 1..last {
+        let pivot = 2.0 * (h[k - 1] + h[k]) - h[k - 1] * upper[k - 1];
+        upper[k] = h[k] / pivot;
+        m[k] = (6.0 * (slope[k] - slope[k - 1]) - h[k - 1] * m[k - 1]) / pivot;
+    }
+    for k in (1..last).rev() {
+        m[k] -= upper[k] * m[k + 1];
+    }
+    m
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Value and first two derivatives of a row at u.
+    fn at(c: &[f64; 4], u: f64) -> [f64; 3] {
+        [
+            c[0] + u * (c[1] + u * (c[2] + u * c[3])),
+            c[1] + u * (2.0 * c[2] + u * 3.0 * c[3]),
+            2.0 * c[2] + 6.0 * c[3] * u,
+        ]
+    }
+
+    #[test]
+    fn three_points_give_the_spline_worked_by_hand() {
+        // m_1 = 6 (-1 - 1)/(2 (1 + 1)) = -3.
+        let rows = natural(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);
+        assert_eq!(rows, Some(vec![[0.0, 1.5, 0.0, -0.5], [1.0, 0.0, -1.5, 0.5]]));
+    }
+
+    #[test]
+    fn a_straight_line_is_reproduced() {
+        let x = [-1.0, 0.5, 2.0, 4.0];
+        let y = x.map(|x| 2.0 * x - 1.0);
+        for (row, (x, y)) in natural(&x, &y).unwrap_or_default().iter().zip(x.iter().zip(y)) {
+            assert!((row[0] - y).abs() < 1e-14 && (row[1] - 2.0).abs() < 1e-14, "{x}");
+            assert!(row[2].abs() < 1e-14 && row[3].abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn value_slope_and_curvature_are_continuous_and_curvature_ends_at_zero() {
+        let x = [0.0, 0.3, 1.0, 1.1, 2.5, 4.0];
+        let y = [1.0, -2.0, 0.5, 0.4, 3.0, -1.0];
+        let rows = natural(&x, &y).unwrap_or_default();
+        assert_eq!(rows.len(), 5);
+        for k in 1..5 {
+            let (left, right) = (at(&rows[k - 1], x[k] - x[k - 1]), at(&rows[k], 0.0));
+            for (left, right) in left.iter().zip(right) {
+                assert!((left - right).abs() < 1e-10 * (1.0 + right.abs()), "knot {k}");
+            }
+        }
+        assert!((at(&rows[4], 1.5)[0] + 1.0).abs() < 1e-12);
+        assert!(at(&rows[0], 0.0)[2].abs() < 1e-15);
+        assert!(at(&rows[4], 1.5)[2].abs() < 1e-10);
+    }
+
+    #[test]
+    fn points_that_make_no_spline_are_refused() {
+        assert_eq!(natural(&[0.0], &[0.0]), None);
+        assert_eq!(natural(&[0.0, 0.0], &[0.0, 1.0]), None);
+        assert_eq!(natural(&[0.0, 1e-300], &[0.0, 1e300]), None);
+    }
+}

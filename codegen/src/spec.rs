@@ -1,0 +1,356 @@
+//! Spec text to a tree of plain data in which every part knows its place.
+//!
+//! Excluded: meanings. Names are not looked up, dimensions not compared, joints
+//! not followed; [`crate::scene`] does that.
+
+pub mod expression;
+mod fields;
+mod lexer;
+mod loader;
+mod names;
+mod scene;
+mod source;
+mod table;
+mod toml;
+mod unit;
+
+use std::path::Path;
+
+pub use self::names::{did_you_mean, quoted};
+pub use self::source::{MAX_FILE_BYTES, SourceText, Sources};
+pub use self::table::{Column, CsvTable};
+
+use self::expression::{Ast, Literal};
+use crate::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
+use crate::dimension::Unit;
+use crate::stack;
+
+/// Reads a scene, the units it names, and the tables they name.
+///
+/// A unit is looked for in `[define.NAME]` of the scene, as `NAME.toml` beside it,
+/// as `../units/NAME.toml`, and among the units that come with Machinist.
+///
+/// # Errors
+/// Everything that can be told from the text alone: files that are missing, too
+/// long or no TOML, unknown keys, wrong types, names that are none, expressions
+/// that do not parse, tables that are not sorted.
+pub fn load_scene(path: &Path) -> Result<SceneSpec, Diagnostics> {
+    stack::with_room(|| loader::load(path)).map_err(|_| Diagnostic::no_thread())?
+}
+
+/// A scene as written, with everything it refers to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneSpec {
+    /// Every file read.
+    pub sources: Sources,
+    /// The scene's name.
+    pub name: Spanned<String>,
+    /// One line for people.
+    pub title: String,
+    /// What the machine is.
+    pub doc: String,
+    /// Where the equations come from.
+    pub source: String,
+    /// The units in use, in the order first named.
+    pub units: Vec<UnitSpec>,
+    /// Instances of units.
+    pub instances: Vec<InstanceSpec>,
+    /// Joints between ports.
+    pub joints: Vec<JointSpec>,
+    /// The scene's own parameters.
+    pub parameters: Vec<ParameterSpec>,
+    /// The scene's own helpers.
+    pub helpers: Vec<DefinitionSpec>,
+    /// Generalized forces on ports.
+    pub forces: Vec<PortForceSpec>,
+    /// Initial values, by `instance.name`.
+    pub initial: Vec<(Spanned<String>, Formula)>,
+    /// Wanted outputs.
+    pub outputs: Vec<OutputSpec>,
+    /// The run asked for.
+    pub run: RunSpec,
+    /// Tables read from CSV files.
+    pub tables: Vec<CsvTable>,
+}
+
+/// A declared unit of measure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Declared {
+    /// As written.
+    pub text: String,
+    /// Its meaning.
+    pub unit: Unit,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// An expression, or a bare number in the unit of what it is for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Formula {
+    /// A number.
+    Number(Spanned<Literal>),
+    /// An expression.
+    Expression(Ast),
+}
+
+impl Formula {
+    /// Where it stands.
+    #[must_use]
+    pub fn span(&self) -> Span {
+        match self {
+            Formula::Number(number) => number.span,
+            Formula::Expression(ast) => ast.span,
+        }
+    }
+}
+
+/// A part of a machine as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnitSpec {
+    /// The name it was looked for by.
+    pub name: String,
+    /// The file it stands in.
+    pub file: FileId,
+    /// One line for people.
+    pub title: String,
+    /// What it is.
+    pub doc: String,
+    /// Where the equations come from.
+    pub source: String,
+    /// Generalized coordinates.
+    pub coordinates: Vec<CoordinateSpec>,
+    /// What joints take hold of.
+    pub ports: Vec<PortSpec>,
+    /// Parameters.
+    pub parameters: Vec<ParameterSpec>,
+    /// Signals that the scene binds.
+    pub inputs: Vec<InputSpec>,
+    /// Named expressions.
+    pub helpers: Vec<DefinitionSpec>,
+    /// First-order states.
+    pub states: Vec<StateSpec>,
+    /// T, V, D and the energy of the first-order states.
+    pub energy: EnergySpec,
+    /// Power of the first-order states.
+    pub power: PowerSpec,
+    /// Generalized forces.
+    pub forces: Vec<ForceSpec>,
+    /// What it offers to scenes.
+    pub outputs: Vec<DefinitionSpec>,
+}
+
+/// A generalized coordinate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoordinateSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// Name of its velocity.
+    pub velocity: Spanned<String>,
+    /// Name of its acceleration.
+    pub acceleration: Spanned<String>,
+    /// Unit of the coordinate.
+    pub unit: Declared,
+    /// Meaning.
+    pub doc: String,
+    /// Typical sizes of coordinate and velocity.
+    pub scale: [f64; 2],
+}
+
+/// What a joint takes hold of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PortSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// What goes through it.
+    pub kind: Spanned<PortKind>,
+    /// The coordinate it moves with.
+    pub coordinate: Spanned<String>,
+}
+
+/// What goes through a port.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PortKind {
+    /// An angle.
+    Rotational,
+    /// A length.
+    Translational,
+    /// A charge or a flux linkage.
+    Electrical,
+}
+
+impl PortKind {
+    /// The kinds by name.
+    pub const ALL: [(&'static str, PortKind); 3] = [
+        ("rotational", PortKind::Rotational),
+        ("translational", PortKind::Translational),
+        ("electrical", PortKind::Electrical),
+    ];
+
+    /// The spec's word for it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].0
+    }
+}
+
+/// A parameter with its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// Its value, finite.
+    pub value: f64,
+    /// Its unit.
+    pub unit: Declared,
+    /// Meaning.
+    pub doc: String,
+}
+
+/// A signal that the scene binds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// Its unit.
+    pub unit: Declared,
+    /// Meaning.
+    pub doc: String,
+}
+
+/// A named expression: a helper or an output.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DefinitionSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// The expression.
+    pub expression: Ast,
+    /// Its unit.
+    pub unit: Declared,
+    /// Meaning.
+    pub doc: String,
+}
+
+/// A first-order state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StateSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// Its unit.
+    pub unit: Declared,
+    /// Meaning.
+    pub doc: String,
+    /// Its rate.
+    pub rate: Ast,
+    /// Its initial value, 0 if absent.
+    pub initial: Option<Formula>,
+    /// Typical size.
+    pub scale: f64,
+}
+
+/// Energies of a unit.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct EnergySpec {
+    /// T.
+    pub kinetic: Option<Ast>,
+    /// V.
+    pub potential: Option<Ast>,
+    /// D.
+    pub dissipation: Option<Ast>,
+    /// Energy of the first-order states.
+    pub stored: Option<Ast>,
+}
+
+/// Power of the first-order states.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PowerSpec {
+    /// Supplied to them.
+    pub supplied: Option<Ast>,
+    /// Lost by them.
+    pub dissipated: Option<Ast>,
+}
+
+/// A generalized force of a unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForceSpec {
+    /// The coordinate it acts on.
+    pub coordinate: Spanned<String>,
+    /// Q.
+    pub expression: Ast,
+    /// Whether it only converts energy of the first-order states.
+    pub conversion: bool,
+    /// Meaning.
+    pub doc: String,
+}
+
+/// An instance of a unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InstanceSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// Index in [`SceneSpec::units`].
+    pub unit: usize,
+    /// Values other than the unit's.
+    pub parameters: Vec<(Spanned<String>, f64)>,
+    /// Expressions for the inputs.
+    pub inputs: Vec<(Spanned<String>, Formula)>,
+}
+
+/// Two ports of which the first follows the second by a ratio.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointSpec {
+    /// `instance.port`, twice.
+    pub connect: [Spanned<String>; 2],
+    /// Ratio, 1 if absent.
+    pub ratio: Option<Formula>,
+}
+
+/// A generalized force of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PortForceSpec {
+    /// `instance.port`.
+    pub port: Spanned<String>,
+    /// Q.
+    pub expression: Ast,
+    /// Meaning.
+    pub doc: String,
+}
+
+/// A wanted output.
+#[derive(Debug, Clone, PartialEq)]
+pub enum OutputSpec {
+    /// Something of an instance under another name.
+    Alias {
+        /// The output's name.
+        name: Spanned<String>,
+        /// What it is.
+        of: Ast,
+    },
+    /// An expression of its own.
+    Definition(DefinitionSpec),
+}
+
+impl OutputSpec {
+    /// The output's name.
+    #[must_use]
+    pub fn name(&self) -> &Spanned<String> {
+        match self {
+            OutputSpec::Alias { name, .. } => name,
+            OutputSpec::Definition(definition) => &definition.name,
+        }
+    }
+}
+
+/// The run a scene asks for, in range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunSpec {
+    /// Start time \[s\].
+    pub from: f64,
+    /// End time \[s\].
+    pub until: f64,
+    /// Output times.
+    pub points: usize,
+    /// Relative tolerance.
+    pub rtol: f64,
+    /// One of [`crate::system::METHODS`].
+    pub method: String,
+}

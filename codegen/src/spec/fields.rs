@@ -1,0 +1,284 @@
+//! Taking a table apart: each key is asked for once, and what nobody asked for is
+//! an error.
+
+use crate::diagnostic::{Mistake, Span, Spanned};
+use crate::dimension::Unit;
+use crate::spec::expression::{self, Ast, Literal, Text};
+use crate::spec::names::{self, did_you_mean, quoted};
+use crate::spec::toml::{Entry, Tree};
+use crate::spec::{Declared, Formula};
+
+/// What reading has found besides the values.
+#[derive(Debug, Default)]
+pub struct Findings {
+    /// What is wrong.
+    pub mistakes: Vec<Mistake>,
+    /// Paths of the CSV files that expressions name.
+    pub tables: Vec<Spanned<String>>,
+}
+
+/// A table that is being read.
+pub struct Fields<'a> {
+    entries: &'a [Entry],
+    asked: Vec<&'static str>,
+    /// The table, for what is missing from it.
+    pub span: Span,
+    what: String,
+    found: &'a mut Findings,
+}
+
+impl<'a> Fields<'a> {
+    /// Starts on a table called `what` in messages; anything else is an error.
+    pub fn open(tree: &'a Spanned<Tree>, what: String, found: &'a mut Findings) -> Self {
+        let entries = match &tree.value {
+            Tree::Table(entries) => entries.as_slice(),
+            other => {
+                let message = format!("{what} is a table, not {}", other.kind());
+                found.mistakes.push(Mistake::new(tree.span, message, "not a table"));
+                &[]
+            }
+        };
+        Fields { entries, asked: Vec::new(), span: tree.span, what, found }
+    }
+
+    /// For a value that stands by itself.
+    pub fn alone(span: Span, found: &'a mut Findings) -> Self {
+        Fields { entries: &[], asked: Vec::new(), span, what: String::new(), found }
+    }
+
+    /// Reports every key that was not asked for.
+    pub fn close(self) {
+        for entry in self.entries {
+            let key = entry.key.value.as_str();
+            if !self.asked.contains(&key) {
+                let message = format!("unknown key {} in {}", quoted(key), self.what);
+                let help = did_you_mean(key, self.asked.iter().copied());
+                self.found
+                    .mistakes
+                    .push(Mistake::new(entry.key.span, message, "unknown").help(help));
+            }
+        }
+    }
+
+    /// Where reading reports to.
+    pub fn found(&mut self) -> &mut Findings {
+        self.found
+    }
+
+    /// The value of a key, if it is there.
+    pub fn take(&mut self, key: &'static str) -> Option<&'a Spanned<Tree>> {
+        if !self.asked.contains(&key) {
+            self.asked.push(key);
+        }
+        self.entries.iter().find(|entry| entry.key.value == key).map(|entry| &entry.value)
+    }
+
+    /// The value of a key that must be there.
+    pub fn require(&mut self, key: &'static str) -> Option<&'a Spanned<Tree>> {
+        let value = self.take(key);
+        if value.is_none() {
+            let message = format!("{} lacks `{key}`", self.what);
+            self.found.mistakes.push(Mistake::new(self.span, message, "it belongs here"));
+        }
+        value
+    }
+
+    /// The entries of a table of tables, whose keys are names.
+    pub fn named(&mut self, key: &'static str) -> &'a [Entry] {
+        let Some(tree) = self.take(key) else { return &[] };
+        let Tree::Table(entries) = &tree.value else {
+            self.wrong::<()>(tree, key, "a table");
+            return &[];
+        };
+        for entry in entries {
+            if let Err(mistake) = names::check(&entry.key) {
+                self.found.mistakes.push(mistake);
+            }
+        }
+        entries
+    }
+
+    /// The entries of a table with keys of any kind.
+    pub fn entries(&mut self, key: &'static str) -> &'a [Entry] {
+        match self.take(key) {
+            None => &[],
+            Some(Spanned { value: Tree::Table(entries), .. }) => entries,
+            Some(tree) => {
+                self.wrong::<()>(tree, key, "a table");
+                &[]
+            }
+        }
+    }
+
+    /// The items of a list of tables.
+    pub fn list(&mut self, key: &'static str) -> &'a [Spanned<Tree>] {
+        match self.take(key) {
+            None => &[],
+            Some(Spanned { value: Tree::List(items), .. }) => items,
+            Some(tree) => {
+                self.wrong::<()>(tree, key, "a list of tables, [[...]]");
+                &[]
+            }
+        }
+    }
+
+    /// A string, empty if absent.
+    pub fn text(&mut self, key: &'static str) -> String {
+        match self.take(key) {
+            None => String::new(),
+            Some(tree) => self.as_text(tree, key).map(|text| text.value).unwrap_or_default(),
+        }
+    }
+
+    /// A string that must be there.
+    pub fn required_text(&mut self, key: &'static str) -> Option<Spanned<String>> {
+        let tree = self.require(key)?;
+        self.as_text(tree, key)
+    }
+
+    /// A name, if it is there.
+    pub fn name(&mut self, key: &'static str) -> Option<Spanned<String>> {
+        let tree = self.take(key)?;
+        let name = self.as_text(tree, key)?;
+        match names::check(&name) {
+            Ok(()) => Some(name),
+            Err(mistake) => {
+                self.found.mistakes.push(mistake);
+                None
+            }
+        }
+    }
+
+    /// true or false, false if absent.
+    pub fn flag(&mut self, key: &'static str) -> bool {
+        match self.take(key) {
+            None => false,
+            Some(Spanned { value: Tree::Boolean(flag), .. }) => *flag,
+            Some(tree) => {
+                self.wrong::<()>(tree, key, "true or false");
+                false
+            }
+        }
+    }
+
+    /// A finite number, if it is there.
+    pub fn number(&mut self, key: &'static str) -> Option<Spanned<f64>> {
+        let tree = self.take(key)?;
+        self.as_number(tree, key)
+    }
+
+    /// A finite number that must be there.
+    pub fn required_number(&mut self, key: &'static str) -> Option<Spanned<f64>> {
+        let tree = self.require(key)?;
+        self.as_number(tree, key)
+    }
+
+    /// A finite number above 0, 1 if absent.
+    pub fn scale(&mut self, key: &'static str) -> f64 {
+        let Some(scale) = self.number(key) else { return 1.0 };
+        if scale.value > 0.0 {
+            return scale.value;
+        }
+        let message = format!("`{key}` is a typical size, above 0");
+        self.found.mistakes.push(Mistake::new(scale.span, message, "not above 0"));
+        1.0
+    }
+
+    /// A unit of measure that must be there.
+    pub fn unit(&mut self) -> Option<Declared> {
+        let tree = self.require("unit")?;
+        let text = self.as_text(tree, "unit")?;
+        match Unit::parse(&text.value) {
+            Ok(unit) => Some(Declared { text: text.value, unit, span: text.span }),
+            Err(error) => {
+                let span = Text::of(tree).map_or(tree.span, |inner| inner.span(error.range));
+                self.found
+                    .mistakes
+                    .push(Mistake::new(span, error.message, "here").help(error.help));
+                None
+            }
+        }
+    }
+
+    /// An expression, if it is there.
+    pub fn expression(&mut self, key: &'static str) -> Option<Ast> {
+        let tree = self.take(key)?;
+        self.as_expression(tree, key)
+    }
+
+    /// An expression that must be there.
+    pub fn required_expression(&mut self, key: &'static str) -> Option<Ast> {
+        let tree = self.require(key)?;
+        self.as_expression(tree, key)
+    }
+
+    /// An expression or a number, if it is there.
+    pub fn formula(&mut self, key: &'static str) -> Option<Formula> {
+        let tree = self.take(key)?;
+        self.as_formula(tree, key)
+    }
+
+    /// A string's value.
+    pub fn as_text(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Spanned<String>> {
+        match &tree.value {
+            Tree::Text { value, .. } => Some(Spanned { value: value.clone(), span: tree.span }),
+            _ => self.wrong(tree, key, "a string"),
+        }
+    }
+
+    /// A finite number's value.
+    pub fn as_number(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Spanned<f64>> {
+        match &tree.value {
+            Tree::Number { value, .. } if value.is_finite() => {
+                Some(Spanned { value: *value, span: tree.span })
+            }
+            Tree::Number { .. } => {
+                let message = format!("{} is a finite number", quoted(key));
+                self.found.mistakes.push(Mistake::new(tree.span, message, "not finite"));
+                None
+            }
+            _ => self.wrong(tree, key, "a number"),
+        }
+    }
+
+    /// A string read as an expression.
+    pub fn as_expression(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Ast> {
+        let Some(text) = Text::of(tree) else {
+            return self.wrong(tree, key, "an expression in quotes");
+        };
+        match expression::parse(&text) {
+            Ok(ast) => {
+                ast.tables(&mut self.found.tables);
+                Some(ast)
+            }
+            Err(mistake) => {
+                self.found.mistakes.push(*mistake);
+                None
+            }
+        }
+    }
+
+    /// A string read as an expression, or a number.
+    pub fn as_formula(&mut self, tree: &Spanned<Tree>, key: &str) -> Option<Formula> {
+        let Tree::Number { text, integer, .. } = &tree.value else {
+            return self.as_expression(tree, key).map(Formula::Expression);
+        };
+        self.as_number(tree, key)?;
+        let literal = match integer {
+            Some(integer) => Some(Literal::of_integer(*integer)),
+            None => Literal::parse(&text.replace('_', "")),
+        };
+        match literal {
+            Some(literal) => Some(Formula::Number(Spanned { value: literal, span: tree.span })),
+            None => self.wrong(tree, key, "a finite number"),
+        }
+    }
+
+    /// Reports a value of the wrong kind.
+    pub fn wrong<T>(&mut self, tree: &Spanned<Tree>, key: &str, wanted: &str) -> Option<T> {
+        let found = tree.value.kind();
+        let message = format!("{} is {wanted}, not {found}", quoted(key));
+        self.found.mistakes.push(Mistake::new(tree.span, message, format!("this is {found}")));
+        None
+    }
+}

@@ -1,0 +1,145 @@
+//! From a scene's path to everything it refers to.
+
+use std::path::Path;
+
+use crate::diagnostic::{Diagnostics, FileId, Mistake, Spanned};
+use crate::spec::fields::Findings;
+use crate::spec::names::quoted;
+use crate::spec::scene::{self, SceneText};
+use crate::spec::source::{Sources, folder_of};
+use crate::spec::{InstanceSpec, SceneSpec, UnitSpec, table, toml, unit};
+
+/// The units that come with Machinist, by name; the one list of them.
+const BUILTIN_UNITS: &[(&str, &str)] = &[
+    ("coupling", include_str!("../../../specs/units/coupling.toml")),
+    ("induction_motor", include_str!("../../../specs/units/induction_motor.toml")),
+    (
+        "induction_motor_as_printed",
+        include_str!("../../../specs/units/induction_motor_as_printed.toml"),
+    ),
+    ("rotor", include_str!("../../../specs/units/rotor.toml")),
+    ("technological_load", include_str!("../../../specs/units/technological_load.toml")),
+];
+
+pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
+    let mut sources = Sources::beside(path);
+    let file = sources.read(path)?;
+    let text = sources.get(file).text.clone();
+    let tree = toml::parse(&text, file).map_err(|mistake| sources.diagnostics(&[mistake]))?;
+    let mut found = Findings::default();
+    let mut scene = scene::read(&tree, file, &mut found);
+    let mut loader = Loader { sources, found, folder: folder_of(path), units: Vec::new() };
+    let instances = loader.instances(&mut scene);
+    let Loader { mut sources, mut found, units, .. } = loader;
+    let tables = table::read_all(&found.tables, &mut sources, &mut found.mistakes);
+    match (scene.header, scene.run) {
+        (Some(header), Some(run)) if found.mistakes.is_empty() => Ok(SceneSpec {
+            sources,
+            name: header.name,
+            title: header.title,
+            doc: header.doc,
+            source: header.source,
+            units,
+            instances,
+            joints: scene.joints,
+            parameters: scene.parameters,
+            helpers: scene.helpers,
+            forces: scene.forces,
+            initial: scene.initial,
+            outputs: scene.outputs,
+            run,
+            tables,
+        }),
+        _ => Err(sources.diagnostics(&found.mistakes)),
+    }
+}
+
+struct Loader<'a> {
+    sources: Sources,
+    found: Findings,
+    folder: &'a Path,
+    units: Vec<UnitSpec>,
+}
+
+impl Loader<'_> {
+    /// The instances, each with its unit looked up; a unit is read once.
+    fn instances(&mut self, scene: &mut SceneText) -> Vec<InstanceSpec> {
+        let texts = std::mem::take(&mut scene.instances);
+        let mut instances = Vec::new();
+        for text in texts {
+            let known = self.units.iter().position(|unit| unit.name == text.unit.value);
+            let unit = known.or_else(|| {
+                let unit = self.find(&text.unit, &scene.define)?;
+                self.units.push(unit);
+                Some(self.units.len() - 1)
+            });
+            let Some(unit) = unit else { continue };
+            let (parameters, inputs) = (text.parameters, text.inputs);
+            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs });
+        }
+        instances
+    }
+
+    fn find(&mut self, name: &Spanned<String>, define: &[UnitSpec]) -> Option<UnitSpec> {
+        if let Some(unit) = define.iter().find(|unit| unit.name == name.value) {
+            return Some(unit.clone());
+        }
+        let file_name = format!("{}.toml", name.value);
+        let beside = self.folder.join(&file_name);
+        let among = self.folder.join("..").join("units").join(&file_name);
+        for path in [beside, among] {
+            if std::fs::symlink_metadata(&path).is_ok() {
+                let read = self.sources.read(&path);
+                return match read {
+                    Ok(file) => self.unit(name, file),
+                    Err(error) => self.refuse(name, error.to_string(), ""),
+                };
+            }
+        }
+        let builtin = BUILTIN_UNITS.iter().find(|(builtin, _)| *builtin == name.value);
+        if let Some((_, text)) = builtin {
+            let file = self.sources.embed(&format!("units/{file_name}"), text);
+            return self.unit(name, file);
+        }
+        let help = format!(
+            "a unit is looked for in [define.{0}], as {0}.toml beside the scene, as \
+             ../units/{0}.toml, and among those that come with Machinist",
+            name.value
+        );
+        self.refuse(name, format!("there is no unit {}", quoted(&name.value)), &help)
+    }
+
+    fn unit(&mut self, name: &Spanned<String>, file: FileId) -> Option<UnitSpec> {
+        let text = self.sources.get(file).text.clone();
+        match toml::parse(&text, file) {
+            Ok(tree) => Some(unit::read(&tree, &name.value, file, true, &mut self.found)),
+            Err(mistake) => {
+                self.found.mistakes.push(mistake);
+                None
+            }
+        }
+    }
+
+    fn refuse(&mut self, name: &Spanned<String>, message: String, help: &str) -> Option<UnitSpec> {
+        self.found.mistakes.push(Mistake::new(name.span, message, "asked for here").help(help));
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_unit_of_the_repository_comes_with_machinist() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/units");
+        let entries = std::fs::read_dir(folder).expect("folder of units");
+        let paths = entries.map(|entry| entry.expect("entry").path());
+        let units = paths.filter(|path| path.extension().is_some_and(|ext| ext == "toml"));
+        let mut names: Vec<String> =
+            units.map(|path| path.file_stem().expect("stem").to_string_lossy().into()).collect();
+        names.sort();
+        let listed: Vec<&str> = BUILTIN_UNITS.iter().map(|(name, _)| *name).collect();
+        assert_eq!(listed, names, "BUILTIN_UNITS lists specs/units in order");
+    }
+}

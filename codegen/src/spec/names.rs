@@ -1,0 +1,138 @@
+//! Which names a spec may give.
+
+use crate::diagnostic::{Mistake, Spanned};
+
+/// Characters a name may have.
+const MAX_NAME: usize = 64;
+
+/// Keywords of every edition of Rust, strict and reserved, which emitted code
+/// could not use as identifiers.
+const RUST_KEYWORDS: &[&str] = &[
+    "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue",
+    "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if",
+    "impl", "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub",
+    "ref", "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
+    "union", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+/// Functions of the expression language.
+pub const FUNCTIONS: &[&str] = &[
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "exp",
+    "ln",
+    "sqrt",
+    "abs",
+    "min",
+    "max",
+    "sign",
+    "smooth_step",
+    "step",
+    "piecewise",
+    "table",
+];
+
+/// Refuses what is no name.
+///
+/// # Errors
+/// Unless it is an ASCII identifier that starts with a letter, has at most 64
+/// characters, and is neither a Rust keyword nor a function, `t` or `pi`.
+pub fn check(name: &Spanned<String>) -> Result<(), Mistake> {
+    let text = name.value.as_str();
+    let refuse = |message: String, label: &str, help: &str| {
+        Err(Mistake::new(name.span, message, label).help(help))
+    };
+    let rule = "a name is made of ASCII letters, digits and _, and starts with a letter";
+    let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    if !text.starts_with(|c: char| c.is_ascii_alphabetic()) || !text.chars().all(word) {
+        return refuse(format!("{} is not a valid name", quoted(text)), "not a name", rule);
+    }
+    if text.len() > MAX_NAME {
+        let message = format!("a name has at most {MAX_NAME} characters");
+        return refuse(message, "too long", "shorten it");
+    }
+    if RUST_KEYWORDS.contains(&text) {
+        let message = format!("{} is a keyword of Rust", quoted(text));
+        return refuse(message, "not free as a name", "emitted code uses the names of the spec");
+    }
+    if FUNCTIONS.contains(&text) || text == "t" || text == "pi" {
+        let message = format!("{} already has a meaning in expressions", quoted(text));
+        return refuse(message, "not free as a name", "choose another name");
+    }
+    Ok(())
+}
+
+/// A text of the spec as a message shows it: in quotes, escaped, not too long.
+#[must_use]
+pub fn quoted(text: &str) -> String {
+    let shown: String = text.chars().take(MAX_NAME).collect();
+    let more = if shown.len() < text.len() { "..." } else { "" };
+    format!("`{}{more}`", shown.escape_debug())
+}
+
+/// A hint that names the candidate most like `name`, or else lists a few.
+#[must_use]
+pub fn did_you_mean<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> String {
+    let candidates: Vec<&str> = candidates.collect();
+    let likeness = |candidate: &str| strsim::jaro_winkler(name, candidate);
+    let short = name.len() <= MAX_NAME;
+    let best = candidates.iter().filter(|candidate| short && likeness(candidate) > 0.8);
+    match best.max_by(|a, b| likeness(a).total_cmp(&likeness(b))) {
+        Some(best) => format!("did you mean `{best}`?"),
+        None if candidates.is_empty() => String::new(),
+        None if candidates.len() <= 12 => format!("known are {}", candidates.join(", ")),
+        None => format!("known are {}, ...", candidates[..12].join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::{FileId, Span};
+
+    fn is_name(text: &str) -> bool {
+        let span = Span::new(FileId(0), 0..0);
+        check(&Spanned { value: text.to_owned(), span }).is_ok()
+    }
+
+    #[test]
+    fn names_are_identifiers_of_rust() {
+        for text in ["J", "psi_x1", "angle_dot", "raw", "e", "x_", "T"] {
+            assert!(is_name(text), "{text}");
+            assert!(syn::parse_str::<syn::Ident>(text).is_ok(), "{text}");
+        }
+        assert!(is_name(&"a".repeat(64)));
+        assert!(!is_name(&"a".repeat(65)));
+    }
+
+    #[test]
+    fn what_rust_reserves_is_no_name() {
+        for keyword in RUST_KEYWORDS {
+            assert!(!is_name(keyword), "{keyword}");
+        }
+        // Keywords that syn knows are all on the list.
+        for word in ["self", "Self", "try", "async", "yield", "macro", "typeof", "become", "crate"]
+        {
+            assert!(syn::parse_str::<syn::Ident>(word).is_err() && !is_name(word), "{word}");
+        }
+        for text in ["", "_x", "1x", "a b", "a-b", "\u{3c6}", "r#try", "x;", "pi", "t", "sin", "'a"]
+        {
+            assert!(!is_name(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn hints_name_the_likest_candidate() {
+        let known = ["coordinate", "kind"];
+        assert_eq!(did_you_mean("cordinate", known.into_iter()), "did you mean `coordinate`?");
+        assert_eq!(did_you_mean("zzz", known.into_iter()), "known are coordinate, kind");
+        assert_eq!(did_you_mean("zzz", std::iter::empty()), "");
+    }
+}

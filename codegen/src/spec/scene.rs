@@ -1,0 +1,202 @@
+//! A scene's table to plain data, before its units are looked for.
+
+use crate::diagnostic::{FileId, Mistake, Span, Spanned};
+use crate::spec::expression::Ast;
+use crate::spec::fields::{Fields, Findings};
+use crate::spec::names::{did_you_mean, quoted};
+use crate::spec::toml::{Entry, Tree};
+use crate::spec::unit::{self, each};
+use crate::spec::{
+    DefinitionSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
+};
+use crate::system::METHODS;
+
+/// Output times a run may have.
+const MAX_POINTS: f64 = 1e7;
+/// Relative tolerances a run may ask for.
+const RTOL: std::ops::RangeInclusive<f64> = 1e-14..=0.1;
+
+/// A scene whose units are only named.
+#[derive(Debug)]
+pub struct SceneText {
+    pub header: Option<Header>,
+    pub define: Vec<UnitSpec>,
+    pub instances: Vec<InstanceText>,
+    pub joints: Vec<JointSpec>,
+    pub parameters: Vec<ParameterSpec>,
+    pub helpers: Vec<DefinitionSpec>,
+    pub forces: Vec<PortForceSpec>,
+    pub initial: Vec<(Spanned<String>, Formula)>,
+    pub outputs: Vec<OutputSpec>,
+    pub run: Option<RunSpec>,
+}
+
+/// What `[scene]` says.
+#[derive(Debug)]
+pub struct Header {
+    pub name: Spanned<String>,
+    pub title: String,
+    pub doc: String,
+    pub source: String,
+}
+
+/// An instance whose unit is only named.
+#[derive(Debug)]
+pub struct InstanceText {
+    pub name: Spanned<String>,
+    pub unit: Spanned<String>,
+    pub parameters: Vec<(Spanned<String>, f64)>,
+    pub inputs: Vec<(Spanned<String>, Formula)>,
+}
+
+/// Reads a scene.
+pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneText {
+    let mut fields = Fields::open(tree, "the scene".to_owned(), found);
+    let header = fields.require("scene").and_then(|tree| header(tree, fields.found()));
+    let defined = fields.named("define");
+    let define = defined
+        .iter()
+        .map(|entry| unit::read(&entry.value, &entry.key.value, file, false, fields.found()));
+    let define = define.collect();
+    fields.require("units");
+    let instances = each(&mut fields, "units", instance);
+    let joints = fields.list("joints");
+    let joints = joints.iter().filter_map(|tree| joint(tree, fields.found())).collect();
+    let parameters = each(&mut fields, "parameters", unit::parameter);
+    let helpers = each(&mut fields, "helpers", unit::definition);
+    let forces = fields.list("forces");
+    let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
+    let initial = fields.entries("initial");
+    let initial = initial_values(initial, &mut fields);
+    let outputs = each(&mut fields, "outputs", output);
+    let run = fields.require("run").and_then(|tree| run(tree, fields.found()));
+    fields.close();
+    SceneText {
+        header,
+        define,
+        instances,
+        joints,
+        parameters,
+        helpers,
+        forces,
+        initial,
+        outputs,
+        run,
+    }
+}
+
+fn header(tree: &Spanned<Tree>, found: &mut Findings) -> Option<Header> {
+    let mut fields = Fields::open(tree, "[scene]".to_owned(), found);
+    let present = fields.require("name").is_some();
+    let name = fields.name("name");
+    let [title, doc, source] = ["title", "doc", "source"].map(|key| fields.text(key));
+    fields.close();
+    let name = name.filter(|_| present)?;
+    let title = if title.is_empty() { name.value.replace('_', " ") } else { title };
+    Some(Header { name, title, doc, source })
+}
+
+fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
+    let what = format!("instance {}", quoted(&entry.key.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let present = fields.require("unit").is_some();
+    let unit = fields.name("unit").filter(|_| present);
+    let overrides = fields.entries("parameters");
+    let parameters = overrides.iter().filter_map(|entry| {
+        let value = fields.as_number(&entry.value, &entry.key.value)?;
+        Some((entry.key.clone(), value.value))
+    });
+    let parameters = parameters.collect();
+    let bindings = fields.entries("inputs");
+    let inputs = bindings.iter().filter_map(|entry| {
+        let formula = fields.as_formula(&entry.value, &entry.key.value)?;
+        Some((entry.key.clone(), formula))
+    });
+    let inputs = inputs.collect();
+    fields.close();
+    Some(InstanceText { name: entry.key.clone(), unit: unit?, parameters, inputs })
+}
+
+fn joint(tree: &Spanned<Tree>, found: &mut Findings) -> Option<JointSpec> {
+    let mut fields = Fields::open(tree, "[[joints]]".to_owned(), found);
+    let connect = fields.require("connect").and_then(|list| ports(list, &mut fields));
+    let ratio = fields.formula("ratio");
+    fields.close();
+    Some(JointSpec { connect: connect?, ratio })
+}
+
+fn ports(tree: &Spanned<Tree>, fields: &mut Fields<'_>) -> Option<[Spanned<String>; 2]> {
+    let Tree::List(items) = &tree.value else {
+        return fields.wrong(tree, "connect", "a list of two ports");
+    };
+    let [first, second] = items.as_slice() else {
+        let mistake = Mistake::new(tree.span, "a joint connects two ports", "not two");
+        fields.found().mistakes.push(mistake.help("write connect = [\"a.port\", \"b.port\"]"));
+        return None;
+    };
+    Some([fields.as_text(first, "connect")?, fields.as_text(second, "connect")?])
+}
+
+fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<PortForceSpec> {
+    let mut fields = Fields::open(tree, "[[forces]]".to_owned(), found);
+    let port = fields.required_text("port");
+    let expression = fields.required_expression("expression");
+    let doc = fields.text("doc");
+    fields.close();
+    Some(PortForceSpec { port: port?, expression: expression?, doc })
+}
+
+/// Both `"motor.angle" = 0` and `motor.angle = 0`, which TOML takes for a table.
+fn initial_values(entries: &[Entry], fields: &mut Fields<'_>) -> Vec<(Spanned<String>, Formula)> {
+    let mut values = Vec::new();
+    for Entry { key, value } in entries {
+        let Tree::Table(inner) = &value.value else {
+            values.extend(fields.as_formula(value, &key.value).map(|value| (key.clone(), value)));
+            continue;
+        };
+        for entry in inner {
+            let path = format!("{}.{}", key.value, entry.key.value);
+            let name = Spanned { value: path, span: entry.key.span };
+            let formula = fields.as_formula(&entry.value, &entry.key.value);
+            values.extend(formula.map(|value| (name, value)));
+        }
+    }
+    values
+}
+
+fn output(entry: &Entry, found: &mut Findings) -> Option<OutputSpec> {
+    if let Tree::Table(_) = entry.value.value {
+        return unit::definition(entry, found).map(OutputSpec::Definition);
+    }
+    let mut fields = Fields::alone(entry.value.span, found);
+    let of: Option<Ast> = fields.as_expression(&entry.value, &entry.key.value);
+    Some(OutputSpec::Alias { name: entry.key.clone(), of: of? })
+}
+
+fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {
+    let mut fields = Fields::open(tree, "[run]".to_owned(), found);
+    let from = fields.number("from").map_or(0.0, |from| from.value);
+    let until = fields.required_number("until");
+    let points = fields.required_number("points");
+    let rtol = fields.required_number("rtol");
+    let method = fields.required_text("method");
+    fields.close();
+    let (until, points, rtol, method) = (until?, points?, rtol?, method?);
+    let mut refuse = |good: bool, span: Span, message: &str, label: &str, help: String| {
+        if !good {
+            found.mistakes.push(Mistake::new(span, message, label).help(help));
+        }
+    };
+    let start = format!("it starts at {from} s");
+    refuse(until.value > from, until.span, "a run ends after its start", "too early", start);
+    let whole = points.value.fract() == 0.0 && (2.0..=MAX_POINTS).contains(&points.value);
+    let message = "`points` is an integer from 2 to 10 000 000";
+    refuse(whole, points.span, message, "out of range", String::new());
+    let message = "`rtol` lies between 1e-14 and 0.1";
+    refuse(RTOL.contains(&rtol.value), rtol.span, message, "out of range", String::new());
+    let known = METHODS.contains(&method.value.as_str());
+    let help = did_you_mean(&method.value, METHODS.iter().copied());
+    refuse(known, method.span, "unknown method", "unknown", help);
+    let (until, points, rtol) = (until.value, points.value as usize, rtol.value);
+    Some(RunSpec { from, until, points, rtol, method: method.value })
+}

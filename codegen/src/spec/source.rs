@@ -1,0 +1,160 @@
+//! Reading files: limits, labels, hashes.
+
+use std::fmt::Write as _;
+use std::io::Read as _;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use sha2::{Digest as _, Sha256};
+
+use crate::diagnostic::{Diagnostic, Diagnostics, FileId, Mistake};
+use crate::system::SourceFile;
+
+/// Bytes a file may hold.
+pub const MAX_FILE_BYTES: u64 = 1 << 20;
+/// Mistakes turned into reports; the rest is only counted.
+const MAX_SHOWN: usize = 50;
+
+/// A file with its text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceText {
+    /// Path, label and hash. The path is empty for a unit that comes with Machinist.
+    pub file: SourceFile,
+    /// What it holds.
+    pub text: Arc<str>,
+}
+
+/// Every file read, in the order read.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Sources {
+    texts: Vec<SourceText>,
+    /// The folder whose files are labelled relative to it.
+    root: PathBuf,
+}
+
+impl Sources {
+    /// None read yet; labels are relative to the parent of the folder of `scene`.
+    #[must_use]
+    pub fn beside(scene: &Path) -> Self {
+        let folder = std::fs::canonicalize(folder_of(scene)).unwrap_or_default();
+        let root = folder.parent().map(Path::to_path_buf).unwrap_or_default();
+        Sources { texts: Vec::new(), root }
+    }
+
+    /// The text of an id.
+    #[must_use]
+    pub fn get(&self, id: FileId) -> &SourceText {
+        &self.texts[id.0 as usize]
+    }
+
+    /// Paths, labels and hashes, in the order read.
+    #[must_use]
+    pub fn files(&self) -> Vec<SourceFile> {
+        self.texts.iter().map(|text| text.file.clone()).collect()
+    }
+
+    /// Reads the file at `path`.
+    ///
+    /// # Errors
+    /// If it is missing, no regular file, empty, longer than [`MAX_FILE_BYTES`],
+    /// not UTF-8, or cannot be read.
+    pub fn read(&mut self, path: &Path) -> Result<FileId, Diagnostic> {
+        let label = self.label(path);
+        let text = read_text(path, &label)?;
+        Ok(self.add(path.to_path_buf(), label, &text))
+    }
+
+    /// Takes in a text that is no file.
+    pub fn embed(&mut self, label: &str, text: &str) -> FileId {
+        self.add(PathBuf::new(), label.to_owned(), text)
+    }
+
+    /// Attaches the text around them to mistakes; equal ones are told once.
+    #[must_use]
+    pub fn diagnostics(&self, mistakes: &[Mistake]) -> Diagnostics {
+        let mut told: Vec<&Mistake> = Vec::new();
+        for mistake in mistakes {
+            if told.len() <= MAX_SHOWN && !told.contains(&mistake) {
+                told.push(mistake);
+            }
+        }
+        let shown = told.iter().map(|mistake| {
+            let source = self.get(mistake.span.file);
+            Diagnostic::of_text(mistake, &source.file.label, &source.text)
+        });
+        shown.collect()
+    }
+
+    fn add(&mut self, path: PathBuf, label: String, text: &str) -> FileId {
+        let mut sha256 = String::new();
+        for byte in Sha256::digest(text.as_bytes()) {
+            // Writing to a string cannot fail.
+            let _ = write!(sha256, "{byte:02x}");
+        }
+        let file = SourceFile { path, label, sha256 };
+        self.texts.push(SourceText { file, text: text.into() });
+        FileId(self.texts.len() as u32 - 1)
+    }
+
+    /// Path relative to the root if it is below it, else the file's name.
+    fn label(&self, path: &Path) -> String {
+        let whole = std::fs::canonicalize(folder_of(path)).unwrap_or_default();
+        let name = path.file_name().map_or(Path::new("?"), Path::new);
+        let below = match whole.strip_prefix(&self.root) {
+            Ok(below) if !self.root.as_os_str().is_empty() => below.join(name),
+            _ => name.to_path_buf(),
+        };
+        let parts = below.components().filter_map(|part| match part {
+            Component::Normal(part) => Some(part.to_string_lossy()),
+            _ => None,
+        });
+        parts.collect::<Vec<_>>().join("/")
+    }
+}
+
+/// The folder a file is in, `.` for a bare name.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+fn read_text(path: &Path, label: &str) -> Result<String, Diagnostic> {
+    let refuse = |message: String, help: &str| Err(Diagnostic::of_file(label, message, help));
+    let metadata = match std::fs::metadata(path) {
+        Ok(metadata) => metadata,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+            return refuse("there is no such file".to_owned(), "");
+        }
+        Err(error) => return refuse(format!("cannot be read: {}", error.kind()), ""),
+    };
+    if metadata.is_dir() {
+        return refuse("this is a folder, not a file".to_owned(), "name a file in it");
+    }
+    if !metadata.is_file() {
+        return refuse("this is not a regular file".to_owned(), "");
+    }
+    let too_long = "a file is at most 1 MiB long";
+    if metadata.len() > MAX_FILE_BYTES {
+        return refuse(too_long.to_owned(), "");
+    }
+    let mut bytes = Vec::new();
+    // The file may have grown since; reading stops one byte beyond the limit.
+    let read = std::fs::File::open(path)
+        .and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes));
+    if let Err(error) = read {
+        return refuse(format!("cannot be read: {}", error.kind()), "");
+    }
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        return refuse(too_long.to_owned(), "");
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) if text.trim().is_empty() => refuse("the file is empty".to_owned(), ""),
+        Ok(text) => Ok(text),
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            refuse(format!("the file is not UTF-8 text (byte {at})"), "save it as UTF-8")
+        }
+    }
+}

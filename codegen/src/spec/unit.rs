@@ -1,0 +1,190 @@
+//! A unit's table to a [`UnitSpec`].
+
+use crate::diagnostic::{FileId, Mistake, Spanned};
+use crate::spec::fields::{Fields, Findings};
+use crate::spec::names::{self, did_you_mean, quoted};
+use crate::spec::toml::{Entry, Tree};
+use crate::spec::{
+    CoordinateSpec, DefinitionSpec, EnergySpec, ForceSpec, InputSpec, ParameterSpec, PortKind,
+    PortSpec, PowerSpec, StateSpec, UnitSpec,
+};
+
+/// Reads a unit found by `name`; `whole` if it is a file of its own, which must
+/// say so in `[unit]`.
+pub fn read(
+    tree: &Spanned<Tree>,
+    name: &str,
+    file: FileId,
+    whole: bool,
+    found: &mut Findings,
+) -> UnitSpec {
+    let mut fields = Fields::open(tree, format!("unit {}", quoted(name)), found);
+    let header = if whole { fields.require("unit") } else { fields.take("unit") };
+    let [title, doc, source] =
+        header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
+    let coordinates = each(&mut fields, "coordinates", coordinate);
+    let ports = each(&mut fields, "ports", port);
+    let parameters = each(&mut fields, "parameters", parameter);
+    let inputs = each(&mut fields, "inputs", input);
+    let helpers = each(&mut fields, "helpers", definition);
+    let states = each(&mut fields, "states", state);
+    let energy = fields.take("energy").map(|tree| energy(tree, fields.found()));
+    let power = fields.take("power").map(|tree| power(tree, fields.found()));
+    let forces = fields.list("forces");
+    let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
+    let outputs = each(&mut fields, "outputs", definition);
+    fields.close();
+    UnitSpec {
+        name: name.to_owned(),
+        file,
+        title,
+        doc,
+        source,
+        coordinates,
+        ports,
+        parameters,
+        inputs,
+        helpers,
+        states,
+        energy: energy.unwrap_or_default(),
+        power: power.unwrap_or_default(),
+        forces,
+        outputs,
+    }
+}
+
+/// Reads every entry of a table of tables.
+pub fn each<T>(
+    fields: &mut Fields<'_>,
+    key: &'static str,
+    read: fn(&Entry, &mut Findings) -> Option<T>,
+) -> Vec<T> {
+    let entries = fields.named(key);
+    entries.iter().filter_map(|entry| read(entry, fields.found())).collect()
+}
+
+fn header(tree: &Spanned<Tree>, found: &mut Findings) -> [String; 3] {
+    let mut fields = Fields::open(tree, "[unit]".to_owned(), found);
+    fields.name("name");
+    let texts = ["title", "doc", "source"].map(|key| fields.text(key));
+    fields.close();
+    texts
+}
+
+fn open<'a>(entry: &'a Entry, kind: &str, found: &'a mut Findings) -> Fields<'a> {
+    Fields::open(&entry.value, format!("{kind} {}", quoted(&entry.key.value)), found)
+}
+
+fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
+    let mut fields = open(entry, "coordinate", found);
+    let unit = fields.unit();
+    let doc = fields.text("doc");
+    let default = |suffix: &str| Spanned {
+        value: format!("{}_{suffix}", entry.key.value),
+        span: entry.key.span,
+    };
+    let velocity = fields.name("velocity").unwrap_or_else(|| default("dot"));
+    let acceleration = fields.name("acceleration").unwrap_or_else(|| default("ddot"));
+    let scale = [fields.scale("scale"), fields.scale("velocity_scale")];
+    fields.close();
+    for rate in [&velocity, &acceleration] {
+        if let Err(mistake) = names::check(rate) {
+            found.mistakes.push(mistake);
+        }
+    }
+    Some(CoordinateSpec {
+        name: entry.key.clone(),
+        velocity,
+        acceleration,
+        unit: unit?,
+        doc,
+        scale,
+    })
+}
+
+fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
+    let mut fields = open(entry, "port", found);
+    let kind = fields.required_text("kind");
+    let coordinate = fields.required_text("coordinate");
+    fields.close();
+    let kind = kind?;
+    let Some((_, value)) = PortKind::ALL.into_iter().find(|(name, _)| *name == kind.value) else {
+        let message = format!("unknown kind of port {}", quoted(&kind.value));
+        let help = did_you_mean(&kind.value, PortKind::ALL.into_iter().map(|(name, _)| name));
+        found.mistakes.push(Mistake::new(kind.span, message, "unknown").help(help));
+        return None;
+    };
+    let kind = Spanned { value, span: kind.span };
+    Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate? })
+}
+
+/// Reads a parameter.
+pub fn parameter(entry: &Entry, found: &mut Findings) -> Option<ParameterSpec> {
+    let mut fields = open(entry, "parameter", found);
+    let value = fields.required_number("value");
+    let unit = fields.unit();
+    let doc = fields.text("doc");
+    fields.close();
+    Some(ParameterSpec { name: entry.key.clone(), value: value?.value, unit: unit?, doc })
+}
+
+fn input(entry: &Entry, found: &mut Findings) -> Option<InputSpec> {
+    let mut fields = open(entry, "input", found);
+    let unit = fields.unit();
+    let doc = fields.text("doc");
+    fields.close();
+    Some(InputSpec { name: entry.key.clone(), unit: unit?, doc })
+}
+
+/// Reads a helper or an output.
+pub fn definition(entry: &Entry, found: &mut Findings) -> Option<DefinitionSpec> {
+    let mut fields = open(entry, "definition", found);
+    let expression = fields.required_expression("expression");
+    let unit = fields.unit();
+    let doc = fields.text("doc");
+    fields.close();
+    Some(DefinitionSpec { name: entry.key.clone(), expression: expression?, unit: unit?, doc })
+}
+
+fn state(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
+    let mut fields = open(entry, "state", found);
+    let unit = fields.unit();
+    let doc = fields.text("doc");
+    let rate = fields.required_expression("rate");
+    let initial = fields.formula("initial");
+    let scale = fields.scale("scale");
+    fields.close();
+    Some(StateSpec { name: entry.key.clone(), unit: unit?, doc, rate: rate?, initial, scale })
+}
+
+fn energy(tree: &Spanned<Tree>, found: &mut Findings) -> EnergySpec {
+    let mut fields = Fields::open(tree, "[energy]".to_owned(), found);
+    let energy = EnergySpec {
+        kinetic: fields.expression("kinetic"),
+        potential: fields.expression("potential"),
+        dissipation: fields.expression("dissipation"),
+        stored: fields.expression("stored"),
+    };
+    fields.close();
+    energy
+}
+
+fn power(tree: &Spanned<Tree>, found: &mut Findings) -> PowerSpec {
+    let mut fields = Fields::open(tree, "[power]".to_owned(), found);
+    let power = PowerSpec {
+        supplied: fields.expression("supplied"),
+        dissipated: fields.expression("dissipated"),
+    };
+    fields.close();
+    power
+}
+
+fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<ForceSpec> {
+    let mut fields = Fields::open(tree, "[[forces]]".to_owned(), found);
+    let coordinate = fields.required_text("coordinate");
+    let expression = fields.required_expression("expression");
+    let conversion = fields.flag("conversion");
+    let doc = fields.text("doc");
+    fields.close();
+    Some(ForceSpec { coordinate: coordinate?, expression: expression?, conversion, doc })
+}

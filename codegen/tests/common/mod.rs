@@ -1,0 +1,109 @@
+//! A composed system as text that people can check.
+
+use std::fmt::Write as _;
+
+use machinist_codegen::expr::{Expr, Function, Symbol};
+use machinist_codegen::system::{LagrangianSystem, Quantity};
+
+/// Everything of a system but its files' paths, one thing a line.
+pub fn describe(system: &LagrangianSystem) -> String {
+    let mut out = String::new();
+    let show = |expr: &Expr| show(expr, system);
+    let mut line = |text: String| writeln!(out, "{text}").expect("write to a string");
+    line(format!("{} | {}", system.name, system.title));
+    line(format!("doc: {}\nsource: {}", system.doc, system.source));
+    for file in &system.files {
+        line(format!("file {}", file.label));
+    }
+    for c in &system.coordinates {
+        line(format!("coordinate {}", quantity(&c.position)));
+        line(format!("  velocity {}", quantity(&c.velocity)));
+        line(format!(
+            "  initial {}, {}; scale {:?}",
+            show(&c.initial[0]),
+            show(&c.initial[1]),
+            c.scale
+        ));
+        for (name, factor) in &c.identified {
+            line(format!("  {name} follows by {}", show(factor)));
+        }
+    }
+    for z in &system.first_order {
+        line(format!("state {}", quantity(&z.quantity)));
+        line(format!("  rate {}", show(&z.rate)));
+        line(format!("  initial {}; scale {}", show(&z.initial), z.scale));
+    }
+    for p in &system.parameters {
+        line(format!("parameter {} = {}", quantity(&p.quantity), p.value));
+    }
+    line(format!("T = {}", show(&system.kinetic)));
+    line(format!("V = {}", show(&system.potential)));
+    line(format!("D = {}", show(&system.dissipation)));
+    for q in &system.generalized_force {
+        line(format!("Q = {}; converting {}", show(&q.total), show(&q.conversion)));
+    }
+    line(format!("stored = {}", show(&system.stored_energy)));
+    line(format!("supplied = {}", show(&system.supplied_power)));
+    line(format!("dissipated = {}", show(&system.dissipated_power)));
+    for (kind, definitions) in [("helper", &system.helpers), ("output", &system.outputs)] {
+        for definition in definitions {
+            line(format!("{kind} {} = {}", quantity(&definition.quantity), show(&definition.expr)));
+        }
+    }
+    for table in &system.tables {
+        line(format!("table {} {} {:?}", table.name.ident, table.name.path, table.knots));
+        table.coefficients.iter().for_each(|row| line(format!("  {row:.6?}")));
+    }
+    for time in &system.discontinuities {
+        line(format!("jump at {}", show(time)));
+    }
+    let run = &system.run;
+    line(format!("run {}..{} {} {:e} {}", run.from, run.until, run.points, run.rtol, run.method));
+    out
+}
+
+fn quantity(quantity: &Quantity) -> String {
+    let name = &quantity.name;
+    format!("{} {} {} [{}] {}", name.path, name.ident, name.latex, quantity.unit, quantity.doc)
+}
+
+/// Infix text of an expression, in the spec's own names.
+pub fn show(expr: &Expr, system: &LagrangianSystem) -> String {
+    let each = |parts: &[Expr]| parts.iter().map(|part| show(part, system)).collect::<Vec<_>>();
+    match expr {
+        Expr::Number(number) => number.to_string(),
+        Expr::Symbol(symbol) => self::symbol(*symbol, system),
+        Expr::Sum(terms) => format!("({})", each(terms).join(" + ")),
+        Expr::Product(factors) => each(factors).join("*"),
+        Expr::Power(base, exponent) => {
+            format!("{}^({})", grouped(base, system), show(exponent, system))
+        }
+        Expr::Call(Function::Table { table, .. }, arguments) => {
+            format!(
+                "{}({})",
+                system.tables[table.0 as usize].name.ident,
+                each(arguments).join(", ")
+            )
+        }
+        Expr::Call(function, arguments) => format!("{function:?}({})", each(arguments).join(", ")),
+    }
+}
+
+fn grouped(expr: &Expr, system: &LagrangianSystem) -> String {
+    let text = show(expr, system);
+    if matches!(expr, Expr::Product(_) | Expr::Power(..)) { format!("({text})") } else { text }
+}
+
+fn symbol(symbol: Symbol, system: &LagrangianSystem) -> String {
+    let coordinate = |id: machinist_codegen::expr::CoordinateId| &system.coordinates[id.0 as usize];
+    match symbol {
+        Symbol::Time => "t".to_owned(),
+        Symbol::Pi => "pi".to_owned(),
+        Symbol::Helper(id) => format!("helper {}", id.0),
+        Symbol::Coordinate(id) => coordinate(id).position.name.path.clone(),
+        Symbol::Velocity(id) => coordinate(id).velocity.name.path.clone(),
+        Symbol::Acceleration(id) => format!("{}''", coordinate(id).position.name.path),
+        Symbol::FirstOrder(id) => system.first_order[id.0 as usize].quantity.name.path.clone(),
+        Symbol::Parameter(id) => system.parameter(id).quantity.name.path.clone(),
+    }
+}

@@ -1,0 +1,1328 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo run --release -- gen
+//
+// Sources, with SHA-256:
+//   a84965a91db7cfa103c22695ba1ae6324662522399db683b4171fce80e13d5b7  scenes/saw_gin.toml
+//   fe2f2deb5f36655ff87e1d6f2bb763716b1c76007878e37e8e41643655074862  units/induction_motor.toml
+//   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
+//   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
+//   c25829d257d53d2e48562bcbdac2bfe42940eb3fdb1c5913863f1432683f6420  units/technological_load.toml
+//
+// Saw gin: motor, coupling and saw cylinder
+//
+// The machine runs up empty; the technological load engages at 1.2 s and opposes
+// motion.
+//
+// Source:
+//   Saw-gin study (2020), equations (1) and (2), in their consistent reading.
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               2
+//   first-order states        4
+//   states                    8
+//   parameters               21
+//   outputs                   8
+//   discontinuities           0
+//
+// State:
+//     0  motor.phi       [rad]    rotor angle
+//     1  cylinder.phi    [rad]    angle
+//     2  motor.omega     [rad/s]  rate of rotor angle
+//     3  cylinder.omega  [rad/s]  rate of angle
+//     4  motor.psi_sx    [V s]    stator flux linkage along x
+//     5  motor.psi_sy    [V s]    stator flux linkage along y
+//     6  motor.psi_rx    [V s]    rotor flux linkage along x
+//     7  motor.psi_ry    [V s]    rotor flux linkage along y
+//
+// Nonzeros:
+//   mass_matrix               2 of 2 by 2
+//   rate_jacobian            28 of 8 by 8
+//   parameter_jacobian       38 of 8 by 21
+//
+// Operations:
+//   initial_state             0
+//   discontinuities           0
+//   rate                     80
+//   mass_matrix               0
+//   forcing                  45
+//   rate_jacobian            76
+//   parameter_jacobian      186
+//   time_derivative          32
+//   outputs                  57
+//   energy                   41
+//   power_balance           156
+
+use crate::{
+    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+    SparsityPattern,
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 2;
+
+/// Length of the state `[q, q', z]`, 2 n + m.
+pub const STATES: usize = 8;
+
+/// Parameters.
+pub const PARAMETERS: usize = 21;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 8;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 2,
+    columns: 2,
+    entries: &[(0, 0), (1, 1)],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 8,
+    columns: 8,
+    entries: &[
+        (0, 2),
+        (1, 3),
+        (2, 0),
+        (2, 1),
+        (2, 2),
+        (2, 3),
+        (2, 4),
+        (2, 5),
+        (2, 6),
+        (2, 7),
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (4, 4),
+        (4, 5),
+        (4, 6),
+        (5, 4),
+        (5, 5),
+        (5, 7),
+        (6, 2),
+        (6, 4),
+        (6, 6),
+        (6, 7),
+        (7, 2),
+        (7, 5),
+        (7, 6),
+        (7, 7),
+    ],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 8,
+    columns: 21,
+    entries: &[
+        (2, 0),
+        (2, 2),
+        (2, 4),
+        (2, 5),
+        (2, 6),
+        (2, 7),
+        (2, 10),
+        (2, 11),
+        (2, 12),
+        (3, 10),
+        (3, 11),
+        (3, 12),
+        (3, 13),
+        (3, 14),
+        (3, 15),
+        (3, 16),
+        (3, 17),
+        (3, 18),
+        (3, 19),
+        (3, 20),
+        (4, 1),
+        (4, 2),
+        (4, 3),
+        (4, 6),
+        (4, 8),
+        (5, 1),
+        (5, 2),
+        (5, 3),
+        (5, 6),
+        (5, 8),
+        (6, 2),
+        (6, 4),
+        (6, 5),
+        (6, 9),
+        (7, 2),
+        (7, 4),
+        (7, 5),
+        (7, 9),
+    ],
+};
+
+/// Saw gin: motor, coupling and saw cylinder
+///
+/// The machine runs up empty; the technological load engages at 1.2 s and opposes
+/// motion.
+///
+/// Source: Saw-gin study (2020), equations (1) and (2), in their consistent reading.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SawGin;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// motor.inertia: moment of inertia of the rotor \[kg m^2\]. In the spec: 4.2.
+    pub motor_inertia: R,
+    /// motor.phase_voltage: root mean square of the phase voltage \[V\]. In the spec: 220.0.
+    pub motor_phase_voltage: R,
+    /// motor.supply_frequency: frequency of the supply \[Hz\]. In the spec: 50.0.
+    pub motor_supply_frequency: R,
+    /// motor.supply_phase: phase of the supply at the start \[rad\]. In the spec: 0.0.
+    pub motor_supply_phase: R,
+    /// motor.pole_pairs: pairs of poles \[1\]. In the spec: 4.0.
+    pub motor_pole_pairs: R,
+    /// motor.k_s: stator coupling factor x_mu/x_s \[1\]. In the spec: 0.956.
+    pub motor_k_s: R,
+    /// motor.k_r: rotor coupling factor x_mu/x_r \[1\]. In the spec: 0.952.
+    pub motor_k_r: R,
+    /// motor.x_s: stator reactance at supply frequency \[ohm\]. In the spec: 4.14.
+    pub motor_x_s: R,
+    /// motor.alpha_s: stator decay r_s/(sigma x_s) \[1\]. In the spec: 0.115.
+    pub motor_alpha_s: R,
+    /// motor.alpha_r: rotor decay r_r/(sigma x_r) \[1\]. In the spec: 0.0858.
+    pub motor_alpha_r: R,
+    /// coupling.stiffness: torsional stiffness \[N m/rad\]. In the spec: 23065.2.
+    pub coupling_stiffness: R,
+    /// coupling.damping: torsional damping \[N m s/rad\]. In the spec: 128.5346.
+    pub coupling_damping: R,
+    /// coupling.ratio: turns of the driving end for one turn of the driven end \[1\]. In the spec: 1.0.
+    pub coupling_ratio: R,
+    /// cylinder.inertia: moment of inertia \[kg m^2\]. In the spec: 1.244.
+    pub cylinder_inertia: R,
+    /// load.mean: mean torque \[N m\]. In the spec: 843.72.
+    pub load_mean: R,
+    /// load.amplitude: amplitude of the harmonic part \[N m\]. In the spec: 78.78.
+    pub load_amplitude: R,
+    /// load.speed: nominal speed in revolutions per minute, a count as the study gives it \[1\]. In the spec: 735.0.
+    pub load_speed: R,
+    /// load.phase: phase of the harmonic part \[rad\]. In the spec: 0.0.
+    pub load_phase: R,
+    /// load.engagement_time: time at which half of the load acts \[s\]. In the spec: 1.2.
+    pub load_engagement_time: R,
+    /// load.engagement_width: time constant of engagement \[s\]. In the spec: 0.02.
+    pub load_engagement_width: R,
+    /// load.standstill_band: speed below which the load fades out \[rad/s\]. In the spec: 0.5.
+    pub load_standstill_band: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            motor_inertia: values[0],
+            motor_phase_voltage: values[1],
+            motor_supply_frequency: values[2],
+            motor_supply_phase: values[3],
+            motor_pole_pairs: values[4],
+            motor_k_s: values[5],
+            motor_k_r: values[6],
+            motor_x_s: values[7],
+            motor_alpha_s: values[8],
+            motor_alpha_r: values[9],
+            coupling_stiffness: values[10],
+            coupling_damping: values[11],
+            coupling_ratio: values[12],
+            cylinder_inertia: values[13],
+            load_mean: values[14],
+            load_amplitude: values[15],
+            load_speed: values[16],
+            load_phase: values[17],
+            load_engagement_time: values[18],
+            load_engagement_width: values[19],
+            load_standstill_band: values[20],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.motor_inertia,
+            self.motor_phase_voltage,
+            self.motor_supply_frequency,
+            self.motor_supply_phase,
+            self.motor_pole_pairs,
+            self.motor_k_s,
+            self.motor_k_r,
+            self.motor_x_s,
+            self.motor_alpha_s,
+            self.motor_alpha_r,
+            self.coupling_stiffness,
+            self.coupling_damping,
+            self.coupling_ratio,
+            self.cylinder_inertia,
+            self.load_mean,
+            self.load_amplitude,
+            self.load_speed,
+            self.load_phase,
+            self.load_engagement_time,
+            self.load_engagement_width,
+            self.load_standstill_band,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            motor_inertia: R::literal(4.2),
+            motor_phase_voltage: R::literal(220.0),
+            motor_supply_frequency: R::literal(50.0),
+            motor_supply_phase: R::literal(0.0),
+            motor_pole_pairs: R::literal(4.0),
+            motor_k_s: R::literal(0.956),
+            motor_k_r: R::literal(0.952),
+            motor_x_s: R::literal(4.14),
+            motor_alpha_s: R::literal(0.115),
+            motor_alpha_r: R::literal(0.0858),
+            coupling_stiffness: R::literal(23065.2),
+            coupling_damping: R::literal(128.5346),
+            coupling_ratio: R::literal(1.0),
+            cylinder_inertia: R::literal(1.244),
+            load_mean: R::literal(843.72),
+            load_amplitude: R::literal(78.78),
+            load_speed: R::literal(735.0),
+            load_phase: R::literal(0.0),
+            load_engagement_time: R::literal(1.2),
+            load_engagement_width: R::literal(0.02),
+            load_standstill_band: R::literal(0.5),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// motor_speed: rate of rotor angle \[rad/s\].
+    pub motor_speed: R,
+    /// cylinder_speed: rate of angle \[rad/s\].
+    pub cylinder_speed: R,
+    /// motor_torque: electromagnetic torque \[N m\].
+    pub motor_torque: R,
+    /// coupling_torque: torque carried, on the driving side \[N m\].
+    pub coupling_torque: R,
+    /// load_torque: resisting torque \[N m\].
+    pub load_torque: R,
+    /// twist: twist \[rad\].
+    pub twist: R,
+    /// cylinder_acceleration: rate of rate of angle \[rad/s^2\].
+    pub cylinder_acceleration: R,
+    /// stator_current: amplitude of the stator current \[A\].
+    pub stator_current: R,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; OUTPUTS]) -> Self {
+        Self {
+            motor_speed: values[0],
+            cylinder_speed: values[1],
+            motor_torque: values[2],
+            coupling_torque: values[3],
+            load_torque: values[4],
+            twist: values[5],
+            cylinder_acceleration: values[6],
+            stator_current: values[7],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        [
+            self.motor_speed,
+            self.cylinder_speed,
+            self.motor_torque,
+            self.coupling_torque,
+            self.load_torque,
+            self.twist,
+            self.cylinder_acceleration,
+            self.stator_current,
+        ]
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// motor.phi: rotor angle \[rad\].
+    pub const MOTOR_PHI: usize = 0;
+    /// cylinder.phi: angle \[rad\].
+    pub const CYLINDER_PHI: usize = 1;
+    /// motor.omega: rate of rotor angle \[rad/s\].
+    pub const MOTOR_OMEGA: usize = 2;
+    /// cylinder.omega: rate of angle \[rad/s\].
+    pub const CYLINDER_OMEGA: usize = 3;
+    /// motor.psi_sx: stator flux linkage along x \[V s\].
+    pub const MOTOR_PSI_SX: usize = 4;
+    /// motor.psi_sy: stator flux linkage along y \[V s\].
+    pub const MOTOR_PSI_SY: usize = 5;
+    /// motor.psi_rx: rotor flux linkage along x \[V s\].
+    pub const MOTOR_PSI_RX: usize = 6;
+    /// motor.psi_ry: rotor flux linkage along y \[V s\].
+    pub const MOTOR_PSI_RY: usize = 7;
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// No operations.
+#[must_use]
+pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+///
+/// 80 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
+    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / (p.motor_x_s * motor_sigma)
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * (R::literal(1.0) / p.motor_inertia);
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
+        * (R::literal(1.0) / p.cylinder_inertia);
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
+        - motor_alpha_s_times_motor_omega_0
+            * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
+    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
+        - motor_alpha_s_times_motor_omega_0
+            * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
+        + motor_alpha_r_times_motor_omega_0
+            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
+    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
+        * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
+    [
+        motor_omega,
+        cylinder_omega,
+        motor_omega_dot,
+        cylinder_omega_dot,
+        motor_psi_sx_dot,
+        motor_psi_sy_dot,
+        motor_psi_rx_dot,
+        motor_psi_ry_dot,
+    ]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// No operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 2] {
+    [p.motor_inertia, p.cylinder_inertia]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 45 operations.
+#[must_use]
+pub fn forcing<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
+    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / (p.motor_x_s * motor_sigma)
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let motor_phi_forcing = motor_torque - coupling_torque;
+    let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance;
+    [motor_phi_forcing, cylinder_phi_forcing]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// 76 operations.
+#[must_use]
+pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 28] {
+    let [_, _, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
+    motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = motor_omega_0 - motor_pole_pairs_times_motor_omega;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let t0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
+    let t1 = t0 / (p.motor_x_s * motor_sigma);
+    let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
+    let t2 = (inverse_load_standstill_band * cylinder_omega).tanh();
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    let t3 = p.coupling_stiffness * p.coupling_ratio;
+    let t4 = p.coupling_damping * p.coupling_ratio;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
+    let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
+    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
+    let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
+        * coupling_ratio_squared * inverse_cylinder_inertia);
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let cylinder_omega_dot_by_motor_omega = t4 * inverse_cylinder_inertia;
+    let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
+    let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
+    let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
+    let cylinder_omega_dot_by_cylinder_omega = (-(p.coupling_damping
+        * coupling_ratio_squared)
+        - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t2 * t2)
+            * (p.load_mean
+                + p.load_amplitude
+                    * (p.load_phase
+                        + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                        .sin())) * inverse_cylinder_inertia;
+    let t5 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
+    let motor_omega_dot_by_motor_psi_sx = t5 * motor_psi_ry * inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
+    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
+    let motor_omega_dot_by_motor_psi_sy = t1 * motor_psi_rx * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = t1 * motor_psi_sy * inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
+    let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
+        - motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = t5 * motor_psi_sx * inverse_motor_inertia;
+    [
+        R::literal(1.0),
+        R::literal(1.0),
+        motor_omega_dot_by_motor_phi,
+        motor_omega_dot_by_cylinder_phi,
+        motor_omega_dot_by_motor_omega,
+        motor_omega_dot_by_cylinder_omega,
+        motor_omega_dot_by_motor_psi_sx,
+        motor_omega_dot_by_motor_psi_sy,
+        motor_omega_dot_by_motor_psi_rx,
+        motor_omega_dot_by_motor_psi_ry,
+        cylinder_omega_dot_by_motor_phi,
+        cylinder_omega_dot_by_cylinder_phi,
+        cylinder_omega_dot_by_motor_omega,
+        cylinder_omega_dot_by_cylinder_omega,
+        motor_psi_sx_dot_by_motor_psi_sx,
+        motor_omega_0,
+        motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_omega,
+        motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_rx,
+        motor_slip_speed,
+        motor_psi_ry_dot_by_motor_omega,
+        motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_ry_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx,
+    ]
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// 186 operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 38] {
+    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
+    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let cos_motor_supply_phase = p.motor_supply_phase.cos();
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t0 * cos_motor_supply_phase;
+    let sin_motor_supply_phase = p.motor_supply_phase.sin();
+    let motor_u_y = t0 * sin_motor_supply_phase;
+    let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
+    let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
+    let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
+    let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
+    let time_minus_load_engagement_time = time - p.load_engagement_time;
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t1 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t2 = R::literal(1.0) + t1;
+    let load_engagement = R::literal(1.0) / t2;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let t3 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
+    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
+    let t5 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t6 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t6 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
+        * t5;
+    let t7 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t8 = t7.sin();
+    let t9 = p.load_mean + p.load_amplitude * t8;
+    let t10 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t9 * t10;
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    let t11 = p.coupling_stiffness * p.coupling_ratio;
+    let t12 = p.coupling_damping * p.coupling_ratio;
+    let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
+    let cylinder_omega_dot = (t11 * coupling_twist + t12 * coupling_twist_rate
+        - load_resistance) * inverse_cylinder_inertia;
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let t13 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let t14 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
+    let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
+        * cos_motor_supply_phase;
+    let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
+        * sin_motor_supply_phase;
+    let motor_omega_dot_by_motor_supply_frequency = R::literal(
+        3.0 * core::f64::consts::PI,
+    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t5
+        * inverse_motor_inertia;
+    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
+        * motor_psi_sy - t16 * t3;
+    let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
+        * motor_psi_sx) - t16 * t4;
+    let t17 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+    let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
+        * motor_psi_ry + t17 * t13;
+    let motor_psi_ry_dot_by_motor_supply_frequency = t17 * t14
+        - R::literal(core::f64::consts::TAU) * motor_psi_rx;
+    let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
+    let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
+        * motor_omega_0 / motor_x_s_times_motor_sigma * t5 * inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
+    let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
+    let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
+        * inverse_motor_inertia;
+    let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
+    let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
+    let motor_omega_dot_by_motor_k_r = -(t6 * motor_omega_0 / (p.motor_x_s * (t15 * t15))
+        * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
+        * inverse_motor_inertia);
+    let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
+    let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
+    let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
+        * inverse_motor_inertia);
+    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t3);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t4);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
+    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
+        - motor_phi) * inverse_motor_inertia;
+    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+        * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega
+        - motor_omega) * inverse_motor_inertia;
+    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
+        * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi
+        + p.coupling_damping * cylinder_omega) * inverse_motor_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = (coupling_torque - t11 * cylinder_phi
+        - t12 * cylinder_omega) * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
+        * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t10
+        * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t8 * t10
+        * inverse_cylinder_inertia);
+    let t18 = t7.cos();
+    let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
+        * p.load_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+        * time * load_engagement * t18 * t10 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t18
+        * t10 * inverse_cylinder_inertia);
+    let t19 = t2 * t2;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t9
+        * t1 * t10 / t19 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0)
+        / (p.load_engagement_width * p.load_engagement_width)
+        * time_minus_load_engagement_time * t9 * t1 * t10 / t19
+        * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
+        / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
+        * load_engagement * (R::literal(1.0) - t10 * t10) * t9
+        * inverse_cylinder_inertia;
+    [
+        motor_omega_dot_by_motor_inertia,
+        motor_omega_dot_by_motor_supply_frequency,
+        motor_omega_dot_by_motor_pole_pairs,
+        motor_omega_dot_by_motor_k_s,
+        motor_omega_dot_by_motor_k_r,
+        motor_omega_dot_by_motor_x_s,
+        motor_omega_dot_by_coupling_stiffness,
+        motor_omega_dot_by_coupling_damping,
+        motor_omega_dot_by_coupling_ratio,
+        cylinder_omega_dot_by_coupling_stiffness,
+        cylinder_omega_dot_by_coupling_damping,
+        cylinder_omega_dot_by_coupling_ratio,
+        cylinder_omega_dot_by_cylinder_inertia,
+        cylinder_omega_dot_by_load_mean,
+        cylinder_omega_dot_by_load_amplitude,
+        cylinder_omega_dot_by_load_speed,
+        cylinder_omega_dot_by_load_phase,
+        cylinder_omega_dot_by_load_engagement_time,
+        cylinder_omega_dot_by_load_engagement_width,
+        cylinder_omega_dot_by_load_standstill_band,
+        motor_psi_sx_dot_by_motor_phase_voltage,
+        motor_psi_sx_dot_by_motor_supply_frequency,
+        motor_psi_sx_dot_by_motor_supply_phase,
+        motor_psi_sx_dot_by_motor_k_r,
+        motor_psi_sx_dot_by_motor_alpha_s,
+        motor_psi_sy_dot_by_motor_phase_voltage,
+        motor_psi_sy_dot_by_motor_supply_frequency,
+        motor_u_x,
+        motor_psi_sy_dot_by_motor_k_r,
+        motor_psi_sy_dot_by_motor_alpha_s,
+        motor_psi_rx_dot_by_motor_supply_frequency,
+        motor_psi_rx_dot_by_motor_pole_pairs,
+        motor_psi_rx_dot_by_motor_k_s,
+        motor_psi_rx_dot_by_motor_alpha_r,
+        motor_psi_ry_dot_by_motor_supply_frequency,
+        motor_psi_ry_dot_by_motor_pole_pairs,
+        motor_psi_ry_dot_by_motor_k_s,
+        motor_psi_ry_dot_by_motor_alpha_r,
+    ]
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// 32 operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; STATES] {
+    let [_, _, _, cylinder_omega, ..] = *state;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
+    let t1 = R::literal(1.0) + t0;
+    let load_engagement = R::literal(1.0) / t1;
+    let t2 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t3 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let cylinder_omega_dot_by_time = (-(R::literal(core::f64::consts::PI)
+        * p.load_amplitude * load_omega_2 * load_engagement * t2.cos() * t3)
+        - inverse_load_engagement_width * (p.load_mean + p.load_amplitude * t2.sin())
+            * t0 * t3 / (t1 * t1)) * (R::literal(1.0) / p.cylinder_inertia);
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        cylinder_omega_dot_by_time,
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Wanted outputs.
+///
+/// 57 operations.
+#[must_use]
+pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
+    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
+    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t0 = motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
+    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / motor_x_s_times_motor_sigma
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
+        * (R::literal(1.0) / p.cylinder_inertia);
+    Outputs {
+        motor_speed: motor_omega,
+        cylinder_speed: cylinder_omega,
+        motor_torque,
+        coupling_torque,
+        load_torque: load_resistance,
+        twist: coupling_twist,
+        cylinder_acceleration: cylinder_omega_dot,
+        stator_current: (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy).sqrt(),
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 41 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
+    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
+    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
+    let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
+    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
+    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
+    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
+    Energy {
+        kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
+            + R::literal(0.5) * p.cylinder_inertia * (cylinder_omega * cylinder_omega),
+        potential: R::literal(0.5) * p.coupling_stiffness
+            * (coupling_twist * coupling_twist),
+        stored: R::literal(0.75)
+            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
+                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 156 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
+    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let load_engagement = R::literal(1.0)
+        / (R::literal(1.0)
+            + (-(R::literal(1.0) / p.load_engagement_width
+                * (time - p.load_engagement_time)))
+                .exp());
+    let t1 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
+    let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_i_sx = t3 * t2;
+    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let motor_i_sy = t3 * t4;
+    let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
+    let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t5 * (motor_psi_rx - motor_k_s_times_motor_psi_sx);
+    let motor_k_s_times_motor_psi_sy = p.motor_k_s * motor_psi_sy;
+    let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
+        / motor_x_s_times_motor_sigma
+        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+    let load_resistance = load_engagement
+        * (p.load_mean
+            + p.load_amplitude
+                * (p.load_phase
+                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
+                    .sin())
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
+    let t7 = p.coupling_damping * p.coupling_ratio;
+    let motor_omega_dot = (motor_torque - coupling_torque)
+        * (R::literal(1.0) / p.motor_inertia);
+    let cylinder_omega_dot = (t6 + t7 * coupling_twist_rate - load_resistance)
+        * (R::literal(1.0) / p.cylinder_inertia);
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
+        - motor_alpha_s_times_motor_omega_0 * t2;
+    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
+        - motor_alpha_s_times_motor_omega_0 * t4;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
+        + motor_alpha_r_times_motor_omega_0
+            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
+    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
+        * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
+        - motor_psi_rx * motor_slip_speed;
+    let t8 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t9 = t1 * motor_omega - t6 * cylinder_omega
+        + p.motor_inertia * motor_omega * motor_omega_dot
+        + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot
+        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t8 * motor_psi_rx)
+            * motor_psi_sx_dot
+        + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t8 * motor_psi_ry)
+            * motor_psi_sy_dot;
+    PowerBalance {
+        stored_rate: t9
+            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t8 * motor_psi_sx)
+                * motor_psi_rx_dot
+            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t8 * motor_psi_sy)
+                * motor_psi_ry_dot,
+        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy)
+            - cylinder_omega * load_resistance,
+        dissipated: R::literal(1.5)
+            * (p.motor_x_s * p.motor_alpha_s * motor_sigma
+                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
+                + p.motor_alpha_r * motor_sigma * motor_x_r
+                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry))
+            + p.coupling_damping * motor_omega * coupling_twist_rate
+            - t7 * cylinder_omega * coupling_twist_rate,
+    }
+}
+
+impl Describe for SawGin {
+    fn name(&self) -> &'static str {
+        "saw_gin"
+    }
+    fn title(&self) -> &'static str {
+        "Saw gin: motor, coupling and saw cylinder"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            first_order: 4,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+}
+
+impl<R: Real> Simulator<R> for SawGin {
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "motor.phi",
+        unit: "rad",
+        doc: "rotor angle",
+    },
+    Quantity {
+        name: "cylinder.phi",
+        unit: "rad",
+        doc: "angle",
+    },
+    Quantity {
+        name: "motor.omega",
+        unit: "rad/s",
+        doc: "rate of rotor angle",
+    },
+    Quantity {
+        name: "cylinder.omega",
+        unit: "rad/s",
+        doc: "rate of angle",
+    },
+    Quantity {
+        name: "motor.psi_sx",
+        unit: "V s",
+        doc: "stator flux linkage along x",
+    },
+    Quantity {
+        name: "motor.psi_sy",
+        unit: "V s",
+        doc: "stator flux linkage along y",
+    },
+    Quantity {
+        name: "motor.psi_rx",
+        unit: "V s",
+        doc: "rotor flux linkage along x",
+    },
+    Quantity {
+        name: "motor.psi_ry",
+        unit: "V s",
+        doc: "rotor flux linkage along y",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [150.0, 150.0, 78.5, 78.5, 1.0, 1.0, 1.0, 1.0];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "motor.inertia",
+        unit: "kg m^2",
+        doc: "moment of inertia of the rotor",
+    },
+    Quantity {
+        name: "motor.phase_voltage",
+        unit: "V",
+        doc: "root mean square of the phase voltage",
+    },
+    Quantity {
+        name: "motor.supply_frequency",
+        unit: "Hz",
+        doc: "frequency of the supply",
+    },
+    Quantity {
+        name: "motor.supply_phase",
+        unit: "rad",
+        doc: "phase of the supply at the start",
+    },
+    Quantity {
+        name: "motor.pole_pairs",
+        unit: "1",
+        doc: "pairs of poles",
+    },
+    Quantity {
+        name: "motor.k_s",
+        unit: "1",
+        doc: "stator coupling factor x_mu/x_s",
+    },
+    Quantity {
+        name: "motor.k_r",
+        unit: "1",
+        doc: "rotor coupling factor x_mu/x_r",
+    },
+    Quantity {
+        name: "motor.x_s",
+        unit: "ohm",
+        doc: "stator reactance at supply frequency",
+    },
+    Quantity {
+        name: "motor.alpha_s",
+        unit: "1",
+        doc: "stator decay r_s/(sigma x_s)",
+    },
+    Quantity {
+        name: "motor.alpha_r",
+        unit: "1",
+        doc: "rotor decay r_r/(sigma x_r)",
+    },
+    Quantity {
+        name: "coupling.stiffness",
+        unit: "N m/rad",
+        doc: "torsional stiffness",
+    },
+    Quantity {
+        name: "coupling.damping",
+        unit: "N m s/rad",
+        doc: "torsional damping",
+    },
+    Quantity {
+        name: "coupling.ratio",
+        unit: "1",
+        doc: "turns of the driving end for one turn of the driven end",
+    },
+    Quantity {
+        name: "cylinder.inertia",
+        unit: "kg m^2",
+        doc: "moment of inertia",
+    },
+    Quantity {
+        name: "load.mean",
+        unit: "N m",
+        doc: "mean torque",
+    },
+    Quantity {
+        name: "load.amplitude",
+        unit: "N m",
+        doc: "amplitude of the harmonic part",
+    },
+    Quantity {
+        name: "load.speed",
+        unit: "1",
+        doc: "nominal speed in revolutions per minute, a count as the study gives it",
+    },
+    Quantity {
+        name: "load.phase",
+        unit: "rad",
+        doc: "phase of the harmonic part",
+    },
+    Quantity {
+        name: "load.engagement_time",
+        unit: "s",
+        doc: "time at which half of the load acts",
+    },
+    Quantity {
+        name: "load.engagement_width",
+        unit: "s",
+        doc: "time constant of engagement",
+    },
+    Quantity {
+        name: "load.standstill_band",
+        unit: "rad/s",
+        doc: "speed below which the load fades out",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
+    4.2,
+    220.0,
+    50.0,
+    0.0,
+    4.0,
+    0.956,
+    0.952,
+    4.14,
+    0.115,
+    0.0858,
+    23065.2,
+    128.5346,
+    1.0,
+    1.244,
+    843.72,
+    78.78,
+    735.0,
+    0.0,
+    1.2,
+    0.02,
+    0.5,
+];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
+    Quantity {
+        name: "motor_speed",
+        unit: "rad/s",
+        doc: "rate of rotor angle",
+    },
+    Quantity {
+        name: "cylinder_speed",
+        unit: "rad/s",
+        doc: "rate of angle",
+    },
+    Quantity {
+        name: "motor_torque",
+        unit: "N m",
+        doc: "electromagnetic torque",
+    },
+    Quantity {
+        name: "coupling_torque",
+        unit: "N m",
+        doc: "torque carried, on the driving side",
+    },
+    Quantity {
+        name: "load_torque",
+        unit: "N m",
+        doc: "resisting torque",
+    },
+    Quantity {
+        name: "twist",
+        unit: "rad",
+        doc: "twist",
+    },
+    Quantity {
+        name: "cylinder_acceleration",
+        unit: "rad/s^2",
+        doc: "rate of rate of angle",
+    },
+    Quantity {
+        name: "stator_current",
+        unit: "A",
+        doc: "amplitude of the stator current",
+    },
+];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 2.0,
+    points: 2001,
+    rtol: 1e-8,
+    method: "tsit45",
+};

@@ -1,0 +1,740 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo run --release -- gen
+//
+// Sources, with SHA-256:
+//   7d11b427e35d3b5e342aeab78644622db3f121423f6c82e2f25a2bc4b9d6bb13  scenes/two_mass.toml
+//   192155c0a8dc7b884c45e939d6fe1b122b135258825141b94f360d68f1612fb5  units/rotor.toml
+//   a479b553f0542fe4aecc9e2a030097bc5b34e101f44a5e7297713fb52484327b  units/coupling.toml
+//
+// Two rotors on an elasto-dissipative coupling
+//
+// Rotor of the motor and saw cylinder on their coupling, driven and loaded by given torques.
+//
+// Source:
+//   Saw-gin study (2020), equations (1).
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               2
+//   first-order states        0
+//   states                    4
+//   parameters               11
+//   outputs                   4
+//   discontinuities           0
+//
+// State:
+//     0  driver.phi      [rad]    angle
+//     1  cylinder.phi    [rad]    angle
+//     2  driver.omega    [rad/s]  rate of angle
+//     3  cylinder.omega  [rad/s]  rate of angle
+//
+// Nonzeros:
+//   mass_matrix               2 of 2 by 2
+//   rate_jacobian            10 of 4 by 4
+//   parameter_jacobian       12 of 4 by 11
+//
+// Operations:
+//   initial_state             0
+//   discontinuities           0
+//   rate                     22
+//   mass_matrix               0
+//   forcing                  18
+//   rate_jacobian            19
+//   parameter_jacobian       51
+//   time_derivative           7
+//   outputs                   7
+//   energy                   12
+//   power_balance            39
+
+use crate::{
+    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+    SparsityPattern,
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 2;
+
+/// Length of the state `[q, q', z]`, 2 n + m.
+pub const STATES: usize = 4;
+
+/// Parameters.
+pub const PARAMETERS: usize = 11;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 4;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 2,
+    columns: 2,
+    entries: &[(0, 0), (1, 1)],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 4,
+    columns: 4,
+    entries: &[
+        (0, 2),
+        (1, 3),
+        (2, 0),
+        (2, 1),
+        (2, 2),
+        (2, 3),
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+    ],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 4,
+    columns: 11,
+    entries: &[
+        (2, 0),
+        (2, 6),
+        (2, 7),
+        (2, 8),
+        (2, 9),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 7),
+        (3, 8),
+        (3, 9),
+        (3, 10),
+    ],
+};
+
+/// Two rotors on an elasto-dissipative coupling
+///
+/// Rotor of the motor and saw cylinder on their coupling, driven and loaded by given torques.
+///
+/// Source: Saw-gin study (2020), equations (1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct TwoMass;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// drive_torque: constant driving torque \[N m\]. In the spec: 974.4.
+    pub drive_torque: R,
+    /// load_torque: constant resisting torque \[N m\]. In the spec: 843.72.
+    pub load_torque: R,
+    /// load_amplitude: amplitude of the harmonic resisting torque \[N m\]. In the spec: 0.0.
+    pub load_amplitude: R,
+    /// load_frequency: angular frequency of the harmonic resisting torque \[rad/s\]. In the spec: 241.8051.
+    pub load_frequency: R,
+    /// initial_twist: twist at the start \[rad\]. In the spec: 0.0.
+    pub initial_twist: R,
+    /// initial_twist_rate: rate of twist at the start \[rad/s\]. In the spec: 0.0.
+    pub initial_twist_rate: R,
+    /// driver.inertia: moment of inertia \[kg m^2\]. In the spec: 4.2.
+    pub driver_inertia: R,
+    /// coupling.stiffness: torsional stiffness \[N m/rad\]. In the spec: 23065.2.
+    pub coupling_stiffness: R,
+    /// coupling.damping: torsional damping \[N m s/rad\]. In the spec: 128.5346.
+    pub coupling_damping: R,
+    /// coupling.ratio: turns of the driving end for one turn of the driven end \[1\]. In the spec: 1.0.
+    pub coupling_ratio: R,
+    /// cylinder.inertia: moment of inertia \[kg m^2\]. In the spec: 1.244.
+    pub cylinder_inertia: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            drive_torque: values[0],
+            load_torque: values[1],
+            load_amplitude: values[2],
+            load_frequency: values[3],
+            initial_twist: values[4],
+            initial_twist_rate: values[5],
+            driver_inertia: values[6],
+            coupling_stiffness: values[7],
+            coupling_damping: values[8],
+            coupling_ratio: values[9],
+            cylinder_inertia: values[10],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.drive_torque,
+            self.load_torque,
+            self.load_amplitude,
+            self.load_frequency,
+            self.initial_twist,
+            self.initial_twist_rate,
+            self.driver_inertia,
+            self.coupling_stiffness,
+            self.coupling_damping,
+            self.coupling_ratio,
+            self.cylinder_inertia,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            drive_torque: R::literal(974.4),
+            load_torque: R::literal(843.72),
+            load_amplitude: R::literal(0.0),
+            load_frequency: R::literal(241.8051),
+            initial_twist: R::literal(0.0),
+            initial_twist_rate: R::literal(0.0),
+            driver_inertia: R::literal(4.2),
+            coupling_stiffness: R::literal(23065.2),
+            coupling_damping: R::literal(128.5346),
+            coupling_ratio: R::literal(1.0),
+            cylinder_inertia: R::literal(1.244),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// twist: twist \[rad\].
+    pub twist: R,
+    /// coupling_torque: torque carried, on the driving side \[N m\].
+    pub coupling_torque: R,
+    /// driver_speed: rate of angle \[rad/s\].
+    pub driver_speed: R,
+    /// cylinder_speed: rate of angle \[rad/s\].
+    pub cylinder_speed: R,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; OUTPUTS]) -> Self {
+        Self {
+            twist: values[0],
+            coupling_torque: values[1],
+            driver_speed: values[2],
+            cylinder_speed: values[3],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        [self.twist, self.coupling_torque, self.driver_speed, self.cylinder_speed]
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// driver.phi: angle \[rad\].
+    pub const DRIVER_PHI: usize = 0;
+    /// cylinder.phi: angle \[rad\].
+    pub const CYLINDER_PHI: usize = 1;
+    /// driver.omega: rate of angle \[rad/s\].
+    pub const DRIVER_OMEGA: usize = 2;
+    /// cylinder.omega: rate of angle \[rad/s\].
+    pub const CYLINDER_OMEGA: usize = 3;
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// No operations.
+#[must_use]
+pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
+    [p.initial_twist, R::literal(0.0), p.initial_twist_rate, R::literal(0.0)]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+///
+/// 22 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
+    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
+    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let driver_omega_dot = (p.drive_torque - coupling_torque)
+        * (R::literal(1.0) / p.driver_inertia);
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance)
+        * (R::literal(1.0) / p.cylinder_inertia);
+    [driver_omega, cylinder_omega, driver_omega_dot, cylinder_omega_dot]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// No operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 2] {
+    [p.driver_inertia, p.cylinder_inertia]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 18 operations.
+#[must_use]
+pub fn forcing<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
+    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
+    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let driver_phi_forcing = p.drive_torque - coupling_torque;
+    let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance;
+    [driver_phi_forcing, cylinder_phi_forcing]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// 19 operations.
+#[must_use]
+pub fn rate_jacobian<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 10] {
+    let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    let t0 = p.coupling_stiffness * p.coupling_ratio;
+    let t1 = p.coupling_damping * p.coupling_ratio;
+    let driver_omega_dot_by_driver_phi = -(p.coupling_stiffness
+        * inverse_driver_inertia);
+    let cylinder_omega_dot_by_driver_phi = t0 * inverse_cylinder_inertia;
+    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let driver_omega_dot_by_cylinder_phi = t0 * inverse_driver_inertia;
+    let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
+        * coupling_ratio_squared * inverse_cylinder_inertia);
+    let driver_omega_dot_by_driver_omega = -(p.coupling_damping
+        * inverse_driver_inertia);
+    let cylinder_omega_dot_by_driver_omega = t1 * inverse_cylinder_inertia;
+    let driver_omega_dot_by_cylinder_omega = t1 * inverse_driver_inertia;
+    let cylinder_omega_dot_by_cylinder_omega = -(p.coupling_damping
+        * coupling_ratio_squared * inverse_cylinder_inertia);
+    [
+        R::literal(1.0),
+        R::literal(1.0),
+        driver_omega_dot_by_driver_phi,
+        driver_omega_dot_by_cylinder_phi,
+        driver_omega_dot_by_driver_omega,
+        driver_omega_dot_by_cylinder_omega,
+        cylinder_omega_dot_by_driver_phi,
+        cylinder_omega_dot_by_cylinder_phi,
+        cylinder_omega_dot_by_driver_omega,
+        cylinder_omega_dot_by_cylinder_omega,
+    ]
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// 51 operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 12] {
+    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
+    let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
+    let coupling_twist = driver_phi - coupling_ratio_times_cylinder_phi;
+    let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
+    let coupling_twist_rate = driver_omega - coupling_ratio_times_cylinder_omega;
+    let load_frequency_times_time = p.load_frequency * time;
+    let sin_load_frequency_times_time = load_frequency_times_time.sin();
+    let resistance = p.load_torque + p.load_amplitude * sin_load_frequency_times_time;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    let t0 = p.coupling_stiffness * p.coupling_ratio;
+    let t1 = p.coupling_damping * p.coupling_ratio;
+    let driver_omega_dot = (p.drive_torque - coupling_torque) * inverse_driver_inertia;
+    let cylinder_omega_dot = (t0 * coupling_twist + t1 * coupling_twist_rate
+        - resistance) * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_torque = -inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_amplitude = -(sin_load_frequency_times_time
+        * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_frequency = -(p.load_amplitude * time
+        * load_frequency_times_time.cos() * inverse_cylinder_inertia);
+    let driver_omega_dot_by_driver_inertia = -(driver_omega_dot
+        * inverse_driver_inertia);
+    let driver_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
+        - driver_phi) * inverse_driver_inertia;
+    let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
+        * inverse_cylinder_inertia;
+    let driver_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega
+        - driver_omega) * inverse_driver_inertia;
+    let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
+        * inverse_cylinder_inertia;
+    let driver_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi
+        + p.coupling_damping * cylinder_omega) * inverse_driver_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = (coupling_torque - t0 * cylinder_phi
+        - t1 * cylinder_omega) * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
+        * inverse_cylinder_inertia);
+    [
+        inverse_driver_inertia,
+        driver_omega_dot_by_driver_inertia,
+        driver_omega_dot_by_coupling_stiffness,
+        driver_omega_dot_by_coupling_damping,
+        driver_omega_dot_by_coupling_ratio,
+        cylinder_omega_dot_by_load_torque,
+        cylinder_omega_dot_by_load_amplitude,
+        cylinder_omega_dot_by_load_frequency,
+        cylinder_omega_dot_by_coupling_stiffness,
+        cylinder_omega_dot_by_coupling_damping,
+        cylinder_omega_dot_by_coupling_ratio,
+        cylinder_omega_dot_by_cylinder_inertia,
+    ]
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// 7 operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; STATES] {
+    let cylinder_omega_dot_by_time = -(p.load_amplitude * p.load_frequency
+        * (p.load_frequency * time).cos() * (R::literal(1.0) / p.cylinder_inertia));
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time]
+}
+
+/// Wanted outputs.
+///
+/// 7 operations.
+#[must_use]
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
+    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
+    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
+    Outputs {
+        twist: coupling_twist,
+        coupling_torque,
+        driver_speed: driver_omega,
+        cylinder_speed: cylinder_omega,
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 12 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
+    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    Energy {
+        kinetic: R::literal(0.5) * p.driver_inertia * (driver_omega * driver_omega)
+            + R::literal(0.5) * p.cylinder_inertia * (cylinder_omega * cylinder_omega),
+        potential: R::literal(0.5) * p.coupling_stiffness
+            * (coupling_twist * coupling_twist),
+        stored: R::literal(0.0),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 39 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
+    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
+    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
+    let t0 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
+    let t1 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
+    let t2 = p.coupling_damping * p.coupling_ratio;
+    let driver_omega_dot = (p.drive_torque - coupling_torque)
+        * (R::literal(1.0) / p.driver_inertia);
+    let cylinder_omega_dot = (t1 + t2 * coupling_twist_rate - resistance)
+        * (R::literal(1.0) / p.cylinder_inertia);
+    PowerBalance {
+        stored_rate: t0 * driver_omega - t1 * cylinder_omega
+            + p.driver_inertia * driver_omega * driver_omega_dot
+            + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot,
+        supplied: p.drive_torque * driver_omega - cylinder_omega * resistance,
+        dissipated: p.coupling_damping * driver_omega * coupling_twist_rate
+            - t2 * cylinder_omega * coupling_twist_rate,
+    }
+}
+
+impl Describe for TwoMass {
+    fn name(&self) -> &'static str {
+        "two_mass"
+    }
+    fn title(&self) -> &'static str {
+        "Two rotors on an elasto-dissipative coupling"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            first_order: 0,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+}
+
+impl<R: Real> Simulator<R> for TwoMass {
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "driver.phi",
+        unit: "rad",
+        doc: "angle",
+    },
+    Quantity {
+        name: "cylinder.phi",
+        unit: "rad",
+        doc: "angle",
+    },
+    Quantity {
+        name: "driver.omega",
+        unit: "rad/s",
+        doc: "rate of angle",
+    },
+    Quantity {
+        name: "cylinder.omega",
+        unit: "rad/s",
+        doc: "rate of angle",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [150.0, 150.0, 78.5, 78.5];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "drive_torque",
+        unit: "N m",
+        doc: "constant driving torque",
+    },
+    Quantity {
+        name: "load_torque",
+        unit: "N m",
+        doc: "constant resisting torque",
+    },
+    Quantity {
+        name: "load_amplitude",
+        unit: "N m",
+        doc: "amplitude of the harmonic resisting torque",
+    },
+    Quantity {
+        name: "load_frequency",
+        unit: "rad/s",
+        doc: "angular frequency of the harmonic resisting torque",
+    },
+    Quantity {
+        name: "initial_twist",
+        unit: "rad",
+        doc: "twist at the start",
+    },
+    Quantity {
+        name: "initial_twist_rate",
+        unit: "rad/s",
+        doc: "rate of twist at the start",
+    },
+    Quantity {
+        name: "driver.inertia",
+        unit: "kg m^2",
+        doc: "moment of inertia",
+    },
+    Quantity {
+        name: "coupling.stiffness",
+        unit: "N m/rad",
+        doc: "torsional stiffness",
+    },
+    Quantity {
+        name: "coupling.damping",
+        unit: "N m s/rad",
+        doc: "torsional damping",
+    },
+    Quantity {
+        name: "coupling.ratio",
+        unit: "1",
+        doc: "turns of the driving end for one turn of the driven end",
+    },
+    Quantity {
+        name: "cylinder.inertia",
+        unit: "kg m^2",
+        doc: "moment of inertia",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
+    974.4,
+    843.72,
+    0.0,
+    241.8051,
+    0.0,
+    0.0,
+    4.2,
+    23065.2,
+    128.5346,
+    1.0,
+    1.244,
+];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
+    Quantity {
+        name: "twist",
+        unit: "rad",
+        doc: "twist",
+    },
+    Quantity {
+        name: "coupling_torque",
+        unit: "N m",
+        doc: "torque carried, on the driving side",
+    },
+    Quantity {
+        name: "driver_speed",
+        unit: "rad/s",
+        doc: "rate of angle",
+    },
+    Quantity {
+        name: "cylinder_speed",
+        unit: "rad/s",
+        doc: "rate of angle",
+    },
+];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 0.5,
+    points: 1001,
+    rtol: 1e-8,
+    method: "tsit45",
+};

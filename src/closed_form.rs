@@ -1,0 +1,16 @@
+//! Exact answers to hold the simulators against, derived by hand.
+//!
+//! Nothing here depends on a simulator, a solver or the symbolic pipeline: every
+//! function is a formula over `f64`, one file a subject. Quantities are in SI
+//! units, angles in rad. No function fails; numbers outside the stated ranges
+//! (such as a negative inertia) give NaN or infinities, as their formulas do.
+
+pub mod induction_motor;
+pub mod printed_laws;
+pub mod saw_gin_by_hand;
+pub mod two_mass;
+
+pub use induction_motor::{InductionMotor, Nameplate};
+pub use printed_laws::PrintedShaft;
+pub use saw_gin_by_hand::SawGinByHand;
+pub use two_mass::TwoMass;

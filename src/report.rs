@@ -1,0 +1,115 @@
+//! One page that shows and proves everything: equations, structure, runs,
+//! checks, costs and the reproduction ledger of all scenes. It needs no network.
+//!
+//! Data are gathered first, here; then the files in `src/report/` turn them into
+//! sections, and `page.rs` puts the sections together.
+
+mod equations;
+mod figure;
+mod ledger;
+mod licences;
+pub mod number;
+mod page;
+mod scene;
+mod verification;
+mod work_precision;
+
+use std::path::Path;
+
+use machinist::interpreted::InterpretedSimulator;
+use machinist::ledger::{LedgerRow, ledger as ledger_rows};
+use machinist::trajectory::Trajectory;
+use machinist::verify::{Verdict, VerifyOptions, verify_all};
+use machinist::{SimulateError, Simulation};
+use machinist_codegen::document::{Document, Notation};
+use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
+use machinist_scenes::{Simulator, scenes};
+
+use crate::cli::Failure;
+use crate::cli::progress::during;
+use crate::cli::specs::{self, Derived};
+use work_precision::WorkPrecision;
+
+/// Everything the page shows.
+struct Report {
+    scenes: Vec<SceneData>,
+    emitted: Summary,
+    verdicts: Vec<Verdict>,
+    ledger: Result<Vec<LedgerRow>, String>,
+    work_precision: Vec<WorkPrecision>,
+}
+
+/// One scene, derived and run.
+struct SceneData {
+    derived: Derived,
+    document: Document,
+    /// Whether the run is by emitted code; a scene that is new is evaluated.
+    is_built_in: bool,
+    run: Result<Trajectory, SimulateError>,
+}
+
+/// The page, made.
+pub struct Page {
+    /// The whole of it.
+    pub html: String,
+    /// Whether every check passed.
+    pub all_passed: bool,
+}
+
+/// Makes the page, with measured times or without. Brings emitted scenes up to
+/// date on the way.
+pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Failure> {
+    let files = specs::scene_files(specs)?;
+    let derived = during("deriving", || specs::all(&files, Derived::new))?;
+    let programs: Vec<_> = derived.iter().map(|derived| derived.program.clone()).collect();
+    let emitted = emit_scenes(emitted, &programs, Mode::Write)?;
+    let options = VerifyOptions::default();
+    let verdicts = during("verifying", || verify_all(&options))
+        .map_err(|error| Failure::unsuccessful(error, ""))?;
+    let mut scenes: Vec<SceneData> =
+        during("simulating", || derived.into_iter().map(SceneData::new).collect());
+    // As in the table of checks, which goes from the simple to the whole.
+    scenes.sort_by_key(|scene| {
+        verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
+    });
+    let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
+    let work_precision = if with_times {
+        during("timing the methods", work_precision::measure)?
+    } else {
+        Vec::new()
+    };
+    let all_passed = verdicts.iter().all(|verdict| verdict.pass);
+    let report = Report { scenes, emitted, verdicts, ledger, work_precision };
+    Ok(Page { html: page::render(&report), all_passed })
+}
+
+impl Report {
+    /// Emitted files that were not what the specs give.
+    fn stale(&self) -> impl Iterator<Item = &str> {
+        let files = self.emitted.files.iter();
+        files.filter(|(_, written)| *written != Written::Unchanged).map(|(file, _)| file.as_str())
+    }
+}
+
+impl SceneData {
+    fn new(derived: Derived) -> Self {
+        let document = Document::new(&derived.equations, Notation::Latex);
+        let built_in = scenes::find::<f64>(&derived.program.system.name);
+        let run = |simulator: &dyn Simulator<f64>| {
+            Simulation::new(simulator).with_energy_balance(true).run()
+        };
+        let trajectory = match built_in {
+            Some(simulator) => run(simulator),
+            None => run(&InterpretedSimulator::new(derived.program.clone())),
+        };
+        Self { document, is_built_in: built_in.is_some(), run: trajectory, derived }
+    }
+
+    fn name(&self) -> &str {
+        &self.derived.program.system.name
+    }
+
+    fn title(&self) -> &str {
+        &self.derived.program.system.title
+    }
+}

@@ -1,0 +1,189 @@
+//! Interactive plots. Each is a place and its data; one script, `page.js`, draws
+//! them in the colours of the page when they come into view.
+
+use machinist::trajectory::Column;
+use maud::{Markup, PreEscaped, html};
+use plotly::common::{Anchor, DashType, Line, Marker, Mode, Orientation, Title};
+use plotly::configuration::Configuration;
+use plotly::layout::{Axis, AxisType, HoverMode, Legend, Margin};
+use plotly::{Layout, Plot, Scatter};
+
+use super::work_precision::WorkPrecision;
+
+/// Colours that people with any colour vision can tell apart, on light and dark
+/// (after M. Okabe and K. Ito, Color universal design, 2008).
+const COLOURS: &[&str] =
+    &["#2584c6", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#8c8c8c", "#a08a00"];
+
+/// More points than this are drawn by the least and greatest of each bin.
+const MAX_POINTS: usize = 2400;
+
+/// The script that draws all plots, with plotly.js.
+pub fn scripts() -> Markup {
+    let sources = Plot::offline_js_sources();
+    // The first of the two scripts is plotly.js; the other one sets LaTeX in
+    // titles, of which there is none here.
+    let plotly = sources.split_inclusive("</script>").next().unwrap_or_default();
+    html! {
+        (PreEscaped(plotly))
+        script { (PreEscaped(include_str!("page.js"))) }
+    }
+}
+
+/// Columns of one unit over time.
+pub fn over_time(id: &str, times: &[f64], columns: &[&Column], caption: &Markup) -> Markup {
+    let Some(first) = columns.first() else { return html! {} };
+    let mut plot = Plot::new();
+    for (index, column) in columns.iter().enumerate() {
+        let (x, y) = reduced(times, &column.values);
+        let unit = in_brackets(&column.unit);
+        let trace = Scatter::new(x, y)
+            .name(&column.name)
+            .mode(Mode::Lines)
+            .line(line(index))
+            .hover_template(format!("%{{y:.6~g}}{unit}"));
+        plot.add_trace(trace);
+    }
+    let quantity = if let [only] = columns { only.name.as_str() } else { "" };
+    let y_title = format!("{quantity}{}", in_brackets(&first.unit));
+    let axis = Axis::new().title(Title::with_text(y_title.trim()));
+    let layout = layout()
+        .x_axis(Axis::new().title(Title::with_text("time [s]")).hover_format(".6~g"))
+        .y_axis(axis.exponent_format(plotly::common::ExponentFormat::SmallE))
+        .hover_mode(HoverMode::XUnified)
+        .show_legend(columns.len() > 1);
+    plot.set_layout(layout);
+    element(id, &plot, caption)
+}
+
+/// Error against run time, a curve a method.
+pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> Markup {
+    let mut plot = Plot::new();
+    for (index, curve) in measured.curves.iter().enumerate() {
+        let points = &curve.points;
+        let hover = points.iter().map(|point| {
+            format!(
+                "rtol {:.0e}<br>error {:.2e}<br>{:.3} ms<br>{} steps<br>{} rate evaluations",
+                point.rtol,
+                point.error,
+                point.milliseconds,
+                point.work.steps,
+                point.work.rate_evaluations
+            )
+        });
+        let trace = Scatter::new(
+            points.iter().map(|point| rounded(point.milliseconds)).collect(),
+            points.iter().map(|point| rounded(point.error)).collect(),
+        )
+        .name(curve.method.name())
+        .mode(Mode::LinesMarkers)
+        .line(line(index))
+        .marker(Marker::new().size(7).color(COLOURS[index % COLOURS.len()]))
+        .text_array(hover.collect())
+        .hover_template("%{text}");
+        plot.add_trace(trace);
+    }
+    let logarithmic = |title: &str| {
+        Axis::new()
+            .title(Title::with_text(title))
+            .type_(AxisType::Log)
+            .exponent_format(plotly::common::ExponentFormat::SmallE)
+    };
+    let layout = layout()
+        .x_axis(logarithmic("run time [ms]"))
+        .y_axis(logarithmic("largest relative error"))
+        .hover_mode(HoverMode::Closest);
+    plot.set_layout(layout);
+    element(id, &plot, caption)
+}
+
+fn element(id: &str, plot: &Plot, caption: &Markup) -> Markup {
+    let mut plot = plot.clone();
+    plot.set_configuration(Configuration::new().responsive(true).display_logo(false));
+    // `<` inside of a script element could end it.
+    let data = plot.to_json().replace('<', "\\u003c");
+    html! {
+        figure.plot id=(id) {
+            div.canvas {}
+            script type="application/json" { (PreEscaped(data)) }
+            figcaption { (caption) }
+        }
+    }
+}
+
+fn layout() -> Layout {
+    Layout::new()
+        .auto_size(true)
+        .margin(Margin::new().left(56).right(14).top(34).bottom(46))
+        .legend(
+            Legend::new()
+                .orientation(Orientation::Horizontal)
+                .x(0.0)
+                .y(1.02)
+                .y_anchor(Anchor::Bottom),
+        )
+        .paper_background_color("rgba(0,0,0,0)")
+        .plot_background_color("rgba(0,0,0,0)")
+}
+
+fn line(index: usize) -> Line {
+    let dash = if index < COLOURS.len() { DashType::Solid } else { DashType::Dot };
+    Line::new().width(1.6).color(COLOURS[index % COLOURS.len()]).dash(dash)
+}
+
+fn in_brackets(unit: &str) -> String {
+    if unit == "1" { String::new() } else { format!(" [{unit}]") }
+}
+
+/// The curve with so many points that it looks the same; spikes stay.
+fn reduced(times: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let bin = times.len().div_ceil(MAX_POINTS / 2).max(2);
+    let keep: Vec<usize> = if times.len() <= MAX_POINTS {
+        (0..times.len()).collect()
+    } else {
+        let starts = (0..times.len()).step_by(bin);
+        let mut keep: Vec<usize> = starts
+            .flat_map(|start| {
+                let indices = start..(start + bin).min(times.len());
+                let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
+                [indices.clone().min_by(by_value), indices.max_by(by_value)]
+            })
+            .flatten()
+            .chain([0, times.len() - 1])
+            .collect();
+        keep.sort_unstable();
+        keep.dedup();
+        keep
+    };
+    let pick = |list: &[f64]| keep.iter().map(|index| rounded(list[*index])).collect();
+    (pick(times), pick(values))
+}
+
+/// Six digits, which is more than a screen shows.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spike_survives_reduction() {
+        let times: Vec<f64> = (0..10_000).map(f64::from).collect();
+        let mut values = vec![0.0; times.len()];
+        values[5003] = 7.0;
+        let (x, y) = reduced(&times, &values);
+        assert!(x.len() <= MAX_POINTS + 2);
+        assert_eq!((x[0], x[x.len() - 1]), (0.0, 9999.0));
+        assert!(y.contains(&7.0));
+    }
+
+    #[test]
+    fn the_page_carries_plotly_itself_and_no_reference_to_it() {
+        let scripts = scripts().0;
+        assert!(scripts.len() > 1_000_000);
+        assert_eq!(scripts.matches("<script").count(), 2);
+        assert!(!scripts.contains("<script src"));
+    }
+}

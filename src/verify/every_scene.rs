@@ -1,0 +1,156 @@
+//! Checks that every scene goes through: emitted derivatives against the complex
+//! step, and the energy account of its run.
+
+use machinist_scenes::Real;
+use nalgebra::{DMatrix, DVector};
+
+use super::machine::Point;
+use super::{Check, CheckFailure, Machine, Measured, worse};
+use crate::complex_step::{self, ComplexStep};
+
+/// See [`matrix_error`].
+const ENTRY: &str = "complex step, relative to the entry (at least 1e-4 of its weighed row)";
+const BOTH_ROUND: &str =
+    "the complex step has no truncation error; rounding is left, more where terms cancel";
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        name: "Jacobian of the rate at 20 random states",
+        reference: ENTRY,
+        tolerance: 1e-12,
+        reason: BOTH_ROUND,
+        measure: rate_jacobian,
+    },
+    Check {
+        name: "Jacobian by parameters at 20 random states",
+        reference: ENTRY,
+        tolerance: 1e-12,
+        reason: BOTH_ROUND,
+        measure: parameter_jacobian,
+    },
+    Check {
+        name: "time derivative at 20 random states",
+        reference: "complex step, relative to the entry",
+        tolerance: 1e-12,
+        reason: BOTH_ROUND,
+        measure: time_derivative,
+    },
+    Check {
+        name: "power balance at 20 random states",
+        reference: "dE/dt = supplied - lost, relative to the sizes of its terms",
+        tolerance: 1e-13,
+        reason: "an identity; only rounding of some hundred operations is left",
+        measure: power_balance,
+    },
+    Check {
+        name: "energy account of the run at rtol 1e-10",
+        reference: "energy stored, supplied and lost, relative to the energy passed",
+        tolerance: 1e-8,
+        reason: "a hundred times the tolerance of a step, which errors of many steps stay below",
+        measure: energy_account,
+    },
+];
+
+const POINTS: usize = 20;
+
+fn rate_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let states = machine.real.shape().states();
+    let sizes: Vec<f64> = (0..states).map(|index| machine.real.state_scale(index)).collect();
+    over_points(machine, |p| {
+        let exact = complex_step::rate_jacobian(machine.complex, p.time, &p.state, &p.parameters);
+        matrix_error(&machine.rate_jacobian(p), &exact, &sizes)
+    })
+}
+
+fn parameter_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let size = |value: &f64| if *value == 0.0 { 1.0 } else { value.abs() };
+    over_points(machine, |p| {
+        let exact =
+            complex_step::parameter_jacobian(machine.complex, p.time, &p.state, &p.parameters);
+        let sizes: Vec<f64> = p.parameters.iter().map(size).collect();
+        matrix_error(&machine.parameter_jacobian(p), &exact, &sizes)
+    })
+}
+
+fn time_derivative(machine: &Machine) -> Result<Measured, CheckFailure> {
+    over_points(machine, |p| {
+        let mut ours = vec![0.0; p.state.len()];
+        machine.real.time_derivative(p.time, &p.state, &p.parameters, &mut ours);
+        let ours = DMatrix::from_column_slice(ours.len(), 1, &ours);
+        let exact: DVector<f64> =
+            complex_step::time_derivative(machine.complex, p.time, &p.state, &p.parameters);
+        let exact = DMatrix::from_column_slice(exact.len(), 1, exact.as_slice());
+        matrix_error(&ours, &exact, &[1.0])
+    })
+}
+
+/// The worst of a measure over the random points.
+fn over_points(
+    machine: &Machine,
+    measure: impl Fn(&Point) -> f64,
+) -> Result<Measured, CheckFailure> {
+    let points = machine.random_points(POINTS)?;
+    Ok(Measured::error(points.iter().map(measure).fold(0.0, worse)))
+}
+
+/// max over i, j of |A_ij - B_ij|/max(|B_ij|, 1e-4 max_k |B_ik| s_k/s_j) with the
+/// sizes s of the variables: 1e-12 of the floor is one rounding of the row's largest. An entry outside a pattern is zero in A.
+fn matrix_error(ours: &DMatrix<f64>, exact: &DMatrix<f64>, sizes: &[f64]) -> f64 {
+    if ours.shape() != exact.shape() || sizes.len() != exact.ncols() {
+        return f64::NAN;
+    }
+    let mut error = 0.0;
+    for row in 0..exact.nrows() {
+        let weighed = |(column, size): (usize, &f64)| exact[(row, column)].abs() * size;
+        let largest = sizes.iter().enumerate().map(weighed).fold(0.0, worse);
+        for (column, size) in sizes.iter().enumerate() {
+            let (a, b) = (ours[(row, column)], exact[(row, column)]);
+            let scale = b.abs().max(1e-4 * largest / size);
+            // Both zero, as where a load is saturated, is no error over no scale.
+            let distance = (a - b).abs();
+            error = worse(error, if distance == 0.0 { 0.0 } else { distance / scale });
+        }
+    }
+    error
+}
+
+/// The residual, relative to the sum of |dE/dy_i y_i'|, |supplied| and |lost|; and
+/// the emitted dE/dt against that sum with signs, dE/dy by the complex step.
+fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
+    over_points(machine, |p| {
+        let power = machine.real.power_balance(p.time, &p.state, &p.parameters);
+        let rate = machine.rate(p);
+        let terms = energy_gradient(machine, p).into_iter().zip(&rate).map(|(de, rate)| de * rate);
+        let (sum, size) = terms
+            .fold((0.0, 0.0), |(sum, size): (f64, f64), term: f64| (sum + term, size + term.abs()));
+        let size = size + power.supplied.abs() + power.dissipated.abs();
+        let error = worse(power.residual().abs(), (power.stored_rate - sum).abs());
+        if error == 0.0 { 0.0 } else { error / size }
+    })
+}
+
+fn energy_gradient(machine: &Machine, p: &Point) -> Vec<f64> {
+    let lift = |values: &[f64]| values.iter().copied().map(ComplexStep::literal).collect();
+    let parameters: Vec<ComplexStep> = lift(&p.parameters);
+    let mut state: Vec<ComplexStep> = lift(&p.state);
+    let time = ComplexStep::literal(p.time);
+    let mut gradient = Vec::with_capacity(state.len());
+    for (index, value) in p.state.iter().enumerate() {
+        state[index] = ComplexStep::perturbed(*value);
+        gradient.push(machine.complex.energy(time, &state, &parameters).total().derivative());
+        state[index] = ComplexStep::literal(*value);
+    }
+    gradient
+}
+
+/// Largest residual of the account over the scene's own run, divided by the
+/// integral of |supplied| + |lost| power.
+fn energy_account(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let trajectory = machine.simulation(&[])?.rtol(1e-10).with_energy_balance(true).run()?;
+    let error = trajectory.energy_balance.as_ref().map_or(f64::NAN, |balance| {
+        let largest = balance.residual.iter().fold(0.0, |most, r| worse(most, r.abs()));
+        let passed = balance.passed.last().copied().unwrap_or(0.0);
+        if passed > 0.0 { largest / passed } else { f64::NAN }
+    });
+    Ok(Measured::error(error))
+}

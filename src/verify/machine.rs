@@ -1,0 +1,278 @@
+//! A scene under check: its simulator in two kinds of numbers, its parameters,
+//! its quantities by name, and random states.
+
+use machinist_scenes::scenes::motor_run_up::MotorRunUp;
+use machinist_scenes::scenes::saw_gin::SawGin;
+use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
+use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::{Quantity, Simulator};
+use nalgebra::{DMatrix, DVector};
+
+use super::CheckFailure;
+use crate::complex_step::{self, ComplexStep};
+use crate::{Method, Simulation, Trajectory};
+
+/// A verified scene, with overridden parameters if any.
+#[derive(Clone)]
+pub(crate) struct Machine {
+    name: &'static str,
+    /// The simulator in `f64`.
+    pub(crate) real: &'static dyn Simulator<f64>,
+    /// The same emitted code in complex-step numbers.
+    pub(crate) complex: &'static dyn Simulator<ComplexStep>,
+    overrides: Vec<(usize, f64)>,
+}
+
+/// Time, state and parameters at which to evaluate.
+pub(crate) struct Point {
+    pub(crate) time: f64,
+    pub(crate) state: Vec<f64>,
+    pub(crate) parameters: Vec<f64>,
+}
+
+/// Every verified scene, in the order of the report.
+pub(crate) fn all() -> Vec<Machine> {
+    vec![two_mass(), motor_run_up(), saw_gin(), saw_gin_as_printed()]
+}
+
+/// Two rotors on a coupling.
+pub(crate) fn two_mass() -> Machine {
+    Machine::new("two_mass", &TwoMass, &TwoMass)
+}
+
+/// The motor alone.
+pub(crate) fn motor_run_up() -> Machine {
+    Machine::new("motor_run_up", &MotorRunUp, &MotorRunUp)
+}
+
+/// The saw gin in its consistent reading.
+pub(crate) fn saw_gin() -> Machine {
+    Machine::new("saw_gin", &SawGin, &SawGin)
+}
+
+/// The saw gin as printed.
+pub(crate) fn saw_gin_as_printed() -> Machine {
+    Machine::new("saw_gin_as_printed", &SawGinAsPrinted, &SawGinAsPrinted)
+}
+
+impl Machine {
+    fn new(
+        name: &'static str,
+        real: &'static dyn Simulator<f64>,
+        complex: &'static dyn Simulator<ComplexStep>,
+    ) -> Self {
+        Self { name, real, complex, overrides: Vec::new() }
+    }
+
+    /// The scene's name.
+    pub(crate) fn name(&self) -> &'static str {
+        self.name
+    }
+
+    pub(crate) fn override_parameter(
+        &mut self,
+        name: &str,
+        value: f64,
+    ) -> Result<(), CheckFailure> {
+        let index = self.parameter_index(name)?;
+        self.overrides.push((index, value));
+        Ok(())
+    }
+
+    /// The spec's parameters, with `settings` and then the overrides put in.
+    pub(crate) fn parameters(&self, settings: &[(&str, f64)]) -> Result<Vec<f64>, CheckFailure> {
+        let count = self.real.shape().parameters;
+        let mut values: Vec<f64> =
+            (0..count).map(|index| self.real.parameter_default(index)).collect();
+        for (name, value) in settings {
+            values[self.parameter_index(name)?] = *value;
+        }
+        for (index, value) in &self.overrides {
+            values[*index] = *value;
+        }
+        Ok(values)
+    }
+
+    /// Value of one parameter in the spec, or overridden.
+    pub(crate) fn value(&self, name: &str) -> Result<f64, CheckFailure> {
+        Ok(self.parameters(&[])?[self.parameter_index(name)?])
+    }
+
+    /// A run with these settings.
+    pub(crate) fn simulation(
+        &self,
+        settings: &[(&str, f64)],
+    ) -> Result<Simulation<'static>, CheckFailure> {
+        Ok(Simulation::new(self.real).parameters(&self.parameters(settings)?))
+    }
+
+    /// A run whose errors are near rounding: relative tolerance 1e-12 and absolute
+    /// tolerances of 1e-13 in the unit of each state, by the explicit method.
+    pub(crate) fn precise(
+        &self,
+        settings: &[(&str, f64)],
+        until: f64,
+    ) -> Result<Simulation<'static>, CheckFailure> {
+        let atol = vec![1e-13; self.real.shape().states()];
+        let run = self.simulation(settings)?.until(until).rtol(1e-12).atol(&atol);
+        Ok(run.method(Method::Tsit45))
+    }
+
+    /// The column of this name of one of this scene's runs.
+    pub(crate) fn column<'t>(
+        &self,
+        trajectory: &'t Trajectory,
+        name: &str,
+    ) -> Result<&'t [f64], CheckFailure> {
+        trajectory.column(name).ok_or_else(|| self.unknown("column", name))
+    }
+
+    /// The value at the end of the run of the column of this name.
+    pub(crate) fn last(&self, trajectory: &Trajectory, name: &str) -> Result<f64, CheckFailure> {
+        trajectory.last(name).ok_or_else(|| self.unknown("column", name))
+    }
+
+    /// Position of a parameter.
+    pub(crate) fn parameter_index(&self, name: &str) -> Result<usize, CheckFailure> {
+        let count = self.real.shape().parameters;
+        self.position("parameter", name, count, |index| self.real.parameter(index))
+    }
+
+    /// Position of a state.
+    pub(crate) fn state_index(&self, name: &str) -> Result<usize, CheckFailure> {
+        let count = self.real.shape().states();
+        self.position("state", name, count, |index| self.real.state(index))
+    }
+
+    /// Position of an output.
+    pub(crate) fn output_index(&self, name: &str) -> Result<usize, CheckFailure> {
+        let count = self.real.shape().outputs;
+        self.position("output", name, count, |index| self.real.output(index))
+    }
+
+    fn position<'a>(
+        &self,
+        kind: &'static str,
+        name: &str,
+        count: usize,
+        quantity: impl Fn(usize) -> Quantity<'a>,
+    ) -> Result<usize, CheckFailure> {
+        (0..count)
+            .find(|index| quantity(*index).name == name)
+            .ok_or_else(|| self.unknown(kind, name))
+    }
+
+    fn unknown(&self, kind: &'static str, name: &str) -> CheckFailure {
+        CheckFailure::Unknown { scene: self.name, kind, name: name.to_owned() }
+    }
+
+    /// y' at a point.
+    pub(crate) fn rate(&self, point: &Point) -> Vec<f64> {
+        let mut rate = vec![0.0; point.state.len()];
+        self.real.rate(point.time, &point.state, &point.parameters, &mut rate);
+        rate
+    }
+
+    /// The emitted dy'/dy at a point, as a full matrix.
+    pub(crate) fn rate_jacobian(&self, point: &Point) -> DMatrix<f64> {
+        let pattern = self.real.rate_jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        self.real.rate_jacobian(point.time, &point.state, &point.parameters, &mut values);
+        complex_step::dense(pattern, &values)
+    }
+
+    /// The emitted dy'/dp at a point, as a full matrix.
+    pub(crate) fn parameter_jacobian(&self, point: &Point) -> DMatrix<f64> {
+        let pattern = self.real.parameter_jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        self.real.parameter_jacobian(point.time, &point.state, &point.parameters, &mut values);
+        complex_step::dense(pattern, &values)
+    }
+
+    /// The output of this name at a point.
+    pub(crate) fn output(&self, point: &Point, name: &str) -> Result<f64, CheckFailure> {
+        let mut outputs = vec![0.0; self.real.shape().outputs];
+        self.real.outputs(point.time, &point.state, &point.parameters, &mut outputs);
+        Ok(outputs[self.output_index(name)?])
+    }
+
+    /// The point at t = 0 where states are as `settings` say, and zero otherwise.
+    pub(crate) fn point(
+        &self,
+        parameters: &[(&str, f64)],
+        settings: &[(&str, f64)],
+    ) -> Result<Point, CheckFailure> {
+        let mut state = vec![0.0; self.real.shape().states()];
+        for (name, value) in settings {
+            state[self.state_index(name)?] = *value;
+        }
+        Ok(Point { time: 0.0, state, parameters: self.parameters(parameters)? })
+    }
+
+    /// The point at which the states called `unknowns`, one or more, are at rest, all
+    /// others being as `settings` say or zero, at t = 0.
+    ///
+    /// Solves the emitted rates for zero by one Newton step from zero with the
+    /// emitted Jacobian: exact where they are linear in the unknowns, as those of a
+    /// motor are in its flux linkages at given speed.
+    pub(crate) fn steady_point(
+        &self,
+        parameters: &[(&str, f64)],
+        settings: &[(&str, f64)],
+        unknowns: &[&str],
+    ) -> Result<Point, CheckFailure> {
+        let mut point = self.point(parameters, settings)?;
+        let places =
+            unknowns.iter().map(|name| self.state_index(name)).collect::<Result<Vec<_>, _>>()?;
+        let rate = self.rate(&point);
+        let jacobian = self.rate_jacobian(&point).select_rows(&places).select_columns(&places);
+        let rest = DVector::from_iterator(places.len(), places.iter().map(|place| -rate[*place]));
+        let solution = jacobian.lu().solve(&rest).ok_or(CheckFailure::Singular)?;
+        for (place, value) in places.iter().zip(solution.iter()) {
+            point.state[*place] = *value;
+        }
+        Ok(point)
+    }
+
+    /// Points drawn evenly from the times of the scene's run and from states within
+    /// their scales, the same ones every time. Every fourth state is a hundredth as
+    /// large, so that loads are seen near standstill too.
+    pub(crate) fn random_points(&self, count: usize) -> Result<Vec<Point>, CheckFailure> {
+        let defaults = self.real.run_defaults();
+        let parameters = self.parameters(&[])?;
+        let mut random = SplitMix(0x5eed);
+        let points = (0..count).map(|number| {
+            let size = if number % 4 == 3 { 0.01 } else { 1.0 };
+            let time = defaults.from + (defaults.until - defaults.from) * random.unit();
+            let states = 0..self.real.shape().states();
+            let state =
+                states.map(|index| size * self.real.state_scale(index) * random.signed()).collect();
+            Point { time, state, parameters: parameters.clone() }
+        });
+        Ok(points.collect())
+    }
+}
+
+/// The SplitMix64 generator (Steele, Lea and Flood 2014): a few lines, the same
+/// numbers on every machine.
+pub(crate) struct SplitMix(pub(crate) u64);
+
+impl SplitMix {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// Evenly from 0 up to 1.
+    pub(crate) fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Evenly from -1 up to 1.
+    pub(crate) fn signed(&mut self) -> f64 {
+        2.0 * self.unit() - 1.0
+    }
+}

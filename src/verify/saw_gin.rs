@@ -1,0 +1,77 @@
+//! Checks of the saw gin against its equations written by hand and against the
+//! converged reference of its run.
+
+use super::machine::{Point, SplitMix};
+use super::reference::{SAW_GIN, scaled_distance};
+use super::{Check, CheckFailure, Machine, Measured, worse};
+use crate::closed_form::saw_gin_by_hand::{SawGinByHand, SawGinState};
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        name: "right-hand side at 1000 random states",
+        reference: "equations written by hand, relative to the largest term of each sum",
+        tolerance: 1e-13,
+        reason: "terms of some ten factors, summed in another order: some tens of roundings of \
+                 1.1e-16",
+        measure: right_hand_side,
+    },
+    Check {
+        name: "run-up and loading, state after 2 s",
+        reference: "converged reference, root mean square of scaled differences",
+        tolerance: 1e-9,
+        reason: "the reference is exact to 16 digits; a hundred times the tolerance of a step",
+        measure: run,
+    },
+];
+
+/// States in the order of [`SawGinByHand::rate`].
+const STATES: [&str; 8] = [
+    "motor.psi_sx",
+    "motor.psi_sy",
+    "motor.psi_rx",
+    "motor.psi_ry",
+    "motor.phi",
+    "motor.omega",
+    "cylinder.phi",
+    "cylinder.omega",
+];
+
+fn right_hand_side(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let parameters = machine.parameters(&[])?;
+    let mut places = [0; 8];
+    for (place, name) in places.iter_mut().zip(STATES) {
+        *place = machine.state_index(name)?;
+    }
+    let mut random = SplitMix(8);
+    let mut error = 0.0;
+    for number in 0..1000 {
+        let (time, hand) = random_state(&mut random, number);
+        let mut state = vec![0.0; machine.real.shape().states()];
+        let values = [hand.flux.as_slice(), &hand.motor, &hand.cylinder].concat();
+        for (place, value) in places.iter().zip(values) {
+            state[*place] = value;
+        }
+        let rate = machine.rate(&Point { time, state, parameters: parameters.clone() });
+        for (place, sum) in places.iter().zip(SawGinByHand.rate(time, &hand)) {
+            error = worse(error, (rate[*place] - sum.value).abs() / sum.largest_term);
+        }
+    }
+    Ok(Measured::error(error))
+}
+
+/// Half of the states with a twist as in a run, half with any; every fourth near
+/// standstill, where the load changes its sign.
+fn random_state(random: &mut SplitMix, number: usize) -> (f64, SawGinState) {
+    let time = 2.0 * random.unit();
+    let speed = if number.is_multiple_of(4) { 1.0 } else { 100.0 };
+    let twist = if number.is_multiple_of(2) { 0.1 } else { 100.0 };
+    let flux = std::array::from_fn(|_| 1.2 * random.signed());
+    let motor = [150.0 * random.unit(), speed * random.signed()];
+    let cylinder = [motor[0] + twist * random.signed(), speed * random.signed()];
+    (time, SawGinState { flux, motor, cylinder })
+}
+
+fn run(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let trajectory = machine.simulation(&[])?.until(2.0).points(2).rtol(1e-11).run()?;
+    Ok(Measured::error(scaled_distance(machine, &trajectory, SAW_GIN)?))
+}

@@ -1,0 +1,136 @@
+use super::*;
+
+fn verdicts(overrides: &[(&str, f64)]) -> Vec<Verdict> {
+    let overrides = overrides.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
+    verify_all(&VerifyOptions { overrides }).expect("the overrides name parameters")
+}
+
+fn failed<'v>(verdicts: &'v [Verdict], scene: &str) -> Vec<&'v str> {
+    let failed = verdicts.iter().filter(|verdict| !verdict.pass && verdict.scene == scene);
+    failed.map(|verdict| verdict.check).collect()
+}
+
+#[test]
+fn every_check_passes_with_the_published_numbers() {
+    let verdicts = verdicts(&[]);
+    assert!(verdicts.len() >= 40, "{}", verdicts.len());
+    assert!(verdicts.iter().all(|verdict| verdict.pass), "\n{}", render_table(&verdicts));
+}
+
+#[test]
+fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
+    let verdicts = verdicts(&[
+        ("two_mass.coupling.stiffness", 23_065.2 * 1.001),
+        ("motor_run_up.motor.alpha_r", 0.0859),
+        ("saw_gin.cylinder.inertia", 1.2441),
+        ("saw_gin_as_printed.motor.sigma", 0.0897),
+    ]);
+    assert_eq!(
+        failed(&verdicts, "two_mass"),
+        [
+            "free decay from a twist of 0.01 rad",
+            "transient under constant torques",
+            "transient under a harmonic load",
+            "amplitude of the steady harmonic twist",
+            "phase of the steady harmonic twist",
+            "static twist under constant torques",
+        ]
+    );
+    let motor = failed(&verdicts, "motor_run_up");
+    for check in [
+        "flux transient at standstill",
+        "flux transient at 40 rad/s",
+        "flux transient at 76.97 rad/s",
+        "torque-speed curve at 50 slips",
+        "torque at slip 0.02",
+        "breakdown slip",
+        "starting torque",
+        "run-up, state after 1 s",
+    ] {
+        assert!(motor.contains(&check), "`{check}` passes with a broken rotor resistance");
+    }
+    assert!(!motor.contains(&"no-load speed after 3 s"), "it does not depend on resistance");
+    let gin = failed(&verdicts, "saw_gin");
+    assert_eq!(
+        gin,
+        ["right-hand side at 1000 random states", "run-up and loading, state after 2 s"]
+    );
+    let torque = "torque-speed curve, speed for the printed angle";
+    assert_eq!(failed(&verdicts, "saw_gin_as_printed"), [torque]);
+}
+
+#[test]
+fn an_override_of_no_parameter_is_refused() {
+    for name in ["two_mass", "two_mass.coupling.stifness", "winder.mass", ""] {
+        let options = VerifyOptions { overrides: vec![(name.to_owned(), 1.0)] };
+        assert_eq!(verify_all(&options), Err(VerifyError::UnknownOverride(name.to_owned())));
+    }
+    let name = "two_mass.coupling.stiffness".to_owned();
+    let options = VerifyOptions { overrides: vec![(name, f64::NAN)] };
+    assert!(matches!(verify_all(&options), Err(VerifyError::OverrideNotFinite { .. })));
+}
+
+#[test]
+fn a_run_that_stops_fails_its_checks_and_says_why() {
+    let machine = {
+        let mut machine = machine::two_mass();
+        machine.override_parameter("driver.inertia", 0.0).expect("the scene has it");
+        machine
+    };
+    let verdict = two_mass::CHECKS[0].verdict(&machine);
+    assert!(!verdict.pass);
+    assert!(verdict.failure.is_some());
+    let line = serde_json::to_value(&verdict).expect("a verdict is plain data");
+    assert!(line["error"].is_null());
+}
+
+#[test]
+fn a_verdict_is_one_json_object_with_the_keys_of_the_report() {
+    let check = Check {
+        name: "two",
+        reference: "1",
+        tolerance: 0.5,
+        reason: "none",
+        measure: |_| Ok(Measured::absolute(2.0, 1.0)),
+    };
+    let verdict = check.verdict(&machine::two_mass());
+    let line = serde_json::to_string(&verdict).expect("a verdict is plain data");
+    assert_eq!(
+        line,
+        r#"{"scene":"two_mass","check":"two","reference":"1","error":1.0,"tolerance":0.5,"reason":"none","pass":false,"value":2.0,"expected":1.0}"#
+    );
+}
+
+#[test]
+fn an_error_that_is_not_a_number_does_not_pass() {
+    let check = Check {
+        name: "",
+        reference: "",
+        tolerance: f64::INFINITY,
+        reason: "",
+        measure: |_| Ok(Measured::error(f64::NAN)),
+    };
+    assert!(!check.verdict(&machine::two_mass()).pass);
+    assert!(worse(f64::NAN, 1.0).is_nan() && worse(1.0, f64::NAN).is_nan());
+}
+
+#[test]
+fn a_table_has_one_line_a_check_and_counts_failures() {
+    let passes = Verdict {
+        scene: "two_mass",
+        check: "c",
+        reference: "r",
+        error: 1e-12,
+        tolerance: 1e-9,
+        reason: "because",
+        pass: true,
+        value: None,
+        expected: None,
+        failure: None,
+    };
+    let fails = Verdict { error: 1.0, pass: false, ..passes.clone() };
+    let text = render_table(&[passes, fails]);
+    assert_eq!(text.lines().filter(|line| line.contains("because")).count(), 3);
+    assert_eq!(text.lines().filter(|line| line.contains("FAIL")).count(), 1);
+    assert!(text.ends_with("2 checks, 1 failed\n"));
+}

@@ -98,7 +98,7 @@ impl Builder {
             Op::State(entry) => self.push(Recurrence::State(entry)),
             Op::Neg(a) => self.push(Recurrence::Neg(a)),
             Op::Add(a, b) => self.push(Recurrence::Add(a, b)),
-            Op::Sub(a, b) => self.push(Recurrence::Sub(a, b)),
+            Op::Sub(a, b) => self.difference(a, b),
             Op::Mul(a, b) => self.product(a, b),
             Op::Div(a, b) => self.quotient(a, b),
             Op::Powi(base, exponent) => self.integer_power(base, exponent),
@@ -151,6 +151,16 @@ impl Builder {
 
     fn number(&mut self, value: f64) -> NodeId {
         self.push(Recurrence::Constant(Op::Literal(value)))
+    }
+
+    /// `a - b`, as `-(b - a)` where that difference is known: functions of both
+    /// are then one.
+    fn difference(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        let opposite = format!("{:?}", Recurrence::Sub(b, a));
+        match self.known.get(&opposite) {
+            Some(&opposite) => self.push(Recurrence::Neg(opposite)),
+            None => self.push(Recurrence::Sub(a, b)),
+        }
     }
 
     fn product(&mut self, a: NodeId, b: NodeId) -> NodeId {
@@ -208,8 +218,24 @@ impl Builder {
         self.push(Recurrence::Power { base, exponent })
     }
 
-    /// A function by its differential equation.
+    /// A function by its differential equation; odd and even ones of -x by those
+    /// of x.
     fn call(&mut self, function: Function, x: NodeId) -> NodeId {
+        if let Recurrence::Neg(x) = self.tape[x].recurrence {
+            match function {
+                Function::Sin
+                | Function::Tan
+                | Function::Asin
+                | Function::Atan
+                | Function::Sinh
+                | Function::Tanh => {
+                    let of_x = self.call(function, x);
+                    return self.push(Recurrence::Neg(of_x));
+                }
+                Function::Cos | Function::Cosh | Function::Abs => return self.call(function, x),
+                _ => {}
+            }
+        }
         match function {
             Function::Sqrt => self.push(Recurrence::Root(x)),
             Function::Abs => {

@@ -69,35 +69,47 @@ impl<'a> Tolerance<'a> {
     /// Error of a step in units of the tolerance: the defect y' - f at its end
     /// is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
     pub(super) fn error(&self, slope: &[f64], rate: &[f64], step: f64, order: usize) -> f64 {
-        let defects = slope.iter().zip(rate).zip(&self.inverse_weights);
-        let defect =
-            |((slope, rate), inverse): ((&f64, &f64), &f64)| ((slope - rate) * inverse).abs();
-        defects.map(defect).fold(0.0, larger) * step / (order + 1) as f64
+        let defects = slope.iter().zip(rate).map(|(slope, rate)| slope - rate);
+        let mut largest = 0.0;
+        for (defect, inverse) in defects.zip(&self.inverse_weights) {
+            largest = larger(largest, (defect * inverse).abs());
+        }
+        largest * step / (order + 1) as f64
     }
 
+    /// The largest value in units of its tolerance.
     fn size(&self, values: &[f64]) -> f64 {
-        let weighed =
-            values.iter().zip(&self.inverse_weights).map(|(value, inverse)| value * inverse);
-        weighed.fold(0.0, |size, value| larger(size, value.abs()))
+        let (blocks, rest) = values.as_chunks::<4>();
+        let (weights, rest_weights) = self.inverse_weights.as_chunks::<4>();
+        let mut largest = [0.0; 4];
+        for (block, weights) in blocks.iter().zip(weights) {
+            for lane in 0..4 {
+                largest[lane] = larger(largest[lane], (block[lane] * weights[lane]).abs());
+            }
+        }
+        for (value, weight) in rest.iter().zip(rest_weights) {
+            largest[0] = larger(largest[0], (value * weight).abs());
+        }
+        let [a, b, c, d] = largest;
+        larger(larger(a, b), larger(c, d))
     }
 }
 
-/// The larger of two numbers; NaN counts as larger than any.
+/// The larger of two numbers. A NaN does not count; whoever calls has looked for
+/// it, or looks at the result of the step.
 fn larger(size: f64, value: f64) -> f64 {
-    if value <= size { size } else { value }
+    if value > size { value } else { size }
 }
 
-/// Log2 to about a hundredth, which is all that a step's length needs; minus
-/// infinity of zero.
+/// Log2 to about a hundredth, which is all that a step's length needs; very
+/// small for zero.
 fn log2(value: f64) -> f64 {
-    if value < f64::MIN_POSITIVE {
-        return f64::NEG_INFINITY;
-    }
-    // The mantissa's bits as a fraction m of [0, 1): log2(1 + m) is nearly
-    // m + 0.34 m (1 - m).
-    let scaled = (value.to_bits() >> 20) as f64 / f64::from(2_u32).powi(32);
-    let (exponent, m) = (scaled.floor(), scaled.fract());
-    exponent - 1023.0 + m + 0.344 * m * (1.0 - m)
+    const MANTISSA: u64 = (1 << 52) - 1;
+    let bits = value.to_bits();
+    let exponent = (bits >> 52) as i32 - 1023;
+    // log2(1 + m) is nearly m + 0.34 m (1 - m).
+    let m = f64::from_bits(bits & MANTISSA | 1.0_f64.to_bits()) - 1.0;
+    f64::from(exponent) + m + 0.344 * m * (1.0 - m)
 }
 
 /// Factor by which a rejected step is shortened.

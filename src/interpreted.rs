@@ -5,6 +5,8 @@ use std::cell::RefCell;
 use machinist_codegen::evaluate::Evaluator;
 use machinist_codegen::program::{Program, SparsityPattern as Pattern};
 use machinist_codegen::system;
+use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
+use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
 };
@@ -28,6 +30,7 @@ pub struct InterpretedSimulator {
     outputs: RefCell<Evaluator>,
     energy: RefCell<Evaluator>,
     power_balance: RefCell<Evaluator>,
+    series: RefCell<SeriesEvaluator>,
 }
 
 impl InterpretedSimulator {
@@ -47,6 +50,7 @@ impl InterpretedSimulator {
             outputs: prepared(&program.outputs),
             energy: prepared(&program.energy),
             power_balance: prepared(&program.power_balance),
+            series: RefCell::new(SeriesEvaluator::new(recurrences(&program))),
             program,
         }
     }
@@ -185,6 +189,29 @@ impl Simulator<f64> for InterpretedSimulator {
         self.run(&self.power_balance, time, state, parameters, &mut values);
         let [stored_rate, supplied, dissipated] = values;
         PowerBalance { stored_rate, supplied, dissipated }
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<f64>> {
+        Some(self)
+    }
+}
+
+impl TaylorSeries<f64> for InterpretedSimulator {
+    fn series_workspace(&self, _order: usize) -> usize {
+        0
+    }
+    fn series(
+        &self,
+        time: f64,
+        state: &[f64],
+        parameters: &[f64],
+        coefficients: &mut [f64],
+        _workspace: &mut [f64],
+    ) {
+        let system = &self.program.system;
+        assert_eq!(state.len(), system.states(), "length of the state");
+        assert_eq!(parameters.len(), system.parameters.len(), "number of parameters");
+        let mut series = self.series.borrow_mut();
+        series.evaluate(time, state, parameters, &system.tables, coefficients);
     }
 }
 

@@ -18,6 +18,7 @@ mod step_matrix;
 mod stretch;
 mod system;
 mod tableau;
+mod taylor;
 
 use std::fmt;
 use std::str::FromStr;
@@ -47,6 +48,8 @@ methods! {
     Radau { name: "radau", order: 13, implicit: true, integrator: radau::Radau },
     /// Explicit where it can be, implicit where the machine is stiff, by the tolerance.
     Auto { name: "auto", order: 13, implicit: true, integrator: auto::Auto },
+    /// Taylor series of an order that follows the tolerance; the fastest for smooth machines that are not stiff.
+    Taylor { name: "taylor", order: 30, implicit: false, integrator: taylor::Taylor },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.

@@ -26,7 +26,7 @@ impl Evaluator {
         for (index, needed) in needed_nodes(tape).into_iter().enumerate() {
             if needed {
                 moved[index] = NodeId(operations.len() as u32);
-                operations.push(renumber(tape.nodes[index].op, &moved));
+                operations.push(tape.nodes[index].op.with_operands(|id| moved[id.0 as usize]));
             }
         }
         let results = tape.results.iter().map(|id| moved[id.0 as usize]).collect();
@@ -55,30 +55,8 @@ impl Evaluator {
     ) {
         for (index, op) in self.operations.iter().enumerate() {
             let value = |id: NodeId| self.values[id.0 as usize];
-            self.values[index] = match *op {
-                Op::Literal(literal) => literal,
-                Op::Time => time,
-                Op::State(entry) => state[entry as usize],
-                Op::Parameter(entry) => parameters[entry as usize],
-                Op::Neg(a) => -value(a),
-                Op::Add(a, b) => value(a) + value(b),
-                Op::Sub(a, b) => value(a) - value(b),
-                Op::Mul(a, b) => value(a) * value(b),
-                Op::Div(a, b) => value(a) / value(b),
-                Op::Powi(base, exponent) => power(value(base), exponent),
-                Op::Powf(base, exponent) => value(base).powf(value(exponent)),
-                Op::Call(function, argument) => call(function, value(argument)),
-                Op::SelectLess { lhs, rhs, then, otherwise } => {
-                    if value(lhs) < value(rhs) {
-                        value(then)
-                    } else {
-                        value(otherwise)
-                    }
-                }
-                Op::Table { table, order, argument } => {
-                    interpolate(&tables[table.0 as usize], order, value(argument))
-                }
-            };
+            let inputs = Inputs { time, state, parameters, tables };
+            self.values[index] = operate(*op, value, &inputs);
         }
         assert_eq!(results.len(), self.results.len(), "one place for each result");
         for (result, id) in results.iter_mut().zip(&self.results) {
@@ -87,29 +65,45 @@ impl Evaluator {
     }
 }
 
-/// The operation with its operands where they have moved to.
-fn renumber(op: Op, moved: &[NodeId]) -> Op {
-    let to = |id: NodeId| moved[id.0 as usize];
+/// What a tape reads from outside.
+pub(crate) struct Inputs<'a> {
+    pub(crate) time: f64,
+    pub(crate) state: &'a [f64],
+    pub(crate) parameters: &'a [f64],
+    pub(crate) tables: &'a [Table],
+}
+
+/// One operation on operands whose values are known.
+pub(crate) fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>) -> f64 {
     match op {
-        Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_) => op,
-        Op::Neg(a) => Op::Neg(to(a)),
-        Op::Add(a, b) => Op::Add(to(a), to(b)),
-        Op::Sub(a, b) => Op::Sub(to(a), to(b)),
-        Op::Mul(a, b) => Op::Mul(to(a), to(b)),
-        Op::Div(a, b) => Op::Div(to(a), to(b)),
-        Op::Powi(base, exponent) => Op::Powi(to(base), exponent),
-        Op::Powf(base, exponent) => Op::Powf(to(base), to(exponent)),
-        Op::Call(function, argument) => Op::Call(function, to(argument)),
+        Op::Literal(literal) => literal,
+        Op::Time => inputs.time,
+        Op::State(entry) => inputs.state[entry as usize],
+        Op::Parameter(entry) => inputs.parameters[entry as usize],
+        Op::Neg(a) => -value(a),
+        Op::Add(a, b) => value(a) + value(b),
+        Op::Sub(a, b) => value(a) - value(b),
+        Op::Mul(a, b) => value(a) * value(b),
+        Op::Div(a, b) => value(a) / value(b),
+        Op::Powi(base, exponent) => power(value(base), exponent),
+        Op::Powf(base, exponent) => value(base).powf(value(exponent)),
+        Op::Call(function, argument) => call(function, value(argument)),
         Op::SelectLess { lhs, rhs, then, otherwise } => {
-            Op::SelectLess { lhs: to(lhs), rhs: to(rhs), then: to(then), otherwise: to(otherwise) }
+            if value(lhs) < value(rhs) {
+                value(then)
+            } else {
+                value(otherwise)
+            }
         }
-        Op::Table { table, order, argument } => Op::Table { table, order, argument: to(argument) },
+        Op::Table { table, order, argument } => {
+            interpolate(&inputs.tables[table.0 as usize], order, value(argument))
+        }
     }
 }
 
 /// A function of one argument; `SelectLess` and `Table` have operations of their
 /// own and are not numbers here.
-fn call(function: Function, x: f64) -> f64 {
+pub(crate) fn call(function: Function, x: f64) -> f64 {
     match function {
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
@@ -144,7 +138,7 @@ fn power(base: f64, exponent: i32) -> f64 {
 }
 
 /// Value or derivative of a table, constant beyond its ends.
-fn interpolate(table: &Table, order: u32, x: f64) -> f64 {
+pub(crate) fn interpolate(table: &Table, order: u32, x: f64) -> f64 {
     let (Some(&first), Some(&last)) = (table.knots.first(), table.knots.last()) else {
         return 0.0;
     };

@@ -23,6 +23,7 @@ pub mod spec;
 mod stack;
 pub mod system;
 pub mod tape;
+pub mod taylor;
 pub mod trigonometry;
 pub mod write;
 

@@ -1,6 +1,6 @@
 //! Leaves out what the results do not need.
 
-use crate::tape::{Node, NodeId, Op, Tape};
+use crate::tape::{Node, NodeId, Tape};
 
 /// The part of `nodes` that `results` reach, renumbered, in order.
 #[must_use]
@@ -21,28 +21,9 @@ pub fn reachable(nodes: &[Node], results: &[NodeId]) -> Tape {
     let mut tape = Tape::default();
     for (index, node) in nodes.iter().enumerate().filter(|(index, _)| needed[*index]) {
         place[index] = NodeId(tape.nodes.len() as u32);
-        let op = renumbered(node.op, &place);
+        let op = node.op.with_operands(|id| place[id.0 as usize]);
         tape.nodes.push(Node { op, name: node.name.clone() });
     }
     tape.results = results.iter().map(|result| place[result.0 as usize]).collect();
     tape
-}
-
-fn renumbered(op: Op, place: &[NodeId]) -> Op {
-    let at = |id: NodeId| place[id.0 as usize];
-    match op {
-        Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_) => op,
-        Op::Neg(a) => Op::Neg(at(a)),
-        Op::Add(a, b) => Op::Add(at(a), at(b)),
-        Op::Sub(a, b) => Op::Sub(at(a), at(b)),
-        Op::Mul(a, b) => Op::Mul(at(a), at(b)),
-        Op::Div(a, b) => Op::Div(at(a), at(b)),
-        Op::Powi(a, exponent) => Op::Powi(at(a), exponent),
-        Op::Powf(a, b) => Op::Powf(at(a), at(b)),
-        Op::Call(function, a) => Op::Call(function, at(a)),
-        Op::SelectLess { lhs, rhs, then, otherwise } => {
-            Op::SelectLess { lhs: at(lhs), rhs: at(rhs), then: at(then), otherwise: at(otherwise) }
-        }
-        Op::Table { table, order, argument } => Op::Table { table, order, argument: at(argument) },
-    }
 }

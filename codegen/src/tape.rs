@@ -100,6 +100,29 @@ impl Op {
         }
     }
 
+    /// The same operation on other nodes.
+    #[must_use]
+    pub fn with_operands(self, mut to: impl FnMut(NodeId) -> NodeId) -> Self {
+        match self {
+            Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_) => self,
+            Op::Neg(a) => Op::Neg(to(a)),
+            Op::Add(a, b) => Op::Add(to(a), to(b)),
+            Op::Sub(a, b) => Op::Sub(to(a), to(b)),
+            Op::Mul(a, b) => Op::Mul(to(a), to(b)),
+            Op::Div(a, b) => Op::Div(to(a), to(b)),
+            Op::Powi(a, exponent) => Op::Powi(to(a), exponent),
+            Op::Powf(a, b) => Op::Powf(to(a), to(b)),
+            Op::Call(function, a) => Op::Call(function, to(a)),
+            Op::SelectLess { lhs, rhs, then, otherwise } => {
+                let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(to);
+                Op::SelectLess { lhs, rhs, then, otherwise }
+            }
+            Op::Table { table, order, argument } => {
+                Op::Table { table, order, argument: to(argument) }
+            }
+        }
+    }
+
     /// Whether the operation costs anything at run time.
     #[must_use]
     pub fn is_arithmetic(&self) -> bool {

@@ -10,7 +10,7 @@ use machinist_codegen::emit::rust::{emit, emit_index};
 use machinist_codegen::emit::{EmitError, EmitOptions, tape_operations};
 use machinist_codegen::program::Program;
 use machinist_codegen::tape::{Node, NodeId, Op, Tape};
-use support::{HOSTILE, oddities, pendulum, tape};
+use support::{HOSTILE, coupled, oddities, pendulum, recurrences, tape};
 
 fn emitted(program: &Program) -> String {
     emit(program, &EmitOptions::for_build_script()).expect("a program that can be emitted")
@@ -40,6 +40,12 @@ fn the_pendulum_is_emitted_as_kept() {
 #[test]
 fn odd_names_and_every_operation_are_emitted_as_kept() {
     assert_kept(&oddities());
+}
+
+#[test]
+fn series_of_every_operation_and_of_coupled_coordinates_are_emitted_as_kept() {
+    assert_kept(&recurrences());
+    assert_kept(&coupled());
 }
 
 #[test]

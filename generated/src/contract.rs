@@ -2,6 +2,7 @@
 //! and [`Simulator`] (the numbers).
 
 use crate::Real;
+use crate::taylor::TaylorSeries;
 
 /// Name, SI unit and meaning of one number of a simulator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -160,4 +161,8 @@ pub trait Simulator<R: Real>: Describe {
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R>;
     /// Power stored, supplied and dissipated.
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R>;
+    /// Taylor series of the solution, where the simulator has them.
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        None
+    }
 }

@@ -26,6 +26,7 @@ mod include;
 mod real;
 pub mod scenes;
 mod table;
+pub mod taylor;
 
 pub use contract::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,

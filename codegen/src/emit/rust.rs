@@ -13,6 +13,7 @@ mod header;
 mod items;
 mod names;
 mod plan;
+mod series;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -21,6 +22,7 @@ use crate::emit::{EmitError, EmitOptions};
 use crate::program::Program;
 pub(crate) use header::MARK;
 use names::Namer;
+use series::Series;
 
 /// The text of a scene's module: constants, `Parameters`, `Outputs`, one
 /// function for each tape, and a unit struct that implements `Describe` and
@@ -32,14 +34,16 @@ use names::Namer;
 pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitError> {
     check::check(program)?;
     let scene = Scene::new(program)?;
-    let imports = imports(program, options);
+    let series = Series::new(&scene);
+    let imports = imports(program, options, series.as_ref());
     let constants = items::constants(&scene);
     let machine = items::machine(&scene);
     let parameters = items::parameters(&scene)?;
     let outputs = items::outputs(&scene);
     let state_indices = items::state_indices(&scene);
     let functions = functions::functions(&scene)?;
-    let implementations = describe::implementations(&scene)?;
+    let implementations = describe::implementations(&scene, series.is_some())?;
+    let series = series.map(|series| series.items(&scene)).transpose()?;
     let tables = items::tables(&scene)?;
     let tokens = quote! {
         #imports
@@ -49,6 +53,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
         #outputs
         #state_indices
         #functions
+        #series
         #implementations
         #tables
     };
@@ -147,13 +152,14 @@ impl<'a> Scene<'a> {
 }
 
 /// `use` of exactly what the module needs.
-fn imports(program: &Program, options: &EmitOptions) -> TokenStream {
+fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) -> TokenStream {
+    let series = series.map(Series::imports);
     let contract = &options.contract;
     let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
     quote! {
         use #contract::{
             #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-            SparsityPattern,
+            SparsityPattern, #series
         };
     }
 }

@@ -387,3 +387,190 @@ fn long_sum(b: &mut Builder, x: NodeId, y: NodeId) -> NodeId {
     }
     sum
 }
+
+/// An oscillator, x' = v and v' = -x, and a first-order state for each kind of
+/// operation on x, v, time and parameters: z' = operation.
+pub fn recurrences() -> Program {
+    let rate = tape(|b| {
+        let (x, v) = (b.state(0), b.state(1));
+        let minus_x = b.push(Op::Neg(x));
+        let mut results = vec![v, minus_x];
+        results.extend(functions(b, x, v));
+        results.extend(arithmetic(b, x, v));
+        results.extend(of_time(b, x));
+        results
+    });
+    let states = rate.results.len();
+    let mut program = bare(pendulum(), "recurrences", &rate);
+    program.mass_matrix =
+        MatrixTape { pattern: pattern(1, 1, &[(0, 0)]), tape: tape(|b| vec![b.number(1.0)]) };
+    program.forcing = tape(|b| {
+        let x = b.state(0);
+        vec![b.push(Op::Neg(x))]
+    });
+    program.system.first_order = (2..states)
+        .map(|index| FirstOrderState {
+            quantity: quantity(&format!("z_{index}"), "1", ""),
+            rate: zero(),
+            initial: zero(),
+            scale: 1.0,
+        })
+        .collect();
+    program.rate = rate;
+    program
+}
+
+/// Two coordinates whose mass matrix moves, as those of a double pendulum:
+///
+/// ```text
+/// [2  c] q_0''   f_0     c = cos(q_0 - q_1)    f_0 = sin(q_1 - q_0) q_1'^2 - 2 g sin q_0
+/// [c  1] q_1'' = f_1                           f_1 = sin(q_0 - q_1) q_0'^2 - g sin q_1
+/// ```
+pub fn coupled() -> Program {
+    let rate = tape(|b| {
+        let (c, f) = (coupling(b), coupled_forcing(b));
+        let (two, c_squared) = (b.number(2.0), b.push(Op::Mul(c, c)));
+        let determinant = b.push(Op::Sub(two, c_squared));
+        let solved = [(1.0, f[0], f[1]), (2.0, f[1], f[0])].map(|(own, own_f, other_f)| {
+            let own = b.number(own);
+            let (own, other) = (b.push(Op::Mul(own, own_f)), b.push(Op::Mul(c, other_f)));
+            let numerator = b.push(Op::Sub(own, other));
+            b.push(Op::Div(numerator, determinant))
+        });
+        vec![b.state(2), b.state(3), solved[0], solved[1]]
+    });
+    let mut program = bare(pendulum(), "coupled", &rate);
+    let coordinate = |index: usize| Coordinate {
+        position: quantity(&format!("q_{index}"), "rad", ""),
+        velocity: quantity(&format!("q_{index}_dot"), "rad/s", ""),
+        ..program.system.coordinates[0].clone()
+    };
+    program.system.coordinates = (0..2).map(coordinate).collect();
+    program.system.first_order.clear();
+    program.mass_matrix = MatrixTape {
+        pattern: pattern(2, 2, &[(0, 0), (0, 1), (1, 0), (1, 1)]),
+        tape: tape(|b| {
+            let c = coupling(b);
+            vec![b.number(2.0), c, c, b.number(1.0)]
+        }),
+    };
+    program.forcing = tape(|b| coupled_forcing(b).to_vec());
+    program.rate = rate;
+    program
+}
+
+/// A program without outputs, jumps and derivatives, for tests of its rate.
+fn bare(mut program: Program, name: &str, rate: &Tape) -> Program {
+    let states = rate.results.len();
+    name.clone_into(&mut program.system.name);
+    program.system.outputs.clear();
+    program.system.discontinuities.clear();
+    let zeros = || tape(|b| vec![b.number(0.0); states]);
+    let empty =
+        |columns| MatrixTape { pattern: pattern(states, columns, &[]), ..Default::default() };
+    Program {
+        initial_state: zeros(),
+        time_derivative: zeros(),
+        discontinuities: Tape::default(),
+        outputs: Tape::default(),
+        rate_jacobian: empty(states),
+        parameter_jacobian: empty(6),
+        ..program
+    }
+}
+
+/// Every function of a number below one in size, and of its negative.
+fn functions(b: &mut Builder, x: NodeId, v: NodeId) -> Vec<NodeId> {
+    let two = b.number(2.0);
+    let more = b.push(Op::Add(two, x));
+    let mut results = [Function::Sqrt, Function::Ln].map(|f| b.push(Op::Call(f, more))).to_vec();
+    let difference = b.push(Op::Sub(x, v));
+    let opposite = b.push(Op::Sub(v, x));
+    for function in [
+        Function::Abs,
+        Function::Exp,
+        Function::Sin,
+        Function::Cos,
+        Function::Tan,
+        Function::Asin,
+        Function::Acos,
+        Function::Atan,
+        Function::Sinh,
+        Function::Cosh,
+        Function::Tanh,
+    ] {
+        results.extend([difference, opposite].map(|x| b.push(Op::Call(function, x))));
+    }
+    for order in 0..4 {
+        results.push(b.push(Op::Table { table: TableId(0), order, argument: more }));
+    }
+    results
+}
+
+fn arithmetic(b: &mut Builder, x: NodeId, v: NodeId) -> Vec<NodeId> {
+    let (two, k) = (b.number(2.0), b.parameter(LENGTH));
+    let more = b.push(Op::Add(x, two));
+    let mut results = vec![
+        b.push(Op::Mul(x, v)),
+        b.push(Op::Mul(k, v)),
+        b.push(Op::Div(x, k)),
+        b.push(Op::Div(x, two)),
+        b.push(Op::Div(v, more)),
+        b.push(Op::Div(k, more)),
+        b.push(Op::Sub(k, x)),
+        b.push(Op::Mul(k, two)),
+    ];
+    for exponent in [-3, -1, 0, 1, 2, 3, 7] {
+        results.push(b.push(Op::Powi(more, exponent)));
+    }
+    let steep = b.number(-2.5);
+    for exponent in [k, steep, v] {
+        results.push(b.push(Op::Powf(more, exponent)));
+    }
+    results.push(b.push(Op::SelectLess { lhs: x, rhs: v, then: x, otherwise: more }));
+    results.push(b.push(Op::SelectLess { lhs: v, rhs: x, then: k, otherwise: more }));
+    results
+}
+
+/// What is linear in time, functions of it, and products with it.
+fn of_time(b: &mut Builder, x: NodeId) -> Vec<NodeId> {
+    let (time, k, lag) = (b.push(Op::Time), b.parameter(LENGTH), b.parameter(LAG));
+    let scaled = b.push(Op::Mul(k, time));
+    let shifted = b.push(Op::Sub(scaled, lag));
+    let minus = b.push(Op::Neg(shifted));
+    let mut results = vec![
+        shifted,
+        b.push(Op::Mul(time, x)),
+        b.push(Op::Mul(shifted, minus)),
+        b.push(Op::Add(shifted, x)),
+        b.push(Op::Table { table: TableId(0), order: 0, argument: shifted }),
+    ];
+    for function in [Function::Sin, Function::Cos, Function::Exp, Function::Sinh, Function::Tanh] {
+        results.extend([shifted, minus].map(|x| b.push(Op::Call(function, x))));
+    }
+    results
+}
+
+fn coupling(b: &mut Builder) -> NodeId {
+    let (first, second) = (b.state(0), b.state(1));
+    let angle = b.push(Op::Sub(first, second));
+    b.push(Op::Call(Function::Cos, angle))
+}
+
+fn coupled_forcing(b: &mut Builder) -> [NodeId; 2] {
+    let g = b.parameter(GRAVITY);
+    let force = |b: &mut Builder, own: u32, weight: f64| {
+        let (own_angle, other_angle) = (b.state(own), b.state(1 - own));
+        let other_speed = b.state(3 - own);
+        let angle = b.push(Op::Sub(other_angle, own_angle));
+        let sine = b.push(Op::Call(Function::Sin, angle));
+        let square = b.push(Op::Powi(other_speed, 2));
+        let swing = b.push(Op::Mul(sine, square));
+        let weight = b.number(weight);
+        let weight = b.push(Op::Mul(weight, g));
+        let own_sine = b.push(Op::Call(Function::Sin, own_angle));
+        let fall = b.push(Op::Mul(weight, own_sine));
+        b.push(Op::Sub(swing, fall))
+    };
+    [force(b, 0, 2.0), force(b, 1, 1.0)]
+}

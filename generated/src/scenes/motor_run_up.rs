@@ -49,7 +49,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern,
+    SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -655,6 +655,153 @@ pub fn power_balance<R: Real>(
     }
 }
 
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 64 recurrences. 4 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let t0 = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - t0;
+    let t1 = p.motor_supply_phase.cos();
+    let t2 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t2 * t1;
+    let t3 = p.motor_supply_phase.sin();
+    let motor_u_y = t2 * t3;
+    let t4 = motor_omega * p.motor_pole_pairs;
+    let motor_slip_speed = motor_omega_0 - t4;
+    let t5 = motor_psi_rx * p.motor_k_r;
+    let t6 = motor_psi_sx - t5;
+    let t7 = p.motor_x_s * motor_sigma;
+    let t8 = motor_psi_ry * p.motor_k_r;
+    let t9 = motor_psi_sy - t8;
+    let t10 = motor_psi_sx * p.motor_k_s;
+    let t11 = motor_psi_sy * p.motor_k_s;
+    let t12 = motor_psi_sx * motor_psi_ry;
+    let t13 = motor_psi_sy * motor_psi_rx;
+    let t14 = t13 - t12;
+    let t15 = R::literal(1.5) * p.motor_pole_pairs;
+    let t16 = t15 * p.motor_k_r;
+    let t17 = t16 * motor_omega_0;
+    let t18 = t17 / t7;
+    let motor_torque = t14 * t18;
+    let t19 = R::literal(1.0) / p.motor_inertia;
+    let motor_omega_dot = motor_torque * t19;
+    let t20 = p.motor_alpha_s * motor_omega_0;
+    let t21 = t6 * t20;
+    let t22 = motor_psi_sy * motor_omega_0;
+    let t23 = motor_u_x + t22;
+    let motor_psi_sx_dot = t23 - t21;
+    let t24 = motor_psi_sx * motor_omega_0;
+    let t25 = t9 * t20;
+    let t26 = motor_u_y - t24;
+    let motor_psi_sy_dot = t26 - t25;
+    let t27 = motor_psi_ry * motor_slip_speed;
+    let t28 = t10 - motor_psi_rx;
+    let t29 = p.motor_alpha_r * motor_omega_0;
+    let t30 = t28 * t29;
+    let motor_psi_rx_dot = t27 + t30;
+    let t31 = motor_psi_rx * motor_slip_speed;
+    let t32 = t11 - motor_psi_ry;
+    let t33 = t32 * t29;
+    let motor_psi_ry_dot = t33 - t31;
+    let mut rates = [
+        motor_omega,
+        motor_omega_dot,
+        motor_psi_sx_dot,
+        motor_psi_sy_dot,
+        motor_psi_rx_dot,
+        motor_psi_ry_dot,
+    ];
+    coefficients[0] = *state;
+    for order in 1..coefficients.len() {
+        let (_, inverse) = order_and_inverse::<R>(order);
+        let state_k = rates.map(|rate| rate * inverse);
+        coefficients[order] = state_k;
+        let [_, motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
+        motor_psi_ry_k] = state_k;
+        let sums = lanes.sums(order);
+        let t4_k = motor_omega_k * p.motor_pole_pairs;
+        let motor_slip_speed_k = -t4_k;
+        let t5_k = motor_psi_rx_k * p.motor_k_r;
+        let t6_k = motor_psi_sx_k - t5_k;
+        let t8_k = motor_psi_ry_k * p.motor_k_r;
+        let t9_k = motor_psi_sy_k - t8_k;
+        let t10_k = motor_psi_sx_k * p.motor_k_s;
+        let t11_k = motor_psi_sy_k * p.motor_k_s;
+        let t12_k = sums[0] + motor_psi_sx * motor_psi_ry_k
+            + motor_psi_sx_k * motor_psi_ry;
+        let t13_k = sums[1] + motor_psi_sy * motor_psi_rx_k
+            + motor_psi_sy_k * motor_psi_rx;
+        let t14_k = t13_k - t12_k;
+        let motor_torque_k = t14_k * t18;
+        let motor_omega_dot_k = motor_torque_k * t19;
+        let t21_k = t6_k * t20;
+        let t22_k = motor_psi_sy_k * motor_omega_0;
+        let motor_psi_sx_dot_k = t22_k - t21_k;
+        let t24_k = motor_psi_sx_k * motor_omega_0;
+        let t25_k = t9_k * t20;
+        let t26_k = -t24_k;
+        let motor_psi_sy_dot_k = t26_k - t25_k;
+        let t27_k = sums[2] + motor_psi_ry * motor_slip_speed_k
+            + motor_psi_ry_k * motor_slip_speed;
+        let t28_k = t10_k - motor_psi_rx_k;
+        let t30_k = t28_k * t29;
+        let motor_psi_rx_dot_k = t27_k + t30_k;
+        let t31_k = sums[3] + motor_psi_rx * motor_slip_speed_k
+            + motor_psi_rx_k * motor_slip_speed;
+        let t32_k = t11_k - motor_psi_ry_k;
+        let t33_k = t32_k * t29;
+        let motor_psi_ry_dot_k = t33_k - t31_k;
+        lanes
+            .set(
+                order,
+                [motor_psi_sx_k, motor_psi_rx_k, motor_slip_speed_k, motor_slip_speed_k],
+                [motor_psi_ry_k, motor_psi_sy_k, motor_psi_ry_k, motor_psi_rx_k],
+            );
+        rates = [
+            motor_omega_k,
+            motor_omega_dot_k,
+            motor_psi_sx_dot_k,
+            motor_psi_sy_dot_k,
+            motor_psi_rx_dot_k,
+            motor_psi_ry_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for MotorRunUp {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 4>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
 impl Describe for MotorRunUp {
     fn name(&self) -> &'static str {
         "motor_run_up"
@@ -750,6 +897,9 @@ impl<R: Real> Simulator<R> for MotorRunUp {
     }
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
     }
 }
 

@@ -54,7 +54,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern,
+    SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -911,6 +911,260 @@ pub fn power_balance<R: Real>(
     }
 }
 
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 125 recurrences. 9 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_1, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
+    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
+    motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let t0 = cylinder_phi * p.coupling_ratio;
+    let coupling_twist = motor_phi - t0;
+    let t1 = cylinder_omega * p.coupling_ratio;
+    let coupling_twist_rate = motor_omega - t1;
+    let t2 = motor_phi * p.motor_literal;
+    let t3 = R::literal(1.0) - p.motor_literal;
+    let t4 = motor_omega * t3;
+    let motor_rotor_term = t2 + t4;
+    let t5 = time - p.load_engagement_time;
+    let t6 = R::literal(1.0) / p.load_engagement_width;
+    let t7 = t5 * t6;
+    let t8 = -t7;
+    let t9 = t8.exp();
+    let t10 = R::literal(1.0) + t9;
+    let load_engagement = R::literal(1.0) / t10;
+    let t11 = coupling_twist * p.coupling_stiffness;
+    let t12 = coupling_twist_rate * p.coupling_damping;
+    let coupling_torque = t11 + t12;
+    let t13 = motor_psi_x1 * motor_psi_y2;
+    let t14 = motor_psi_y1 * motor_psi_x2;
+    let t15 = t14 - t13;
+    let t16 = R::literal(1.5) * p.motor_omega_0;
+    let t17 = t16 * p.motor_pole_pairs;
+    let t18 = t17 * p.motor_k_r;
+    let t19 = p.motor_sigma * p.motor_x_s;
+    let t20 = t18 / t19;
+    let motor_torque = t15 * t20;
+    let t21 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let t22 = time * t21;
+    let t23 = p.load_phase + t22;
+    let t24 = t23.sin();
+    let t25 = t23.cos();
+    let t26 = t24 * p.load_amplitude;
+    let t27 = p.load_mean + t26;
+    let t28 = R::literal(1.0) / p.load_standstill_band;
+    let t29 = cylinder_omega * t28;
+    let t30 = t29.tanh();
+    let t31 = t30 * t30;
+    let t32 = R::literal(1.0) - t31;
+    let t33 = load_engagement * t27;
+    let load_resistance = t33 * t30;
+    let t34 = R::literal(1.0) / p.motor_inertia;
+    let t35 = R::literal(1.0) / p.cylinder_inertia;
+    let t36 = motor_torque - coupling_torque;
+    let t37 = p.coupling_stiffness * p.coupling_ratio;
+    let t38 = coupling_twist * t37;
+    let t39 = p.coupling_damping * p.coupling_ratio;
+    let t40 = coupling_twist_rate * t39;
+    let t41 = t38 + t40;
+    let t42 = t41 - load_resistance;
+    let motor_omega_dot = t36 * t34;
+    let cylinder_omega_dot = t42 * t35;
+    let t43 = p.motor_omega_0 * p.motor_alpha_s;
+    let t44 = motor_psi_x1 * t43;
+    let t45 = motor_psi_y1 * p.motor_omega_0;
+    let t46 = p.motor_omega_0 * p.motor_k_r;
+    let t47 = t46 * p.motor_alpha_s;
+    let t48 = motor_psi_x2 * t47;
+    let t49 = p.motor_gamma.cos();
+    let t50 = p.motor_u_m * t49;
+    let t51 = t50 + t45;
+    let t52 = t51 + t48;
+    let motor_psi_x1_dot = t52 - t44;
+    let t53 = motor_psi_x1 * p.motor_omega_0;
+    let t54 = motor_psi_y1 * t43;
+    let t55 = motor_psi_y2 * t47;
+    let t56 = p.motor_gamma.sin();
+    let t57 = p.motor_u_m * t56;
+    let t58 = t57 + t55;
+    let t59 = t58 - t53;
+    let motor_psi_y1_dot = t59 - t54;
+    let t60 = p.motor_omega_0 * p.motor_alpha_r;
+    let t61 = motor_psi_x2 * t60;
+    let t62 = motor_psi_y2 * motor_rotor_term;
+    let t63 = p.motor_omega_0 * p.motor_k_s;
+    let t64 = t63 * p.motor_alpha_r;
+    let t65 = motor_psi_x1 * t64;
+    let t66 = motor_psi_y2 * p.motor_omega_0;
+    let t67 = t65 + t66;
+    let t68 = t67 - t61;
+    let motor_psi_x2_dot = t68 - t62;
+    let t69 = motor_psi_x2 * p.motor_omega_0;
+    let t70 = motor_psi_y2 * t60;
+    let t71 = motor_psi_y1 * t64;
+    let t72 = motor_psi_x2 * motor_rotor_term;
+    let t73 = t71 + t72;
+    let t74 = t73 - t69;
+    let motor_psi_y2_dot = t74 - t70;
+    let t7_slope = R::literal(1.0) * t6;
+    let t8_slope = -t7_slope;
+    let inverse_t10 = R::literal(1.0) / t10;
+    let mut t9_before = t9;
+    let mut t24_before = t24;
+    let mut t25_before = t25;
+    let mut rates = [
+        motor_omega,
+        cylinder_omega,
+        motor_omega_dot,
+        cylinder_omega_dot,
+        motor_psi_x1_dot,
+        motor_psi_y1_dot,
+        motor_psi_x2_dot,
+        motor_psi_y2_dot,
+    ];
+    coefficients[0] = *state;
+    for order in 1..coefficients.len() {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        let state_k = rates.map(|rate| rate * inverse);
+        coefficients[order] = state_k;
+        let [motor_phi_k, cylinder_phi_k, motor_omega_k, cylinder_omega_k,
+        motor_psi_x1_k, motor_psi_y1_k, motor_psi_x2_k, motor_psi_y2_k] = state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let t0_k = cylinder_phi_k * p.coupling_ratio;
+        let coupling_twist_k = motor_phi_k - t0_k;
+        let t1_k = cylinder_omega_k * p.coupling_ratio;
+        let coupling_twist_rate_k = motor_omega_k - t1_k;
+        let t2_k = motor_phi_k * p.motor_literal;
+        let t4_k = motor_omega_k * t3;
+        let motor_rotor_term_k = t2_k + t4_k;
+        let t9_k = inverse * t8_slope * t9_before;
+        let load_engagement_k = -(sums[0] + t9_k * load_engagement) * inverse_t10;
+        let t11_k = coupling_twist_k * p.coupling_stiffness;
+        let t12_k = coupling_twist_rate_k * p.coupling_damping;
+        let coupling_torque_k = t11_k + t12_k;
+        let t13_k = sums[1] + motor_psi_x1 * motor_psi_y2_k
+            + motor_psi_x1_k * motor_psi_y2;
+        let t14_k = sums[2] + motor_psi_y1 * motor_psi_x2_k
+            + motor_psi_y1_k * motor_psi_x2;
+        let t15_k = t14_k - t13_k;
+        let motor_torque_k = t15_k * t20;
+        let t24_k = inverse * t21 * t25_before;
+        let t25_k = -inverse * t21 * t24_before;
+        let t26_k = t24_k * p.load_amplitude;
+        let t29_k = cylinder_omega_k * t28;
+        let t30_k = inverse * sums[3] + t29_k * t32;
+        let t31_k = sums[4] + t30 * t30_k + t30_k * t30;
+        let t32_k = -t31_k;
+        let t33_k = sums[5] + load_engagement * t26_k + load_engagement_k * t27;
+        let load_resistance_k = sums[6] + t33 * t30_k + t33_k * t30;
+        let t36_k = motor_torque_k - coupling_torque_k;
+        let t38_k = coupling_twist_k * t37;
+        let t40_k = coupling_twist_rate_k * t39;
+        let t41_k = t38_k + t40_k;
+        let t42_k = t41_k - load_resistance_k;
+        let motor_omega_dot_k = t36_k * t34;
+        let cylinder_omega_dot_k = t42_k * t35;
+        let t44_k = motor_psi_x1_k * t43;
+        let t45_k = motor_psi_y1_k * p.motor_omega_0;
+        let t48_k = motor_psi_x2_k * t47;
+        let t52_k = t45_k + t48_k;
+        let motor_psi_x1_dot_k = t52_k - t44_k;
+        let t53_k = motor_psi_x1_k * p.motor_omega_0;
+        let t54_k = motor_psi_y1_k * t43;
+        let t55_k = motor_psi_y2_k * t47;
+        let t59_k = t55_k - t53_k;
+        let motor_psi_y1_dot_k = t59_k - t54_k;
+        let t61_k = motor_psi_x2_k * t60;
+        let t62_k = sums[7] + motor_psi_y2 * motor_rotor_term_k
+            + motor_psi_y2_k * motor_rotor_term;
+        let t65_k = motor_psi_x1_k * t64;
+        let t66_k = motor_psi_y2_k * p.motor_omega_0;
+        let t67_k = t65_k + t66_k;
+        let t68_k = t67_k - t61_k;
+        let motor_psi_x2_dot_k = t68_k - t62_k;
+        let t69_k = motor_psi_x2_k * p.motor_omega_0;
+        let t70_k = motor_psi_y2_k * t60;
+        let t71_k = motor_psi_y1_k * t64;
+        let t72_k = sums_1[0] + motor_psi_x2 * motor_rotor_term_k
+            + motor_psi_x2_k * motor_rotor_term;
+        let t73_k = t71_k + t72_k;
+        let t74_k = t73_k - t69_k;
+        let motor_psi_y2_dot_k = t74_k - t70_k;
+        lanes
+            .set(
+                order,
+                [
+                    t9_k,
+                    motor_psi_x1_k,
+                    motor_psi_y1_k,
+                    k * t29_k,
+                    t30_k,
+                    load_engagement_k,
+                    t30_k,
+                    motor_rotor_term_k,
+                ],
+                [
+                    load_engagement_k,
+                    motor_psi_y2_k,
+                    motor_psi_x2_k,
+                    t32_k,
+                    t30_k,
+                    t26_k,
+                    t33_k,
+                    motor_psi_y2_k,
+                ],
+            );
+        lanes_1.set(order, [motor_rotor_term_k], [motor_psi_x2_k]);
+        t9_before = t9_k;
+        t24_before = t24_k;
+        t25_before = t25_k;
+        rates = [
+            motor_omega_k,
+            cylinder_omega_k,
+            motor_omega_dot_k,
+            cylinder_omega_dot_k,
+            motor_psi_x1_dot_k,
+            motor_psi_y1_dot_k,
+            motor_psi_x2_dot_k,
+            motor_psi_y2_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for SawGinAsPrinted {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 1>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
 impl Describe for SawGinAsPrinted {
     fn name(&self) -> &'static str {
         "saw_gin_as_printed"
@@ -1006,6 +1260,9 @@ impl<R: Real> Simulator<R> for SawGinAsPrinted {
     }
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
     }
 }
 

@@ -321,7 +321,7 @@ impl Writer<'_> {
 const LONGEST_NAME: usize = 36;
 
 /// The method of `Real` for a function of one argument.
-fn function_name(function: Function) -> Option<&'static str> {
+pub(super) fn function_name(function: Function) -> Option<&'static str> {
     Some(match function {
         Function::Sqrt => "sqrt",
         Function::Abs => "abs",

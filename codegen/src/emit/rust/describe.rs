@@ -10,10 +10,13 @@ use crate::emit::text::doc;
 use crate::system::Quantity;
 
 /// Both implementations and the statics they read.
-pub(super) fn implementations(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+pub(super) fn implementations(
+    scene: &Scene<'_>,
+    has_series: bool,
+) -> Result<TokenStream, EmitError> {
     let statics = statics(scene)?;
     let describe = describe(scene);
-    let simulator = simulator(scene);
+    let simulator = simulator(scene, has_series);
     Ok(quote!(#describe #simulator #statics))
 }
 
@@ -50,7 +53,14 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
     }
 }
 
-fn simulator(scene: &Scene<'_>) -> TokenStream {
+fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
+    let taylor = has_series.then(|| {
+        quote!(
+            fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+                Some(self)
+            }
+        )
+    });
     let machine = &scene.machine;
     let of_parameters = ["initial_state", "discontinuities"].map(|name| {
         let name = format_ident!("{name}");
@@ -94,6 +104,7 @@ fn simulator(scene: &Scene<'_>) -> TokenStream {
             #(#arrays)*
             #outputs
             #(#structs)*
+            #taylor
         }
         #[inline]
         fn state_of<R>(state: &[R]) -> &[R; STATES] {

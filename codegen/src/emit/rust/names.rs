@@ -47,6 +47,7 @@ const FUNCTIONS: &[&str] = &[
     "outputs",
     "energy",
     "power_balance",
+    "series",
 ];
 
 /// Types that the emitted module defines or imports.
@@ -63,6 +64,9 @@ const TYPES: &[&str] = &[
     "Shape",
     "Simulator",
     "SparsityPattern",
+    "Factored",
+    "Lanes",
+    "TaylorSeries",
     "R",
     "Self",
     "Default",

@@ -1,0 +1,265 @@
+//! The Taylor series of a scene as one function: zeroth coefficients line by
+//! line, then one loop over the orders with one line a node.
+
+mod coefficients;
+mod needs;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Scene;
+use crate::emit::EmitError;
+use crate::emit::text::doc;
+use crate::taylor::{MassMatrix, TaylorTape, recurrences};
+use coefficients::Writer;
+use needs::{Needs, needs};
+
+/// More nodes make a function that takes long to compile and runs slowly: such
+/// scenes have no series.
+const MOST_NODES: usize = 4000;
+
+/// Sums formed in one loop: what registers hold.
+const LANES: usize = 8;
+
+/// Recurrences of a scene and what of them is written down.
+pub(super) struct Series {
+    tape: TaylorTape,
+    needs: Needs,
+}
+
+impl Series {
+    /// The series of a scene, unless it has no states or too many nodes.
+    pub(super) fn new(scene: &Scene<'_>) -> Option<Self> {
+        let tape = recurrences(scene.program);
+        let is_wanted = !tape.rate.is_empty() && tape.nodes.len() <= MOST_NODES;
+        is_wanted.then(|| Self { needs: needs(&tape), tape })
+    }
+
+    /// Names to import from the contract's `taylor`.
+    pub(super) fn imports(&self) -> TokenStream {
+        let lanes = (!self.needs.convolutions.is_empty()).then(|| quote!(Lanes,));
+        let factored = self.tape.mass_matrix.is_some().then(|| quote!(Factored,));
+        quote!(taylor::{#factored #lanes TaylorSeries, order_and_inverse},)
+    }
+
+    /// Numbers of lanes of each group.
+    fn groups(&self) -> Vec<usize> {
+        self.needs.convolutions.chunks(LANES).map(<[_]>::len).collect()
+    }
+
+    /// The function and its implementation of the contract.
+    pub(super) fn items(&self, scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+        let function = self.function(scene)?;
+        let implementation = self.implementation(scene);
+        Ok(quote!(#function #implementation))
+    }
+
+    fn implementation(&self, scene: &Scene<'_>) -> TokenStream {
+        let machine = &scene.machine;
+        let sizes = self.groups().into_iter().map(|lanes| {
+            let lanes = Literal::usize_unsuffixed(lanes);
+            quote!(Lanes::<R, #lanes>::workspace(order + 1))
+        });
+        let sizes = sizes.reduce(|sum, size| quote!(#sum + #size));
+        let order = if sizes.is_some() { quote!(order) } else { quote!(_order) };
+        let size = sizes.unwrap_or_else(|| quote!(0));
+        quote! {
+            impl<R: Real> TaylorSeries<R> for #machine {
+                fn series_workspace(&self, #order: usize) -> usize {
+                    #size
+                }
+                fn series(
+                    &self,
+                    time: R,
+                    state: &[R],
+                    parameters: &[R],
+                    coefficients: &mut [R],
+                    workspace: &mut [R],
+                ) {
+                    let (coefficients, rest) = coefficients.as_chunks_mut();
+                    assert!(rest.is_empty(), "every order has STATES coefficients");
+                    let p = parameters_of(parameters);
+                    series(time, state_of(state), &p, coefficients, workspace);
+                }
+            }
+        }
+    }
+
+    fn function(&self, scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
+        let names = Names::new(scene);
+        let mut writer = Writer::new(scene, &self.tape, &self.needs, names.clone());
+        let zeroth = writer.zeroth()?;
+        let solve = self.tape.mass_matrix.as_ref().map(|mass| solve(mass, &mut writer, &names));
+        let (first_factored, solve_first) = solve.unzip();
+        let befores = writer.befores();
+        let rates = writer.rates();
+        let lanes = self.lanes(&names);
+        let sums = self.sums(&names);
+        let higher = writer.higher();
+        let solve_higher = self.tape.mass_matrix.as_ref().map(|mass| {
+            let accelerations = writer.higher_accelerations(mass);
+            let right_side = mass.right_side.iter().map(|&id| writer.newest_or_zero(id));
+            let factored = &names.factored;
+            quote!(let [#(#accelerations),*] = #factored.solve([#(#right_side),*]);)
+        });
+        let set = self.set_lanes(&writer, &names);
+        let keep = writer.keep_befores();
+        let higher_rates = writer.higher_rates();
+        let newest_states = writer.newest_states();
+        let reads = &writer.reads;
+        let p = if reads.parameters { quote!(p) } else { quote!(_p) };
+        let time = if reads.time { quote!(time) } else { quote!(_time) };
+        let workspace =
+            if self.needs.convolutions.is_empty() { quote!(_workspace) } else { quote!(workspace) };
+        let states = writer.states();
+        let Names { order, k, inverse, rates: all_rates, newest, coefficients, .. } = &names;
+        let k = if writer.reads.order { quote!(#k) } else { quote!(_) };
+        let docs = self.docs();
+        Ok(quote! {
+            #docs
+            pub fn series<R: Real>(
+                #time: R,
+                state: &[R; STATES],
+                #p: &Parameters<R>,
+                #coefficients: &mut [[R; STATES]],
+                #workspace: &mut [R],
+            ) {
+                #lanes
+                #states
+                #(#zeroth)*
+                #first_factored
+                #solve_first
+                #(#befores)*
+                let mut #all_rates = [#(#rates),*];
+                #coefficients[0] = *state;
+                for #order in 1..#coefficients.len() {
+                    let (#k, #inverse) = order_and_inverse::<R>(#order);
+                    let #newest = #all_rates.map(|rate| rate * #inverse);
+                    #coefficients[#order] = #newest;
+                    #newest_states
+                    #sums
+                    #(#higher)*
+                    #solve_higher
+                    #set
+                    #(#keep)*
+                    #all_rates = [#(#higher_rates),*];
+                }
+            }
+        })
+    }
+
+    fn docs(&self) -> TokenStream {
+        let sums = match self.needs.convolutions.len() {
+            0 => "No sums of products.".to_owned(),
+            1 => "One sum of products an order.".to_owned(),
+            many => format!("{many} sums of products an order."),
+        };
+        let nodes = format!("{} recurrences.", self.tape.nodes.len());
+        doc([
+            "Normalized Taylor coefficients of the solution through `state`, order after order.",
+            "",
+            "`_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are",
+            "zeroth coefficients. The workspace is as `series_workspace` says.",
+            "",
+            &format!("{nodes} {sums}"),
+            "",
+            "# Panics",
+            "If there is no room for the zeroth coefficients, or the workspace is too short.",
+        ])
+    }
+
+    /// Lanes of each group, from the workspace.
+    fn lanes(&self, names: &Names) -> TokenStream {
+        let groups = self.groups();
+        let (last, coefficients) = (groups.len().saturating_sub(1), &names.coefficients);
+        let statements = groups.iter().enumerate().map(|(index, &lanes)| {
+            let (lane, lanes) = (names.lanes(index), Literal::usize_unsuffixed(lanes));
+            let rest = if index == last { quote!(_) } else { quote!(workspace) };
+            quote! {
+                let (mut #lane, #rest) = Lanes::<R, #lanes>::new(workspace, #coefficients.len());
+            }
+        });
+        statements.collect()
+    }
+
+    fn sums(&self, names: &Names) -> TokenStream {
+        let order = &names.order;
+        let statements = (0..self.groups().len()).map(|index| {
+            let (lane, sums) = (names.lanes(index), names.sums(index));
+            quote!(let #sums = #lane.sums(#order);)
+        });
+        statements.collect()
+    }
+
+    fn set_lanes(&self, writer: &Writer<'_>, names: &Names) -> TokenStream {
+        let groups = self.needs.convolutions.chunks(LANES).enumerate();
+        let order = &names.order;
+        let statements = groups.map(|(index, group)| {
+            let lane = names.lanes(index);
+            let left = group.iter().map(|convolution| writer.left_factor(convolution));
+            let right = group.iter().map(|convolution| writer.newest_or_zero(convolution.right));
+            quote!(#lane.set(#order, [#(#left),*], [#(#right),*]);)
+        });
+        statements.collect()
+    }
+}
+
+/// The factored mass matrix and the zeroth accelerations.
+fn solve(mass: &MassMatrix, writer: &mut Writer<'_>, names: &Names) -> (TokenStream, TokenStream) {
+    let n = mass.right_side.len();
+    let mut matrix = vec![vec![quote!(R::literal(0.0)); n]; n];
+    for &(row, column, entry) in &mass.lower {
+        matrix[row as usize][column as usize] = writer.value(entry);
+    }
+    let rows = matrix.iter().map(|row| quote!([#(#row),*]));
+    let factored = &names.factored;
+    let accelerations = writer.accelerations(mass);
+    let right_side = mass.right_side.iter().map(|&id| writer.value(id));
+    (
+        quote!(let #factored = Factored::new([#(#rows),*]);),
+        quote!(let [#(#accelerations),*] = #factored.solve([#(#right_side),*]);),
+    )
+}
+
+/// Names of the function's own variables.
+#[derive(Clone)]
+pub(super) struct Names {
+    namer: super::names::Namer,
+    order: Ident,
+    k: Ident,
+    inverse: Ident,
+    rates: Ident,
+    newest: Ident,
+    factored: Ident,
+    coefficients: Ident,
+    lanes: Ident,
+    sums: Ident,
+}
+
+impl Names {
+    fn new(scene: &Scene<'_>) -> Self {
+        let mut namer = scene.locals.clone();
+        namer.reserve("workspace");
+        let [order, k, inverse, rates, newest, factored, coefficients, lanes, sums] = [
+            "order",
+            "k",
+            "inverse",
+            "rates",
+            "state_k",
+            "factored",
+            "coefficients",
+            "lanes",
+            "sums",
+        ]
+        .map(|name| namer.claim(name));
+        Self { namer, order, k, inverse, rates, newest, factored, coefficients, lanes, sums }
+    }
+
+    fn lanes(&self, group: usize) -> Ident {
+        if group == 0 { self.lanes.clone() } else { format_ident!("{}_{group}", self.lanes) }
+    }
+
+    fn sums(&self, group: usize) -> Ident {
+        if group == 0 { self.sums.clone() } else { format_ident!("{}_{group}", self.sums) }
+    }
+}

@@ -1,0 +1,607 @@
+//! One line for each coefficient.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Names;
+use super::needs::{Needs, in_order, line_and_other};
+use crate::emit::EmitError;
+use crate::emit::literal::constant_or_literal;
+use crate::emit::rust::Scene;
+use crate::emit::rust::body::function_name;
+use crate::expr::{Function, TableId};
+use crate::tape::{NodeId, Op};
+use crate::taylor::{Convolution, MassMatrix, Recurrence, TaylorTape};
+
+/// What the function reads, for names in its signature.
+#[derive(Default)]
+pub(super) struct Reads {
+    pub(super) time: bool,
+    pub(super) parameters: bool,
+    /// The order as a number.
+    pub(super) order: bool,
+    states: Vec<bool>,
+    newest_states: Vec<bool>,
+}
+
+/// Writes coefficients and remembers under which name.
+pub(super) struct Writer<'a> {
+    scene: &'a Scene<'a>,
+    tape: &'a TaylorTape,
+    needs: &'a Needs,
+    names: Names,
+    /// Zeroth coefficients; nothing where it is zero.
+    values: Vec<Option<TokenStream>>,
+    /// First coefficients of lines.
+    slopes: Vec<Option<TokenStream>>,
+    /// Newest coefficients; nothing where it is zero.
+    newest: Vec<Option<TokenStream>>,
+    befores: Vec<Option<Ident>>,
+    /// Reciprocals that nodes multiply with instead of dividing.
+    inverses: Vec<Option<Ident>>,
+    /// First, halved second and sixth of the third derivative of tables.
+    derivatives: Vec<Option<[Ident; 3]>>,
+    newest_states: Vec<Ident>,
+    temporaries: u32,
+    pub(super) reads: Reads,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(
+        scene: &'a Scene<'a>,
+        tape: &'a TaylorTape,
+        needs: &'a Needs,
+        mut names: Names,
+    ) -> Self {
+        let newest_states =
+            scene.states.iter().map(|state| names.namer.claim(&format!("{state}_k")));
+        let newest_states = newest_states.collect();
+        let (count, states) = (tape.nodes.len(), scene.states.len());
+        let reads = Reads {
+            states: vec![false; states],
+            newest_states: vec![false; states],
+            ..Reads::default()
+        };
+        Self {
+            scene,
+            tape,
+            needs,
+            names,
+            values: vec![None; count],
+            slopes: vec![None; count],
+            newest: vec![None; count],
+            befores: vec![None; count],
+            inverses: vec![None; count],
+            derivatives: vec![None; count],
+            newest_states,
+            temporaries: 0,
+            reads,
+        }
+    }
+
+    /// Zeroth coefficients of all nodes, and slopes of lines where read.
+    pub(super) fn zeroth(&mut self) -> Result<Vec<TokenStream>, EmitError> {
+        let mut statements = Vec::new();
+        for id in self.ids() {
+            let (value, is_atom) = self.zeroth_of(id)?;
+            if let (false, Some(value)) = (is_atom, &value) {
+                let name = self.name(id);
+                statements.push(quote!(let #name = #value;));
+                self.values[index(id)] = Some(quote!(#name));
+            } else {
+                self.values[index(id)] = value;
+            }
+        }
+        for id in self.ids() {
+            self.table_derivatives(id, &mut statements);
+            let line = match self.tape[id].recurrence {
+                Recurrence::Integral { argument, .. } => Some(argument),
+                _ => line_and_other(self.tape, id).map(|(line, _)| line),
+            };
+            if let Some(line) = line.filter(|&line| self.tape.is_line(line)) {
+                self.slope(line, &mut statements);
+            }
+            if let Some((name, divisor)) = self.inverse_of(id) {
+                statements.push(quote!(let #name = R::literal(1.0) / #divisor;));
+            }
+        }
+        Ok(statements)
+    }
+
+    /// Newest coefficients of all nodes where read.
+    pub(super) fn higher(&mut self) -> Vec<TokenStream> {
+        let mut statements = Vec::new();
+        for id in self.ids().filter(|&id| self.needs.newest[index(id)]) {
+            let (value, is_atom) = self.higher_of(id);
+            if let (false, Some(value)) = (is_atom, &value) {
+                let name = self.newest_name(id);
+                statements.push(quote!(let #name = #value;));
+                self.newest[index(id)] = Some(quote!(#name));
+            } else {
+                self.newest[index(id)] = value;
+            }
+        }
+        statements
+    }
+
+    fn ids(&self) -> impl Iterator<Item = NodeId> + use<> {
+        (0..self.tape.nodes.len()).map(|index| NodeId(index as u32))
+    }
+
+    /// The zeroth coefficient, and whether it needs no `let`.
+    fn zeroth_of(&mut self, id: NodeId) -> Result<(Option<TokenStream>, bool), EmitError> {
+        let recurrence = self.tape[id].recurrence;
+        let value = match recurrence {
+            Recurrence::Constant(op) => return self.constant(op),
+            Recurrence::Time => {
+                self.reads.time = true;
+                return Ok((Some(quote!(time)), true));
+            }
+            Recurrence::State(entry) => {
+                self.reads.states[entry as usize] = true;
+                let name = &self.scene.states[entry as usize];
+                return Ok((Some(quote!(#name)), true));
+            }
+            Recurrence::Tail(..) | Recurrence::Lagged { .. } | Recurrence::Acceleration(_) => {
+                return Ok((None, true));
+            }
+            Recurrence::Add(..) | Recurrence::Sub(..) | Recurrence::Neg(_) => {
+                return Ok(linear(&recurrence, |id| self.values[index(id)].clone()));
+            }
+            Recurrence::Scaled { series: a, factor: b } | Recurrence::Product(a, b) => {
+                let [a, b] = [a, b].map(|id| self.value(id));
+                quote!(#a * #b)
+            }
+            Recurrence::Quotient(a, b) => {
+                let [a, b] = [a, b].map(|id| self.value(id));
+                quote!(#a / #b)
+            }
+            Recurrence::Root(a) => {
+                let a = self.value(a);
+                quote!(#a.sqrt())
+            }
+            Recurrence::Integral { function, argument, .. }
+            | Recurrence::IntegralOver { function, argument, .. } => {
+                self.operation(Op::Call(function, argument))?
+            }
+            Recurrence::Power { base, exponent } => self.operation(Op::Powf(base, exponent))?,
+            Recurrence::Select { lhs, rhs, then, otherwise } => {
+                self.operation(Op::SelectLess { lhs, rhs, then, otherwise })?
+            }
+            Recurrence::Table { table, order, argument, .. } => {
+                self.operation(Op::Table { table, order, argument })?
+            }
+        };
+        Ok((Some(value), false))
+    }
+
+    fn constant(&mut self, op: Op) -> Result<(Option<TokenStream>, bool), EmitError> {
+        let value = match op {
+            Op::Literal(value) => {
+                let place = || "function `series`".to_owned();
+                let literal = constant_or_literal(value)
+                    .map_err(|_| EmitError::NotFinite { place: place(), value })?;
+                quote!(R::literal(#literal))
+            }
+            Op::Parameter(entry) => {
+                self.reads.parameters = true;
+                let name = &self.scene.parameters[entry as usize];
+                quote!(p.#name)
+            }
+            _ => return Ok((Some(self.operation(op)?), false)),
+        };
+        Ok((Some(value), true))
+    }
+
+    /// An operation on zeroth coefficients.
+    fn operation(&self, op: Op) -> Result<TokenStream, EmitError> {
+        let value = |id| self.value(id);
+        let infix = |a, operator: TokenStream, b| {
+            let (a, b) = (value(a), value(b));
+            quote!(#a #operator #b)
+        };
+        Ok(match op {
+            Op::Neg(a) => {
+                let a = value(a);
+                quote!(-#a)
+            }
+            Op::Add(a, b) => infix(a, quote!(+), b),
+            Op::Sub(a, b) => infix(a, quote!(-), b),
+            Op::Mul(a, b) => infix(a, quote!(*), b),
+            Op::Div(a, b) => infix(a, quote!(/), b),
+            Op::Powi(base, exponent) => {
+                let base = value(base);
+                let size = Literal::u32_unsuffixed(exponent.unsigned_abs());
+                let minus = (exponent < 0).then(|| quote!(-));
+                quote!(#base.powi(#minus #size))
+            }
+            Op::Powf(base, exponent) => {
+                let (base, exponent) = (value(base), value(exponent));
+                quote!(#base.powf(#exponent))
+            }
+            Op::Call(function, argument) => {
+                let method = function_name(function).ok_or_else(|| EmitError::Malformed {
+                    function: "series",
+                    reason: format!("{function:?} is no function of one argument"),
+                })?;
+                let (method, argument) = (format_ident!("{method}"), value(argument));
+                quote!(#argument.#method())
+            }
+            Op::SelectLess { lhs, rhs, then, otherwise } => {
+                let [lhs, rhs, then, otherwise] = [lhs, rhs, then, otherwise].map(value);
+                quote!(R::select_less(#lhs, #rhs, #then, #otherwise))
+            }
+            Op::Table { table, order, argument } => self.interpolate(table, order, argument),
+            Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_) => quote!(),
+        })
+    }
+
+    fn interpolate(&self, table: TableId, order: u32, argument: NodeId) -> TokenStream {
+        let (table, argument) = (&self.scene.tables[table.0 as usize], self.value(argument));
+        let order = Literal::u32_unsuffixed(order);
+        quote!(R::interpolate(&#table, #order, #argument))
+    }
+
+    /// The newest coefficient, and whether it needs no `let`.
+    fn higher_of(&mut self, id: NodeId) -> (Option<TokenStream>, bool) {
+        let recurrence = self.tape[id].recurrence;
+        let names = self.names.clone();
+        let (order, inverse) = (&names.order, &names.inverse);
+        let sums: Vec<TokenStream> =
+            self.tape.convolutions(id).into_iter().map(|sum| self.sum(sum)).collect();
+        let newest = |id| self.newest_or_zero(id);
+        let value = match recurrence {
+            Recurrence::Constant(_) => return (None, true),
+            Recurrence::Time => {
+                quote!(R::literal(if #order == 1 { 1.0 } else { 0.0 }))
+            }
+            Recurrence::State(entry) => {
+                self.reads.newest_states[entry as usize] = true;
+                let name = &self.newest_states[entry as usize];
+                return (Some(quote!(#name)), true);
+            }
+            Recurrence::Acceleration(_) => return (self.newest[index(id)].clone(), true),
+            Recurrence::Add(..) | Recurrence::Sub(..) | Recurrence::Neg(_) => {
+                return linear(&recurrence, |id| self.newest[index(id)].clone());
+            }
+            Recurrence::Scaled { series, factor } => {
+                let (series, factor) = (newest(series), self.value(factor));
+                quote!(#series * #factor)
+            }
+            Recurrence::Product(a, b) => self.product(id, a, b, &sums),
+            Recurrence::Tail(..) => return (Some(quote!(#(#sums)*)), true),
+            Recurrence::Quotient(a, b) => {
+                let ratio = self.value(id);
+                let inverse_of = &self.inverses[index(id)];
+                let b = newest(b);
+                if self.tape.is_constant(a) {
+                    quote!(-(#(#sums)* + #b * #ratio) * #inverse_of)
+                } else {
+                    let a = newest(a);
+                    quote!((#a - #(#sums)* - #b * #ratio) * #inverse_of)
+                }
+            }
+            Recurrence::Root(a) => {
+                let (a, inverse_of) = (newest(a), &self.inverses[index(id)]);
+                quote!((#a - #(#sums)*) * #inverse_of)
+            }
+            Recurrence::Integral { argument, integrand, minus, .. } => {
+                self.integral(argument, integrand, minus, &sums)
+            }
+            Recurrence::IntegralOver { argument, minus, .. } => {
+                let (argument, inverse_of) = (newest(argument), &self.inverses[index(id)]);
+                let minus = minus.then(|| quote!(-));
+                quote!((#minus #argument - #inverse * #(#sums)*) * #inverse_of)
+            }
+            Recurrence::Power { base, exponent } => {
+                let inverse_of = &self.inverses[index(id)];
+                let (power, exponent, base) = (self.value(id), self.value(exponent), newest(base));
+                let (first, second) = (&sums[0], &sums[1]);
+                quote!(
+                    (#exponent * (#base * #power + #inverse * #first) - #inverse * #second)
+                        * #inverse_of
+                )
+            }
+            Recurrence::Select { lhs, rhs, then, otherwise } => {
+                let [lhs, rhs] = [lhs, rhs].map(|id| self.value(id));
+                let [then, otherwise] = [then, otherwise].map(newest);
+                quote!(R::select_less(#lhs, #rhs, #then, #otherwise))
+            }
+            Recurrence::Table { argument, square, cube, .. } => {
+                let derivatives = self.derivatives[index(id)].iter().flatten();
+                let powers = [argument, square, cube].map(newest);
+                let terms =
+                    derivatives.zip(&powers).map(|(factor, power)| quote!(#factor * #power));
+                let terms = terms.reduce(|sum, term| quote!(#sum + #term));
+                quote!(#terms)
+            }
+            Recurrence::Lagged { entry, acceleration } => {
+                let (entry, acceleration) = (newest(entry), self.value(acceleration));
+                quote!(#(#sums)* + #entry * #acceleration)
+            }
+        };
+        (Some(value), false)
+    }
+
+    fn product(&self, id: NodeId, a: NodeId, b: NodeId, sums: &[TokenStream]) -> TokenStream {
+        if let Some((line, other)) = line_and_other(self.tape, id) {
+            let (value, slope) = (self.value(line), self.slope_name(line));
+            let (newest, before) = (self.newest_or_zero(other), &self.befores[index(other)]);
+            return quote!(#slope * #before + #value * #newest);
+        }
+        let ([a_value, b_value], [a, b]) =
+            ([a, b].map(|id| self.value(id)), [a, b].map(|id| self.newest_or_zero(id)));
+        quote!(#(#sums)* + #a_value * #b + #a * #b_value)
+    }
+
+    fn integral(
+        &self,
+        argument: NodeId,
+        integrand: NodeId,
+        minus: bool,
+        sums: &[TokenStream],
+    ) -> TokenStream {
+        let inverse = &self.names.inverse;
+        if self.tape.is_line(argument) {
+            let (slope, before) = (self.slope_name(argument), &self.befores[index(integrand)]);
+            let minus = minus.then(|| quote!(-));
+            return quote!(#minus #inverse * #slope * #before);
+        }
+        let (value, newest) = (self.value(integrand), self.newest_or_zero(argument));
+        if minus {
+            quote!(-(#inverse * #(#sums)* + #newest * #value))
+        } else {
+            quote!(#inverse * #(#sums)* + #newest * #value)
+        }
+    }
+
+    /// The expression of a sum.
+    fn sum(&mut self, convolution: Convolution) -> TokenStream {
+        let convolution = in_order(convolution);
+        let lane = self.needs.convolutions.iter().position(|known| *known == convolution);
+        let lane = lane.unwrap_or_default();
+        self.reads.order |= convolution.weighted;
+        let sums = self.names.sums(lane / super::LANES);
+        let lane = Literal::usize_unsuffixed(lane % super::LANES);
+        quote!(#sums[#lane])
+    }
+
+    pub(super) fn left_factor(&self, convolution: &Convolution) -> TokenStream {
+        let left = self.newest_or_zero(convolution.left);
+        let k = &self.names.k;
+        if convolution.weighted { quote!(#k * #left) } else { left }
+    }
+
+    /// The zeroth coefficient of a node.
+    pub(super) fn value(&self, id: NodeId) -> TokenStream {
+        self.values[index(id)].clone().unwrap_or_else(zero)
+    }
+
+    /// The newest coefficient of a node.
+    pub(super) fn newest_or_zero(&self, id: NodeId) -> TokenStream {
+        self.newest[index(id)].clone().unwrap_or_else(zero)
+    }
+
+    fn slope_name(&self, id: NodeId) -> TokenStream {
+        self.slopes[index(id)].clone().unwrap_or_else(zero)
+    }
+
+    /// The first coefficient of a line, written once.
+    fn slope(&mut self, id: NodeId, statements: &mut Vec<TokenStream>) -> Option<TokenStream> {
+        if self.tape.is_constant(id) {
+            return None;
+        }
+        if let Some(known) = &self.slopes[index(id)] {
+            return Some(known.clone());
+        }
+        let recurrence = self.tape[id].recurrence;
+        let (slope, is_atom) = match recurrence {
+            Recurrence::Time => (Some(quote!(R::literal(1.0))), true),
+            Recurrence::Scaled { series, factor } => {
+                let is_time = matches!(self.tape[series].recurrence, Recurrence::Time);
+                let (series, factor) = (self.slope(series, statements)?, self.value(factor));
+                let slope = if is_time { factor } else { quote!(#series * #factor) };
+                (Some(slope), is_time)
+            }
+            _ => {
+                let operands = recurrence.reads();
+                for operand in &operands {
+                    self.slope(*operand, statements);
+                }
+                linear(&recurrence, |id| self.slopes[index(id)].clone())
+            }
+        };
+        let mut slope = slope?;
+        if !is_atom {
+            let name = self.claim(&format!("{}_slope", self.word(id)));
+            statements.push(quote!(let #name = #slope;));
+            slope = quote!(#name);
+        }
+        self.slopes[index(id)] = Some(slope.clone());
+        Some(slope)
+    }
+
+    /// Name and divisor of the reciprocal that a node multiplies with.
+    fn inverse_of(&mut self, id: NodeId) -> Option<(Ident, TokenStream)> {
+        let (of, divisor) = match self.tape[id].recurrence {
+            Recurrence::Quotient(_, b) => (b, self.value(b)),
+            Recurrence::IntegralOver { divisor, .. } => (divisor, self.value(divisor)),
+            Recurrence::Power { base, .. } => (base, self.value(base)),
+            Recurrence::Root(_) => {
+                let root = self.value(id);
+                (id, quote!((#root + #root)))
+            }
+            _ => return None,
+        };
+        let name = self.claim(&format!("inverse_{}", self.word(of)));
+        self.inverses[index(id)] = Some(name.clone());
+        Some((name, divisor))
+    }
+
+    /// Derivatives of a table at the zeroth coefficient, by factorials.
+    fn table_derivatives(&mut self, id: NodeId, statements: &mut Vec<TokenStream>) {
+        let Recurrence::Table { table, order, argument, .. } = self.tape[id].recurrence else {
+            return;
+        };
+        let word = self.word(id);
+        let names =
+            ["first", "second", "third"].map(|which| self.claim(&format!("{word}_{which}")));
+        let factors =
+            [None, Some(quote!(R::literal(0.5) *)), Some(quote!(R::literal(1.0 / 6.0) *))];
+        for ((name, factor), more) in names.iter().zip(factors).zip(1..) {
+            let value = self.interpolate(table, order + more, argument);
+            statements.push(quote!(let #name = #factor #value;));
+        }
+        self.derivatives[index(id)] = Some(names);
+    }
+
+    pub(super) fn rates(&self) -> Vec<TokenStream> {
+        self.tape.rate.iter().map(|&id| self.value(id)).collect()
+    }
+
+    pub(super) fn higher_rates(&self) -> Vec<TokenStream> {
+        self.tape.rate.iter().map(|&id| self.newest_or_zero(id)).collect()
+    }
+
+    /// Coefficients kept for the next order, as they start.
+    pub(super) fn befores(&mut self) -> Vec<TokenStream> {
+        let mut statements = Vec::new();
+        for id in self.ids().filter(|&id| self.needs.before[index(id)]) {
+            let name = self.claim(&format!("{}_before", self.word(id)));
+            let value = self.value(id);
+            statements.push(quote!(let mut #name = #value;));
+            self.befores[index(id)] = Some(name);
+        }
+        statements
+    }
+
+    pub(super) fn keep_befores(&self) -> Vec<TokenStream> {
+        let kept = self.ids().filter_map(|id| {
+            let (name, newest) = (self.befores[index(id)].as_ref()?, self.newest_or_zero(id));
+            Some(quote!(#name = #newest;))
+        });
+        kept.collect()
+    }
+
+    /// Names of the zeroth accelerations.
+    pub(super) fn accelerations(&mut self, mass: &MassMatrix) -> Vec<Ident> {
+        let names = mass.accelerations.iter().map(|&id| {
+            let name = self.name(id);
+            self.values[index(id)] = Some(quote!(#name));
+            name
+        });
+        names.collect()
+    }
+
+    /// Names of the newest accelerations.
+    pub(super) fn higher_accelerations(&mut self, mass: &MassMatrix) -> Vec<Ident> {
+        let names = mass.accelerations.iter().map(|&id| {
+            let name = self.newest_name(id);
+            self.newest[index(id)] = Some(quote!(#name));
+            name
+        });
+        names.collect()
+    }
+
+    /// Binds the states.
+    pub(super) fn states(&self) -> Option<TokenStream> {
+        pattern(&self.scene.states, &self.reads.states)
+            .map(|pattern| quote!(let #pattern = *state;))
+    }
+
+    /// Binds the newest coefficients of the states.
+    pub(super) fn newest_states(&self) -> Option<TokenStream> {
+        let newest = &self.names.newest;
+        pattern(&self.newest_states, &self.reads.newest_states)
+            .map(|pattern| quote!(let #pattern = #newest;))
+    }
+
+    /// A new name for a node.
+    fn name(&mut self, id: NodeId) -> Ident {
+        let name = self.tape[id].name.clone().or_else(|| self.describe(id));
+        let wanted = name.filter(|name| name.len() <= 36).unwrap_or_else(|| {
+            let wanted = format!("t{}", self.temporaries);
+            self.temporaries += 1;
+            wanted
+        });
+        self.claim(&wanted)
+    }
+
+    fn claim(&mut self, wanted: &str) -> Ident {
+        self.names.namer.claim(wanted)
+    }
+
+    fn newest_name(&mut self, id: NodeId) -> Ident {
+        let word = self.word(id);
+        self.names.namer.claim(&format!("{word}_k"))
+    }
+
+    fn describe(&self, id: NodeId) -> Option<String> {
+        match self.tape[id].recurrence {
+            Recurrence::Integral { function, argument, .. }
+            | Recurrence::IntegralOver { function, argument, .. } => {
+                self.function_of(function, argument)
+            }
+            _ => None,
+        }
+    }
+
+    fn function_of(&self, function: Function, argument: NodeId) -> Option<String> {
+        Some(format!("{}_{}", function_name(function)?, self.telling(argument)?))
+    }
+
+    /// The name of a node if it says something.
+    fn telling(&self, id: NodeId) -> Option<String> {
+        let name = self.values[index(id)].as_ref()?.to_string();
+        let is_number = name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok());
+        (!is_number && syn::parse_str::<Ident>(&name).is_ok()).then_some(name)
+    }
+
+    /// A word for a node, telling or not.
+    fn word(&self, id: NodeId) -> String {
+        let name = self.values[index(id)].as_ref().map(ToString::to_string);
+        let name = name.filter(|name| syn::parse_str::<Ident>(name).is_ok());
+        name.unwrap_or_else(|| format!("n{}", id.0))
+    }
+}
+
+fn index(id: NodeId) -> usize {
+    id.0 as usize
+}
+
+fn zero() -> TokenStream {
+    quote!(R::literal(0.0))
+}
+
+/// `[a, _, c]` of the names that are read.
+fn pattern(names: &[Ident], read: &[bool]) -> Option<TokenStream> {
+    let last = read.iter().rposition(|read| *read)?;
+    let entries = names
+        .iter()
+        .zip(read)
+        .take(last + 1)
+        .map(|(name, read)| if *read { quote!(#name) } else { quote!(_) });
+    let rest = (last + 1 < names.len()).then(|| quote!(, ..));
+    Some(quote!([#(#entries),* #rest]))
+}
+
+/// A sum, difference or negation of coefficients of which some are zero, and
+/// whether it needs no `let`.
+fn linear(
+    recurrence: &Recurrence,
+    of: impl Fn(NodeId) -> Option<TokenStream>,
+) -> (Option<TokenStream>, bool) {
+    match *recurrence {
+        Recurrence::Add(a, b) => match (of(a), of(b)) {
+            (Some(a), Some(b)) => (Some(quote!(#a + #b)), false),
+            (one, other) => (one.or(other), true),
+        },
+        Recurrence::Sub(a, b) => match (of(a), of(b)) {
+            (Some(a), Some(b)) => (Some(quote!(#a - #b)), false),
+            (None, Some(b)) => (Some(quote!(-#b)), false),
+            (a, None) => (a, true),
+        },
+        Recurrence::Neg(a) => (of(a).map(|a| quote!(-#a)), false),
+        _ => (None, true),
+    }
+}

@@ -1,0 +1,103 @@
+//! Which coefficients the function of a series reads.
+
+use crate::tape::NodeId;
+use crate::taylor::{Convolution, Recurrence, TaylorTape};
+
+/// What of a tape of recurrences is written down.
+pub(super) struct Needs {
+    /// Whether the newest coefficient of a node is read.
+    pub(super) newest: Vec<bool>,
+    /// Whether the coefficient before the newest is read.
+    pub(super) before: Vec<bool>,
+    /// Every sum, once; the place is the lane.
+    pub(super) convolutions: Vec<Convolution>,
+}
+
+/// Follows what the rates read, order by order.
+pub(super) fn needs(tape: &TaylorTape) -> Needs {
+    let count = tape.nodes.len();
+    let (mut newest, mut before) = (vec![false; count], vec![false; count]);
+    let mut waiting = tape.rate.clone();
+    if let Some(mass) = &tape.mass_matrix {
+        waiting.extend(&mass.right_side);
+        waiting.extend(&mass.accelerations);
+    }
+    while let Some(id) = waiting.pop() {
+        if std::mem::replace(&mut newest[id.0 as usize], true) {
+            continue;
+        }
+        waiting.extend(newest_operands(tape, id));
+        for convolution in tape.convolutions(id) {
+            waiting.extend([convolution.left, convolution.right]);
+        }
+        if let Some(earlier) = operand_before(tape, id) {
+            before[earlier.0 as usize] = true;
+            waiting.push(earlier);
+        }
+    }
+    let mut convolutions: Vec<Convolution> = Vec::new();
+    for index in (0..count).filter(|&index| newest[index]) {
+        for convolution in tape.convolutions(NodeId(index as u32)).into_iter().map(in_order) {
+            if !convolutions.contains(&convolution) {
+                convolutions.push(convolution);
+            }
+        }
+    }
+    Needs { newest, before, convolutions }
+}
+
+/// S(a, b) is S(b, a), if neither factor is weighted.
+pub(super) fn in_order(convolution: Convolution) -> Convolution {
+    let Convolution { left, weighted, right } = convolution;
+    if weighted || left <= right {
+        convolution
+    } else {
+        Convolution { left: right, weighted, right: left }
+    }
+}
+
+/// The operands whose newest coefficient a node's newest one reads.
+fn newest_operands(tape: &TaylorTape, id: NodeId) -> Vec<NodeId> {
+    match tape[id].recurrence {
+        Recurrence::Constant(_)
+        | Recurrence::Time
+        | Recurrence::State(_)
+        | Recurrence::Tail(..)
+        | Recurrence::Acceleration(_) => vec![],
+        Recurrence::Neg(a) | Recurrence::Root(a) | Recurrence::Scaled { series: a, .. } => vec![a],
+        Recurrence::Product(..) if line_and_other(tape, id).is_some() => {
+            line_and_other(tape, id).map(|(_, other)| other).into_iter().collect()
+        }
+        Recurrence::Add(a, b)
+        | Recurrence::Sub(a, b)
+        | Recurrence::Product(a, b)
+        | Recurrence::Quotient(a, b) => vec![a, b],
+        Recurrence::Integral { argument, .. } if tape.is_line(argument) => vec![],
+        Recurrence::Integral { argument, .. } | Recurrence::IntegralOver { argument, .. } => {
+            vec![argument]
+        }
+        Recurrence::Power { base, .. } => vec![base],
+        Recurrence::Select { then, otherwise, .. } => vec![then, otherwise],
+        Recurrence::Table { argument, square, cube, .. } => vec![argument, square, cube],
+        Recurrence::Lagged { entry, .. } => vec![entry],
+    }
+}
+
+/// The node of which the coefficient before the newest is read.
+fn operand_before(tape: &TaylorTape, id: NodeId) -> Option<NodeId> {
+    match tape[id].recurrence {
+        Recurrence::Integral { argument, integrand, .. } if tape.is_line(argument) => {
+            Some(integrand)
+        }
+        _ => line_and_other(tape, id).map(|(_, other)| other),
+    }
+}
+
+/// The factors of a product of which one, put first, is linear in time.
+pub(super) fn line_and_other(tape: &TaylorTape, id: NodeId) -> Option<(NodeId, NodeId)> {
+    match tape[id].recurrence {
+        Recurrence::Product(a, b) if tape.is_line(a) => Some((a, b)),
+        Recurrence::Product(a, b) if tape.is_line(b) => Some((b, a)),
+        _ => None,
+    }
+}

@@ -1,0 +1,1821 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo build
+//
+// Sources, with SHA-256:
+//   e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855  scenes/pendulum.toml
+//
+// Damped pendulum
+//
+// A point mass on a rod.
+//
+// Its torque follows a table with a lag.
+//
+// Source:
+//   Worked out on paper.
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               1
+//   first-order states       63
+//   states                   65
+//   parameters                6
+//   outputs                   0
+//   discontinuities           0
+//
+// State:
+//     0  arm.phi      [rad]    angle from the vertical
+//     1  arm.phi_dot  [rad/s]  speed of arm.phi
+//     2  z_2          [1]
+//     3  z_3          [1]
+//     4  z_4          [1]
+//     5  z_5          [1]
+//     6  z_6          [1]
+//     7  z_7          [1]
+//     8  z_8          [1]
+//     9  z_9          [1]
+//    10  z_10         [1]
+//    11  z_11         [1]
+//    12  z_12         [1]
+//    13  z_13         [1]
+//    14  z_14         [1]
+//    15  z_15         [1]
+//    16  z_16         [1]
+//    17  z_17         [1]
+//    18  z_18         [1]
+//    19  z_19         [1]
+//    20  z_20         [1]
+//    21  z_21         [1]
+//    22  z_22         [1]
+//    23  z_23         [1]
+//    24  z_24         [1]
+//    25  z_25         [1]
+//    26  z_26         [1]
+//    27  z_27         [1]
+//    28  z_28         [1]
+//    29  z_29         [1]
+//    30  z_30         [1]
+//    31  z_31         [1]
+//    32  z_32         [1]
+//    33  z_33         [1]
+//    34  z_34         [1]
+//    35  z_35         [1]
+//    36  z_36         [1]
+//    37  z_37         [1]
+//    38  z_38         [1]
+//    39  z_39         [1]
+//    40  z_40         [1]
+//    41  z_41         [1]
+//    42  z_42         [1]
+//    43  z_43         [1]
+//    44  z_44         [1]
+//    45  z_45         [1]
+//    46  z_46         [1]
+//    47  z_47         [1]
+//    48  z_48         [1]
+//    49  z_49         [1]
+//    50  z_50         [1]
+//    51  z_51         [1]
+//    52  z_52         [1]
+//    53  z_53         [1]
+//    54  z_54         [1]
+//    55  z_55         [1]
+//    56  z_56         [1]
+//    57  z_57         [1]
+//    58  z_58         [1]
+//    59  z_59         [1]
+//    60  z_60         [1]
+//    61  z_61         [1]
+//    62  z_62         [1]
+//    63  z_63         [1]
+//    64  z_64         [1]
+//
+// Nonzeros:
+//   mass_matrix               1 of 1 by 1
+//   rate_jacobian             0 of 65 by 65
+//   parameter_jacobian        0 of 65 by 6
+//
+// Operations:
+//   initial_state             0
+//   discontinuities           0
+//   rate                     70
+//   mass_matrix               0
+//   forcing                   1
+//   rate_jacobian             0
+//   parameter_jacobian        0
+//   time_derivative           0
+//   outputs                   0
+//   energy                   10
+//   power_balance             4
+
+use ::machinist_scenes::{
+    CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
+    Simulator, SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 1;
+
+/// Length of the state `[q, q', z]`, 2 n + m.
+pub const STATES: usize = 65;
+
+/// Parameters.
+pub const PARAMETERS: usize = 6;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 0;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 1,
+    columns: 1,
+    entries: &[(0, 0)],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 65,
+    columns: 65,
+    entries: &[],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 65,
+    columns: 6,
+    entries: &[],
+};
+
+/// Damped pendulum
+///
+/// A point mass on a rod.
+///
+/// Its torque follows a table with a lag.
+///
+/// Source: Worked out on paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Recurrences;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// arm.mass: mass of the bob \[kg\]. In the spec: 4.2.
+    pub arm_mass: R,
+    /// arm.length: length of the rod \[m\]. In the spec: 0.75.
+    pub arm_length: R,
+    /// arm.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.80665.
+    pub arm_gravity: R,
+    /// arm.damping: viscous damping of the pivot \[N m s/rad\]. In the spec: 0.1285346.
+    pub arm_damping: R,
+    /// drive.lag: time constant of the drive \[s\]. In the spec: 0.01.
+    pub drive_lag: R,
+    /// start: time at which the drive starts \[s\]. In the spec: 0.1.
+    pub start: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            arm_mass: values[0],
+            arm_length: values[1],
+            arm_gravity: values[2],
+            arm_damping: values[3],
+            drive_lag: values[4],
+            start: values[5],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.arm_mass,
+            self.arm_length,
+            self.arm_gravity,
+            self.arm_damping,
+            self.drive_lag,
+            self.start,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            arm_mass: R::literal(4.2),
+            arm_length: R::literal(0.75),
+            arm_gravity: R::literal(9.80665),
+            arm_damping: R::literal(0.128_534_6),
+            drive_lag: R::literal(0.01),
+            start: R::literal(0.1),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// Nothing; there are no numbers here.
+    pub real: core::marker::PhantomData<R>,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(_values: [R; OUTPUTS]) -> Self {
+        Self {
+            real: core::marker::PhantomData,
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        []
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// arm.phi: angle from the vertical \[rad\].
+    pub const ARM_PHI: usize = 0;
+    /// arm.phi_dot: speed of arm.phi \[rad/s\].
+    pub const ARM_PHI_DOT: usize = 1;
+    /// z_2 \[1\].
+    pub const Z_2: usize = 2;
+    /// z_3 \[1\].
+    pub const Z_3: usize = 3;
+    /// z_4 \[1\].
+    pub const Z_4: usize = 4;
+    /// z_5 \[1\].
+    pub const Z_5: usize = 5;
+    /// z_6 \[1\].
+    pub const Z_6: usize = 6;
+    /// z_7 \[1\].
+    pub const Z_7: usize = 7;
+    /// z_8 \[1\].
+    pub const Z_8: usize = 8;
+    /// z_9 \[1\].
+    pub const Z_9: usize = 9;
+    /// z_10 \[1\].
+    pub const Z_10: usize = 10;
+    /// z_11 \[1\].
+    pub const Z_11: usize = 11;
+    /// z_12 \[1\].
+    pub const Z_12: usize = 12;
+    /// z_13 \[1\].
+    pub const Z_13: usize = 13;
+    /// z_14 \[1\].
+    pub const Z_14: usize = 14;
+    /// z_15 \[1\].
+    pub const Z_15: usize = 15;
+    /// z_16 \[1\].
+    pub const Z_16: usize = 16;
+    /// z_17 \[1\].
+    pub const Z_17: usize = 17;
+    /// z_18 \[1\].
+    pub const Z_18: usize = 18;
+    /// z_19 \[1\].
+    pub const Z_19: usize = 19;
+    /// z_20 \[1\].
+    pub const Z_20: usize = 20;
+    /// z_21 \[1\].
+    pub const Z_21: usize = 21;
+    /// z_22 \[1\].
+    pub const Z_22: usize = 22;
+    /// z_23 \[1\].
+    pub const Z_23: usize = 23;
+    /// z_24 \[1\].
+    pub const Z_24: usize = 24;
+    /// z_25 \[1\].
+    pub const Z_25: usize = 25;
+    /// z_26 \[1\].
+    pub const Z_26: usize = 26;
+    /// z_27 \[1\].
+    pub const Z_27: usize = 27;
+    /// z_28 \[1\].
+    pub const Z_28: usize = 28;
+    /// z_29 \[1\].
+    pub const Z_29: usize = 29;
+    /// z_30 \[1\].
+    pub const Z_30: usize = 30;
+    /// z_31 \[1\].
+    pub const Z_31: usize = 31;
+    /// z_32 \[1\].
+    pub const Z_32: usize = 32;
+    /// z_33 \[1\].
+    pub const Z_33: usize = 33;
+    /// z_34 \[1\].
+    pub const Z_34: usize = 34;
+    /// z_35 \[1\].
+    pub const Z_35: usize = 35;
+    /// z_36 \[1\].
+    pub const Z_36: usize = 36;
+    /// z_37 \[1\].
+    pub const Z_37: usize = 37;
+    /// z_38 \[1\].
+    pub const Z_38: usize = 38;
+    /// z_39 \[1\].
+    pub const Z_39: usize = 39;
+    /// z_40 \[1\].
+    pub const Z_40: usize = 40;
+    /// z_41 \[1\].
+    pub const Z_41: usize = 41;
+    /// z_42 \[1\].
+    pub const Z_42: usize = 42;
+    /// z_43 \[1\].
+    pub const Z_43: usize = 43;
+    /// z_44 \[1\].
+    pub const Z_44: usize = 44;
+    /// z_45 \[1\].
+    pub const Z_45: usize = 45;
+    /// z_46 \[1\].
+    pub const Z_46: usize = 46;
+    /// z_47 \[1\].
+    pub const Z_47: usize = 47;
+    /// z_48 \[1\].
+    pub const Z_48: usize = 48;
+    /// z_49 \[1\].
+    pub const Z_49: usize = 49;
+    /// z_50 \[1\].
+    pub const Z_50: usize = 50;
+    /// z_51 \[1\].
+    pub const Z_51: usize = 51;
+    /// z_52 \[1\].
+    pub const Z_52: usize = 52;
+    /// z_53 \[1\].
+    pub const Z_53: usize = 53;
+    /// z_54 \[1\].
+    pub const Z_54: usize = 54;
+    /// z_55 \[1\].
+    pub const Z_55: usize = 55;
+    /// z_56 \[1\].
+    pub const Z_56: usize = 56;
+    /// z_57 \[1\].
+    pub const Z_57: usize = 57;
+    /// z_58 \[1\].
+    pub const Z_58: usize = 58;
+    /// z_59 \[1\].
+    pub const Z_59: usize = 59;
+    /// z_60 \[1\].
+    pub const Z_60: usize = 60;
+    /// z_61 \[1\].
+    pub const Z_61: usize = 61;
+    /// z_62 \[1\].
+    pub const Z_62: usize = 62;
+    /// z_63 \[1\].
+    pub const Z_63: usize = 63;
+    /// z_64 \[1\].
+    pub const Z_64: usize = 64;
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// No operations.
+#[must_use]
+pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+///
+/// 70 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    let [arm_phi, arm_phi_dot, ..] = *state;
+    let arm_phi_dot_dot = -arm_phi;
+    let t0 = R::literal(2.0) + arm_phi;
+    let z_2_dot = t0.sqrt();
+    let z_3_dot = t0.ln();
+    let arm_phi_minus_arm_phi_dot = arm_phi - arm_phi_dot;
+    let arm_phi_dot_minus_arm_phi = arm_phi_dot - arm_phi;
+    let z_4_dot = arm_phi_minus_arm_phi_dot.abs();
+    let z_5_dot = arm_phi_dot_minus_arm_phi.abs();
+    let z_6_dot = arm_phi_minus_arm_phi_dot.exp();
+    let z_7_dot = arm_phi_dot_minus_arm_phi.exp();
+    let z_8_dot = arm_phi_minus_arm_phi_dot.sin();
+    let z_9_dot = arm_phi_dot_minus_arm_phi.sin();
+    let z_10_dot = arm_phi_minus_arm_phi_dot.cos();
+    let z_11_dot = arm_phi_dot_minus_arm_phi.cos();
+    let z_12_dot = arm_phi_minus_arm_phi_dot.tan();
+    let z_13_dot = arm_phi_dot_minus_arm_phi.tan();
+    let z_14_dot = arm_phi_minus_arm_phi_dot.asin();
+    let z_15_dot = arm_phi_dot_minus_arm_phi.asin();
+    let z_16_dot = arm_phi_minus_arm_phi_dot.acos();
+    let z_17_dot = arm_phi_dot_minus_arm_phi.acos();
+    let z_18_dot = arm_phi_minus_arm_phi_dot.atan();
+    let z_19_dot = arm_phi_dot_minus_arm_phi.atan();
+    let z_20_dot = arm_phi_minus_arm_phi_dot.sinh();
+    let z_21_dot = arm_phi_dot_minus_arm_phi.sinh();
+    let z_22_dot = arm_phi_minus_arm_phi_dot.cosh();
+    let z_23_dot = arm_phi_dot_minus_arm_phi.cosh();
+    let z_24_dot = arm_phi_minus_arm_phi_dot.tanh();
+    let z_25_dot = arm_phi_dot_minus_arm_phi.tanh();
+    let z_26_dot = R::interpolate(&DRIVE_LOAD_TABLE, 0, t0);
+    let z_27_dot = R::interpolate(&DRIVE_LOAD_TABLE, 1, t0);
+    let z_28_dot = R::interpolate(&DRIVE_LOAD_TABLE, 2, t0);
+    let z_29_dot = R::interpolate(&DRIVE_LOAD_TABLE, 3, t0);
+    let t1 = arm_phi + R::literal(2.0);
+    let z_30_dot = arm_phi * arm_phi_dot;
+    let z_31_dot = p.arm_length * arm_phi_dot;
+    let z_32_dot = arm_phi / p.arm_length;
+    let z_33_dot = arm_phi / R::literal(2.0);
+    let z_34_dot = arm_phi_dot / t1;
+    let z_35_dot = p.arm_length / t1;
+    let z_36_dot = p.arm_length - arm_phi;
+    let z_37_dot = p.arm_length * R::literal(2.0);
+    let z_38_dot = t1.powi(-3);
+    let z_39_dot = t1.powi(-1);
+    let z_40_dot = t1.powi(0);
+    let z_41_dot = t1.powi(1);
+    let z_42_dot = t1.powi(2);
+    let z_43_dot = t1.powi(3);
+    let z_44_dot = t1.powi(7);
+    let z_45_dot = t1.powf(p.arm_length);
+    let z_46_dot = t1.powf(R::literal(-2.5));
+    let z_47_dot = t1.powf(arm_phi_dot);
+    let z_48_dot = R::select_less(arm_phi, arm_phi_dot, arm_phi, t1);
+    let z_49_dot = R::select_less(arm_phi_dot, arm_phi, p.arm_length, t1);
+    let z_50_dot = p.arm_length * time - p.drive_lag;
+    let minus_z_50_dot = -z_50_dot;
+    let z_51_dot = time * arm_phi;
+    let z_52_dot = z_50_dot * minus_z_50_dot;
+    let z_53_dot = z_50_dot + arm_phi;
+    let z_54_dot = R::interpolate(&DRIVE_LOAD_TABLE, 0, z_50_dot);
+    let z_55_dot = z_50_dot.sin();
+    let z_56_dot = minus_z_50_dot.sin();
+    let z_57_dot = z_50_dot.cos();
+    let z_58_dot = minus_z_50_dot.cos();
+    let z_59_dot = z_50_dot.exp();
+    let z_60_dot = minus_z_50_dot.exp();
+    let z_61_dot = z_50_dot.sinh();
+    let z_62_dot = minus_z_50_dot.sinh();
+    let z_63_dot = z_50_dot.tanh();
+    let z_64_dot = minus_z_50_dot.tanh();
+    [
+        arm_phi_dot,
+        arm_phi_dot_dot,
+        z_2_dot,
+        z_3_dot,
+        z_4_dot,
+        z_5_dot,
+        z_6_dot,
+        z_7_dot,
+        z_8_dot,
+        z_9_dot,
+        z_10_dot,
+        z_11_dot,
+        z_12_dot,
+        z_13_dot,
+        z_14_dot,
+        z_15_dot,
+        z_16_dot,
+        z_17_dot,
+        z_18_dot,
+        z_19_dot,
+        z_20_dot,
+        z_21_dot,
+        z_22_dot,
+        z_23_dot,
+        z_24_dot,
+        z_25_dot,
+        z_26_dot,
+        z_27_dot,
+        z_28_dot,
+        z_29_dot,
+        z_30_dot,
+        z_31_dot,
+        z_32_dot,
+        z_33_dot,
+        z_34_dot,
+        z_35_dot,
+        z_36_dot,
+        z_37_dot,
+        z_38_dot,
+        z_39_dot,
+        z_40_dot,
+        z_41_dot,
+        z_42_dot,
+        z_43_dot,
+        z_44_dot,
+        z_45_dot,
+        z_46_dot,
+        z_47_dot,
+        z_48_dot,
+        z_49_dot,
+        z_50_dot,
+        z_51_dot,
+        z_52_dot,
+        z_53_dot,
+        z_54_dot,
+        z_55_dot,
+        z_56_dot,
+        z_57_dot,
+        z_58_dot,
+        z_59_dot,
+        z_60_dot,
+        z_61_dot,
+        z_62_dot,
+        z_63_dot,
+        z_64_dot,
+    ]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// No operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; 1] {
+    [R::literal(1.0)]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 1 operation.
+#[must_use]
+pub fn forcing<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let [arm_phi, ..] = *state;
+    let arm_phi_forcing = -arm_phi;
+    [arm_phi_forcing]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// No operations.
+#[must_use]
+pub fn rate_jacobian<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; 0] {
+    []
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// No operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; 0] {
+    []
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// No operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Wanted outputs.
+///
+/// No operations.
+#[must_use]
+pub fn outputs<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> Outputs<R> {
+    Outputs {
+        real: core::marker::PhantomData,
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 10 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [arm_phi, arm_phi_dot, ..] = *state;
+    let inertia = p.arm_mass * p.arm_length.powi(2);
+    Energy {
+        kinetic: inertia * arm_phi_dot.powi(2) / R::literal(2.0),
+        potential: p.arm_mass * p.arm_gravity
+            * (p.arm_length * (R::literal(1.0) - arm_phi.cos())),
+        stored: R::literal(0.0),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 4 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [_, arm_phi_dot, z_2, ..] = *state;
+    let supplied = z_2 * arm_phi_dot;
+    let dissipated = p.arm_damping * arm_phi_dot.powi(2);
+    PowerBalance {
+        stored_rate: supplied - dissipated,
+        supplied,
+        dissipated,
+    }
+}
+
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 96 recurrences. 41 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_5, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
+    let [arm_phi, arm_phi_dot, ..] = *state;
+    let t0 = -arm_phi;
+    let t1 = R::literal(2.0) + arm_phi;
+    let t2 = t1.sqrt();
+    let t3 = t1.ln();
+    let t4 = arm_phi - arm_phi_dot;
+    let t5 = -t4;
+    let t6 = R::select_less(t4, R::literal(0.0), t5, t4);
+    let t7 = t4.exp();
+    let t8 = t5.exp();
+    let t9 = t4.sin();
+    let t10 = t4.cos();
+    let t11 = -t9;
+    let t12 = t4.tan();
+    let t13 = t12 * t12;
+    let t14 = R::literal(1.0) + t13;
+    let t15 = -t12;
+    let t16 = t4 * t4;
+    let t17 = R::literal(1.0) - t16;
+    let t18 = t17.sqrt();
+    let t19 = t4.asin();
+    let t20 = -t19;
+    let t21 = t4.acos();
+    let t22 = t5 * t5;
+    let t23 = R::literal(1.0) - t22;
+    let t24 = t23.sqrt();
+    let t25 = t5.acos();
+    let t26 = R::literal(1.0) + t16;
+    let t27 = t4.atan();
+    let t28 = -t27;
+    let t29 = t4.sinh();
+    let t30 = t4.cosh();
+    let t31 = -t29;
+    let t32 = t4.tanh();
+    let t33 = t32 * t32;
+    let t34 = R::literal(1.0) - t33;
+    let t35 = -t32;
+    let t36 = R::interpolate(&DRIVE_LOAD_TABLE, 0, t1);
+    let t37 = R::interpolate(&DRIVE_LOAD_TABLE, 1, t1);
+    let t38 = R::interpolate(&DRIVE_LOAD_TABLE, 2, t1);
+    let t39 = R::interpolate(&DRIVE_LOAD_TABLE, 3, t1);
+    let t40 = arm_phi + R::literal(2.0);
+    let t41 = arm_phi * arm_phi_dot;
+    let t42 = arm_phi_dot * p.arm_length;
+    let t43 = R::literal(1.0) / p.arm_length;
+    let t44 = arm_phi * t43;
+    let t45 = arm_phi * R::literal(0.5);
+    let t46 = arm_phi_dot / t40;
+    let t47 = p.arm_length / t40;
+    let t48 = p.arm_length - arm_phi;
+    let t49 = p.arm_length * R::literal(2.0);
+    let t50 = t40 * t40;
+    let t51 = t40 * t50;
+    let t52 = R::literal(1.0) / t51;
+    let t53 = R::literal(1.0) / t40;
+    let t54 = t50 * t50;
+    let t55 = t51 * t54;
+    let t56 = t40.powf(p.arm_length);
+    let t57 = t40.powf(R::literal(-2.5));
+    let t58 = t40.ln();
+    let t59 = arm_phi_dot * t58;
+    let t60 = t59.exp();
+    let t61 = R::select_less(arm_phi, arm_phi_dot, arm_phi, t40);
+    let t62 = R::select_less(arm_phi_dot, arm_phi, p.arm_length, t40);
+    let t63 = time * p.arm_length;
+    let t64 = t63 - p.drive_lag;
+    let t65 = -t64;
+    let t66 = time * arm_phi;
+    let t67 = t64 * t65;
+    let t68 = t64 + arm_phi;
+    let t69 = R::interpolate(&DRIVE_LOAD_TABLE, 0, t64);
+    let t70 = t64.sin();
+    let t71 = t64.cos();
+    let t72 = -t70;
+    let t73 = t64.exp();
+    let t74 = t65.exp();
+    let t75 = t64.sinh();
+    let t76 = t64.cosh();
+    let t77 = -t75;
+    let t78 = t64.tanh();
+    let t79 = t78 * t78;
+    let t80 = R::literal(1.0) - t79;
+    let t81 = -t78;
+    let inverse_t2 = R::literal(1.0) / (t2 + t2);
+    let inverse_t1 = R::literal(1.0) / t1;
+    let inverse_t18 = R::literal(1.0) / (t18 + t18);
+    let inverse_t18_2 = R::literal(1.0) / t18;
+    let inverse_t18_3 = R::literal(1.0) / t18;
+    let inverse_t24 = R::literal(1.0) / (t24 + t24);
+    let inverse_t24_2 = R::literal(1.0) / t24;
+    let inverse_t26 = R::literal(1.0) / t26;
+    let t36_first = R::interpolate(&DRIVE_LOAD_TABLE, 1, t1);
+    let t36_second = R::literal(0.5) * R::interpolate(&DRIVE_LOAD_TABLE, 2, t1);
+    let t36_third = R::literal(1.0 / 6.0) * R::interpolate(&DRIVE_LOAD_TABLE, 3, t1);
+    let t37_first = R::interpolate(&DRIVE_LOAD_TABLE, 2, t1);
+    let t37_second = R::literal(0.5) * R::interpolate(&DRIVE_LOAD_TABLE, 3, t1);
+    let t37_third = R::literal(1.0 / 6.0) * R::interpolate(&DRIVE_LOAD_TABLE, 4, t1);
+    let t38_first = R::interpolate(&DRIVE_LOAD_TABLE, 3, t1);
+    let t38_second = R::literal(0.5) * R::interpolate(&DRIVE_LOAD_TABLE, 4, t1);
+    let t38_third = R::literal(1.0 / 6.0) * R::interpolate(&DRIVE_LOAD_TABLE, 5, t1);
+    let t39_first = R::interpolate(&DRIVE_LOAD_TABLE, 4, t1);
+    let t39_second = R::literal(0.5) * R::interpolate(&DRIVE_LOAD_TABLE, 5, t1);
+    let t39_third = R::literal(1.0 / 6.0) * R::interpolate(&DRIVE_LOAD_TABLE, 6, t1);
+    let inverse_t40 = R::literal(1.0) / t40;
+    let inverse_t40_2 = R::literal(1.0) / t40;
+    let inverse_t51 = R::literal(1.0) / t51;
+    let inverse_t40_3 = R::literal(1.0) / t40;
+    let inverse_t40_4 = R::literal(1.0) / t40;
+    let inverse_t40_5 = R::literal(1.0) / t40;
+    let inverse_t40_6 = R::literal(1.0) / t40;
+    let t69_first = R::interpolate(&DRIVE_LOAD_TABLE, 1, t64);
+    let t69_second = R::literal(0.5) * R::interpolate(&DRIVE_LOAD_TABLE, 2, t64);
+    let t69_third = R::literal(1.0 / 6.0) * R::interpolate(&DRIVE_LOAD_TABLE, 3, t64);
+    let t65_slope = -p.arm_length;
+    let mut arm_phi_before = arm_phi;
+    let mut t65_before = t65;
+    let mut t70_before = t70;
+    let mut t71_before = t71;
+    let mut t73_before = t73;
+    let mut t74_before = t74;
+    let mut t75_before = t75;
+    let mut t76_before = t76;
+    let mut t80_before = t80;
+    let mut rates = [
+        arm_phi_dot,
+        t0,
+        t2,
+        t3,
+        t6,
+        t6,
+        t7,
+        t8,
+        t9,
+        t11,
+        t10,
+        t10,
+        t12,
+        t15,
+        t19,
+        t20,
+        t21,
+        t25,
+        t27,
+        t28,
+        t29,
+        t31,
+        t30,
+        t30,
+        t32,
+        t35,
+        t36,
+        t37,
+        t38,
+        t39,
+        t41,
+        t42,
+        t44,
+        t45,
+        t46,
+        t47,
+        t48,
+        t49,
+        t52,
+        t53,
+        R::literal(1.0),
+        t40,
+        t50,
+        t51,
+        t55,
+        t56,
+        t57,
+        t60,
+        t61,
+        t62,
+        t64,
+        t66,
+        t67,
+        t68,
+        t69,
+        t70,
+        t72,
+        t71,
+        t71,
+        t73,
+        t74,
+        t75,
+        t77,
+        t78,
+        t81,
+    ];
+    coefficients[0] = *state;
+    for order in 1..coefficients.len() {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        let state_k = rates.map(|rate| rate * inverse);
+        coefficients[order] = state_k;
+        let [arm_phi_k, arm_phi_dot_k, ..] = state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let sums_4 = lanes_4.sums(order);
+        let sums_5 = lanes_5.sums(order);
+        let t0_k = -arm_phi_k;
+        let t2_k = (arm_phi_k - sums[0]) * inverse_t2;
+        let t3_k = (arm_phi_k - inverse * sums[1]) * inverse_t1;
+        let t4_k = arm_phi_k - arm_phi_dot_k;
+        let t5_k = -t4_k;
+        let t6_k = R::select_less(t4, R::literal(0.0), t5_k, t4_k);
+        let t7_k = inverse * sums[2] + t4_k * t7;
+        let t8_k = inverse * sums[3] + t5_k * t8;
+        let t9_k = inverse * sums[4] + t4_k * t10;
+        let t10_k = -(inverse * sums[5] + t4_k * t9);
+        let t11_k = -t9_k;
+        let t12_k = inverse * sums[6] + t4_k * t14;
+        let t13_k = sums[7] + t12 * t12_k + t12_k * t12;
+        let t15_k = -t12_k;
+        let t16_k = sums_1[0] + t4 * t4_k + t4_k * t4;
+        let t17_k = -t16_k;
+        let t18_k = (t17_k - sums_1[1]) * inverse_t18;
+        let t19_k = (t4_k - inverse * sums_1[2]) * inverse_t18_2;
+        let t20_k = -t19_k;
+        let t21_k = (-t4_k - inverse * sums_1[3]) * inverse_t18_3;
+        let t22_k = sums_1[4] + t5 * t5_k + t5_k * t5;
+        let t23_k = -t22_k;
+        let t24_k = (t23_k - sums_1[5]) * inverse_t24;
+        let t25_k = (-t5_k - inverse * sums_1[6]) * inverse_t24_2;
+        let t27_k = (t4_k - inverse * sums_1[7]) * inverse_t26;
+        let t28_k = -t27_k;
+        let t29_k = inverse * sums_2[0] + t4_k * t30;
+        let t30_k = inverse * sums_2[1] + t4_k * t29;
+        let t31_k = -t29_k;
+        let t32_k = inverse * sums_2[2] + t4_k * t34;
+        let t33_k = sums_2[3] + t32 * t32_k + t32_k * t32;
+        let t34_k = -t33_k;
+        let t35_k = -t32_k;
+        let t36_k = t36_first * arm_phi_k + t36_second * sums_2[4]
+            + t36_third * sums_2[5];
+        let t37_k = t37_first * arm_phi_k + t37_second * sums_2[4]
+            + t37_third * sums_2[5];
+        let t38_k = t38_first * arm_phi_k + t38_second * sums_2[4]
+            + t38_third * sums_2[5];
+        let t39_k = t39_first * arm_phi_k + t39_second * sums_2[4]
+            + t39_third * sums_2[5];
+        let t41_k = sums_2[6] + arm_phi * arm_phi_dot_k + arm_phi_k * arm_phi_dot;
+        let t42_k = arm_phi_dot_k * p.arm_length;
+        let t44_k = arm_phi_k * t43;
+        let t45_k = arm_phi_k * R::literal(0.5);
+        let t46_k = (arm_phi_dot_k - sums_2[7] - arm_phi_k * t46) * inverse_t40;
+        let t47_k = -(sums_3[0] + arm_phi_k * t47) * inverse_t40_2;
+        let t48_k = -arm_phi_k;
+        let t50_k = sums_3[1] + t40 * arm_phi_k + arm_phi_k * t40;
+        let t51_k = sums_3[2] + t40 * t50_k + arm_phi_k * t50;
+        let t52_k = -(sums_3[3] + t51_k * t52) * inverse_t51;
+        let t53_k = -(sums_3[4] + arm_phi_k * t53) * inverse_t40_3;
+        let t54_k = sums_3[5] + t50 * t50_k + t50_k * t50;
+        let t55_k = sums_3[6] + t51 * t54_k + t51_k * t54;
+        let t56_k = (p.arm_length * (arm_phi_k * t56 + inverse * sums_3[7])
+            - inverse * sums_4[0]) * inverse_t40_4;
+        let t57_k = (R::literal(-2.5) * (arm_phi_k * t57 + inverse * sums_4[1])
+            - inverse * sums_4[2]) * inverse_t40_5;
+        let t58_k = (arm_phi_k - inverse * sums_4[3]) * inverse_t40_6;
+        let t59_k = sums_4[4] + arm_phi_dot * t58_k + arm_phi_dot_k * t58;
+        let t60_k = inverse * sums_4[5] + t59_k * t60;
+        let t61_k = R::select_less(arm_phi, arm_phi_dot, arm_phi_k, arm_phi_k);
+        let t62_k = R::select_less(arm_phi_dot, arm_phi, R::literal(0.0), arm_phi_k);
+        let time_k = R::literal(if order == 1 { 1.0 } else { 0.0 });
+        let t63_k = time_k * p.arm_length;
+        let t65_k = -t63_k;
+        let t66_k = R::literal(1.0) * arm_phi_before + time * arm_phi_k;
+        let t67_k = p.arm_length * t65_before + t64 * t65_k;
+        let t68_k = t63_k + arm_phi_k;
+        let t69_k = t69_first * t63_k + t69_second * sums_4[6] + t69_third * sums_4[7];
+        let t70_k = inverse * p.arm_length * t71_before;
+        let t71_k = -inverse * p.arm_length * t70_before;
+        let t72_k = -t70_k;
+        let t73_k = inverse * p.arm_length * t73_before;
+        let t74_k = inverse * t65_slope * t74_before;
+        let t75_k = inverse * p.arm_length * t76_before;
+        let t76_k = inverse * p.arm_length * t75_before;
+        let t77_k = -t75_k;
+        let t78_k = inverse * p.arm_length * t80_before;
+        let t79_k = sums_5[0] + t78 * t78_k + t78_k * t78;
+        let t80_k = -t79_k;
+        let t81_k = -t78_k;
+        lanes
+            .set(
+                order,
+                [
+                    t2_k,
+                    k * t3_k,
+                    k * t4_k,
+                    k * t5_k,
+                    k * t4_k,
+                    k * t4_k,
+                    k * t4_k,
+                    t12_k,
+                ],
+                [t2_k, arm_phi_k, t7_k, t8_k, t10_k, t9_k, t13_k, t12_k],
+            );
+        lanes_1
+            .set(
+                order,
+                [t4_k, t18_k, k * t19_k, k * t21_k, t5_k, t24_k, k * t25_k, k * t27_k],
+                [t4_k, t18_k, t18_k, t18_k, t5_k, t24_k, t24_k, t16_k],
+            );
+        lanes_2
+            .set(
+                order,
+                [
+                    k * t4_k,
+                    k * t4_k,
+                    k * t4_k,
+                    t32_k,
+                    arm_phi_k,
+                    arm_phi_k,
+                    arm_phi_k,
+                    arm_phi_k,
+                ],
+                [t30_k, t29_k, t34_k, t32_k, arm_phi_k, sums_2[4], arm_phi_dot_k, t46_k],
+            );
+        lanes_3
+            .set(
+                order,
+                [
+                    arm_phi_k,
+                    arm_phi_k,
+                    arm_phi_k,
+                    t51_k,
+                    arm_phi_k,
+                    t50_k,
+                    t51_k,
+                    k * arm_phi_k,
+                ],
+                [t47_k, arm_phi_k, t50_k, t52_k, t53_k, t50_k, t54_k, t56_k],
+            );
+        lanes_4
+            .set(
+                order,
+                [
+                    k * t56_k,
+                    k * arm_phi_k,
+                    k * t57_k,
+                    k * t58_k,
+                    arm_phi_dot_k,
+                    k * t59_k,
+                    t63_k,
+                    t63_k,
+                ],
+                [arm_phi_k, t57_k, arm_phi_k, arm_phi_k, t58_k, t60_k, t63_k, sums_4[6]],
+            );
+        lanes_5.set(order, [t78_k], [t78_k]);
+        arm_phi_before = arm_phi_k;
+        t65_before = t65_k;
+        t70_before = t70_k;
+        t71_before = t71_k;
+        t73_before = t73_k;
+        t74_before = t74_k;
+        t75_before = t75_k;
+        t76_before = t76_k;
+        t80_before = t80_k;
+        rates = [
+            arm_phi_dot_k,
+            t0_k,
+            t2_k,
+            t3_k,
+            t6_k,
+            t6_k,
+            t7_k,
+            t8_k,
+            t9_k,
+            t11_k,
+            t10_k,
+            t10_k,
+            t12_k,
+            t15_k,
+            t19_k,
+            t20_k,
+            t21_k,
+            t25_k,
+            t27_k,
+            t28_k,
+            t29_k,
+            t31_k,
+            t30_k,
+            t30_k,
+            t32_k,
+            t35_k,
+            t36_k,
+            t37_k,
+            t38_k,
+            t39_k,
+            t41_k,
+            t42_k,
+            t44_k,
+            t45_k,
+            t46_k,
+            t47_k,
+            t48_k,
+            R::literal(0.0),
+            t52_k,
+            t53_k,
+            R::literal(0.0),
+            arm_phi_k,
+            t50_k,
+            t51_k,
+            t55_k,
+            t56_k,
+            t57_k,
+            t60_k,
+            t61_k,
+            t62_k,
+            t63_k,
+            t66_k,
+            t67_k,
+            t68_k,
+            t69_k,
+            t70_k,
+            t72_k,
+            t71_k,
+            t71_k,
+            t73_k,
+            t74_k,
+            t75_k,
+            t77_k,
+            t78_k,
+            t81_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for Recurrences {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 1>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
+impl Describe for Recurrences {
+    fn name(&self) -> &'static str {
+        "recurrences"
+    }
+    fn title(&self) -> &'static str {
+        "Damped pendulum"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            first_order: 63,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+}
+
+impl<R: Real> Simulator<R> for Recurrences {
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "arm.phi",
+        unit: "rad",
+        doc: "angle from the vertical",
+    },
+    Quantity {
+        name: "arm.phi_dot",
+        unit: "rad/s",
+        doc: "speed of arm.phi",
+    },
+    Quantity {
+        name: "z_2",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_3",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_4",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_5",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_6",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_7",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_8",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_9",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_10",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_11",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_12",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_13",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_14",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_15",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_16",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_17",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_18",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_19",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_20",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_21",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_22",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_23",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_24",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_25",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_26",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_27",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_28",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_29",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_30",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_31",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_32",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_33",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_34",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_35",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_36",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_37",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_38",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_39",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_40",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_41",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_42",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_43",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_44",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_45",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_46",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_47",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_48",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_49",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_50",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_51",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_52",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_53",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_54",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_55",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_56",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_57",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_58",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_59",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_60",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_61",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_62",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_63",
+        unit: "1",
+        doc: "",
+    },
+    Quantity {
+        name: "z_64",
+        unit: "1",
+        doc: "",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [
+    1.0,
+    10.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "arm.mass",
+        unit: "kg",
+        doc: "mass of the bob",
+    },
+    Quantity {
+        name: "arm.length",
+        unit: "m",
+        doc: "length of the rod",
+    },
+    Quantity {
+        name: "arm.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+    Quantity {
+        name: "arm.damping",
+        unit: "N m s/rad",
+        doc: "viscous damping of the pivot",
+    },
+    Quantity {
+        name: "drive.lag",
+        unit: "s",
+        doc: "time constant of the drive",
+    },
+    Quantity {
+        name: "start",
+        unit: "s",
+        doc: "time at which the drive starts",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
+    4.2,
+    0.75,
+    9.80665,
+    0.128_534_6,
+    0.01,
+    0.1,
+];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 2.0,
+    points: 1001,
+    rtol: 1e-8,
+    method: "bdf",
+};
+
+/// Natural cubic spline drive.load.
+pub static DRIVE_LOAD_TABLE: CubicTable<'static> = CubicTable {
+    knots: &[0.0, 1.0, 3.0],
+    coefficients: &[[0.0, 1.25, 0.0, -0.25], [1.0, 0.5, -0.75, 0.125]],
+};

@@ -1,0 +1,185 @@
+//! Order, length and error of a step, and sums of its polynomial.
+
+/// Error of a step in units of the tolerance beyond which it is taken again.
+pub(super) const LARGEST_ERROR: f64 = 10.0;
+
+/// Remainder of the series in units of the tolerance that a step aims at.
+const WANTED_ERROR: f64 = 1.0;
+
+/// Largest ratio of a step to the one before.
+pub(super) const GROWTH: f64 = 16.0;
+
+/// How many of the last coefficients a step is judged by. From a symmetric state
+/// every other one vanishes, and in places three in a row do.
+const JUDGED: usize = 5;
+
+/// The order for a relative tolerance: 0.7 ln(1/rtol) and a little.
+///
+/// The classical choice, ln(1/rtol)/2 with steps of rho/e^2 for a radius of
+/// convergence rho, is the cheapest where an order costs as much as all
+/// products within it; here it costs the chain of operations, and higher orders
+/// with longer steps are cheaper.
+pub(super) fn order_for(rtol: f64) -> usize {
+    ((ORDER_SLOPE * -rtol.ln() + ORDER_OFFSET).ceil() as usize).clamp(4, 30)
+}
+const ORDER_SLOPE: f64 = 0.7;
+const ORDER_OFFSET: f64 = 1.0;
+
+/// Tolerances of the states and what follows from them.
+pub(super) struct Tolerance<'a> {
+    rtol: f64,
+    atol: &'a [f64],
+    /// 1/(atol + rtol |y|) for every state.
+    inverse_weights: Vec<f64>,
+    /// Log2 of the ratio of neighbouring terms of a series that starts at the
+    /// size of the state and ends at the tolerance.
+    decay: f64,
+}
+
+impl<'a> Tolerance<'a> {
+    pub(super) fn new(rtol: f64, atol: &'a [f64], order: usize) -> Self {
+        let decay = rtol.log2() / (order + 1) as f64;
+        Self { rtol, atol, inverse_weights: vec![0.0; atol.len()], decay }
+    }
+
+    /// Weighs by the tolerance at a state from now on.
+    pub(super) fn weigh(&mut self, state: &[f64]) {
+        for ((inverse, atol), value) in self.inverse_weights.iter_mut().zip(self.atol).zip(state) {
+            *inverse = 1.0 / (atol + self.rtol * value.abs());
+        }
+    }
+
+    /// Length of the step through whose end the terms of a series fall below the
+    /// tolerance; infinite where the series ends.
+    ///
+    /// The remainder is taken from each of the last coefficients, as
+    /// `|y_(p-i)| h^(p-i) theta^(i+1)` with the ratio theta of a series that
+    /// decays from the size of the state to the tolerance, and the largest counts.
+    pub(super) fn step_length(&self, coefficients: &[f64], order: usize) -> f64 {
+        let states = self.atol.len();
+        let judged = coefficients[..(order + 1) * states].chunks_exact(states).rev().zip(1..);
+        let log_length = |(terms, back): (&[f64], usize)| {
+            let allowed = WANTED_ERROR.log2() - log2(self.size(terms)) - back as f64 * self.decay;
+            allowed / (order + 1 - back) as f64
+        };
+        let logs = judged.take(JUDGED.min(order)).map(log_length);
+        logs.fold(f64::INFINITY, f64::min).exp2()
+    }
+
+    /// Error of a step in units of the tolerance: the defect y' - f at its end
+    /// is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
+    pub(super) fn error(&self, slope: &[f64], rate: &[f64], step: f64, order: usize) -> f64 {
+        let defects = slope.iter().zip(rate).map(|(slope, rate)| slope - rate);
+        let mut largest = 0.0;
+        for (defect, inverse) in defects.zip(&self.inverse_weights) {
+            largest = larger(largest, (defect * inverse).abs());
+        }
+        largest * step / (order + 1) as f64
+    }
+
+    /// The largest value in units of its tolerance.
+    fn size(&self, values: &[f64]) -> f64 {
+        let (blocks, rest) = values.as_chunks::<4>();
+        let (weights, rest_weights) = self.inverse_weights.as_chunks::<4>();
+        let mut largest = [0.0; 4];
+        for (block, weights) in blocks.iter().zip(weights) {
+            for lane in 0..4 {
+                largest[lane] = larger(largest[lane], (block[lane] * weights[lane]).abs());
+            }
+        }
+        for (value, weight) in rest.iter().zip(rest_weights) {
+            largest[0] = larger(largest[0], (value * weight).abs());
+        }
+        let [a, b, c, d] = largest;
+        larger(larger(a, b), larger(c, d))
+    }
+}
+
+/// The larger of two numbers. A NaN does not count; whoever calls has looked for
+/// it, or looks at the result of the step.
+fn larger(size: f64, value: f64) -> f64 {
+    if value > size { value } else { size }
+}
+
+/// Log2 to about a hundredth, which is all that a step's length needs; very
+/// small for zero.
+fn log2(value: f64) -> f64 {
+    const MANTISSA: u64 = (1 << 52) - 1;
+    let bits = value.to_bits();
+    let exponent = (bits >> 52) as i32 - 1023;
+    // log2(1 + m) is nearly m + 0.34 m (1 - m).
+    let m = f64::from_bits(bits & MANTISSA | 1.0_f64.to_bits()) - 1.0;
+    f64::from(exponent) + m + 0.344 * m * (1.0 - m)
+}
+
+/// Factor by which a rejected step is shortened.
+pub(super) fn shrink(error: f64, order: usize) -> f64 {
+    let factor = (WANTED_ERROR / error).powf(1.0 / (order + 1) as f64);
+    if factor.is_nan() { 0.25 } else { factor.clamp(0.1, 0.7) }
+}
+
+/// Whether all values are finite.
+pub(super) fn all_finite(values: &[f64]) -> bool {
+    // Without a branch on every value.
+    let (blocks, rest) = values.as_chunks::<8>();
+    let mut zeros = [0.0; 8];
+    for block in blocks {
+        for (zero, value) in zeros.iter_mut().zip(block) {
+            *zero += value * 0.0;
+        }
+    }
+    zeros.iter().chain(rest).all(|value| value.is_finite())
+}
+
+/// The polynomial at `time` after the start of the step.
+pub(super) fn value(coefficients: &[f64], time: f64, value: &mut [f64]) {
+    let states = value.len();
+    let mut orders = coefficients.chunks_exact(states).rev();
+    value.copy_from_slice(orders.next().unwrap_or_default());
+    for terms in orders {
+        for (value, term) in value.iter_mut().zip(terms) {
+            *value = *value * time + term;
+        }
+    }
+}
+
+/// The polynomial and its derivative at `time` after the start of the step.
+pub(super) fn value_and_slope(
+    coefficients: &[f64],
+    time: f64,
+    value: &mut [f64],
+    slope: &mut [f64],
+) {
+    let states = value.len();
+    let (values, few_values) = value.as_chunks_mut();
+    let (slopes, few_slopes) = slope.as_chunks_mut();
+    for ((value, slope), block) in values.iter_mut().zip(slopes).zip(0..) {
+        (*value, *slope) = sum::<BLOCK>(coefficients, states, block * BLOCK, time);
+    }
+    let done = states - few_values.len();
+    for ((value, slope), index) in few_values.iter_mut().zip(few_slopes).zip(done..) {
+        let ([only], [only_slope]) = sum::<1>(coefficients, states, index, time);
+        (*value, *slope) = (only, only_slope);
+    }
+}
+
+/// States summed together, so that the sums stay in registers.
+const BLOCK: usize = 4;
+
+/// Sums of `N` neighbouring states from `first` on.
+fn sum<const N: usize>(
+    coefficients: &[f64],
+    states: usize,
+    first: usize,
+    time: f64,
+) -> ([f64; N], [f64; N]) {
+    let (mut value, mut slope) = ([0.0; N], [0.0; N]);
+    for terms in coefficients.chunks_exact(states).rev() {
+        let terms = &terms[first..first + N];
+        for index in 0..N {
+            slope[index] = slope[index] * time + value[index];
+            value[index] = value[index] * time + terms[index];
+        }
+    }
+    (value, slope)
+}

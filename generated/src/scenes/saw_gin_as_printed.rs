@@ -921,7 +921,9 @@ impl Describe for SawGinAsPrinted {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: COORDINATES,
             first_order: 4,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

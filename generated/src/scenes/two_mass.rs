@@ -509,7 +509,9 @@ impl Describe for TwoMass {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: COORDINATES,
             first_order: 0,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

@@ -50,7 +50,12 @@ pub mod saw_gin_as_printed;
 pub mod two_mass;
 
 /// Names of all scenes, sorted.
-pub const NAMES: &[&str] = &["motor_run_up", "saw_gin", "saw_gin_as_printed", "two_mass"];
+pub const NAMES: &[&str] = &[
+    "motor_run_up",
+    "saw_gin",
+    "saw_gin_as_printed",
+    "two_mass",
+];
 
 /// The scene of a name.
 #[must_use]

@@ -1,9 +1,15 @@
 //! Lagrangian specs of machines to fast, checked Rust simulators.
+//!
+//! Start with [`Simulation`]; the scenes are in [`machinist_scenes`]. The README
+//! shows the whole of it:
+#![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
 pub mod closed_form;
 pub mod complex_step;
 pub mod error;
+#[cfg(feature = "cli")]
+pub mod interpreted;
 pub mod ledger;
 pub mod method;
 #[cfg(feature = "plot")]
@@ -16,5 +22,3 @@ pub use error::SimulateError;
 pub use method::Method;
 pub use simulate::Simulation;
 pub use trajectory::Trajectory;
-#[cfg(feature = "cli")]
-pub mod interpreted;

@@ -56,18 +56,28 @@ pub struct Page {
     pub all_passed: bool,
 }
 
-/// Makes the page. Brings emitted scenes up to date on the way.
-pub fn page(specs: &Path, emitted: &Path) -> Result<Page, Failure> {
+/// Makes the page, with measured times or without. Brings emitted scenes up to
+/// date on the way.
+pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Failure> {
     let files = specs::scene_files(specs)?;
     let derived = during("deriving", || specs::all(&files, Derived::new))?;
     let programs: Vec<_> = derived.iter().map(|derived| derived.program.clone()).collect();
     let emitted = emit_scenes(emitted, &programs, Mode::Write)?;
-    let scenes = during("simulating", || derived.into_iter().map(SceneData::new).collect());
     let options = VerifyOptions::default();
     let verdicts = during("verifying", || verify_all(&options))
         .map_err(|error| Failure::unsuccessful(error, ""))?;
+    let mut scenes: Vec<SceneData> =
+        during("simulating", || derived.into_iter().map(SceneData::new).collect());
+    // As in the table of checks, which goes from the simple to the whole.
+    scenes.sort_by_key(|scene| {
+        verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
+    });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
-    let work_precision = during("timing the methods", work_precision::measure)?;
+    let work_precision = if with_times {
+        during("timing the methods", work_precision::measure)?
+    } else {
+        Vec::new()
+    };
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
     let report = Report { scenes, emitted, verdicts, ledger, work_precision };
     Ok(Page { html: page::render(&report), all_passed })

@@ -103,7 +103,8 @@ impl Build {
 fn generate(scene: &Path) -> Result<Program, BuildError> {
     println!("cargo:rerun-if-changed={}", scene.display());
     let program = pipeline::generate(scene, Keep::Needed)?;
-    for file in &program.system.files {
+    // Units that come with Machinist have no path; they change with the crate.
+    for file in program.system.files.iter().filter(|file| !file.path.as_os_str().is_empty()) {
         println!("cargo:rerun-if-changed={}", file.path.display());
     }
     Ok(program)

@@ -5,14 +5,15 @@
 
 use std::fmt;
 use std::ops::Range;
-use std::sync::Arc;
 
-use miette::{LabeledSpan, NamedSource, SourceCode};
+use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
 /// Errors reported of one spec before the rest is left out.
 const MAX_REPORTED: usize = 50;
 /// Columns of a rendered report.
 const WIDTH: usize = 100;
+/// Lines kept before and after a mistake.
+const CONTEXT: usize = 3;
 /// Bytes of a line shown at most; longer ones are cut around the mistake.
 const LONG_LINE: usize = 160;
 
@@ -97,7 +98,7 @@ pub struct Diagnostic {
     pub label: String,
     /// How to mend it.
     pub help: Option<String>,
-    source: Option<(NamedSource<Arc<str>>, Range<usize>)>,
+    source: Option<Box<Excerpt>>,
 }
 
 impl Diagnostic {
@@ -129,7 +130,6 @@ impl Diagnostic {
         let end = floor_boundary(text, mistake.span.end as usize).max(start);
         let before = &text[..start];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let (excerpt, range) = excerpt(text, start..end);
         Diagnostic {
             message: mistake.message.clone(),
             file: label.to_owned(),
@@ -137,42 +137,77 @@ impl Diagnostic {
             column: before[line_start..].chars().count() + 1,
             label: mistake.label.clone(),
             help: (!mistake.help.is_empty()).then(|| mistake.help.clone()),
-            source: Some((NamedSource::new(label, excerpt.into()), range)),
+            source: Some(Box::new(Excerpt::new(label, text, start..end))),
         }
     }
 }
 
-/// `text` with long lines cut and control characters replaced, so that a report
-/// stays readable and cannot steer a terminal; with the range moved along.
-fn excerpt(text: &str, range: Range<usize>) -> (String, Range<usize>) {
-    let mut out = String::with_capacity(text.len().min(1 << 20));
-    let mut moved = range.clone();
-    let mut offset = 0;
-    for line in text.split_inclusive('\n') {
-        let inside = range.start.checked_sub(offset).filter(|&at| at < line.len());
-        let window = match inside {
-            _ if line.len() <= LONG_LINE => 0..line.len(),
-            Some(at) => at.saturating_sub(LONG_LINE / 3)..at + 2 * LONG_LINE / 3,
-            None => 0..LONG_LINE,
-        };
-        let from = floor_boundary(line, window.start);
-        let to = floor_boundary(line, window.end);
-        if let Some(at) = inside {
-            moved.start = out.len() + at - from;
-            let length = range.len().min(to.saturating_sub(at));
-            moved.end = moved.start + length;
+/// The lines around a mistake. Long ones are cut and control characters replaced,
+/// so that a report stays readable and cannot steer a terminal.
+#[derive(Debug, Clone)]
+struct Excerpt {
+    name: String,
+    text: String,
+    /// Lines of the file before the first one kept.
+    lines_before: usize,
+    /// The mistake, in bytes of `text`.
+    range: Range<usize>,
+}
+
+impl Excerpt {
+    fn new(name: &str, text: &str, range: Range<usize>) -> Self {
+        let line = text[..range.start].matches('\n').count();
+        let lines_before = line.saturating_sub(CONTEXT);
+        let mut offset = 0;
+        let mut kept = String::new();
+        let mut moved = None;
+        for (index, line) in text.split_inclusive('\n').enumerate().take(line + CONTEXT + 1) {
+            if index >= lines_before {
+                let inside = range.start.checked_sub(offset).filter(|at| *at < line.len());
+                let window = window(line, inside);
+                if let Some(at) = inside {
+                    let start = kept.len() + at - window.start;
+                    moved = Some(start..start + range.len().min(window.end.saturating_sub(at)));
+                }
+                kept.extend(line[window.clone()].chars().map(harmless));
+                if window.end < line.len() {
+                    kept.push('\n');
+                }
+            }
+            offset += line.len();
         }
-        out.extend(line[from..to].chars().map(harmless));
-        if to < line.len() {
-            out.push('\n');
-        }
-        offset += line.len();
+        let end = kept.len()..kept.len();
+        Excerpt { name: name.to_owned(), text: kept, lines_before, range: moved.unwrap_or(end) }
     }
-    let length = out.len();
-    if range.start >= offset {
-        moved = length..length;
+}
+
+impl SourceCode for Excerpt {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        context_lines_before: usize,
+        context_lines_after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let inner = self.text.read_span(span, context_lines_before, context_lines_after)?;
+        Ok(Box::new(MietteSpanContents::new_named(
+            self.name.clone(),
+            inner.data(),
+            *inner.span(),
+            inner.line() + self.lines_before,
+            inner.column(),
+            inner.line_count(),
+        )))
     }
-    (out, moved)
+}
+
+/// The part of a line that is shown; around the mistake, if it is `inside`.
+fn window(line: &str, inside: Option<usize>) -> Range<usize> {
+    let window = match inside {
+        _ if line.len() <= LONG_LINE => 0..line.len(),
+        Some(at) => at.saturating_sub(LONG_LINE / 3)..at + 2 * LONG_LINE / 3,
+        None => 0..LONG_LINE,
+    };
+    floor_boundary(line, window.start)..floor_boundary(line, window.end)
 }
 
 /// ASCII control characters as `?`, which keeps byte offsets.
@@ -206,12 +241,12 @@ impl miette::Diagnostic for Diagnostic {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.source.as_ref().map(|(source, _)| source as &dyn SourceCode)
+        self.source.as_ref().map(|source| source.as_ref() as &dyn SourceCode)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let (_, range) = self.source.as_ref()?;
-        let label = LabeledSpan::new_primary_with_span(Some(self.label.clone()), range.clone());
+        let range = self.source.as_ref()?.range.clone();
+        let label = LabeledSpan::new_primary_with_span(Some(self.label.clone()), range);
         Some(Box::new(std::iter::once(label)))
     }
 }

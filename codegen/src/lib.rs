@@ -2,6 +2,7 @@
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
 pub mod abbreviate;
+mod build;
 pub mod cas;
 pub mod diagnostic;
 pub mod dimension;
@@ -26,3 +27,5 @@ pub mod system;
 pub mod tape;
 pub mod trigonometry;
 pub mod write;
+
+pub use build::{Build, BuildError};

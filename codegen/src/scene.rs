@@ -9,6 +9,7 @@ mod evaluate;
 mod functions;
 mod joints;
 mod layout;
+mod lookup;
 mod names;
 mod resolve;
 mod spline;

@@ -120,7 +120,8 @@ pub const METHODS: &[&str] = &["bdf", "tr_bdf2", "esdirk34", "tsit45"];
 /// A source file that took part, for headers, `rerun-if-changed` and freshness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SourceFile {
-    /// Path as found; absolute paths never reach emitted text.
+    /// Path as found, empty for a unit that comes with Machinist; absolute paths
+    /// never reach emitted text.
     pub path: std::path::PathBuf,
     /// File name relative to the folder of specs, with forward slashes.
     pub label: String,

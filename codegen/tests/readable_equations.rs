@@ -36,3 +36,20 @@ fn every_helper_named_is_defined() {
         assert_eq!(distinct.len(), defined.len(), "no helper is defined twice in {name}");
     }
 }
+
+#[test]
+fn every_unit_of_the_repository_comes_with_machinist() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/units");
+    for file in std::fs::read_dir(folder).expect("the units are there") {
+        let path = file.expect("a file").path();
+        let unit = path.file_stem().and_then(|stem| stem.to_str()).expect("a name").to_owned();
+        let empty = tempfile::tempdir().expect("a folder");
+        let scene = empty.path().join("scene.toml");
+        let text = format!("[scene]\nname = \"alone\"\n[units.it]\nunit = \"{unit}\"\n");
+        std::fs::write(&scene, text).expect("written");
+        // The scene lacks much; that the unit is missing must not be said.
+        if let Err(errors) = pipeline::check(&scene) {
+            assert!(!errors.render().contains("there is no unit"), "{unit}: {}", errors.render());
+        }
+    }
+}

@@ -39,17 +39,17 @@ impl Generate {
 }
 
 fn describe(summary: &Summary) -> String {
-    let mut text = String::new();
+    let mut lines = Vec::new();
     for (file, written) in &summary.files {
         let what = match written {
             Written::Created => "created",
             Written::Changed => "changed",
             Written::Unchanged => "fresh",
         };
-        text.push_str(&format!("{what:<8} {file}\n"));
+        lines.push(format!("{what:<8} {file}\n"));
     }
     for file in &summary.orphans {
-        text.push_str(&format!("orphan   {file}: its scene is no more; delete it\n"));
+        lines.push(format!("orphan   {file}: its scene is no more; delete it\n"));
     }
-    text
+    lines.concat()
 }

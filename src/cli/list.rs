@@ -15,7 +15,6 @@ impl List {
         let found = scenes::NAMES.iter().filter_map(|name| scenes::find::<f64>(name));
         let rows: Vec<[String; 2]> =
             found.map(|scene| [scene.name().to_owned(), scene.title().to_owned()]).collect();
-        let text = columns(&rows, 2);
-        print(&text.lines().map(|line| format!("{}\n", line.trim())).collect::<String>())
+        print(&columns(&rows, 2))
     }
 }

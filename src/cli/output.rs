@@ -71,7 +71,9 @@ pub fn columns<const N: usize>(rows: &[[String; N]], left: usize) -> String {
             let width = *width;
             let cell =
                 if column < left { format!("{cell:<width$}") } else { format!("{cell:>width$}") };
-            line.push_str("  ");
+            if column > 0 {
+                line.push_str("  ");
+            }
             line.push_str(&cell);
         }
         text.push_str(line.trim_end());

@@ -20,12 +20,15 @@ pub struct Report {
     /// The folder of the emitted files, which are brought up to date
     #[arg(long, value_name = "DIR", default_value = EMITTED)]
     emitted: PathBuf,
+    /// Leave out error against run time: the page is then the same every time
+    #[arg(long)]
+    no_times: bool,
 }
 
 impl Report {
     /// The page is written also if a check fails, for it says which.
     pub fn execute(&self) -> Result<(), Failure> {
-        let page = report::page(&self.specs, &self.emitted)?;
+        let page = report::page(&self.specs, &self.emitted, !self.no_times)?;
         std::fs::create_dir_all(&self.out).map_err(|error| Failure::file(&self.out, &error))?;
         let file = self.out.join("index.html");
         write_file(&file, |out| out.write_all(page.html.as_bytes()))?;

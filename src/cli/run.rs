@@ -157,7 +157,7 @@ impl Run {
         let rows = trajectory.columns.iter().filter(shown).map(summary_row);
         text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 2));
         for file in [&self.out, &self.plot].into_iter().flatten() {
-            text.push_str(&format!("\nwrote {}", file.display()));
+            text.extend(["\nwrote ", &file.display().to_string()]);
         }
         text.trim_end().to_owned() + "\n"
     }

@@ -68,7 +68,8 @@ pub fn spec_path(argument: &str) -> Result<PathBuf, Failure> {
 
 /// Whether an argument is meant as a path rather than as a name.
 fn is_path(argument: &str) -> bool {
-    argument.ends_with(".toml") || argument.contains(['/', MAIN_SEPARATOR])
+    Path::new(argument).extension().is_some_and(|ending| ending == "toml")
+        || argument.contains(['/', MAIN_SEPARATOR])
 }
 
 fn unknown(name: &str) -> Failure {

@@ -35,7 +35,7 @@ fn row(equation: &Equation) -> Markup {
 fn meaning(equation: &Equation) -> Markup {
     html! {
         @if equation.subject.len() > 1 { code { (equation.subject) } }
-        @if !equation.doc.is_empty() { " " (equation.doc) }
+        @if !equation.doc.is_empty() && equation.doc != equation.subject { " " (equation.doc) }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Interactive plots. Each is a place and its data; one script, `plots.js`, draws
+//! Interactive plots. Each is a place and its data; one script, `page.js`, draws
 //! them in the colours of the page when they come into view.
 
 use machinist::trajectory::Column;
@@ -11,9 +11,9 @@ use plotly::{Layout, Plot, Scatter};
 use super::work_precision::WorkPrecision;
 
 /// Colours that people with any colour vision can tell apart, on light and dark
-/// (M. Okabe and K. Ito, Color universal design, 2008).
+/// (after M. Okabe and K. Ito, Color universal design, 2008).
 const COLOURS: &[&str] =
-    &["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#8c8c8c", "#a08a00"];
+    &["#2584c6", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#8c8c8c", "#a08a00"];
 
 /// More points than this are drawn by the least and greatest of each bin.
 const MAX_POINTS: usize = 2400;
@@ -26,7 +26,7 @@ pub fn scripts() -> Markup {
     let plotly = sources.split_inclusive("</script>").next().unwrap_or_default();
     html! {
         (PreEscaped(plotly))
-        script { (PreEscaped(include_str!("plots.js"))) }
+        script { (PreEscaped(include_str!("page.js"))) }
     }
 }
 
@@ -114,7 +114,7 @@ fn element(id: &str, plot: &Plot, caption: &Markup) -> Markup {
 fn layout() -> Layout {
     Layout::new()
         .auto_size(true)
-        .margin(Margin::new().left(70).right(14).top(34).bottom(46))
+        .margin(Margin::new().left(56).right(14).top(34).bottom(46))
         .legend(
             Legend::new()
                 .orientation(Orientation::Horizontal)
@@ -176,7 +176,7 @@ mod tests {
         let (x, y) = reduced(&times, &values);
         assert!(x.len() <= MAX_POINTS + 2);
         assert_eq!((x[0], x[x.len() - 1]), (0.0, 9999.0));
-        assert_eq!(y.iter().copied().fold(0.0, f64::max), 7.0);
+        assert!(y.contains(&7.0));
     }
 
     #[test]

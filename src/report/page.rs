@@ -1,12 +1,14 @@
 //! The page: head, contents, summary, and the sections in their order.
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::work_precision::WorkPrecision;
+use super::work_precision::{RUNS, WorkPrecision};
 use super::{Report, figure, ledger, licences, scene, verification};
 
 /// Nothing may be loaded: everything the page needs is in it.
-const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; font-src data:; \
+     img-src data: blob:";
 
 /// The command that makes the page.
 const COMMAND: &str = "cargo run --release -- report";
@@ -26,9 +28,11 @@ pub fn render(report: &Report) -> String {
                         (verification::section(&report.verdicts))
                     }
                     @for data in &report.scenes { (scene::section(data)) }
-                    section id="work-precision" {
-                        h2 { "Error against run time" }
-                        (work_precision(&report.work_precision))
+                    @if !report.work_precision.is_empty() {
+                        section id="work-precision" {
+                            h2 { "Error against run time" }
+                            (work_precision(&report.work_precision))
+                        }
                     }
                     section id="ledger" {
                         h2 { "Reproduction ledger" }
@@ -54,9 +58,19 @@ fn head() -> Markup {
             meta name="viewport" content="width=device-width, initial-scale=1";
             meta name="color-scheme" content="light dark";
             title { "Machinist: report" }
-            style { (PreEscaped(include_str!("style.css"))) }
+            style { (PreEscaped(math_font())) (PreEscaped(include_str!("style.css"))) }
         }
     }
+}
+
+/// The font of the equations, within the page: most systems have none that knows
+/// how to set mathematics.
+fn math_font() -> String {
+    let font = BASE64_STANDARD.encode(include_bytes!("font/latinmodern-math.woff2"));
+    format!(
+        "@font-face {{ font-family: \"Latin Modern Math\"; \
+         src: url(data:font/woff2;base64,{font}) format(\"woff2\"); }}\n"
+    )
 }
 
 fn contents(report: &Report) -> Markup {
@@ -70,7 +84,9 @@ fn contents(report: &Report) -> Markup {
                     @for scene in &report.scenes {
                         li { a href={ "#" (scene.name()) } { (scene.title()) } }
                     }
-                    li { a href="#work-precision" { "Error against run time" } }
+                    @if !report.work_precision.is_empty() {
+                        li { a href="#work-precision" { "Error against run time" } }
+                    }
                     li { a href="#ledger" { "Reproduction ledger" } }
                     li { a href="#licences" { "Licences" } }
                 }
@@ -130,7 +146,7 @@ fn work_precision(measured: &[WorkPrecision]) -> Markup {
                 scene,
                 &html! {
                     code { (scene.scene) } ", measured against " (scene.reference) ". Times are
-                     medians of up to seven runs on the machine that made this page; only their
+                     medians of up to " (RUNS) " runs on the machine that made this page; only their
                      ratios mean anything elsewhere."
                 },
             ))

@@ -112,7 +112,7 @@ fn run(scene: &SceneData, trajectory: &Trajectory) -> Markup {
         ("factorizations", work.factorizations),
         ("Newton iterations", work.newton_iterations),
     ];
-    let how = if scene.is_built_in { "emitted code" } else { "evaluated from its tapes" };
+    let how = if scene.is_built_in { "Emitted code" } else { "Evaluated from its tapes" };
     let (first, last) = match trajectory.times.as_slice() {
         [first, .., last] => (*first, *last),
         _ => (f64::NAN, f64::NAN),
@@ -159,7 +159,7 @@ fn meanings(columns: &[&Column]) -> Markup {
         @for (index, column) in columns.iter().enumerate() {
             @if index > 0 { "; " }
             code { (column.name) }
-            @if !column.doc.is_empty() { " " (column.doc) }
+            @if !column.doc.is_empty() && column.doc != column.name { " " (column.doc) }
         }
     }
 }

@@ -33,19 +33,40 @@ pub fn literal(value: f64) -> Result<TokenStream, NotFinite> {
     TokenStream::from_str(&text).map_err(|_| NotFinite(value))
 }
 
-/// [`literal`], or the standard constant of exactly this value.
+/// [`literal`], or the standard constant of exactly this value, or a small
+/// multiple of pi or its square that is exactly this value.
 ///
 /// # Errors
 /// [`NotFinite`] for infinities and NaN.
 pub fn constant_or_literal(value: f64) -> Result<TokenStream, NotFinite> {
-    let constant = CONSTANTS.iter().find(|(_, known)| known.to_bits() == value.to_bits());
-    match constant {
-        Some((name, _)) => {
-            let path = format!("core::f64::consts::{name}");
-            TokenStream::from_str(&path).map_err(|_| NotFinite(value))
-        }
+    match constant(value).or_else(|| multiple_of_pi(value)) {
+        Some(text) => TokenStream::from_str(&text).map_err(|_| NotFinite(value)),
         None => literal(value),
     }
+}
+
+fn constant(value: f64) -> Option<String> {
+    let constant = CONSTANTS.iter().find(|(_, known)| known.to_bits() == value.to_bits());
+    constant.map(|(name, _)| format!("core::f64::consts::{name}"))
+}
+
+/// Multiples that a reader would not recognise as a decimal number.
+fn multiple_of_pi(value: f64) -> Option<String> {
+    use std::f64::consts::PI;
+    let pi = "core::f64::consts::PI";
+    let is_value = |candidate: f64| candidate.to_bits() == value.to_bits();
+    if is_value(PI * PI) {
+        return Some(format!("{pi} * {pi}"));
+    }
+    (2..=12).map(f64::from).find_map(|factor| {
+        if is_value(factor * PI) {
+            Some(format!("{factor:?} * {pi}"))
+        } else if is_value(factor * PI * PI) {
+            Some(format!("{factor:?} * {pi} * {pi}"))
+        } else {
+            None
+        }
+    })
 }
 
 const CONSTANTS: &[(&str, f64)] = {
@@ -160,6 +181,15 @@ mod tests {
             assert!(literal(value).is_err());
             assert!(super::constant_or_literal(value).is_err());
         }
+    }
+
+    #[test]
+    fn numbers_made_of_pi_are_written_with_pi() {
+        use std::f64::consts::PI;
+        let shown = [PI, 3.0 * PI, PI * PI, 4.0 * PI * PI, 0.1 * PI];
+        let texts = shown.map(|x| super::constant_or_literal(x).expect("finite").to_string());
+        let texts = texts.map(|text| text.replace(' ', "").replace("core::f64::consts::", ""));
+        assert_eq!(texts, ["PI", "3.0*PI", "PI*PI", "4.0*PI*PI", "0.314_159_265_358_979_3"]);
     }
 
     #[test]

@@ -30,20 +30,15 @@ pub fn parameter_values(
         let first = values.len();
         values.extend(unit.parameters.iter().map(|parameter| parameter.value));
         for (name, value) in &instance.parameters {
-            match layout.units[instance.unit].get(&name.value) {
-                Some(Local::Parameter(index)) => values[first + index] = *value,
-                _ => {
-                    let message = format!(
-                        "unit {} has no parameter {}",
-                        quoted(&unit.name),
-                        quoted(&name.value)
-                    );
-                    let known =
-                        unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
-                    let help = did_you_mean(&name.value, known);
-                    mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
-                }
+            if let Some(Local::Parameter(index)) = layout.units[instance.unit].get(&name.value) {
+                values[first + index] = *value;
+                continue;
             }
+            let (unit_name, wanted) = (quoted(&unit.name), quoted(&name.value));
+            let message = format!("unit {unit_name} has no parameter {wanted}");
+            let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
+            let help = did_you_mean(&name.value, known);
+            mistakes.push(Mistake::new(name.span, message, "unknown").help(help));
         }
     }
     values
@@ -385,7 +380,9 @@ fn mark_velocities(expr: &Expr, moving: &mut [bool]) {
         Expr::Symbol(Symbol::Velocity(id)) => moving[id.0 as usize] = true,
         Expr::Symbol(_) | Expr::Number(_) => {}
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
-            parts.iter().for_each(|part| mark_velocities(part, moving));
+            for part in parts {
+                mark_velocities(part, moving);
+            }
         }
         Expr::Power(base, exponent) => {
             mark_velocities(base, moving);

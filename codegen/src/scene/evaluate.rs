@@ -10,6 +10,7 @@ pub fn evaluate(expr: &Expr, parameter: &impl Fn(ParameterId) -> f64) -> f64 {
     match expr {
         Expr::Number(number) => number.to_f64().unwrap_or(f64::NAN),
         Expr::Symbol(Symbol::Parameter(id)) => parameter(*id),
+        Expr::Symbol(Symbol::Pi) => std::f64::consts::PI,
         Expr::Symbol(_) => f64::NAN,
         Expr::Sum(terms) => terms.iter().map(value).sum(),
         Expr::Product(factors) => factors.iter().map(value).product(),

@@ -117,7 +117,7 @@ impl Resolver<'_> {
     /// min(a, b) = a where a < b, else b; max likewise.
     fn extremum(&mut self, min: bool, a: &Ast, b: &Ast, scope: Scope, allowed: Uses) -> Resolved {
         let (x, y) = (self.resolve(a, scope, allowed)?, self.resolve(b, scope, allowed)?);
-        self.agree(b.span, &x, &y)?;
+        Self::agree(b.span, &x, &y)?;
         self.spend(x.terms.saturating_add(y.terms), a.span)?;
         let mut typed = like(&x, &[&x, &y, &x, &y]);
         typed.dimension = x.dimension.or(y.dimension);
@@ -130,7 +130,7 @@ impl Resolver<'_> {
         Ok(typed)
     }
 
-    fn agree(&self, span: Span, a: &Typed, b: &Typed) -> Result<(), Box<Mistake>> {
+    fn agree(span: Span, a: &Typed, b: &Typed) -> Result<(), Box<Mistake>> {
         match a.dimension.zip(b.dimension) {
             Some((a, b)) if a != b => {
                 let message = format!("the values before are in {a}, but this one is in {b}");
@@ -230,7 +230,7 @@ impl Resolver<'_> {
     fn piece(&mut self, ast: &Ast, before: &[Typed], scope: Scope, allowed: Uses) -> Resolved {
         let value = self.resolve(ast, scope, allowed)?;
         if let Some(known) = before.iter().find(|part| part.dimension.is_some()) {
-            self.agree(ast.span, known, &value)?;
+            Self::agree(ast.span, known, &value)?;
         }
         Ok(value)
     }

@@ -11,6 +11,9 @@ use crate::spec::{
     CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, quoted,
 };
 
+/// Named things that all instances may have together.
+const MAX_NAMES: usize = 20_000;
+
 /// What a name stands for; indices are of the unit's or the scene's own lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Local {
@@ -99,12 +102,19 @@ impl Layout {
         }
         let mut next = [0, spec.parameters.len(), 0];
         let mut first = Vec::new();
+        let mut size = 0;
         for instance in &spec.instances {
             first.push(next);
             let unit = &spec.units[instance.unit];
             next[0] += unit.coordinates.len();
             next[1] += unit.parameters.len();
             next[2] += unit.states.len();
+            let names = units[instance.unit].order.len();
+            if size <= MAX_NAMES && size + names > MAX_NAMES {
+                let message = format!("a scene has at most {MAX_NAMES} named things");
+                mistakes.push(Mistake::new(instance.name.span, message, "too many from here on"));
+            }
+            size += names;
         }
         let slots = next[0];
         let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });

@@ -2,18 +2,18 @@
 //! helpers are put in, dimensions are checked term by term.
 
 use std::collections::HashMap;
-use std::rc::Rc;
 
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 
 use crate::diagnostic::{Mistake, Span};
 use crate::dimension::{Angular, Dimension, Unit};
-use crate::expr::{Expr, Symbol};
-use crate::scene::layout::{Layout, Link, Local, Scope, find_instance};
+use crate::expr::Expr;
+use crate::scene::layout::{Layout, Scope};
+use crate::scene::lookup::{Definition, State};
 use crate::scene::typed::{self, Typed, Uses, integer, product, sum};
 use crate::spec::expression::{Ast, MAX_NESTING, Node};
-use crate::spec::{Declared, DefinitionSpec, Formula, SceneSpec, did_you_mean, quoted};
+use crate::spec::{Formula, SceneSpec};
 use crate::system::Table;
 
 /// Leaves an expression may have once helpers are put in.
@@ -25,8 +25,6 @@ const MAX_SCENE_TERMS: usize = 1_000_000;
 const MAX_LEVELS: usize = 3 * MAX_NESTING + 2;
 /// Bits that exact numbers could grow to.
 const MAX_BITS: u64 = 1 << 24;
-/// pi to fifty digits, so that folding exact numbers loses nothing.
-const PI: &str = "3.1415926535897932384626433832795028841971693993751";
 
 pub(super) type Resolved = Result<Typed, Box<Mistake>>;
 
@@ -53,32 +51,18 @@ impl Wanted {
     }
 }
 
-/// A named expression of a scope.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Definition {
-    Helper(Scope, usize),
-    Input(usize, usize),
-    Output(usize, usize),
-}
-
-enum State {
-    Pending,
-    Done(Rc<Typed>),
-    Failed(Box<Mistake>),
-}
-
 /// Resolves expressions, each definition once.
 pub struct Resolver<'a> {
     pub(super) spec: &'a SceneSpec,
     pub(super) layout: &'a Layout,
-    definitions: HashMap<Definition, State>,
+    pub(super) definitions: HashMap<Definition, State>,
     /// Tables in use, with the CSV file and column they are from.
     pub(super) tables: Vec<Table>,
     pub(super) table_columns: Vec<(usize, usize)>,
     /// Times of jumps, each once.
     pub(super) discontinuities: Vec<Expr>,
-    level: usize,
-    spent: usize,
+    pub(super) level: usize,
+    pub(super) spent: usize,
     spent_in_all: usize,
 }
 
@@ -171,7 +155,7 @@ impl<'a> Resolver<'a> {
         resolved.and_then(|typed| sound(typed, ast.span))
     }
 
-    fn sum(
+    pub(super) fn sum(
         &mut self,
         terms: &[(bool, Ast)],
         scope: Scope,
@@ -264,229 +248,7 @@ impl<'a> Resolver<'a> {
         Ok(typed)
     }
 
-    fn name(
-        &mut self,
-        instance: Option<&str>,
-        name: &str,
-        span: Span,
-        scope: Scope,
-        allowed: Uses,
-    ) -> Resolved {
-        let typed = match (instance, scope, name) {
-            (None, _, "t") => {
-                let unit = Unit { dimension: Dimension::TIME, rad: 0 };
-                let uses = Uses { time: true, ..Uses::default() };
-                self.leaf(Symbol::Time, unit, uses, span)?
-            }
-            (None, _, "pi") => {
-                self.spend(1, span)?;
-                let pi = crate::spec::expression::Literal::parse(PI);
-                let pi = Typed::number(&pi.map_or_else(BigRational::zero, |pi| pi.0), None);
-                Typed { expr: Expr::Symbol(Symbol::Pi), ..pi }
-            }
-            (None, ..) => self.local(name, span, scope)?,
-            (Some(_), Scope::Instance(_), _) => {
-                let message = "a name with a dot is used in scenes only";
-                let help = "a unit knows its own names; let the scene bind an input";
-                return Err(Box::new(Mistake::new(span, message, "not in a unit").help(help)));
-            }
-            (Some(instance), Scope::Scene, _) => {
-                let instance = find_instance(self.spec, instance, span)?;
-                self.local(name, span, Scope::Instance(instance))?
-            }
-        };
-        match typed.uses.beyond(allowed) {
-            None => Ok(typed),
-            Some(what) => {
-                let message =
-                    format!("{} depends on {what}, which is not allowed here", quoted(name));
-                let help = match what {
-                    "an acceleration" => "accelerations may be used in outputs only",
-                    "a velocity" => "write it with coordinates, states, time and parameters",
-                    _ => "write it with numbers and parameters",
-                };
-                Err(Box::new(Mistake::new(span, message, "not allowed here").help(help)))
-            }
-        }
-    }
-
-    fn local(&mut self, name: &str, span: Span, scope: Scope) -> Resolved {
-        let names = match scope {
-            Scope::Scene => &self.layout.scene,
-            Scope::Instance(instance) => &self.layout.units[self.spec.instances[instance].unit],
-        };
-        let Some(local) = names.get(name) else {
-            let message = format!("unknown name {}", quoted(name));
-            let help = did_you_mean(name, names.iter());
-            return Err(Box::new(Mistake::new(span, message, "unknown").help(help)));
-        };
-        match (scope, local) {
-            (scope, Local::Helper(index)) => {
-                self.definition(Definition::Helper(scope, index), span)
-            }
-            (Scope::Instance(i), Local::Input(index)) => {
-                self.definition(Definition::Input(i, index), span)
-            }
-            (Scope::Instance(i), Local::Output(index)) => {
-                self.definition(Definition::Output(i, index), span)
-            }
-            (scope, Local::Parameter(index)) => {
-                let unit = self.parameter_unit(scope, index);
-                let symbol = Symbol::Parameter(self.layout.parameter(scope, index));
-                self.leaf(symbol, unit, Uses::default(), span)
-            }
-            (Scope::Instance(instance), local) => self.motion(instance, local, span),
-            (Scope::Scene, _) => {
-                Err(Box::new(Mistake::new(span, "this name has no value", "not a value")))
-            }
-        }
-    }
-
-    fn parameter_unit(&self, scope: Scope, index: usize) -> Unit {
-        match scope {
-            Scope::Scene => self.spec.parameters[index].unit.unit,
-            Scope::Instance(i) => {
-                self.spec.units[self.spec.instances[i].unit].parameters[index].unit.unit
-            }
-        }
-    }
-
-    /// A coordinate, its rates, or a state.
-    fn motion(&mut self, instance: usize, local: Local, span: Span) -> Resolved {
-        let unit = &self.spec.units[self.spec.instances[instance].unit];
-        let none = Uses::default();
-        let (index, order, uses) = match local {
-            Local::Velocity(index) => (index, 1, Uses { velocity: true, ..none }),
-            Local::Acceleration(index) => (index, 2, Uses { acceleration: true, ..none }),
-            Local::Coordinate(index) => (index, 0, Uses { position: true, ..none }),
-            Local::State(index) => {
-                let symbol = Symbol::FirstOrder(self.layout.state(instance, index));
-                let uses = Uses { position: true, ..none };
-                return self.leaf(symbol, unit.states[index].unit.unit, uses, span);
-            }
-            _ => return Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
-        };
-        let declared = unit.coordinates[index].unit.unit;
-        let declared = declared.per_second(order).ok_or_else(|| beyond_reason(span))?;
-        let Link { id, factor } = self.layout.link(instance, index);
-        let symbol = match order {
-            0 => Symbol::Coordinate(*id),
-            1 => Symbol::Velocity(*id),
-            _ => Symbol::Acceleration(*id),
-        };
-        let mut typed = self.leaf(symbol, declared, uses, span)?;
-        if let Some(factor) = factor {
-            let leaves = leaves(factor);
-            self.spend(leaves, span)?;
-            typed.terms += leaves;
-            typed.depth += 3;
-            typed.expr = product(vec![factor.clone(), typed.expr]);
-        }
-        Ok(typed)
-    }
-
-    fn leaf(&mut self, symbol: Symbol, unit: Unit, uses: Uses, span: Span) -> Resolved {
-        self.spend(1, span)?;
-        let angular = Angular::of(unit, uses.moves());
-        Ok(Typed::leaf(Expr::Symbol(symbol), unit.dimension, angular, uses))
-    }
-
-    /// A helper, input or output, resolved once and copied from then on.
-    fn definition(&mut self, definition: Definition, span: Span) -> Resolved {
-        let done = match self.definitions.get(&definition) {
-            Some(State::Done(done)) => Rc::clone(done),
-            Some(State::Failed(mistake)) => return Err(mistake.clone()),
-            Some(State::Pending) => {
-                let mistake =
-                    Mistake::new(span, "this definition refers to itself", "back to itself");
-                return Err(Box::new(mistake.help("a helper cannot be made of itself")));
-            }
-            None => {
-                self.definitions.insert(definition, State::Pending);
-                self.descend(span, 0)?;
-                let (level, spent) = (self.level, std::mem::take(&mut self.spent));
-                let resolved = self.resolve_definition(definition);
-                (self.level, self.spent) = (level, spent);
-                match resolved {
-                    Ok(typed) => {
-                        let done = Rc::new(typed);
-                        self.definitions.insert(definition, State::Done(Rc::clone(&done)));
-                        done
-                    }
-                    Err(mistake) => {
-                        self.definitions.insert(definition, State::Failed(mistake.clone()));
-                        return Err(mistake);
-                    }
-                }
-            }
-        };
-        self.descend(span, done.depth + 1)?;
-        self.spend(done.terms, span)?;
-        let mut typed = Typed::clone(&done);
-        typed.depth += 1;
-        Ok(typed)
-    }
-
-    fn resolve_definition(&mut self, definition: Definition) -> Resolved {
-        let spec = self.spec;
-        let unit = |instance: usize| &spec.units[spec.instances[instance].unit];
-        match definition {
-            Definition::Helper(Scope::Scene, index) => {
-                self.named(&spec.helpers[index], Scope::Scene, "helper", Uses::MOTION)
-            }
-            Definition::Helper(scope @ Scope::Instance(instance), index) => {
-                self.named(&unit(instance).helpers[index], scope, "helper", Uses::MOTION)
-            }
-            Definition::Output(instance, index) => {
-                let output = &unit(instance).outputs[index];
-                self.named(output, Scope::Instance(instance), "output", Uses::ANYTHING)
-            }
-            Definition::Input(instance, index) => {
-                let input = &unit(instance).inputs[index];
-                let instance = &spec.instances[instance];
-                let bound = instance.inputs.iter().find(|(name, _)| name.value == input.name.value);
-                let Some((_, formula)) = bound else {
-                    return Err(Box::new(unbound(input, instance)));
-                };
-                let what = format!("input {}", quoted(&input.name.value));
-                let wanted = Wanted::new(input.unit.unit.dimension, what);
-                let typed = match formula {
-                    Formula::Expression(ast) => self.nested(ast, Scope::Scene, &wanted)?,
-                    Formula::Number(_) => self.formula(formula, Scope::Scene, &wanted)?,
-                };
-                Ok(declared(typed, &input.unit))
-            }
-        }
-    }
-
-    fn named(
-        &mut self,
-        definition: &DefinitionSpec,
-        scope: Scope,
-        kind: &str,
-        allowed: Uses,
-    ) -> Resolved {
-        let what = format!("{kind} {}", quoted(&definition.name.value));
-        let wanted = Wanted::new(definition.unit.unit.dimension, what).of(allowed);
-        let typed = self.nested(&definition.expression, scope, &wanted)?;
-        Ok(declared(typed, &definition.unit))
-    }
-
-    /// As [`Resolver::expect`], but counting levels from where it is used, so that
-    /// a chain of definitions cannot exhaust the stack.
-    fn nested(&mut self, ast: &Ast, scope: Scope, wanted: &Wanted) -> Resolved {
-        self.level += 1;
-        let typed = match &ast.node {
-            Node::Sum(terms) => self.sum(terms, scope, wanted.allowed, Some(wanted)),
-            _ => self.resolve(ast, scope, wanted.allowed),
-        };
-        self.level -= 1;
-        let typed = typed?;
-        fits(ast.span, &typed, wanted)?;
-        sound(typed, ast.span)
-    }
-
-    fn descend(&self, span: Span, levels: usize) -> Result<(), Box<Mistake>> {
+    pub(super) fn descend(&self, span: Span, levels: usize) -> Result<(), Box<Mistake>> {
         if self.level + levels <= MAX_LEVELS {
             return Ok(());
         }
@@ -507,35 +269,6 @@ impl<'a> Resolver<'a> {
             format!("with helpers put in, the scene has more than {MAX_SCENE_TERMS} terms")
         };
         Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
-    }
-}
-
-/// An input that the scene does not bind.
-fn unbound(input: &crate::spec::InputSpec, instance: &crate::spec::InstanceSpec) -> Mistake {
-    let (name, of) = (quoted(&input.name.value), quoted(&instance.name.value));
-    let help = format!(
-        "write inputs = {{ {} = \"...\" }}, an expression in {}",
-        input.name.value, input.unit.text
-    );
-    let message = format!("input {name} of {of} is not bound");
-    Mistake::new(instance.name.span, message, "lacks an input").help(help)
-}
-
-/// A named expression is what it is declared to be.
-fn declared(mut typed: Typed, unit: &Declared) -> Typed {
-    typed.dimension = Some(unit.unit.dimension);
-    typed.angular = Angular::of(unit.unit, typed.uses.moves());
-    typed
-}
-
-/// Leaves of an expression.
-fn leaves(expr: &Expr) -> usize {
-    match expr {
-        Expr::Number(_) | Expr::Symbol(_) => 1,
-        Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
-            parts.iter().map(leaves).sum()
-        }
-        Expr::Power(base, exponent) => leaves(base) + leaves(exponent),
     }
 }
 
@@ -584,7 +317,7 @@ fn short(number: &BigRational) -> Option<()> {
 }
 
 /// Refuses a term of another dimension than wanted.
-fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<Mistake>> {
+pub(super) fn fits(span: Span, part: &Typed, wanted: &Wanted) -> Result<(), Box<Mistake>> {
     let what = &wanted.what;
     if let Some(dimension) = part.dimension
         && dimension != wanted.dimension
@@ -617,7 +350,7 @@ fn same(span: Span, part: &Typed, before: &[Typed]) -> Result<(), Box<Mistake>> 
 }
 
 /// Refuses numbers that no f64 can hold.
-fn sound(typed: Typed, span: Span) -> Resolved {
+pub(super) fn sound(typed: Typed, span: Span) -> Resolved {
     if typed.value.is_some_and(|value| !value.is_finite()) {
         return Err(Box::new(Mistake::new(span, "this is not a finite number", "not finite")));
     }
@@ -632,6 +365,6 @@ fn guard_bits(bits: u64, span: Span) -> Result<(), Box<Mistake>> {
     Err(Box::new(Mistake::new(span, message, "grows beyond the limit here")))
 }
 
-fn beyond_reason(span: Span) -> Box<Mistake> {
-    Box::new(Mistake::new(span, "exponents of units grow beyond all reason", "here"))
+pub(super) fn beyond_reason(span: Span) -> Mistake {
+    Mistake::new(span, "exponents of units grow beyond all reason", "here")
 }

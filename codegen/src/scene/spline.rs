@@ -63,10 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn a_natural_cubic_is_reproduced() {
-        // y = x^3 - 9 x^2 has y'' = 0 at 3; mirrored about it, at both ends of
-        // [3 - 0, 3] only one end is natural, so take y = 3 x^2 - x^3 halves:
-        // y'' of a straight line is 0 everywhere.
+    fn a_straight_line_is_reproduced() {
         let x = [-1.0, 0.5, 2.0, 4.0];
         let y = x.map(|x| 2.0 * x - 1.0);
         for (row, (x, y)) in natural(&x, &y).unwrap_or_default().iter().zip(x.iter().zip(y)) {
@@ -88,7 +85,7 @@ mod tests {
             }
         }
         assert!((at(&rows[4], 1.5)[0] + 1.0).abs() < 1e-12);
-        assert_eq!(at(&rows[0], 0.0)[2], 0.0);
+        assert!(at(&rows[0], 0.0)[2].abs() < 1e-15);
         assert!(at(&rows[4], 1.5)[2].abs() < 1e-10);
     }
 

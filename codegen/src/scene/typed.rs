@@ -9,6 +9,7 @@ use crate::expr::{Expr, Function};
 
 /// What an expression depends on besides parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "a set of four")]
 pub struct Uses {
     pub time: bool,
     /// Coordinates and first-order states.

@@ -50,14 +50,18 @@ impl Ast {
             Node::Number(..) | Node::Name(..) | Node::Text(_) => {}
             Node::Negative(of) => of.tables(files),
             Node::Sum(parts) | Node::Product(parts) => {
-                parts.iter().for_each(|(_, part)| part.tables(files));
+                for (_, part) in parts {
+                    part.tables(files);
+                }
             }
             Node::Power(a, b) | Node::Less(a, b) => {
                 a.tables(files);
                 b.tables(files);
             }
             Node::Call(function, _, arguments) => {
-                arguments.iter().for_each(|argument| argument.tables(files));
+                for argument in arguments {
+                    argument.tables(files);
+                }
                 if let ("table", Some(Ast { span, node: Node::Text(path) })) =
                     (function.as_str(), arguments.first())
                 {
@@ -80,7 +84,7 @@ pub fn parse(text: &Text<'_>) -> Result<Ast, Box<Mistake>> {
     let ast = parser.sum()?;
     match parser.peek() {
         None => Ok(ast),
-        Some(token) => Err(parser.unexpected(token)),
+        Some(token) => Err(Box::new(Parser::unexpected(token))),
     }
 }
 
@@ -143,7 +147,7 @@ impl<'a> Parser<'a> {
     /// number \[unit\] | name | name "(" arguments ")" | "(" sum ")".
     fn atom(&mut self) -> Parsed {
         let Some(token) = self.peek() else {
-            return Err(self.missing("the expression ends too early"));
+            return Err(Box::new(self.missing("the expression ends too early")));
         };
         self.at += 1;
         match &token.value {
@@ -157,7 +161,7 @@ impl<'a> Parser<'a> {
                 inside.span = token.span.to(self.close(token.span)?);
                 Ok(inside)
             }
-            _ => Err(self.unexpected(token)),
+            _ => Err(Box::new(Parser::unexpected(token))),
         }
     }
 
@@ -218,7 +222,7 @@ impl<'a> Parser<'a> {
                 self.at += 1;
                 Ok(*span)
             }
-            Some(token) => Err(self.unexpected(token)),
+            Some(token) => Err(Box::new(Parser::unexpected(token))),
             None => {
                 let mistake = Mistake::new(open, "a closing parenthesis is missing", "opened here");
                 Err(Box::new(mistake))
@@ -241,11 +245,11 @@ impl<'a> Parser<'a> {
         self.peek().map_or(self.end, |token| token.span)
     }
 
-    fn missing(&self, message: &str) -> Box<Mistake> {
-        Box::new(Mistake::new(self.end, message, "something is missing here"))
+    fn missing(&self, message: &str) -> Mistake {
+        Mistake::new(self.end, message, "something is missing here")
     }
 
-    fn unexpected(&self, token: &Spanned<Token>) -> Box<Mistake> {
+    fn unexpected(token: &Spanned<Token>) -> Mistake {
         let (message, help) = match &token.value {
             Token::Mark('<') => (
                 "a comparison stands only in piecewise".to_owned(),
@@ -264,7 +268,7 @@ impl<'a> Parser<'a> {
                 "it follows a number: 0.1 [s]",
             ),
         };
-        Box::new(Mistake::new(token.span, message, "not expected").help(help))
+        Mistake::new(token.span, message, "not expected").help(help)
     }
 }
 
@@ -278,4 +282,96 @@ fn joined(mut parts: Vec<(bool, Ast)>, node: fn(Vec<(bool, Ast)>) -> Node) -> As
     let first = parts[0].1.span;
     let span = parts.iter().fold(first, |span, (_, part)| span.to(part.span));
     Ast { span, node: node(parts) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::FileId;
+    use crate::spec::toml::Tree;
+
+    /// The expression with every grouping written out.
+    fn grouped(text: &str) -> String {
+        let span = Span::new(FileId(0), 0..text.len());
+        let tree = Spanned { value: Tree::Text { value: text.to_owned(), inner: Some(0) }, span };
+        let read = Text::of(&tree).map(|text| parse(&text));
+        match read {
+            Some(Ok(ast)) => show(&ast),
+            Some(Err(mistake)) => format!("{} at {}", mistake.message, mistake.span.start),
+            None => String::new(),
+        }
+    }
+
+    fn show(ast: &Ast) -> String {
+        let parts = |parts: &[(bool, Ast)], marks: [&str; 2]| {
+            let shown = parts
+                .iter()
+                .map(|(second, part)| format!("{}{}", marks[usize::from(*second)], show(part)));
+            format!("({})", shown.collect::<String>())
+        };
+        match &ast.node {
+            Node::Number(number, unit) => {
+                format!(
+                    "{}{}",
+                    number.0,
+                    unit.map_or(String::new(), |u| format!("[{}]", u.dimension))
+                )
+            }
+            Node::Name(None, name) => name.clone(),
+            Node::Name(Some(instance), name) => format!("{instance}.{name}"),
+            Node::Negative(of) => format!("(-{})", show(of)),
+            Node::Sum(terms) => parts(terms, ["+", "-"]),
+            Node::Product(factors) => parts(factors, ["*", "/"]),
+            Node::Power(base, exponent) => format!("({}^{})", show(base), show(exponent)),
+            Node::Call(name, _, arguments) => {
+                format!("{name}({})", arguments.iter().map(show).collect::<Vec<_>>().join(", "))
+            }
+            Node::Less(a, b) => format!("{} < {}", show(a), show(b)),
+            Node::Text(text) => format!("{text:?}"),
+        }
+    }
+
+    #[test]
+    fn operators_bind_as_in_mathematics() {
+        for (text, expected) in [
+            ("-x^2", "(-(x^2))"),
+            ("x^-2", "(x^(-2))"),
+            ("x^y^z", "(x^(y^z))"),
+            ("a - b - c", "(+a-b-c)"),
+            ("a/b*c/d", "(*a/b*c/d)"),
+            ("a + b*c^2", "(+a+(*b*(c^2)))"),
+            ("-a*b", "(*(-a)*b)"),
+            ("2*-a", "(*2*(-a))"),
+            ("(a + b)*c", "(*(+a+b)*c)"),
+            ("0.1 [s]*motor.phi", "(*1/10[s]*motor.phi)"),
+            ("2e3", "2000"),
+            ("piecewise(t < 1 [s], a, b)", "piecewise(t < 1[s], a, b)"),
+            ("table('a b.csv', \"load\", t)", "table(\"a b.csv\", \"load\", t)"),
+            (" \n a\t", "a"),
+        ] {
+            assert_eq!(grouped(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_fits_no_rule_is_refused_where_it_stands() {
+        for (text, expected) in [
+            ("", "the expression ends too early at 0"),
+            ("a +", "the expression ends too early at 3"),
+            ("a b", "a name is not expected here at 2"),
+            ("2 3", "a number is not expected here at 2"),
+            ("f(a", "a closing parenthesis is missing at 1"),
+            ("(a]", "`]` does not belong in an expression at 2"),
+            ("a**b", "`**` is no operator at 1"),
+            ("a <= b", "`<=` is no operator at 2"),
+            ("a; b", "`;` does not belong in an expression at 1"),
+            ("f(a,)", "`)` is not expected here at 4"),
+            ("a [m]", "a unit in brackets is not expected here at 2"),
+            ("2 [mm]", "unknown unit of measure \"mm\" at 3"),
+            ("2 [m", "`]` is missing at 2"),
+            ("2.", "digits are missing after the point at 0"),
+        ] {
+            assert_eq!(grouped(text), expected, "{text}");
+        }
+    }
 }

@@ -141,7 +141,7 @@ impl Lexer<'_> {
                 };
                 let message =
                     format!("{} does not belong in an expression", quoted(&other.to_string()));
-                Err(self.mistake(range, message, "here", help))
+                Err(Box::new(self.mistake(range, message, "here", help)))
             }
         }
     }
@@ -156,7 +156,7 @@ impl Lexer<'_> {
         };
         let range = self.at - 1..self.at + 1;
         let message = format!("{} is no operator", quoted(&self.text.value[range.clone()]));
-        Err(self.mistake(range, message, "here", help))
+        Err(Box::new(self.mistake(range, message, "here", help)))
     }
 
     fn number(&mut self) -> Result<Token, Box<Mistake>> {
@@ -166,7 +166,12 @@ impl Lexer<'_> {
             self.at += 1;
             if self.digits() == 0 {
                 let message = "digits are missing after the point".to_owned();
-                return Err(self.mistake(start..self.at, message, "here", "write 2 or 2.0"));
+                return Err(Box::new(self.mistake(
+                    start..self.at,
+                    message,
+                    "here",
+                    "write 2 or 2.0",
+                )));
             }
         }
         let before_exponent = self.at;
@@ -178,14 +183,12 @@ impl Lexer<'_> {
             }
         }
         let range = start..self.at;
-        match Literal::parse(&self.text.value[range.clone()]) {
-            Some(literal) => Ok(Token::Number(literal)),
-            None => {
-                let message = "this number cannot be held by an f64".to_owned();
-                let help = "sizes go from about 1e-308 to 1e308";
-                Err(self.mistake(range, message, "too large or too small", help))
-            }
+        if let Some(literal) = Literal::parse(&self.text.value[range.clone()]) {
+            return Ok(Token::Number(literal));
         }
+        let message = "this number cannot be held by an f64".to_owned();
+        let help = "sizes go from about 1e-308 to 1e308";
+        Err(Box::new(self.mistake(range, message, "too large or too small", help)))
     }
 
     fn digits(&mut self) -> usize {
@@ -220,23 +223,19 @@ impl Lexer<'_> {
         let range = self.delimited('[', ']')?;
         Unit::parse(&self.text.value[range.clone()]).map(Token::Unit).map_err(|error| {
             let at = range.start + error.range.start..range.start + error.range.end;
-            self.mistake(at, error.message, "here", &error.help)
+            Box::new(self.mistake(at, error.message, "here", &error.help))
         })
     }
 
     /// What stands between `open`, which is next, and `close`.
     fn delimited(&mut self, open: char, close: char) -> Result<Range<usize>, Box<Mistake>> {
         let start = self.at + open.len_utf8();
-        match self.text.value[start..].find(close) {
-            Some(length) => {
-                self.at = start + length + close.len_utf8();
-                Ok(start..start + length)
-            }
-            None => {
-                let message = format!("{} is missing", quoted(&close.to_string()));
-                Err(self.mistake(self.at..start, message, "opened here", ""))
-            }
-        }
+        let Some(length) = self.text.value[start..].find(close) else {
+            let message = format!("{} is missing", quoted(&close.to_string()));
+            return Err(Box::new(self.mistake(self.at..start, message, "opened here", "")));
+        };
+        self.at = start + length + close.len_utf8();
+        Ok(start..start + length)
     }
 
     fn skip_space(&mut self) -> Option<char> {
@@ -249,14 +248,8 @@ impl Lexer<'_> {
         &self.text.value[self.at..]
     }
 
-    fn mistake(
-        &self,
-        range: Range<usize>,
-        message: String,
-        label: &str,
-        help: &str,
-    ) -> Box<Mistake> {
-        Box::new(Mistake::new(self.text.span(range), message, label).help(help))
+    fn mistake(&self, range: Range<usize>, message: String, label: &str, help: &str) -> Mistake {
+        Mistake::new(self.text.span(range), message, label).help(help)
     }
 }
 

@@ -9,8 +9,20 @@ use crate::spec::scene::{self, SceneText};
 use crate::spec::source::{Sources, folder_of};
 use crate::spec::{InstanceSpec, SceneSpec, UnitSpec, table, toml, unit};
 
+macro_rules! builtin {
+    ($name:literal) => {
+        ($name, include_str!(concat!("../../../specs/units/", $name, ".toml")))
+    };
+}
+
 /// The units that come with Machinist, by name; the one list of them.
-const BUILTIN_UNITS: &[(&str, &str)] = &[];
+const BUILTIN_UNITS: &[(&str, &str)] = &[
+    builtin!("coupling"),
+    builtin!("induction_motor"),
+    builtin!("induction_motor_as_printed"),
+    builtin!("rotor"),
+    builtin!("technological_load"),
+];
 
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
     let mut sources = Sources::beside(path);

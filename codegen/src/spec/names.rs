@@ -91,3 +91,48 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -
         None => format!("known are {}, ...", candidates[..12].join(", ")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::{FileId, Span};
+
+    fn is_name(text: &str) -> bool {
+        let span = Span::new(FileId(0), 0..0);
+        check(&Spanned { value: text.to_owned(), span }).is_ok()
+    }
+
+    #[test]
+    fn names_are_identifiers_of_rust() {
+        for text in ["J", "psi_x1", "angle_dot", "raw", "e", "x_", "T"] {
+            assert!(is_name(text), "{text}");
+            assert!(syn::parse_str::<syn::Ident>(text).is_ok(), "{text}");
+        }
+        assert!(is_name(&"a".repeat(64)));
+        assert!(!is_name(&"a".repeat(65)));
+    }
+
+    #[test]
+    fn what_rust_reserves_is_no_name() {
+        for keyword in RUST_KEYWORDS {
+            assert!(!is_name(keyword), "{keyword}");
+        }
+        // Keywords that syn knows are all on the list.
+        for word in ["self", "Self", "try", "async", "yield", "macro", "typeof", "become", "crate"]
+        {
+            assert!(syn::parse_str::<syn::Ident>(word).is_err() && !is_name(word), "{word}");
+        }
+        for text in ["", "_x", "1x", "a b", "a-b", "\u{3c6}", "r#try", "x;", "pi", "t", "sin", "'a"]
+        {
+            assert!(!is_name(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn hints_name_the_likest_candidate() {
+        let known = ["coordinate", "kind"];
+        assert_eq!(did_you_mean("cordinate", known.into_iter()), "did you mean `coordinate`?");
+        assert_eq!(did_you_mean("zzz", known.into_iter()), "known are coordinate, kind");
+        assert_eq!(did_you_mean("zzz", std::iter::empty()), "");
+    }
+}

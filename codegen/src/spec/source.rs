@@ -99,7 +99,7 @@ impl Sources {
     /// Path relative to the root if it is below it, else the file's name.
     fn label(&self, path: &Path) -> String {
         let whole = std::fs::canonicalize(folder_of(path)).unwrap_or_default();
-        let name = path.file_name().map(Path::new).unwrap_or(Path::new("?"));
+        let name = path.file_name().map_or(Path::new("?"), Path::new);
         let below = match whole.strip_prefix(&self.root) {
             Ok(below) if !self.root.as_os_str().is_empty() => below.join(name),
             _ => name.to_path_buf(),

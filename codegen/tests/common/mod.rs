@@ -98,6 +98,8 @@ fn symbol(symbol: Symbol, system: &LagrangianSystem) -> String {
     let coordinate = |id: machinist_codegen::expr::CoordinateId| &system.coordinates[id.0 as usize];
     match symbol {
         Symbol::Time => "t".to_owned(),
+        Symbol::Pi => "pi".to_owned(),
+        Symbol::Helper(id) => format!("helper {}", id.0),
         Symbol::Coordinate(id) => coordinate(id).position.name.path.clone(),
         Symbol::Velocity(id) => coordinate(id).velocity.name.path.clone(),
         Symbol::Acceleration(id) => format!("{}''", coordinate(id).position.name.path),

@@ -50,6 +50,7 @@ pub mod saw_gin_as_printed;
 pub mod two_mass;
 
 /// Names of all scenes, sorted.
+#[rustfmt::skip]
 pub const NAMES: &[&str] = &[
     "motor_run_up",
     "saw_gin",

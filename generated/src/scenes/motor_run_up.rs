@@ -448,8 +448,9 @@ pub fn parameter_jacobian<R: Real>(
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(9.424_777_960_769_38)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
+    let motor_omega_dot_by_motor_supply_frequency = R::literal(
+        3.0 * core::f64::consts::PI,
+    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
         * inverse_motor_inertia;
     let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)

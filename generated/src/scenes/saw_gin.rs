@@ -659,8 +659,9 @@ pub fn parameter_jacobian<R: Real>(
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
-    let motor_omega_dot_by_motor_supply_frequency = R::literal(9.424_777_960_769_38)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t6
+    let motor_omega_dot_by_motor_supply_frequency = R::literal(
+        3.0 * core::f64::consts::PI,
+    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t6
         * inverse_motor_inertia;
     let t15 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
@@ -714,8 +715,8 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia);
     let t17 = t8.cos();
     let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
-        * p.load_amplitude * R::literal(9.869_604_401_089_358) * time * load_engagement
-        * t17 * t11 * inverse_cylinder_inertia);
+        * p.load_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+        * time * load_engagement * t17 * t11 * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t17
         * t11 * inverse_cylinder_inertia);
     let t18 = t3 * t3;

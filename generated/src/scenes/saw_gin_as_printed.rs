@@ -717,8 +717,8 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia);
     let t11 = t6.cos();
     let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
-        * p.load_amplitude * R::literal(9.869_604_401_089_358) * time * load_engagement
-        * t11 * t9 * inverse_cylinder_inertia);
+        * p.load_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+        * time * load_engagement * t11 * t9 * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t11
         * t9 * inverse_cylinder_inertia);
     let t12 = t1 * t1;

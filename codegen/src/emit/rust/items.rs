@@ -284,6 +284,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
         use #contract::{Real, Simulator};
         #(#declarations)*
         #names_doc
+        #[rustfmt::skip]
         pub const NAMES: &[&str] = &[#(#names),*];
         #find_doc
         #[must_use]

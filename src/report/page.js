@@ -1,6 +1,16 @@
-// Draws each plot of the page when it comes into view, in the page's colours.
+// Folds the contents away on small screens, and draws each plot of the page when
+// it comes into view, in the page's colours.
 (() => {
   "use strict";
+  const contents = document.querySelector("nav details");
+  const small = matchMedia("(max-width: 64rem)");
+  const fold = () => { contents.open = !small.matches; };
+  small.addEventListener("change", fold);
+  contents.addEventListener("click", (event) => {
+    if (event.target.closest("a")) fold();
+  });
+  fold();
+
   const figures = [...document.querySelectorAll("figure.plot")];
   const drawn = new Set();
 

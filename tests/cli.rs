@@ -1,0 +1,346 @@
+//! The command line as its users meet it: what it prints and where, what it
+//! writes, and its exit codes.
+#![cfg(feature = "cli")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+const SAW_GIN: &str = "specs/scenes/saw_gin.toml";
+
+/// The program in the folder of the repository, without colours.
+fn machinist(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
+    command.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).env("NO_COLOR", "1");
+    command
+}
+
+fn output(arguments: &[&str]) -> Output {
+    machinist(arguments).output().expect("the program starts")
+}
+
+/// Standard output of a run that must succeed.
+fn answer(arguments: &[&str]) -> String {
+    let output = output(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", said(&output));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// Standard error, on one line, as it may be wrapped anywhere.
+fn said(output: &Output) -> String {
+    let text = String::from_utf8_lossy(&output.stderr).replace('│', " ");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Asserts bad input: exit code 2, nothing on standard output, and what is said.
+fn assert_refused(arguments: &[&str], words: &[&str]) {
+    let output = output(arguments);
+    let said = said(&output);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed an answer");
+    for word in words {
+        assert!(said.contains(word), "{arguments:?} does not say `{word}`: {said}");
+    }
+}
+
+/// Header and columns of CSV; every line must have as many numbers as the header.
+fn read_csv(text: &str) -> (Vec<String>, Vec<Vec<f64>>) {
+    let mut lines = text.lines();
+    let header: Vec<String> =
+        lines.next().expect("a header").split(',').map(str::to_owned).collect();
+    let mut columns = vec![Vec::new(); header.len()];
+    for line in lines {
+        let numbers: Vec<f64> =
+            line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+        assert_eq!(numbers.len(), header.len(), "{line}");
+        for (column, number) in columns.iter_mut().zip(numbers) {
+            column.push(number);
+        }
+    }
+    (header, columns)
+}
+
+/// Copies a folder of specs, one level of folders deep.
+fn copy_specs(to: &Path) {
+    for folder in ["units", "scenes"] {
+        fs::create_dir_all(to.join(folder)).expect("a folder");
+        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs").join(folder);
+        for entry in fs::read_dir(from).expect("specs") {
+            let path = entry.expect("a file").path();
+            if path.is_file() {
+                let name = path.file_name().expect("a name");
+                fs::copy(&path, to.join(folder).join(name)).expect("a copy");
+            }
+        }
+    }
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a plain path")
+}
+
+#[test]
+fn an_unknown_scene_is_refused_with_a_suggestion() {
+    for command in ["run", "derive", "check"] {
+        assert_refused(&[command, "saw_gni"], &["saw_gni", "did you mean `saw_gin`?"]);
+    }
+}
+
+#[test]
+fn a_scene_file_that_does_not_exist_is_refused_by_name() {
+    assert_refused(&["run", "no_such_scene.toml"], &["no_such_scene.toml"]);
+    assert_refused(&["derive", "no/such/scene.toml"], &["scene.toml"]);
+}
+
+#[test]
+fn a_known_scene_without_its_spec_says_where_it_was_looked_for() {
+    let elsewhere = tempfile::tempdir().expect("a folder");
+    let mut command = machinist(&["derive", "saw_gin"]);
+    let output = command.current_dir(elsewhere.path()).output().expect("the program starts");
+    assert_eq!(output.status.code(), Some(2));
+    let said = said(&output);
+    for place in ["specs/scenes/saw_gin.toml", "specs/scenes/bench/saw_gin.toml"] {
+        assert!(said.contains(place), "{said}");
+    }
+}
+
+#[test]
+fn a_parameter_must_be_known_and_its_value_a_finite_number() {
+    let run = |set| ["run", "two_mass", "--set", set];
+    assert_refused(&run("coupling.stifness=1"), &["did you mean", "coupling.stiffness"]);
+    assert_refused(&run("coupling.stiffness"), &["NAME=VALUE"]);
+    assert_refused(&run("coupling.stiffness=stiff"), &["`stiff` is not a number"]);
+    assert_refused(&run("coupling.stiffness=inf"), &["not a finite number"]);
+}
+
+#[test]
+fn a_run_that_makes_no_sense_is_refused_and_writes_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("run.csv");
+    let plot = folder.path().join("run.svg");
+    for wrong in [
+        ["--until", "-1"],
+        ["--points", "1"],
+        ["--rtol", "0"],
+        ["--method", "bfd"],
+        ["--columns", "twist,twst"],
+    ] {
+        let mut arguments = vec!["run", "two_mass", "--out", text(&file), "--plot", text(&plot)];
+        arguments.extend(wrong);
+        assert_refused(&arguments, &[]);
+    }
+    assert_refused(&["run", "two_mass", "--out", "run.xls"], &[".csv or .json"]);
+    assert_refused(&["run", "two_mass", "--plot", "run.pdf"], &[".svg or .png"]);
+    assert_eq!(names_in(folder.path()), [""; 0]);
+}
+
+#[test]
+fn a_run_writes_tables_whose_columns_carry_units_and_plots_beside() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [csv, json, svg] = ["run.csv", "run.json", "run.svg"].map(|name| folder.path().join(name));
+    let summary = answer(&["run", "two_mass", "--out", text(&csv), "--plot", text(&svg)]);
+    assert!(summary.contains("Two rotors") && summary.contains("tsit45"), "{summary}");
+    assert!(summary.contains("run.csv") && summary.contains("run.svg"), "{summary}");
+
+    let (header, columns) = read_csv(&fs::read_to_string(&csv).expect("a table"));
+    assert_eq!(header[0], "time [s]");
+    for name in ["driver.omega [rad/s]", "coupling_torque [N m]", "energy.total [J]"] {
+        assert!(header.iter().any(|column| column == name), "{name} is not in {header:?}");
+    }
+    assert_eq!(columns[0].len(), 1001);
+    assert!(fs::read_to_string(&svg).expect("a plot").contains("<svg"));
+
+    answer(&["run", "two_mass", "--points", "5", "--out", text(&json)]);
+    let value: serde_json::Value =
+        serde_json::from_slice(&fs::read(&json).expect("a file")).expect("JSON");
+    assert_eq!(value["scene"], "two_mass");
+    assert_eq!(names_in(folder.path()), ["run.csv", "run.json", "run.svg"]);
+}
+
+#[test]
+fn standard_output_carries_the_table_asked_for_and_nothing_else() {
+    let arguments =
+        ["run", "saw_gin", "--out", "-", "--columns", "twist,motor.omega", "--points", "11"];
+    let (header, columns) = read_csv(&answer(&arguments));
+    assert_eq!(header, ["time [s]", "twist [rad]", "motor.omega [rad/s]"]);
+    assert_eq!(columns[0].len(), 11);
+    assert_eq!((columns[0][0], columns[0][10]), (0.0, 2.0));
+}
+
+#[test]
+fn settings_change_the_run() {
+    let twist = |settings: &[&str]| {
+        let arguments = [&["run", "two_mass", "--out", "-", "--columns", "twist"], settings];
+        read_csv(&answer(&arguments.concat())).1[1].last().copied().expect("a value")
+    };
+    let stiffness = ["--set", "coupling.stiffness=46130.4"];
+    assert!((twist(&[]) / twist(&stiffness) - 2.0).abs() < 1e-5);
+    let twist_by = |method| twist(&["--method", method, "--rtol", "1e-9"]);
+    assert!((twist_by("bdf") - twist_by("tsit45")).abs() < 1e-7);
+}
+
+#[test]
+fn emitted_and_evaluated_saw_gin_agree_in_every_column() {
+    let run = |scene| read_csv(&answer(&["run", scene, "--out", "-", "--points", "201"]));
+    let (emitted, evaluated) = (run("saw_gin"), run(SAW_GIN));
+    assert_eq!(emitted.0, evaluated.0);
+    for ((name, a), b) in emitted.0.iter().zip(&emitted.1).zip(&evaluated.1) {
+        let size = a.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let distance = a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+        assert!(distance <= 1e-9 * size, "{name} differs by {distance}");
+    }
+}
+
+#[test]
+fn verification_passes_and_fails_with_a_broken_parameter() {
+    let passing = answer(&["verify", "--only", "two_mass"]);
+    assert!(passing.contains("free decay"), "{passing}");
+    let broken = "two_mass.coupling.stiffness=23000";
+    let output = output(&["verify", "--only", "two_mass", "--set", broken, "--json"]);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    let rows: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let failed = rows.as_array().expect("rows").iter().filter(|row| row["pass"] == false).count();
+    assert!(failed > 0);
+    assert!(said(&output).contains(&format!("{failed} of")), "{}", said(&output));
+}
+
+#[test]
+fn verification_refuses_unknown_parameters_and_checks() {
+    assert_refused(&["verify", "--set", "two_mass.stiffness=1"], &["two_mass.stiffness"]);
+    assert_refused(&["verify", "--only", "no such check"], &["no such check"]);
+}
+
+#[test]
+fn emission_is_the_same_twice_and_fresh_until_a_spec_changes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let specs = folder.path().join("specs");
+    copy_specs(&specs);
+    let scenes = specs.join("scenes");
+    let [first, second] = ["first", "second"].map(|name| folder.path().join(name));
+    let generate = |out: &Path| answer(&["gen", "--specs", text(&scenes), "--out", text(out)]);
+    generate(&first);
+    generate(&second);
+    let names = names_in(&first);
+    assert!(names.contains(&"saw_gin.rs".to_owned()) && names.contains(&"mod.rs".to_owned()));
+    for name in &names {
+        let [a, b] = [&first, &second].map(|folder| fs::read(folder.join(name)).expect("a file"));
+        assert!(a == b, "{name} differs");
+    }
+
+    let check = ["gen", "--check", "--specs", text(&scenes), "--out", text(&first)];
+    answer(&check);
+    let unit = specs.join("units/coupling.toml");
+    let spec = fs::read_to_string(&unit).expect("a spec");
+    fs::write(&unit, spec.replace("128.5346", "128.5347")).expect("a changed spec");
+    let before = fs::read(first.join("two_mass.rs")).expect("a file");
+    let output = output(&check);
+    let said = said(&output);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("two_mass.rs is out of date"), "{said}");
+    assert!(!said.contains("motor_run_up.rs is out of date"), "{said}");
+    assert!(said.contains("cargo run --release -- gen"), "{said}");
+    assert!(fs::read(first.join("two_mass.rs")).expect("a file") == before, "check wrote");
+}
+
+#[test]
+fn nothing_is_written_if_one_of_several_specs_is_wrong() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let specs = folder.path().join("specs");
+    copy_specs(&specs);
+    let scene = specs.join("scenes/two_mass.toml");
+    let spec = fs::read_to_string(&scene).expect("a spec");
+    fs::write(&scene, spec.replace("\"coupling.twist\"", "\"coupling.twits\"")).expect("a spec");
+    let out = folder.path().join("out");
+    let scenes = specs.join("scenes");
+    let arguments = ["gen", "--specs", text(&scenes), "--out", text(&out)];
+    assert_refused(&arguments, &["two_mass.toml", "coupling.twits"]);
+    assert_eq!(names_in(&out), [""; 0]);
+
+    let file = folder.path().join("run.csv");
+    assert_refused(&["run", text(&scene), "--out", text(&file)], &["coupling.twits"]);
+    assert_refused(&["check", text(&scene), SAW_GIN], &["coupling.twits"]);
+    assert!(!file.exists());
+}
+
+#[test]
+fn equations_are_printed_in_the_names_of_the_spec() {
+    let derived = answer(&["derive", "two_mass"]);
+    let row = "driver.inertia*driver.phi_ddot = drive_torque - coupling.torque";
+    assert!(derived.contains(row), "{derived}");
+    assert!(derived.contains("rate_jacobian"), "{derived}");
+    assert!(
+        answer(&["derive", "two_mass", "--latex"]).contains(r"\ddot{\varphi}_{\mathrm{driver}}")
+    );
+    let json = answer(&["derive", "two_mass", "--json"]);
+    let value: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(value["motion"].as_array().expect("rows").len(), 2);
+}
+
+#[test]
+fn two_derivations_at_the_same_time_both_succeed() {
+    let start = || {
+        let mut command = machinist(&["derive", "saw_gin"]);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+    };
+    let outputs = [start(), start()].map(|child| child.wait_with_output().expect("an end"));
+    for output in &outputs {
+        assert!(output.status.success(), "{}", said(output));
+    }
+    assert!(outputs[0].stdout == outputs[1].stdout);
+}
+
+#[test]
+fn the_list_names_every_scene() {
+    let list = answer(&["list"]);
+    for name in machinist_scenes::scenes::NAMES {
+        assert!(list.contains(name), "{list}");
+    }
+}
+
+#[test]
+fn the_report_is_one_page_that_needs_nothing_else_and_comes_out_the_same() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let specs = folder.path().join("specs");
+    copy_specs(&specs);
+    let page = |out: &str| {
+        let out = folder.path().join(out);
+        let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
+        answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
+        let places = ["--specs", text(&scenes), "--emitted", text(&emitted)];
+        answer(&[&["report", "--no-times", "--out", text(&out)], &places[..]].concat());
+        assert_eq!(names_in(&out), ["index.html"]);
+        fs::read_to_string(out.join("index.html")).expect("a page")
+    };
+    let first = page("first");
+    assert!(first == page("second"));
+    for reference in ["<link", " src=\"", "@import", "url(http"] {
+        assert!(!outside_of_scripts(&first).contains(reference), "the page has {reference}");
+    }
+    for part in ["Content-Security-Policy", "<math", "Reproduction ledger", "fresh"] {
+        assert!(first.contains(part), "the page lacks {part}");
+    }
+    for name in machinist_scenes::scenes::NAMES {
+        assert!(first.contains(&format!("<section id=\"{name}\">")), "the page lacks {name}");
+    }
+}
+
+/// The page without the text of its scripts.
+fn outside_of_scripts(page: &str) -> String {
+    let mut pieces = page.split("<script");
+    let mut text = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (tag, rest) = piece.split_once('>').expect("the end of a tag");
+        assert!(!tag.contains("src"), "a script from elsewhere: {tag}");
+        text.push_str(rest.split_once("</script>").expect("the end of a script").1);
+    }
+    text
+}

@@ -67,7 +67,7 @@ fn parameters(system: &LagrangianSystem) -> Markup {
 fn structure(program: &Program) -> Markup {
     let system = &program.system;
     let counts = [
-        ("states", system.states()),
+        ("states", program.layout.len()),
         ("coordinates", system.coordinates.len()),
         ("first-order states", system.first_order.len()),
         ("parameters", system.parameters.len()),

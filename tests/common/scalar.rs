@@ -29,7 +29,9 @@ impl Describe for Scalar {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: 0,
+            positions: 0,
             first_order: 1,
+            quadratures: 0,
             parameters: 0,
             outputs: 0,
             discontinuities: self.jumps.len(),

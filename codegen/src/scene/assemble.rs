@@ -301,6 +301,7 @@ impl<'a> Assembler<'a> {
                 &parameter.doc,
             ),
             value: *value,
+            tunable: true,
         });
         parameters.collect()
     }

@@ -458,7 +458,9 @@ impl Describe for Pendulum {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: COORDINATES,
             first_order: 1,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

@@ -652,7 +652,7 @@ pub fn series<R: Real>(
     workspace: &mut [R],
 ) {
     let (mut lanes, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let t0 = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - t0;
@@ -699,7 +699,6 @@ pub fn series<R: Real>(
     let t33 = t32 * t29;
     let motor_psi_ry_dot = t33 - t31;
     let mut rates = [
-        motor_omega,
         motor_omega_dot,
         motor_psi_sx_dot,
         motor_psi_sy_dot,
@@ -711,7 +710,7 @@ pub fn series<R: Real>(
         let (_, inverse) = order_and_inverse::<R>(order);
         let state_k = rates.map(|rate| rate * inverse);
         coefficients[order] = state_k;
-        let [_, motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
+        let [motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
         motor_psi_ry_k] = state_k;
         let sums = lanes.sums(order);
         let t4_k = motor_omega_k * p.motor_pole_pairs;
@@ -753,7 +752,6 @@ pub fn series<R: Real>(
                 [motor_psi_ry_k, motor_psi_sy_k, motor_psi_ry_k, motor_psi_rx_k],
             );
         rates = [
-            motor_omega_k,
             motor_omega_dot_k,
             motor_psi_sx_dot_k,
             motor_psi_sy_dot_k,

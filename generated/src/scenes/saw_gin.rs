@@ -975,7 +975,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 119 recurrences. 9 sums of products an order.
+/// 116 recurrences. 9 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -988,8 +988,8 @@ pub fn series<R: Real>(
 ) {
     let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
     let (mut lanes_1, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let t0 = p.motor_k_s * p.motor_k_r;
@@ -999,89 +999,86 @@ pub fn series<R: Real>(
     let motor_u_x = t2 * t1;
     let t3 = p.motor_supply_phase.sin();
     let motor_u_y = t2 * t3;
-    let t4 = cylinder_phi * p.coupling_ratio;
-    let coupling_twist = motor_phi - t4;
-    let t5 = cylinder_omega * p.coupling_ratio;
-    let coupling_twist_rate = motor_omega - t5;
-    let t6 = motor_omega * p.motor_pole_pairs;
-    let motor_slip_speed = motor_omega_0 - t6;
-    let t7 = time - p.load_engagement_time;
-    let t8 = R::literal(1.0) / p.load_engagement_width;
-    let t9 = t7 * t8;
-    let t10 = -t9;
-    let t11 = t10.exp();
-    let t12 = R::literal(1.0) + t11;
-    let load_engagement = R::literal(1.0) / t12;
-    let t13 = coupling_twist * p.coupling_stiffness;
-    let t14 = coupling_twist_rate * p.coupling_damping;
-    let coupling_torque = t13 + t14;
-    let t15 = motor_psi_rx * p.motor_k_r;
-    let t16 = motor_psi_sx - t15;
-    let t17 = p.motor_x_s * motor_sigma;
-    let t18 = motor_psi_ry * p.motor_k_r;
-    let t19 = motor_psi_sy - t18;
-    let t20 = motor_psi_sx * p.motor_k_s;
-    let t21 = motor_psi_sy * p.motor_k_s;
-    let t22 = motor_psi_sx * motor_psi_ry;
-    let t23 = motor_psi_sy * motor_psi_rx;
-    let t24 = t23 - t22;
-    let t25 = R::literal(1.5) * p.motor_pole_pairs;
-    let t26 = t25 * p.motor_k_r;
-    let t27 = t26 * motor_omega_0;
-    let t28 = t27 / t17;
-    let motor_torque = t24 * t28;
-    let t29 = R::literal(core::f64::consts::PI) * load_omega_2;
-    let t30 = time * t29;
-    let t31 = p.load_phase + t30;
-    let t32 = t31.sin();
-    let t33 = t31.cos();
-    let t34 = t32 * p.load_amplitude;
-    let t35 = p.load_mean + t34;
-    let t36 = R::literal(1.0) / p.load_standstill_band;
-    let t37 = cylinder_omega * t36;
-    let t38 = t37.tanh();
-    let t39 = t38 * t38;
-    let t40 = R::literal(1.0) - t39;
-    let t41 = load_engagement * t35;
-    let load_resistance = t41 * t38;
-    let t42 = R::literal(1.0) / p.motor_inertia;
-    let t43 = R::literal(1.0) / p.cylinder_inertia;
-    let t44 = motor_torque - coupling_torque;
-    let t45 = p.coupling_stiffness * p.coupling_ratio;
-    let t46 = coupling_twist * t45;
-    let t47 = p.coupling_damping * p.coupling_ratio;
-    let t48 = coupling_twist_rate * t47;
-    let t49 = t46 + t48;
-    let t50 = t49 - load_resistance;
-    let motor_omega_dot = t44 * t42;
-    let cylinder_omega_dot = t50 * t43;
-    let t51 = p.motor_alpha_s * motor_omega_0;
-    let t52 = t16 * t51;
-    let t53 = motor_psi_sy * motor_omega_0;
-    let t54 = motor_u_x + t53;
-    let motor_psi_sx_dot = t54 - t52;
-    let t55 = motor_psi_sx * motor_omega_0;
-    let t56 = t19 * t51;
-    let t57 = motor_u_y - t55;
-    let motor_psi_sy_dot = t57 - t56;
-    let t58 = motor_psi_ry * motor_slip_speed;
-    let t59 = t20 - motor_psi_rx;
-    let t60 = p.motor_alpha_r * motor_omega_0;
-    let t61 = t59 * t60;
-    let motor_psi_rx_dot = t58 + t61;
-    let t62 = motor_psi_rx * motor_slip_speed;
-    let t63 = t21 - motor_psi_ry;
-    let t64 = t63 * t60;
-    let motor_psi_ry_dot = t64 - t62;
-    let t9_slope = R::literal(1.0) * t8;
-    let t10_slope = -t9_slope;
-    let inverse_t12 = R::literal(1.0) / t12;
-    let mut t11_before = t11;
+    let t4 = cylinder_omega * p.coupling_ratio;
+    let coupling_twist_rate = motor_omega - t4;
+    let t5 = motor_omega * p.motor_pole_pairs;
+    let motor_slip_speed = motor_omega_0 - t5;
+    let t6 = coupling_twist * p.coupling_stiffness;
+    let t7 = coupling_twist_rate * p.coupling_damping;
+    let coupling_torque = t6 + t7;
+    let t8 = time - p.load_engagement_time;
+    let t9 = R::literal(1.0) / p.load_engagement_width;
+    let t10 = t8 * t9;
+    let t11 = -t10;
+    let t12 = t11.exp();
+    let t13 = R::literal(1.0) + t12;
+    let load_engagement = R::literal(1.0) / t13;
+    let t14 = motor_psi_rx * p.motor_k_r;
+    let t15 = motor_psi_sx - t14;
+    let t16 = p.motor_x_s * motor_sigma;
+    let t17 = motor_psi_ry * p.motor_k_r;
+    let t18 = motor_psi_sy - t17;
+    let t19 = motor_psi_sx * p.motor_k_s;
+    let t20 = motor_psi_sy * p.motor_k_s;
+    let t21 = motor_psi_sx * motor_psi_ry;
+    let t22 = motor_psi_sy * motor_psi_rx;
+    let t23 = t22 - t21;
+    let t24 = R::literal(1.5) * p.motor_pole_pairs;
+    let t25 = t24 * p.motor_k_r;
+    let t26 = t25 * motor_omega_0;
+    let t27 = t26 / t16;
+    let motor_torque = t23 * t27;
+    let t28 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let t29 = time * t28;
+    let t30 = p.load_phase + t29;
+    let t31 = t30.sin();
+    let t32 = t30.cos();
+    let t33 = t31 * p.load_amplitude;
+    let t34 = p.load_mean + t33;
+    let t35 = R::literal(1.0) / p.load_standstill_band;
+    let t36 = cylinder_omega * t35;
+    let t37 = t36.tanh();
+    let t38 = t37 * t37;
+    let t39 = R::literal(1.0) - t38;
+    let t40 = load_engagement * t34;
+    let load_resistance = t40 * t37;
+    let t41 = R::literal(1.0) / p.motor_inertia;
+    let t42 = R::literal(1.0) / p.cylinder_inertia;
+    let t43 = motor_torque - coupling_torque;
+    let t44 = p.coupling_stiffness * p.coupling_ratio;
+    let t45 = coupling_twist * t44;
+    let t46 = p.coupling_damping * p.coupling_ratio;
+    let t47 = coupling_twist_rate * t46;
+    let t48 = t45 + t47;
+    let t49 = t48 - load_resistance;
+    let motor_omega_dot = t43 * t41;
+    let cylinder_omega_dot = t49 * t42;
+    let t50 = p.motor_alpha_s * motor_omega_0;
+    let t51 = t15 * t50;
+    let t52 = motor_psi_sy * motor_omega_0;
+    let t53 = motor_u_x + t52;
+    let motor_psi_sx_dot = t53 - t51;
+    let t54 = motor_psi_sx * motor_omega_0;
+    let t55 = t18 * t50;
+    let t56 = motor_u_y - t54;
+    let motor_psi_sy_dot = t56 - t55;
+    let t57 = motor_psi_ry * motor_slip_speed;
+    let t58 = t19 - motor_psi_rx;
+    let t59 = p.motor_alpha_r * motor_omega_0;
+    let t60 = t58 * t59;
+    let motor_psi_rx_dot = t57 + t60;
+    let t61 = motor_psi_rx * motor_slip_speed;
+    let t62 = t20 - motor_psi_ry;
+    let t63 = t62 * t59;
+    let motor_psi_ry_dot = t63 - t61;
+    let t10_slope = R::literal(1.0) * t9;
+    let t11_slope = -t10_slope;
+    let inverse_t13 = R::literal(1.0) / t13;
+    let mut t12_before = t12;
+    let mut t31_before = t31;
     let mut t32_before = t32;
-    let mut t33_before = t33;
     let mut rates = [
-        motor_omega,
-        cylinder_omega,
+        coupling_twist_rate,
         motor_omega_dot,
         cylinder_omega_dot,
         motor_psi_sx_dot,
@@ -1094,97 +1091,94 @@ pub fn series<R: Real>(
         let (k, inverse) = order_and_inverse::<R>(order);
         let state_k = rates.map(|rate| rate * inverse);
         coefficients[order] = state_k;
-        let [motor_phi_k, cylinder_phi_k, motor_omega_k, cylinder_omega_k,
-        motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = state_k;
+        let [coupling_twist_k, motor_omega_k, cylinder_omega_k, motor_psi_sx_k,
+        motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
-        let t4_k = cylinder_phi_k * p.coupling_ratio;
-        let coupling_twist_k = motor_phi_k - t4_k;
-        let t5_k = cylinder_omega_k * p.coupling_ratio;
-        let coupling_twist_rate_k = motor_omega_k - t5_k;
-        let t6_k = motor_omega_k * p.motor_pole_pairs;
-        let motor_slip_speed_k = -t6_k;
-        let t11_k = inverse * t10_slope * t11_before;
-        let load_engagement_k = -(sums[0] + t11_k * load_engagement) * inverse_t12;
-        let t13_k = coupling_twist_k * p.coupling_stiffness;
-        let t14_k = coupling_twist_rate_k * p.coupling_damping;
-        let coupling_torque_k = t13_k + t14_k;
-        let t15_k = motor_psi_rx_k * p.motor_k_r;
-        let t16_k = motor_psi_sx_k - t15_k;
-        let t18_k = motor_psi_ry_k * p.motor_k_r;
-        let t19_k = motor_psi_sy_k - t18_k;
-        let t20_k = motor_psi_sx_k * p.motor_k_s;
-        let t21_k = motor_psi_sy_k * p.motor_k_s;
-        let t22_k = sums[1] + motor_psi_sx * motor_psi_ry_k
+        let t4_k = cylinder_omega_k * p.coupling_ratio;
+        let coupling_twist_rate_k = motor_omega_k - t4_k;
+        let t5_k = motor_omega_k * p.motor_pole_pairs;
+        let motor_slip_speed_k = -t5_k;
+        let t6_k = coupling_twist_k * p.coupling_stiffness;
+        let t7_k = coupling_twist_rate_k * p.coupling_damping;
+        let coupling_torque_k = t6_k + t7_k;
+        let t12_k = inverse * t11_slope * t12_before;
+        let load_engagement_k = -(sums[0] + t12_k * load_engagement) * inverse_t13;
+        let t14_k = motor_psi_rx_k * p.motor_k_r;
+        let t15_k = motor_psi_sx_k - t14_k;
+        let t17_k = motor_psi_ry_k * p.motor_k_r;
+        let t18_k = motor_psi_sy_k - t17_k;
+        let t19_k = motor_psi_sx_k * p.motor_k_s;
+        let t20_k = motor_psi_sy_k * p.motor_k_s;
+        let t21_k = sums[1] + motor_psi_sx * motor_psi_ry_k
             + motor_psi_sx_k * motor_psi_ry;
-        let t23_k = sums[2] + motor_psi_sy * motor_psi_rx_k
+        let t22_k = sums[2] + motor_psi_sy * motor_psi_rx_k
             + motor_psi_sy_k * motor_psi_rx;
-        let t24_k = t23_k - t22_k;
-        let motor_torque_k = t24_k * t28;
-        let t32_k = inverse * t29 * t33_before;
-        let t33_k = -inverse * t29 * t32_before;
-        let t34_k = t32_k * p.load_amplitude;
-        let t37_k = cylinder_omega_k * t36;
-        let t38_k = inverse * sums[3] + t37_k * t40;
-        let t39_k = sums[4] + t38 * t38_k + t38_k * t38;
-        let t40_k = -t39_k;
-        let t41_k = sums[5] + load_engagement * t34_k + load_engagement_k * t35;
-        let load_resistance_k = sums[6] + t41 * t38_k + t41_k * t38;
-        let t44_k = motor_torque_k - coupling_torque_k;
-        let t46_k = coupling_twist_k * t45;
-        let t48_k = coupling_twist_rate_k * t47;
-        let t49_k = t46_k + t48_k;
-        let t50_k = t49_k - load_resistance_k;
-        let motor_omega_dot_k = t44_k * t42;
-        let cylinder_omega_dot_k = t50_k * t43;
-        let t52_k = t16_k * t51;
-        let t53_k = motor_psi_sy_k * motor_omega_0;
-        let motor_psi_sx_dot_k = t53_k - t52_k;
-        let t55_k = motor_psi_sx_k * motor_omega_0;
-        let t56_k = t19_k * t51;
-        let t57_k = -t55_k;
-        let motor_psi_sy_dot_k = t57_k - t56_k;
-        let t58_k = sums[7] + motor_psi_ry * motor_slip_speed_k
+        let t23_k = t22_k - t21_k;
+        let motor_torque_k = t23_k * t27;
+        let t31_k = inverse * t28 * t32_before;
+        let t32_k = -inverse * t28 * t31_before;
+        let t33_k = t31_k * p.load_amplitude;
+        let t36_k = cylinder_omega_k * t35;
+        let t37_k = inverse * sums[3] + t36_k * t39;
+        let t38_k = sums[4] + t37 * t37_k + t37_k * t37;
+        let t39_k = -t38_k;
+        let t40_k = sums[5] + load_engagement * t33_k + load_engagement_k * t34;
+        let load_resistance_k = sums[6] + t40 * t37_k + t40_k * t37;
+        let t43_k = motor_torque_k - coupling_torque_k;
+        let t45_k = coupling_twist_k * t44;
+        let t47_k = coupling_twist_rate_k * t46;
+        let t48_k = t45_k + t47_k;
+        let t49_k = t48_k - load_resistance_k;
+        let motor_omega_dot_k = t43_k * t41;
+        let cylinder_omega_dot_k = t49_k * t42;
+        let t51_k = t15_k * t50;
+        let t52_k = motor_psi_sy_k * motor_omega_0;
+        let motor_psi_sx_dot_k = t52_k - t51_k;
+        let t54_k = motor_psi_sx_k * motor_omega_0;
+        let t55_k = t18_k * t50;
+        let t56_k = -t54_k;
+        let motor_psi_sy_dot_k = t56_k - t55_k;
+        let t57_k = sums[7] + motor_psi_ry * motor_slip_speed_k
             + motor_psi_ry_k * motor_slip_speed;
-        let t59_k = t20_k - motor_psi_rx_k;
-        let t61_k = t59_k * t60;
-        let motor_psi_rx_dot_k = t58_k + t61_k;
-        let t62_k = sums_1[0] + motor_psi_rx * motor_slip_speed_k
+        let t58_k = t19_k - motor_psi_rx_k;
+        let t60_k = t58_k * t59;
+        let motor_psi_rx_dot_k = t57_k + t60_k;
+        let t61_k = sums_1[0] + motor_psi_rx * motor_slip_speed_k
             + motor_psi_rx_k * motor_slip_speed;
-        let t63_k = t21_k - motor_psi_ry_k;
-        let t64_k = t63_k * t60;
-        let motor_psi_ry_dot_k = t64_k - t62_k;
+        let t62_k = t20_k - motor_psi_ry_k;
+        let t63_k = t62_k * t59;
+        let motor_psi_ry_dot_k = t63_k - t61_k;
         lanes
             .set(
                 order,
                 [
-                    t11_k,
+                    t12_k,
                     motor_psi_sx_k,
                     motor_psi_rx_k,
-                    k * t37_k,
-                    t38_k,
+                    k * t36_k,
+                    t37_k,
                     load_engagement_k,
-                    t38_k,
+                    t37_k,
                     motor_slip_speed_k,
                 ],
                 [
                     load_engagement_k,
                     motor_psi_ry_k,
                     motor_psi_sy_k,
+                    t39_k,
+                    t37_k,
+                    t33_k,
                     t40_k,
-                    t38_k,
-                    t34_k,
-                    t41_k,
                     motor_psi_ry_k,
                 ],
             );
         lanes_1.set(order, [motor_slip_speed_k], [motor_psi_rx_k]);
-        t11_before = t11_k;
+        t12_before = t12_k;
+        t31_before = t31_k;
         t32_before = t32_k;
-        t33_before = t33_k;
         rates = [
-            motor_omega_k,
-            cylinder_omega_k,
+            coupling_twist_rate_k,
             motor_omega_dot_k,
             cylinder_omega_dot_k,
             motor_psi_sx_dot_k,

@@ -481,7 +481,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 38 recurrences. No sums of products.
+/// 35 recurrences. No sums of products.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -492,64 +492,55 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     _workspace: &mut [R],
 ) {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let t0 = cylinder_phi * p.coupling_ratio;
-    let coupling_twist = driver_phi - t0;
-    let t1 = cylinder_omega * p.coupling_ratio;
-    let coupling_twist_rate = driver_omega - t1;
-    let t2 = time * p.load_frequency;
-    let t3 = t2.sin();
-    let t4 = t2.cos();
-    let t5 = t3 * p.load_amplitude;
-    let resistance = p.load_torque + t5;
-    let t6 = coupling_twist * p.coupling_stiffness;
-    let t7 = coupling_twist_rate * p.coupling_damping;
-    let coupling_torque = t6 + t7;
-    let t8 = R::literal(1.0) / p.driver_inertia;
-    let t9 = R::literal(1.0) / p.cylinder_inertia;
-    let t10 = p.drive_torque - coupling_torque;
-    let t11 = p.coupling_stiffness * p.coupling_ratio;
-    let t12 = coupling_twist * t11;
-    let t13 = p.coupling_damping * p.coupling_ratio;
-    let t14 = coupling_twist_rate * t13;
-    let t15 = t12 + t14;
-    let t16 = t15 - resistance;
-    let driver_omega_dot = t10 * t8;
-    let cylinder_omega_dot = t16 * t9;
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
+    let t0 = cylinder_omega * p.coupling_ratio;
+    let coupling_twist_rate = driver_omega - t0;
+    let t1 = time * p.load_frequency;
+    let t2 = t1.sin();
+    let t3 = t1.cos();
+    let t4 = t2 * p.load_amplitude;
+    let resistance = p.load_torque + t4;
+    let t5 = coupling_twist * p.coupling_stiffness;
+    let t6 = coupling_twist_rate * p.coupling_damping;
+    let coupling_torque = t5 + t6;
+    let t7 = R::literal(1.0) / p.driver_inertia;
+    let t8 = R::literal(1.0) / p.cylinder_inertia;
+    let t9 = p.drive_torque - coupling_torque;
+    let t10 = p.coupling_stiffness * p.coupling_ratio;
+    let t11 = coupling_twist * t10;
+    let t12 = p.coupling_damping * p.coupling_ratio;
+    let t13 = coupling_twist_rate * t12;
+    let t14 = t11 + t13;
+    let t15 = t14 - resistance;
+    let driver_omega_dot = t9 * t7;
+    let cylinder_omega_dot = t15 * t8;
+    let mut t2_before = t2;
     let mut t3_before = t3;
-    let mut t4_before = t4;
-    let mut rates = [driver_omega, cylinder_omega, driver_omega_dot, cylinder_omega_dot];
+    let mut rates = [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot];
     coefficients[0] = *state;
     for order in 1..coefficients.len() {
         let (_, inverse) = order_and_inverse::<R>(order);
         let state_k = rates.map(|rate| rate * inverse);
         coefficients[order] = state_k;
-        let [driver_phi_k, cylinder_phi_k, driver_omega_k, cylinder_omega_k] = state_k;
-        let t0_k = cylinder_phi_k * p.coupling_ratio;
-        let coupling_twist_k = driver_phi_k - t0_k;
-        let t1_k = cylinder_omega_k * p.coupling_ratio;
-        let coupling_twist_rate_k = driver_omega_k - t1_k;
-        let t3_k = inverse * p.load_frequency * t4_before;
-        let t4_k = -inverse * p.load_frequency * t3_before;
-        let t5_k = t3_k * p.load_amplitude;
-        let t6_k = coupling_twist_k * p.coupling_stiffness;
-        let t7_k = coupling_twist_rate_k * p.coupling_damping;
-        let coupling_torque_k = t6_k + t7_k;
-        let t10_k = -coupling_torque_k;
-        let t12_k = coupling_twist_k * t11;
-        let t14_k = coupling_twist_rate_k * t13;
-        let t15_k = t12_k + t14_k;
-        let t16_k = t15_k - t5_k;
-        let driver_omega_dot_k = t10_k * t8;
-        let cylinder_omega_dot_k = t16_k * t9;
+        let [coupling_twist_k, driver_omega_k, cylinder_omega_k] = state_k;
+        let t0_k = cylinder_omega_k * p.coupling_ratio;
+        let coupling_twist_rate_k = driver_omega_k - t0_k;
+        let t2_k = inverse * p.load_frequency * t3_before;
+        let t3_k = -inverse * p.load_frequency * t2_before;
+        let t4_k = t2_k * p.load_amplitude;
+        let t5_k = coupling_twist_k * p.coupling_stiffness;
+        let t6_k = coupling_twist_rate_k * p.coupling_damping;
+        let coupling_torque_k = t5_k + t6_k;
+        let t9_k = -coupling_torque_k;
+        let t11_k = coupling_twist_k * t10;
+        let t13_k = coupling_twist_rate_k * t12;
+        let t14_k = t11_k + t13_k;
+        let t15_k = t14_k - t4_k;
+        let driver_omega_dot_k = t9_k * t7;
+        let cylinder_omega_dot_k = t15_k * t8;
+        t2_before = t2_k;
         t3_before = t3_k;
-        t4_before = t4_k;
-        rates = [
-            driver_omega_k,
-            cylinder_omega_k,
-            driver_omega_dot_k,
-            cylinder_omega_dot_k,
-        ];
+        rates = [coupling_twist_rate_k, driver_omega_dot_k, cylinder_omega_dot_k];
     }
 }
 

@@ -133,13 +133,15 @@ impl<'a> RadauSteps<'a> {
         self
     }
 
-    /// The error's estimate is of order s, the state of order 2 s - 1: it is held
-    /// to a tolerance that is looser by as much.
+    /// The error's estimate is of order s, the end of a step of order 2 s - 1: it is
+    /// held to a tolerance that is looser by as much, within limits, for states
+    /// between the ends are of order s only.
     fn set_scale(&mut self) {
+        const LOOSEST: f64 = 10.0;
         let stages = self.methods[self.current].stages() as f64;
         let rtol = self.stretch.rtol;
         let estimated = 0.1 * rtol.powf((stages + 1.0) / (2.0 * stages));
-        let looser = (estimated / rtol).max(1.0);
+        let looser = (estimated / rtol).clamp(1.0, LOOSEST);
         for ((scale, state), atol) in self.scale.iter_mut().zip(&self.start).zip(self.stretch.atol)
         {
             *scale = looser * (atol + rtol * state.abs());

@@ -12,10 +12,14 @@
 mod every_scene;
 pub(crate) mod machine;
 pub(crate) mod motor_run_up;
+mod motor_stationary_axes;
+mod pendulum_chain;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
 mod two_mass;
+pub(crate) mod winder_linear;
+mod winder_nonlinear;
 
 use comfy_table::{Table, presets};
 use serde::Serialize;
@@ -101,6 +105,10 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "motor_run_up" => motor_run_up::CHECKS,
         "saw_gin" => saw_gin::CHECKS,
         "saw_gin_as_printed" => saw_gin_as_printed::CHECKS,
+        "motor_stationary_axes" => motor_stationary_axes::CHECKS,
+        "winder_linear" => winder_linear::CHECKS,
+        "winder_nonlinear" => winder_nonlinear::CHECKS,
+        "pendulum_chain" => pendulum_chain::CHECKS,
         _ => &[],
     }
 }

@@ -2,9 +2,13 @@
 //! its quantities by name, and random states.
 
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
+use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
+use machinist_scenes::scenes::pendulum_chain::PendulumChain;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
 use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::scenes::winder_linear::WinderLinear;
+use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
 use machinist_scenes::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
@@ -32,7 +36,16 @@ pub(crate) struct Point {
 
 /// Every verified scene, in the order of the report.
 pub(crate) fn all() -> Vec<Machine> {
-    vec![two_mass(), motor_run_up(), saw_gin(), saw_gin_as_printed()]
+    vec![
+        two_mass(),
+        motor_run_up(),
+        saw_gin(),
+        saw_gin_as_printed(),
+        motor_stationary_axes(),
+        winder_linear(),
+        winder_nonlinear(),
+        pendulum_chain(),
+    ]
 }
 
 /// Two rotors on a coupling.
@@ -53,6 +66,26 @@ pub(crate) fn saw_gin() -> Machine {
 /// The saw gin as printed.
 pub(crate) fn saw_gin_as_printed() -> Machine {
     Machine::new("saw_gin_as_printed", &SawGinAsPrinted, &SawGinAsPrinted)
+}
+
+/// The motor alone, in charges.
+pub(crate) fn motor_stationary_axes() -> Machine {
+    Machine::new("motor_stationary_axes", &MotorStationaryAxes, &MotorStationaryAxes)
+}
+
+/// The bobbin on a linear layer.
+pub(crate) fn winder_linear() -> Machine {
+    Machine::new("winder_linear", &WinderLinear, &WinderLinear)
+}
+
+/// The bobbin on a stiffening layer.
+pub(crate) fn winder_nonlinear() -> Machine {
+    Machine::new("winder_nonlinear", &WinderNonlinear, &WinderNonlinear)
+}
+
+/// Three pendulums hanging on one another.
+pub(crate) fn pendulum_chain() -> Machine {
+    Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
 }
 
 impl Machine {

@@ -208,7 +208,7 @@ impl TaylorSeries<f64> for InterpretedSimulator {
         _workspace: &mut [f64],
     ) {
         let system = &self.program.system;
-        assert_eq!(state.len(), system.states(), "length of the state");
+        assert_eq!(state.len(), self.program.layout.len(), "length of the state");
         assert_eq!(parameters.len(), system.parameters.len(), "number of parameters");
         let mut series = self.series.borrow_mut();
         series.evaluate(time, state, parameters, &system.tables, coefficients);

@@ -82,11 +82,6 @@ impl<'a> Stretch<'a> {
         self.system.flow_gradient(self.within(time), state)
     }
 
-    /// The rates of the energy quadratures at `time` moved into the stretch.
-    pub(super) fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
-        self.system.flow_rates(self.within(time), state)
-    }
-
     /// Whether there is nothing for a method to step on: no states, or a stretch
     /// between jumps that differ by rounding, such as 0.1 + 0.2 and 0.3.
     pub(super) fn is_trivial(&self) -> bool {

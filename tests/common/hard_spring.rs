@@ -16,7 +16,15 @@ impl Describe for HardSpring {
         "A spring that hardens and whose stiffness swings"
     }
     fn shape(&self) -> Shape {
-        Shape { coordinates: 1, first_order: 0, parameters: 0, outputs: 0, discontinuities: 0 }
+        Shape {
+            coordinates: 1,
+            positions: 1,
+            first_order: 0,
+            quadratures: 0,
+            parameters: 0,
+            outputs: 0,
+            discontinuities: 0,
+        }
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         [

@@ -26,7 +26,15 @@ impl Describe for Stiff {
             Self::VanDerPol => 2,
             Self::Robertson => 3,
         };
-        Shape { coordinates: 0, first_order, parameters: 0, outputs: 0, discontinuities: 0 }
+        Shape {
+            coordinates: 0,
+            positions: 0,
+            first_order,
+            quadratures: 0,
+            parameters: 0,
+            outputs: 0,
+            discontinuities: 0,
+        }
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         Quantity { name: ["y1", "y2", "y3"][index], unit: "1", doc: "a state" }

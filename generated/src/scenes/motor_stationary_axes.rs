@@ -16,27 +16,23 @@
 // Shapes; all quantities are in SI units:
 //   coordinates               5
 //   first-order states        0
-//   states                   10
+//   states                    6
 //   parameters               11
 //   outputs                   9
 //   discontinuities           0
 //
 // State:
-//     0  motor.q_sa   [C]      charge passed by the stator winding along alpha
-//     1  motor.q_sb   [C]      charge passed by the stator winding along beta
-//     2  motor.q_ra   [C]      charge passed by the rotor's first winding
-//     3  motor.q_rb   [C]      charge passed by the rotor's second winding
-//     4  motor.phi    [rad]    rotor angle
-//     5  motor.i_sa   [C/s]    rate of charge passed by the stator winding along alpha
-//     6  motor.i_sb   [C/s]    rate of charge passed by the stator winding along beta
-//     7  motor.i_ra   [C/s]    rate of charge passed by the rotor's first winding
-//     8  motor.i_rb   [C/s]    rate of charge passed by the rotor's second winding
-//     9  motor.omega  [rad/s]  rate of rotor angle
+//     0  motor.phi    [rad]    rotor angle
+//     1  motor.i_sa   [C/s]    rate of charge passed by the stator winding along alpha
+//     2  motor.i_sb   [C/s]    rate of charge passed by the stator winding along beta
+//     3  motor.i_ra   [C/s]    rate of charge passed by the rotor's first winding
+//     4  motor.i_rb   [C/s]    rate of charge passed by the rotor's second winding
+//     5  motor.omega  [rad/s]  rate of rotor angle
 //
 // Nonzeros:
 //   mass_matrix              13 of 5 by 5
-//   rate_jacobian            34 of 10 by 10
-//   parameter_jacobian       41 of 10 by 11
+//   rate_jacobian            30 of 6 by 6
+//   parameter_jacobian       41 of 6 by 11
 //
 // Operations:
 //   initial_state             0
@@ -53,14 +49,14 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern,
+    SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 5;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
-pub const STATES: usize = 10;
+/// Length of the state y.
+pub const STATES: usize = 6;
 
 /// Parameters.
 pub const PARAMETERS: usize = 11;
@@ -94,92 +90,88 @@ pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
 
 /// Nonzeros of dy'/dy.
 pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 10,
-    columns: 10,
+    rows: 6,
+    columns: 6,
     entries: &[
         (0, 5),
-        (1, 6),
-        (2, 7),
-        (3, 8),
-        (4, 9),
+        (1, 0),
+        (1, 1),
+        (1, 2),
+        (1, 3),
+        (1, 4),
+        (1, 5),
+        (2, 0),
+        (2, 1),
+        (2, 2),
+        (2, 3),
+        (2, 4),
+        (2, 5),
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (4, 0),
+        (4, 1),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (5, 0),
+        (5, 1),
+        (5, 2),
+        (5, 3),
         (5, 4),
-        (5, 5),
-        (5, 6),
-        (5, 7),
-        (5, 8),
-        (5, 9),
-        (6, 4),
-        (6, 5),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (6, 9),
-        (7, 4),
-        (7, 5),
-        (7, 6),
-        (7, 7),
-        (7, 8),
-        (7, 9),
-        (8, 4),
-        (8, 5),
-        (8, 6),
-        (8, 7),
-        (8, 8),
-        (8, 9),
-        (9, 4),
-        (9, 5),
-        (9, 6),
-        (9, 7),
-        (9, 8),
     ],
 };
 
 /// Nonzeros of dy'/dp.
 pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 10,
+    rows: 6,
     columns: 11,
     entries: &[
-        (5, 2),
+        (1, 2),
+        (1, 3),
+        (1, 4),
+        (1, 5),
+        (1, 6),
+        (1, 7),
+        (1, 8),
+        (1, 9),
+        (1, 10),
+        (2, 2),
+        (2, 3),
+        (2, 4),
+        (2, 5),
+        (2, 6),
+        (2, 7),
+        (2, 8),
+        (2, 9),
+        (2, 10),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (3, 6),
+        (3, 7),
+        (3, 8),
+        (3, 9),
+        (3, 10),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (4, 6),
+        (4, 7),
+        (4, 8),
+        (4, 9),
+        (4, 10),
+        (5, 1),
         (5, 3),
-        (5, 4),
         (5, 5),
         (5, 6),
-        (5, 7),
         (5, 8),
-        (5, 9),
-        (5, 10),
-        (6, 2),
-        (6, 3),
-        (6, 4),
-        (6, 5),
-        (6, 6),
-        (6, 7),
-        (6, 8),
-        (6, 9),
-        (6, 10),
-        (7, 2),
-        (7, 3),
-        (7, 4),
-        (7, 5),
-        (7, 6),
-        (7, 7),
-        (7, 8),
-        (7, 9),
-        (7, 10),
-        (8, 2),
-        (8, 3),
-        (8, 4),
-        (8, 5),
-        (8, 6),
-        (8, 7),
-        (8, 8),
-        (8, 9),
-        (8, 10),
-        (9, 1),
-        (9, 3),
-        (9, 5),
-        (9, 6),
-        (9, 8),
     ],
 };
 
@@ -335,26 +327,18 @@ impl<R: Real> Outputs<R> {
 
 /// Where to find what in the state.
 pub mod state {
-    /// motor.q_sa: charge passed by the stator winding along alpha \[C\].
-    pub const MOTOR_Q_SA: usize = 0;
-    /// motor.q_sb: charge passed by the stator winding along beta \[C\].
-    pub const MOTOR_Q_SB: usize = 1;
-    /// motor.q_ra: charge passed by the rotor's first winding \[C\].
-    pub const MOTOR_Q_RA: usize = 2;
-    /// motor.q_rb: charge passed by the rotor's second winding \[C\].
-    pub const MOTOR_Q_RB: usize = 3;
     /// motor.phi: rotor angle \[rad\].
-    pub const MOTOR_PHI: usize = 4;
+    pub const MOTOR_PHI: usize = 0;
     /// motor.i_sa: rate of charge passed by the stator winding along alpha \[C/s\].
-    pub const MOTOR_I_SA: usize = 5;
+    pub const MOTOR_I_SA: usize = 1;
     /// motor.i_sb: rate of charge passed by the stator winding along beta \[C/s\].
-    pub const MOTOR_I_SB: usize = 6;
+    pub const MOTOR_I_SB: usize = 2;
     /// motor.i_ra: rate of charge passed by the rotor's first winding \[C/s\].
-    pub const MOTOR_I_RA: usize = 7;
+    pub const MOTOR_I_RA: usize = 3;
     /// motor.i_rb: rate of charge passed by the rotor's second winding \[C/s\].
-    pub const MOTOR_I_RB: usize = 8;
+    pub const MOTOR_I_RB: usize = 4;
     /// motor.omega: rate of rotor angle \[rad/s\].
-    pub const MOTOR_OMEGA: usize = 9;
+    pub const MOTOR_OMEGA: usize = 5;
 }
 
 /// State at the start of the run, in the units of the states.
@@ -363,10 +347,6 @@ pub mod state {
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
         R::literal(0.0),
         R::literal(0.0),
         R::literal(0.0),
@@ -384,14 +364,13 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 121 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    let [_, _, _, _, motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb,
-    motor_omega] = *state;
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
@@ -454,10 +433,6 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
     let motor_i_sb_dot = t17 * t6 - t8 * motor_i_ra_dot - t7 * motor_i_rb_dot;
     let motor_i_sa_dot = t16 * t6 - t7 * motor_i_ra_dot + t8 * motor_i_rb_dot;
     [
-        motor_i_sa,
-        motor_i_sb,
-        motor_i_ra,
-        motor_i_rb,
         motor_omega,
         motor_i_sa_dot,
         motor_i_sb_dot,
@@ -476,7 +451,7 @@ pub fn mass_matrix<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 13] {
-    let [_, _, _, _, motor_phi, ..] = *state;
+    let [motor_phi, ..] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_L_s = p.motor_x_s / motor_omega_0;
@@ -500,8 +475,7 @@ pub fn forcing<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
-    let [_, _, _, _, motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb,
-    motor_omega] = *state;
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
@@ -562,9 +536,8 @@ pub fn rate_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 34] {
-    let [_, _, _, _, motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb,
-    motor_omega] = *state;
+) -> [R; 30] {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
@@ -710,10 +683,6 @@ pub fn rate_jacobian<R: Real>(
         + t10 * motor_i_rb_dot_by_motor_omega;
     [
         R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
-        R::literal(1.0),
         motor_i_sa_dot_by_motor_phi,
         motor_i_sa_dot_by_motor_i_sa,
         motor_i_sa_dot_by_motor_i_sb,
@@ -755,8 +724,7 @@ pub fn parameter_jacobian<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 41] {
-    let [_, _, _, _, motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb,
-    motor_omega] = *state;
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
@@ -1054,7 +1022,7 @@ pub fn time_derivative<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; STATES] {
-    let [_, _, _, _, motor_phi, ..] = *state;
+    let [motor_phi, ..] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_L_s = p.motor_x_s / motor_omega_0;
@@ -1089,10 +1057,6 @@ pub fn time_derivative<R: Real>(
         + t8 * motor_i_rb_dot_by_time;
     [
         R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
         motor_i_sa_dot_by_time,
         motor_i_sb_dot_by_time,
         motor_i_ra_dot_by_time,
@@ -1106,8 +1070,7 @@ pub fn time_derivative<R: Real>(
 /// 25 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
-    let [_, _, _, _, motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb,
-    motor_omega] = *state;
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
@@ -1134,8 +1097,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 /// 33 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
-    let [_, _, _, _, motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb,
-    motor_omega] = *state;
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
@@ -1164,8 +1126,7 @@ pub fn power_balance<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
-    let [_, _, _, _, motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb,
-    motor_omega] = *state;
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
@@ -1250,6 +1211,321 @@ pub fn power_balance<R: Real>(
     }
 }
 
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 121 recurrences. 28 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_3, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = motor_phi * p.motor_pole_pairs;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let motor_L_r = motor_M / p.motor_k_r;
+    let sin_motor_theta = motor_theta.sin();
+    let cos_motor_theta = motor_theta.cos();
+    let t0 = R::literal(1.5) * motor_L_s;
+    let t1 = R::literal(1.5) * motor_M;
+    let t2 = cos_motor_theta * t1;
+    let t3 = sin_motor_theta * t1;
+    let t4 = -t3;
+    let t5 = R::literal(1.5) * motor_L_r;
+    let t6 = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - t6;
+    let t7 = motor_i_sa * motor_i_ra;
+    let t8 = motor_i_sb * motor_i_rb;
+    let motor_along = t7 + t8;
+    let t9 = motor_i_sa * motor_i_rb;
+    let t10 = motor_i_sb * motor_i_ra;
+    let motor_across = t10 - t9;
+    let t11 = p.motor_x_s * p.motor_alpha_s;
+    let motor_R_s = t11 * motor_sigma;
+    let t12 = time * motor_omega_0;
+    let t13 = p.motor_supply_phase + t12;
+    let t14 = t13.sin();
+    let t15 = t13.cos();
+    let t16 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t15 * t16;
+    let motor_u_b = t14 * t16;
+    let t17 = p.motor_k_s * p.motor_x_s;
+    let t18 = t17 * p.motor_alpha_r;
+    let t19 = t18 * motor_sigma;
+    let motor_R_r = t19 / p.motor_k_r;
+    let t20 = R::literal(1.5) * motor_R_s;
+    let t21 = motor_i_sa * t20;
+    let t22 = motor_i_ra * p.motor_pole_pairs;
+    let t23 = t22 * sin_motor_theta;
+    let t24 = motor_i_rb * p.motor_pole_pairs;
+    let t25 = t24 * cos_motor_theta;
+    let t26 = -t23;
+    let t27 = t26 - t25;
+    let t28 = motor_omega * t1;
+    let t29 = t28 * t27;
+    let t30 = motor_u_a * R::literal(1.5);
+    let t31 = t30 - t21;
+    let t32 = t31 - t29;
+    let t33 = motor_i_sb * t20;
+    let t34 = t24 * sin_motor_theta;
+    let t35 = t22 * cos_motor_theta;
+    let t36 = t35 - t34;
+    let t37 = t28 * t36;
+    let t38 = motor_u_b * R::literal(1.5);
+    let t39 = t38 - t33;
+    let t40 = t39 - t37;
+    let t41 = R::literal(1.5) * motor_R_r;
+    let t42 = motor_i_ra * t41;
+    let t43 = motor_i_sa * p.motor_pole_pairs;
+    let t44 = t43 * sin_motor_theta;
+    let t45 = motor_i_sb * p.motor_pole_pairs;
+    let t46 = t45 * cos_motor_theta;
+    let t47 = t46 - t44;
+    let t48 = t28 * t47;
+    let t49 = -t42;
+    let t50 = t49 - t48;
+    let t51 = motor_i_rb * t41;
+    let t52 = t43 * cos_motor_theta;
+    let t53 = t45 * sin_motor_theta;
+    let t54 = -t52;
+    let t55 = t54 - t53;
+    let t56 = t28 * t55;
+    let t57 = -t51;
+    let t58 = t57 - t56;
+    let t59 = motor_along * p.motor_pole_pairs;
+    let t60 = t59 * sin_motor_theta;
+    let t61 = motor_across * p.motor_pole_pairs;
+    let t62 = t61 * cos_motor_theta;
+    let t63 = t62 - t60;
+    let t64 = t63 * t1;
+    let factored = Factored::new([
+        [t0, R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)],
+        [R::literal(0.0), t0, R::literal(0.0), R::literal(0.0), R::literal(0.0)],
+        [t2, t3, t5, R::literal(0.0), R::literal(0.0)],
+        [t4, t2, R::literal(0.0), t5, R::literal(0.0)],
+        [
+            R::literal(0.0),
+            R::literal(0.0),
+            R::literal(0.0),
+            R::literal(0.0),
+            p.motor_inertia,
+        ],
+    ]);
+    let [motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot, motor_omega_dot,
+    ] = factored.solve([t32, t40, t50, t58, t64]);
+    let mut t14_before = t14;
+    let mut t15_before = t15;
+    let mut rates = [
+        motor_omega,
+        motor_i_sa_dot,
+        motor_i_sb_dot,
+        motor_i_ra_dot,
+        motor_i_rb_dot,
+        motor_omega_dot,
+    ];
+    coefficients[0] = *state;
+    for order in 1..coefficients.len() {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        let state_k = rates.map(|rate| rate * inverse);
+        coefficients[order] = state_k;
+        let [motor_phi_k, motor_i_sa_k, motor_i_sb_k, motor_i_ra_k, motor_i_rb_k,
+        motor_omega_k] = state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let motor_theta_k = motor_phi_k * p.motor_pole_pairs;
+        let sin_motor_theta_k = inverse * sums[0] + motor_theta_k * cos_motor_theta;
+        let cos_motor_theta_k = -(inverse * sums[1] + motor_theta_k * sin_motor_theta);
+        let t2_k = cos_motor_theta_k * t1;
+        let t3_k = sin_motor_theta_k * t1;
+        let t4_k = -t3_k;
+        let t7_k = sums[2] + motor_i_sa * motor_i_ra_k + motor_i_sa_k * motor_i_ra;
+        let t8_k = sums[3] + motor_i_sb * motor_i_rb_k + motor_i_sb_k * motor_i_rb;
+        let motor_along_k = t7_k + t8_k;
+        let t9_k = sums[4] + motor_i_sa * motor_i_rb_k + motor_i_sa_k * motor_i_rb;
+        let t10_k = sums[5] + motor_i_sb * motor_i_ra_k + motor_i_sb_k * motor_i_ra;
+        let motor_across_k = t10_k - t9_k;
+        let t14_k = inverse * motor_omega_0 * t15_before;
+        let t15_k = -inverse * motor_omega_0 * t14_before;
+        let motor_u_a_k = t15_k * t16;
+        let motor_u_b_k = t14_k * t16;
+        let t21_k = motor_i_sa_k * t20;
+        let t22_k = motor_i_ra_k * p.motor_pole_pairs;
+        let t23_k = sums[6] + t22 * sin_motor_theta_k + t22_k * sin_motor_theta;
+        let t24_k = motor_i_rb_k * p.motor_pole_pairs;
+        let t25_k = sums[7] + t24 * cos_motor_theta_k + t24_k * cos_motor_theta;
+        let t26_k = -t23_k;
+        let t27_k = t26_k - t25_k;
+        let t28_k = motor_omega_k * t1;
+        let t29_k = sums_1[0] + t28 * t27_k + t28_k * t27;
+        let t30_k = motor_u_a_k * R::literal(1.5);
+        let t31_k = t30_k - t21_k;
+        let t32_k = t31_k - t29_k;
+        let t33_k = motor_i_sb_k * t20;
+        let t34_k = sums_1[1] + t24 * sin_motor_theta_k + t24_k * sin_motor_theta;
+        let t35_k = sums_1[2] + t22 * cos_motor_theta_k + t22_k * cos_motor_theta;
+        let t36_k = t35_k - t34_k;
+        let t37_k = sums_1[3] + t28 * t36_k + t28_k * t36;
+        let t38_k = motor_u_b_k * R::literal(1.5);
+        let t39_k = t38_k - t33_k;
+        let t40_k = t39_k - t37_k;
+        let t42_k = motor_i_ra_k * t41;
+        let t43_k = motor_i_sa_k * p.motor_pole_pairs;
+        let t44_k = sums_1[4] + t43 * sin_motor_theta_k + t43_k * sin_motor_theta;
+        let t45_k = motor_i_sb_k * p.motor_pole_pairs;
+        let t46_k = sums_1[5] + t45 * cos_motor_theta_k + t45_k * cos_motor_theta;
+        let t47_k = t46_k - t44_k;
+        let t48_k = sums_1[6] + t28 * t47_k + t28_k * t47;
+        let t49_k = -t42_k;
+        let t50_k = t49_k - t48_k;
+        let t51_k = motor_i_rb_k * t41;
+        let t52_k = sums_1[7] + t43 * cos_motor_theta_k + t43_k * cos_motor_theta;
+        let t53_k = sums_2[0] + t45 * sin_motor_theta_k + t45_k * sin_motor_theta;
+        let t54_k = -t52_k;
+        let t55_k = t54_k - t53_k;
+        let t56_k = sums_2[1] + t28 * t55_k + t28_k * t55;
+        let t57_k = -t51_k;
+        let t58_k = t57_k - t56_k;
+        let t59_k = motor_along_k * p.motor_pole_pairs;
+        let t60_k = sums_2[2] + t59 * sin_motor_theta_k + t59_k * sin_motor_theta;
+        let t61_k = motor_across_k * p.motor_pole_pairs;
+        let t62_k = sums_2[3] + t61 * cos_motor_theta_k + t61_k * cos_motor_theta;
+        let t63_k = t62_k - t60_k;
+        let t64_k = t63_k * t1;
+        let n105_k = sums_2[4] + t2_k * motor_i_ra_dot;
+        let n106_k = sums_2[5] + t4_k * motor_i_rb_dot;
+        let n107_k = sums_2[6] + t3_k * motor_i_ra_dot;
+        let n108_k = sums_2[7] + t2_k * motor_i_rb_dot;
+        let n109_k = sums_3[0] + t2_k * motor_i_sa_dot;
+        let n110_k = sums_3[1] + t3_k * motor_i_sb_dot;
+        let n111_k = sums_3[2] + t4_k * motor_i_sa_dot;
+        let n112_k = sums_3[3] + t2_k * motor_i_sb_dot;
+        let n113_k = n105_k + n106_k;
+        let t32_k_2 = t32_k - n113_k;
+        let n115_k = n107_k + n108_k;
+        let t40_k_2 = t40_k - n115_k;
+        let n117_k = n109_k + n110_k;
+        let t50_k_2 = t50_k - n117_k;
+        let n119_k = n111_k + n112_k;
+        let t58_k_2 = t58_k - n119_k;
+        let [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_ra_dot_k, motor_i_rb_dot_k,
+        motor_omega_dot_k] = factored.solve([t32_k_2, t40_k_2, t50_k_2, t58_k_2, t64_k]);
+        lanes
+            .set(
+                order,
+                [
+                    k * motor_theta_k,
+                    k * motor_theta_k,
+                    motor_i_sa_k,
+                    motor_i_sb_k,
+                    motor_i_sa_k,
+                    motor_i_ra_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                ],
+                [
+                    cos_motor_theta_k,
+                    sin_motor_theta_k,
+                    motor_i_ra_k,
+                    motor_i_rb_k,
+                    motor_i_rb_k,
+                    motor_i_sb_k,
+                    t22_k,
+                    t24_k,
+                ],
+            );
+        lanes_1
+            .set(
+                order,
+                [
+                    t27_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                    t28_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                    t28_k,
+                    cos_motor_theta_k,
+                ],
+                [t28_k, t24_k, t22_k, t36_k, t43_k, t45_k, t47_k, t43_k],
+            );
+        lanes_2
+            .set(
+                order,
+                [
+                    sin_motor_theta_k,
+                    t28_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                    t2_k,
+                    t4_k,
+                    t3_k,
+                    t2_k,
+                ],
+                [
+                    t45_k,
+                    t55_k,
+                    t59_k,
+                    t61_k,
+                    motor_i_ra_dot_k,
+                    motor_i_rb_dot_k,
+                    motor_i_ra_dot_k,
+                    motor_i_rb_dot_k,
+                ],
+            );
+        lanes_3
+            .set(
+                order,
+                [t2_k, t3_k, t4_k, t2_k],
+                [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_sa_dot_k, motor_i_sb_dot_k],
+            );
+        t14_before = t14_k;
+        t15_before = t15_k;
+        rates = [
+            motor_omega_k,
+            motor_i_sa_dot_k,
+            motor_i_sb_dot_k,
+            motor_i_ra_dot_k,
+            motor_i_rb_dot_k,
+            motor_omega_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for MotorStationaryAxes {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
 impl Describe for MotorStationaryAxes {
     fn name(&self) -> &'static str {
         "motor_stationary_axes"
@@ -1260,7 +1536,9 @@ impl Describe for MotorStationaryAxes {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 1,
             first_order: 0,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,
@@ -1346,6 +1624,9 @@ impl<R: Real> Simulator<R> for MotorStationaryAxes {
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
 }
 
 #[inline]
@@ -1362,26 +1643,6 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
 }
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
-    Quantity {
-        name: "motor.q_sa",
-        unit: "C",
-        doc: "charge passed by the stator winding along alpha",
-    },
-    Quantity {
-        name: "motor.q_sb",
-        unit: "C",
-        doc: "charge passed by the stator winding along beta",
-    },
-    Quantity {
-        name: "motor.q_ra",
-        unit: "C",
-        doc: "charge passed by the rotor's first winding",
-    },
-    Quantity {
-        name: "motor.q_rb",
-        unit: "C",
-        doc: "charge passed by the rotor's second winding",
-    },
     Quantity {
         name: "motor.phi",
         unit: "rad",
@@ -1414,18 +1675,7 @@ static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     },
 ];
 
-static STATE_SCALES: [f64; STATES] = [
-    10.0,
-    10.0,
-    10.0,
-    10.0,
-    150.0,
-    800.0,
-    800.0,
-    800.0,
-    800.0,
-    78.5,
-];
+static STATE_SCALES: [f64; STATES] = [150.0, 800.0, 800.0, 800.0, 800.0, 78.5];
 
 static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
     Quantity {

@@ -49,13 +49,13 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern,
+    SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 3;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
+/// Length of the state y.
 pub const STATES: usize = 6;
 
 /// Parameters.
@@ -270,7 +270,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 110 operations.
 #[must_use]
@@ -956,6 +956,308 @@ pub fn power_balance<R: Real>(
     }
 }
 
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 111 recurrences. 29 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_3, _) = Lanes::<R, 5>::new(workspace, coefficients.len());
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let t0 = p.chain_m_1 + p.chain_m_2;
+    let t1 = t0 + p.chain_m_3;
+    let t2 = p.chain_l_1 * p.chain_l_1;
+    let t3 = t1 * t2;
+    let t4 = p.chain_m_2 + p.chain_m_3;
+    let t5 = chain_th_1 - chain_th_2;
+    let t6 = t5.sin();
+    let t7 = t5.cos();
+    let t8 = p.chain_l_1 * p.chain_l_2;
+    let t9 = t8 * t4;
+    let t10 = t7 * t9;
+    let t11 = chain_th_1 - chain_th_3;
+    let t12 = t11.sin();
+    let t13 = t11.cos();
+    let t14 = p.chain_m_3 * p.chain_l_1;
+    let t15 = t14 * p.chain_l_3;
+    let t16 = t13 * t15;
+    let t17 = p.chain_l_2 * p.chain_l_2;
+    let t18 = t4 * t17;
+    let t19 = chain_th_2 - chain_th_3;
+    let t20 = t19.sin();
+    let t21 = t19.cos();
+    let t22 = p.chain_m_3 * p.chain_l_2;
+    let t23 = t22 * p.chain_l_3;
+    let t24 = t21 * t23;
+    let t25 = p.chain_l_3 * p.chain_l_3;
+    let t26 = p.chain_m_3 * t25;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let cos_chain_th_1 = chain_th_1.cos();
+    let sin_chain_th_2 = chain_th_2.sin();
+    let cos_chain_th_2 = chain_th_2.cos();
+    let sin_chain_th_3 = chain_th_3.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let t27 = p.chain_m_1 * p.chain_gravity;
+    let t28 = sin_chain_th_1 * t27;
+    let t29 = chain_w_2 * chain_w_2;
+    let t30 = p.chain_m_2 * p.chain_l_2;
+    let t31 = t29 * t30;
+    let t32 = t31 * t6;
+    let t33 = p.chain_m_2 * p.chain_gravity;
+    let t34 = sin_chain_th_1 * t33;
+    let t35 = t29 * t22;
+    let t36 = t35 * t6;
+    let t37 = chain_w_3 * chain_w_3;
+    let t38 = p.chain_m_3 * p.chain_l_3;
+    let t39 = t37 * t38;
+    let t40 = t39 * t12;
+    let t41 = p.chain_m_3 * p.chain_gravity;
+    let t42 = sin_chain_th_1 * t41;
+    let t43 = t28 + t32;
+    let t44 = t43 + t34;
+    let t45 = t44 + t36;
+    let t46 = t45 + t40;
+    let t47 = t46 + t42;
+    let t48 = t47 * p.chain_l_1;
+    let t49 = -t48;
+    let t50 = chain_w_1 * chain_w_1;
+    let t51 = -t6;
+    let t52 = p.chain_m_2 * p.chain_l_1;
+    let t53 = t50 * t52;
+    let t54 = t53 * t51;
+    let t55 = sin_chain_th_2 * t33;
+    let t56 = t50 * t14;
+    let t57 = t56 * t51;
+    let t58 = t39 * t20;
+    let t59 = sin_chain_th_2 * t41;
+    let t60 = t54 + t55;
+    let t61 = t60 + t57;
+    let t62 = t61 + t58;
+    let t63 = t62 + t59;
+    let t64 = t63 * p.chain_l_2;
+    let t65 = -t64;
+    let t66 = -t12;
+    let t67 = t50 * p.chain_l_1;
+    let t68 = t67 * t66;
+    let t69 = -t20;
+    let t70 = t29 * p.chain_l_2;
+    let t71 = t70 * t69;
+    let t72 = sin_chain_th_3 * p.chain_gravity;
+    let t73 = t68 + t71;
+    let t74 = t73 + t72;
+    let t75 = t74 * t38;
+    let t76 = -t75;
+    let factored = Factored::new([
+        [t3, R::literal(0.0), R::literal(0.0)],
+        [t10, t18, R::literal(0.0)],
+        [t16, t24, t26],
+    ]);
+    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t49, t65, t76]);
+    let mut rates = [
+        chain_w_1,
+        chain_w_2,
+        chain_w_3,
+        chain_w_1_dot,
+        chain_w_2_dot,
+        chain_w_3_dot,
+    ];
+    coefficients[0] = *state;
+    for order in 1..coefficients.len() {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        let state_k = rates.map(|rate| rate * inverse);
+        coefficients[order] = state_k;
+        let [chain_th_1_k, chain_th_2_k, chain_th_3_k, chain_w_1_k, chain_w_2_k,
+        chain_w_3_k] = state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let t5_k = chain_th_1_k - chain_th_2_k;
+        let t6_k = inverse * sums[0] + t5_k * t7;
+        let t7_k = -(inverse * sums[1] + t5_k * t6);
+        let t10_k = t7_k * t9;
+        let t11_k = chain_th_1_k - chain_th_3_k;
+        let t12_k = inverse * sums[2] + t11_k * t13;
+        let t13_k = -(inverse * sums[3] + t11_k * t12);
+        let t16_k = t13_k * t15;
+        let t19_k = chain_th_2_k - chain_th_3_k;
+        let t20_k = inverse * sums[4] + t19_k * t21;
+        let t21_k = -(inverse * sums[5] + t19_k * t20);
+        let t24_k = t21_k * t23;
+        let sin_chain_th_1_k = inverse * sums[6] + chain_th_1_k * cos_chain_th_1;
+        let cos_chain_th_1_k = -(inverse * sums[7] + chain_th_1_k * sin_chain_th_1);
+        let sin_chain_th_2_k = inverse * sums_1[0] + chain_th_2_k * cos_chain_th_2;
+        let cos_chain_th_2_k = -(inverse * sums_1[1] + chain_th_2_k * sin_chain_th_2);
+        let sin_chain_th_3_k = inverse * sums_1[2] + chain_th_3_k * cos_chain_th_3;
+        let cos_chain_th_3_k = -(inverse * sums_1[3] + chain_th_3_k * sin_chain_th_3);
+        let t28_k = sin_chain_th_1_k * t27;
+        let t29_k = sums_1[4] + chain_w_2 * chain_w_2_k + chain_w_2_k * chain_w_2;
+        let t31_k = t29_k * t30;
+        let t32_k = sums_1[5] + t31 * t6_k + t31_k * t6;
+        let t34_k = sin_chain_th_1_k * t33;
+        let t35_k = t29_k * t22;
+        let t36_k = sums_1[6] + t35 * t6_k + t35_k * t6;
+        let t37_k = sums_1[7] + chain_w_3 * chain_w_3_k + chain_w_3_k * chain_w_3;
+        let t39_k = t37_k * t38;
+        let t40_k = sums_2[0] + t39 * t12_k + t39_k * t12;
+        let t42_k = sin_chain_th_1_k * t41;
+        let t43_k = t28_k + t32_k;
+        let t44_k = t43_k + t34_k;
+        let t45_k = t44_k + t36_k;
+        let t46_k = t45_k + t40_k;
+        let t47_k = t46_k + t42_k;
+        let t48_k = t47_k * p.chain_l_1;
+        let t49_k = -t48_k;
+        let t50_k = sums_2[1] + chain_w_1 * chain_w_1_k + chain_w_1_k * chain_w_1;
+        let t51_k = -t6_k;
+        let t53_k = t50_k * t52;
+        let t54_k = sums_2[2] + t53 * t51_k + t53_k * t51;
+        let t55_k = sin_chain_th_2_k * t33;
+        let t56_k = t50_k * t14;
+        let t57_k = sums_2[3] + t56 * t51_k + t56_k * t51;
+        let t58_k = sums_2[4] + t39 * t20_k + t39_k * t20;
+        let t59_k = sin_chain_th_2_k * t41;
+        let t60_k = t54_k + t55_k;
+        let t61_k = t60_k + t57_k;
+        let t62_k = t61_k + t58_k;
+        let t63_k = t62_k + t59_k;
+        let t64_k = t63_k * p.chain_l_2;
+        let t65_k = -t64_k;
+        let t66_k = -t12_k;
+        let t67_k = t50_k * p.chain_l_1;
+        let t68_k = sums_2[5] + t67 * t66_k + t67_k * t66;
+        let t69_k = -t20_k;
+        let t70_k = t29_k * p.chain_l_2;
+        let t71_k = sums_2[6] + t70 * t69_k + t70_k * t69;
+        let t72_k = sin_chain_th_3_k * p.chain_gravity;
+        let t73_k = t68_k + t71_k;
+        let t74_k = t73_k + t72_k;
+        let t75_k = t74_k * t38;
+        let t76_k = -t75_k;
+        let n99_k = sums_2[7] + t10_k * chain_w_2_dot;
+        let n100_k = sums_3[0] + t16_k * chain_w_3_dot;
+        let n101_k = sums_3[1] + t10_k * chain_w_1_dot;
+        let n102_k = sums_3[2] + t24_k * chain_w_3_dot;
+        let n103_k = sums_3[3] + t16_k * chain_w_1_dot;
+        let n104_k = sums_3[4] + t24_k * chain_w_2_dot;
+        let n105_k = n99_k + n100_k;
+        let t49_k_2 = t49_k - n105_k;
+        let n107_k = n101_k + n102_k;
+        let t65_k_2 = t65_k - n107_k;
+        let n109_k = n103_k + n104_k;
+        let t76_k_2 = t76_k - n109_k;
+        let [chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k] = factored
+            .solve([t49_k_2, t65_k_2, t76_k_2]);
+        lanes
+            .set(
+                order,
+                [
+                    k * t5_k,
+                    k * t5_k,
+                    k * t11_k,
+                    k * t11_k,
+                    k * t19_k,
+                    k * t19_k,
+                    k * chain_th_1_k,
+                    k * chain_th_1_k,
+                ],
+                [
+                    t7_k,
+                    t6_k,
+                    t13_k,
+                    t12_k,
+                    t21_k,
+                    t20_k,
+                    cos_chain_th_1_k,
+                    sin_chain_th_1_k,
+                ],
+            );
+        lanes_1
+            .set(
+                order,
+                [
+                    k * chain_th_2_k,
+                    k * chain_th_2_k,
+                    k * chain_th_3_k,
+                    k * chain_th_3_k,
+                    chain_w_2_k,
+                    t6_k,
+                    t6_k,
+                    chain_w_3_k,
+                ],
+                [
+                    cos_chain_th_2_k,
+                    sin_chain_th_2_k,
+                    cos_chain_th_3_k,
+                    sin_chain_th_3_k,
+                    chain_w_2_k,
+                    t31_k,
+                    t35_k,
+                    chain_w_3_k,
+                ],
+            );
+        lanes_2
+            .set(
+                order,
+                [t12_k, chain_w_1_k, t51_k, t51_k, t20_k, t66_k, t69_k, t10_k],
+                [t39_k, chain_w_1_k, t53_k, t56_k, t39_k, t67_k, t70_k, chain_w_2_dot_k],
+            );
+        lanes_3
+            .set(
+                order,
+                [t16_k, t10_k, t24_k, t16_k, t24_k],
+                [
+                    chain_w_3_dot_k,
+                    chain_w_1_dot_k,
+                    chain_w_3_dot_k,
+                    chain_w_1_dot_k,
+                    chain_w_2_dot_k,
+                ],
+            );
+        rates = [
+            chain_w_1_k,
+            chain_w_2_k,
+            chain_w_3_k,
+            chain_w_1_dot_k,
+            chain_w_2_dot_k,
+            chain_w_3_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for PendulumChain {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 5>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
 impl Describe for PendulumChain {
     fn name(&self) -> &'static str {
         "pendulum_chain"
@@ -966,7 +1268,9 @@ impl Describe for PendulumChain {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 3,
             first_order: 0,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,
@@ -1051,6 +1355,9 @@ impl<R: Real> Simulator<R> for PendulumChain {
     }
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
     }
 }
 

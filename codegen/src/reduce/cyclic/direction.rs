@@ -158,8 +158,7 @@ fn changing(equations: &EquationsOfMotion, coordinates: &[CoordinateId]) -> Vec<
             }
         });
     }
-    let is_position =
-        |symbol| coordinates.iter().any(|id| Symbol::Coordinate(*id) == symbol);
+    let is_position = |symbol| coordinates.iter().any(|id| Symbol::Coordinate(*id) == symbol);
     functions.retain(|function| function.mentions(is_position));
     functions
 }

@@ -136,10 +136,12 @@ impl Why {
 impl EquationsOfMotion {
     /// Every expression that motion, outputs, energies and powers are made of.
     fn all(&self) -> impl Iterator<Item = &crate::expr::Expr> {
-        self.dynamics()
-            .chain(&self.outputs)
-            .chain(&self.energy)
-            .chain([&self.dissipation, &self.supplied, &self.dissipated, &self.time_momentum])
+        self.dynamics().chain(&self.outputs).chain(&self.energy).chain([
+            &self.dissipation,
+            &self.supplied,
+            &self.dissipated,
+            &self.time_momentum,
+        ])
     }
 
     /// M, f and h.

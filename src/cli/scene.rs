@@ -23,7 +23,8 @@ impl Scene {
     /// The scene of a name or of a spec file.
     pub fn load(argument: &str) -> Result<Self, Failure> {
         if is_path(argument) {
-            let program = during("deriving", || pipeline::generate(Path::new(argument), Keep::Needed))?;
+            let program =
+                during("deriving", || pipeline::generate(Path::new(argument), Keep::Needed))?;
             return Ok(Self::Interpreted(Box::new(InterpretedSimulator::new(program))));
         }
         scenes::find::<f64>(argument).map(Self::Emitted).ok_or_else(|| unknown(argument))

@@ -110,7 +110,8 @@ fn frequency_row() -> Result<LedgerRow, CheckFailure> {
 fn natural_frequency(machine: &Machine) -> Result<f64, CheckFailure> {
     let point = machine.point(&[], &[])?;
     let jacobian = machine.rate_jacobian(&point);
-    let angle = machine.state_index("coupling.twist").or_else(|_| machine.state_index("motor.phi"))?;
+    let angle =
+        machine.state_index("coupling.twist").or_else(|_| machine.state_index("motor.phi"))?;
     let row = |name| machine.state_index(name).map(|index| jacobian[(index, angle)]);
     Ok((row("cylinder.omega")? - row("motor.omega")?).sqrt())
 }

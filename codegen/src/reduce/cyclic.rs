@@ -25,7 +25,8 @@ pub(super) fn relative(cas: &mut Cas, mut equations: EquationsOfMotion) -> Equat
     if equations.outputs.is_empty() {
         return equations;
     }
-    let mut live: Vec<CoordinateId> = (0..equations.forcing.len() as u32).map(CoordinateId).collect();
+    let mut live: Vec<CoordinateId> =
+        (0..equations.forcing.len() as u32).map(CoordinateId).collect();
     let mut changed = Vec::new();
     while let Some(direction) = direction::find(cas, &equations, &live) {
         live.retain(|id| *id != direction.pivot);

@@ -119,7 +119,8 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let states = quantities(scene.program.layout.quantities());
     let parameters = quantities(system.parameters.iter().map(|parameter| &parameter.quantity));
     let outputs = quantities(system.outputs.iter().map(|output| &output.quantity));
-    let scales = numbers("scale of a state", scene.program.layout.states.iter().map(|state| state.scale))?;
+    let scales =
+        numbers("scale of a state", scene.program.layout.states.iter().map(|state| state.scale))?;
     let defaults = numbers("parameter", system.parameters.iter().map(|p| p.value))?;
     let run = run_defaults(scene)?;
     Ok(quote! {

@@ -142,17 +142,18 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             of_parameters_only: true,
             ..array("DISCONTINUITIES", "Times at which the right-hand side jumps \\[s\\].", vec![])
         },
-        "rate" => {
-            array("STATES", "`y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.", rates)
-        }
+        "rate" => array(
+            "STATES",
+            "`y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.",
+            rates,
+        ),
         "mass_matrix" => {
             let pattern = &scene.program.mass_matrix.pattern;
             matrix(pattern, "`M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.", vec![])
         }
         "forcing" => {
             let names = system.coordinates.iter();
-            let names =
-                names.map(|c| format!("{}_forcing", c.position.name.ident)).collect();
+            let names = names.map(|c| format!("{}_forcing", c.position.name.ident)).collect();
             array("COORDINATES", "`f` of `M q'' = f(q, q', z, t)`, one for each coordinate.", names)
         }
         "rate_jacobian" => {

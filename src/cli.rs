@@ -7,6 +7,7 @@
 
 mod check;
 mod derive;
+pub mod explain;
 mod failure;
 mod generate;
 mod list;
@@ -40,6 +41,8 @@ enum Command {
     Check(check::Check),
     /// Print the equations of motion of a scene
     Derive(derive::Derive),
+    /// Say what is left out of a scene, why, and what that saves
+    Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
     /// Hold the simulators against closed forms and references
@@ -56,6 +59,7 @@ pub fn main() -> ExitCode {
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
         Command::Derive(command) => command.execute(),
+        Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
         Command::Verify(command) => command.execute(),
         Command::Report(command) => command.execute(),

@@ -10,6 +10,7 @@ mod ledger;
 mod licences;
 pub mod number;
 mod page;
+mod reduction;
 mod scene;
 mod verification;
 mod work_precision;
@@ -21,13 +22,16 @@ use machinist::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
 use machinist::{SimulateError, Simulation};
+use machinist_codegen::dependencies::Dependencies;
 use machinist_codegen::document::{Document, Notation};
+use machinist_codegen::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_scenes::{Simulator, scenes};
 
 use crate::cli::Failure;
 use crate::cli::progress::during;
 use crate::cli::specs::{self, Derived};
+use crate::explain::Explanation;
 use work_precision::WorkPrecision;
 
 /// Everything the page shows.
@@ -43,6 +47,8 @@ struct Report {
 struct SceneData {
     derived: Derived,
     document: Document,
+    explanation: Explanation,
+    dependencies: Dependencies,
     /// Whether the run is by emitted code; a scene that is new is evaluated.
     is_built_in: bool,
     run: Result<Trajectory, SimulateError>,
@@ -66,8 +72,12 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     let options = VerifyOptions::default();
     let verdicts = during("verifying", || verify_all(&options))
         .map_err(|error| Failure::unsuccessful(error, ""))?;
-    let mut scenes: Vec<SceneData> =
-        during("simulating", || derived.into_iter().map(SceneData::new).collect());
+    let mut scenes: Vec<SceneData> = during("simulating", || {
+        let scenes = derived.into_iter().zip(&files);
+        scenes
+            .map(|(derived, file)| SceneData::new(derived, file, with_times))
+            .collect::<Result<_, Failure>>()
+    })?;
     // As in the table of checks, which goes from the simple to the whole.
     scenes.sort_by_key(|scene| {
         verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
@@ -92,7 +102,7 @@ impl Report {
 }
 
 impl SceneData {
-    fn new(derived: Derived) -> Self {
+    fn new(derived: Derived, file: &Path, with_times: bool) -> Result<Self, Failure> {
         let document = Document::new(&derived.equations, Notation::Latex);
         let built_in = scenes::find::<f64>(&derived.program.system.name);
         let run = |simulator: &dyn Simulator<f64>| {
@@ -102,7 +112,14 @@ impl SceneData {
             Some(simulator) => run(simulator),
             None => run(&InterpretedSimulator::new(derived.program.clone())),
         };
-        Self { document, is_built_in: built_in.is_some(), run: trajectory, derived }
+        Ok(Self {
+            document,
+            explanation: Explanation::new(file, Keep::Needed, with_times)?,
+            dependencies: Dependencies::new(&derived.equations, &derived.program.reduction),
+            is_built_in: built_in.is_some(),
+            run: trajectory,
+            derived,
+        })
     }
 
     fn name(&self) -> &str {

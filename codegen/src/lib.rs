@@ -4,6 +4,7 @@
 pub mod abbreviate;
 mod build;
 pub mod cas;
+pub mod dependencies;
 pub mod diagnostic;
 pub mod dimension;
 pub mod document;
@@ -23,6 +24,7 @@ pub mod scene;
 pub mod spec;
 mod stack;
 pub mod state;
+pub mod structure;
 pub mod system;
 pub mod tape;
 pub mod taylor;

@@ -7,7 +7,7 @@ use machinist_codegen::system::LagrangianSystem;
 use maud::{Markup, html};
 
 use super::number::{exact, number};
-use super::{SceneData, equations, figure};
+use super::{SceneData, equations, figure, reduction};
 use crate::cli::specs::{Cost, costs};
 
 /// The section of a scene.
@@ -25,6 +25,8 @@ pub fn section(scene: &SceneData) -> Markup {
             (parameters(system))
             h3 { "Structure" }
             (structure(&scene.derived.program))
+            h3 { "What the outputs need" }
+            (reduction::section(&scene.explanation, &scene.dependencies))
             h3 { "Run" }
             @match &scene.run {
                 Ok(trajectory) => (run(scene, trajectory)),

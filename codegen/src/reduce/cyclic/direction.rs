@@ -11,8 +11,9 @@ use crate::lower::operations;
 /// Coordinates beyond which directions of several are not looked for: the cost of
 /// elimination grows with the third power, that of its expressions faster.
 const MOST_COORDINATES: usize = 32;
-/// States at which derivatives are sampled; more would only save proofs that fail.
-const SAMPLES: i64 = 2;
+/// States and branches at which derivatives are sampled; more would only save
+/// proofs that fail.
+const SAMPLES: i64 = 4;
 
 /// Constants s_k/s_r along which nothing changes.
 #[derive(Debug, Clone)]
@@ -126,16 +127,14 @@ fn null_space(
 ) -> Vec<Vec<Form>> {
     let mut echelon = Echelon::default();
     for function in changing(equations, coordinates) {
-        let form = cas.form(&function);
-        let gradient: Vec<Expr> = coordinates
-            .iter()
-            .map(|id| {
-                let slope = cas.derivative(&form, Symbol::Coordinate(*id));
-                cas.expr(&slope)
-            })
-            .collect();
         for sample in 0..SAMPLES {
-            let row = gradient.iter().map(|slope| cas.form(&sampled(slope, sample))).collect();
+            let form = cas.form(&on_branches(&function, sample, &mut 0));
+            let slope = |cas: &mut Cas, id: &CoordinateId| {
+                let slope = cas.derivative(&form, Symbol::Coordinate(*id));
+                let slope = cas.expr(&slope);
+                cas.form(&sampled(&slope, sample))
+            };
+            let row = coordinates.iter().map(|id| slope(cas, id)).collect();
             echelon.add(cas, row);
             if echelon.rows.len() == coordinates.len() {
                 return Vec::new();
@@ -161,6 +160,29 @@ fn changing(equations: &EquationsOfMotion, coordinates: &[CoordinateId]) -> Vec<
     let is_position = |symbol| coordinates.iter().any(|id| Symbol::Coordinate(*id) == symbol);
     functions.retain(|function| function.mentions(is_position));
     functions
+}
+
+/// The expression where comparisons within it hold or do not, in ways that differ
+/// from sample to sample.
+fn on_branches(expr: &Expr, sample: i64, seen: &mut i64) -> Expr {
+    let mut all = |parts: &[Expr]| {
+        parts.iter().map(|part| on_branches(part, sample, seen)).collect::<Vec<_>>()
+    };
+    match expr {
+        Expr::Number(_) | Expr::Symbol(_) => expr.clone(),
+        Expr::Sum(terms) => Expr::Sum(all(terms)),
+        Expr::Product(factors) => Expr::Product(all(factors)),
+        Expr::Power(base, exponent) => {
+            let base = Box::new(on_branches(base, sample, seen));
+            Expr::Power(base, Box::new(on_branches(exponent, sample, seen)))
+        }
+        Expr::Call(Function::SelectLess, sides) => {
+            let holds = (sample >> (*seen % 2)) % 2 == 0;
+            *seen += 1;
+            on_branches(&sides[if holds { 2 } else { 3 }], sample, seen)
+        }
+        Expr::Call(function, arguments) => Expr::Call(*function, all(arguments)),
+    }
 }
 
 /// The expression with numbers for everything but parameters.

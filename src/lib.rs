@@ -17,6 +17,7 @@ pub mod plot;
 pub mod simulate;
 pub mod trajectory;
 pub mod verify;
+pub mod winder_walk;
 
 pub use error::SimulateError;
 pub use method::Method;

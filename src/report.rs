@@ -13,6 +13,7 @@ mod page;
 mod reduction;
 mod scene;
 mod verification;
+mod winder_walk;
 mod work_precision;
 
 use std::path::Path;
@@ -21,6 +22,7 @@ use machinist::interpreted::InterpretedSimulator;
 use machinist::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
+use machinist::winder_walk::FirstStage;
 use machinist::{SimulateError, Simulation};
 use machinist_codegen::dependencies::Dependencies;
 use machinist_codegen::document::{Document, Notation};
@@ -40,6 +42,7 @@ struct Report {
     emitted: Summary,
     verdicts: Vec<Verdict>,
     ledger: Result<Vec<LedgerRow>, String>,
+    winder: Result<FirstStage, String>,
     work_precision: Vec<WorkPrecision>,
 }
 
@@ -83,13 +86,14 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
         verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
     });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
+    let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
     let work_precision = if with_times {
         during("timing the methods", work_precision::measure)?
     } else {
         Vec::new()
     };
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
-    let report = Report { scenes, emitted, verdicts, ledger, work_precision };
+    let report = Report { scenes, emitted, verdicts, ledger, winder, work_precision };
     Ok(Page { html: page::render(&report), all_passed })
 }
 

@@ -49,7 +49,8 @@ fn every_row_has_a_verdict_and_a_line() {
     assert!(rows.iter().all(|row| row.verdict.len() > 20));
     let text = render_ledger(&rows);
     for row in &rows {
-        assert_eq!(text.lines().filter(|line| line.contains(&row.verdict)).count(), 1);
+        let says = |line: &&str| line.contains(row.figure) && line.contains(&row.verdict);
+        assert_eq!(text.lines().filter(says).count(), 1, "{}", row.figure);
     }
 }
 

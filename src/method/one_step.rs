@@ -259,3 +259,35 @@ pub(super) fn weighted_norm(
     }
     (sum / error.len() as f64).sqrt()
 }
+
+/// df/dy at a state, in pattern order.
+///
+/// # Errors
+/// [`Trial::NotFinite`] if an entry is not finite.
+pub(super) fn finite_jacobian(
+    stretch: &Stretch<'_>,
+    time: f64,
+    state: &[f64],
+    jacobian: &mut [f64],
+) -> Result<(), Trial> {
+    stretch.jacobian(time, state, jacobian);
+    match jacobian.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(entry) => {
+            let (row, _) = stretch.system.jacobian_pattern().entries[entry];
+            let what = "the Jacobian of the rate of";
+            Err(Trial::NotFinite { what, index: row as usize })
+        }
+    }
+}
+
+/// Refuses values that are not finite.
+///
+/// # Errors
+/// [`Trial::NotFinite`] with the first of them.
+pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), Trial> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(Trial::NotFinite { what, index }),
+    }
+}

@@ -145,15 +145,16 @@ struct Original {
     gamma: Matrix,
 }
 
+// Matrices are written with their indices.
+#[allow(clippy::needless_range_loop)]
 fn original(method: &Rosenbrock) -> Original {
     let stages = method.stages.len();
     // gamma^-1 = I / gamma - C, lower triangular.
     let inverse: Matrix = (0..stages)
         .map(|row| {
-            let mut full = full(method.stages[row], stages);
-            full.iter_mut().for_each(|entry| *entry = -*entry);
-            full[row] = 1.0 / method.gamma;
-            full
+            let of_row = full(method.stages[row], stages);
+            let diagonal = |column| if column == row { 1.0 / method.gamma } else { 0.0 };
+            of_row.iter().enumerate().map(|(column, c)| diagonal(column) - c).collect()
         })
         .collect();
     let mut gamma = vec![vec![0.0; stages]; stages];
@@ -177,7 +178,9 @@ fn states(method: &Rosenbrock) -> Matrix {
     for (index, row) in method.states.iter().enumerate() {
         let mut next = full(row, stages);
         if index > 1 && row[0].0 == index - 1 {
-            next.iter_mut().zip(&rows[index - 1]).for_each(|(next, before)| *next += before);
+            for (next, before) in next.iter_mut().zip(&rows[index - 1]) {
+                *next += before;
+            }
         }
         rows.push(next);
     }

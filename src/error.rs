@@ -128,7 +128,7 @@ pub enum StopCause {
     /// The limit on steps is reached.
     #[error(
         "the limit of {limit} steps is reached. \
-         Hint: an explicit method on a stiff machine (try `bdf`), or raise the limit"
+         Hint: an explicit method on a stiff machine (try `auto`), or raise the limit"
     )]
     TooManySteps {
         /// The limit.

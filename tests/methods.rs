@@ -173,7 +173,7 @@ fn a_jacobian_that_is_not_finite_is_named() {
         match Simulation::new(&scalar).method(method).run() {
             Err(SimulateError::Stopped { cause: StopCause::NotFinite { what }, time, .. }) => {
                 assert_eq!(what, "the Jacobian of the rate of `y`", "{method}");
-                assert!((time - from).abs() < 1e-9, "{method} stops at {time}");
+                assert!(time >= from && time < from + 0.2, "{method} stops at {time}");
             }
             other => panic!("{method}: {other:?}"),
         }

@@ -167,6 +167,7 @@ impl<'a> ExplicitSteps<'a> {
     }
 }
 
+#[derive(Clone, Copy)]
 enum At {
     Argument,
     End,

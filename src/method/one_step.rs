@@ -88,7 +88,7 @@ pub(super) fn drive<M: OneStep>(
             && error <= 1.0
         {
             stretch.system.count(|work| work.steps += 1);
-            sample(method, now, state, samples);
+            sample(method, stretch, now, state, samples)?;
             let mut factor = pace.factor(error, last_error);
             if rejected {
                 factor = factor.min(1.0);
@@ -161,15 +161,25 @@ fn shrink(trial: Trial, pace: Pace) -> f64 {
 }
 
 /// Pushes what is wanted until the end of the current step, `now`.
-fn sample<M: OneStep>(method: &mut M, now: f64, scratch: &mut [f64], samples: &mut Samples<'_>) {
+fn sample<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    now: f64,
+    scratch: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<(), Stopped> {
     while let Some(time) = samples.next_until(now) {
         if time >= now {
             samples.push(method.end());
         } else {
             method.interpolate(time, scratch);
+            if let Some(index) = scratch.iter().position(|value| !value.is_finite()) {
+                return Err(stretch.not_finite("the state", index, time));
+            }
             samples.push(scratch);
         }
     }
+    Ok(())
 }
 
 /// Whether time would hardly move, or the step is below all sense at time zero.
@@ -258,4 +268,36 @@ pub(super) fn weighted_norm(
         sum += ratio * ratio;
     }
     (sum / error.len() as f64).sqrt()
+}
+
+/// df/dy at a state, in pattern order.
+///
+/// # Errors
+/// [`Trial::NotFinite`] if an entry is not finite.
+pub(super) fn finite_jacobian(
+    stretch: &Stretch<'_>,
+    time: f64,
+    state: &[f64],
+    jacobian: &mut [f64],
+) -> Result<(), Trial> {
+    stretch.jacobian(time, state, jacobian);
+    match jacobian.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(entry) => {
+            let (row, _) = stretch.system.jacobian_pattern().entries[entry];
+            let what = "the Jacobian of the rate of";
+            Err(Trial::NotFinite { what, index: row as usize })
+        }
+    }
+}
+
+/// Refuses values that are not finite.
+///
+/// # Errors
+/// [`Trial::NotFinite`] with the first of them.
+pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), Trial> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(Trial::NotFinite { what, index }),
+    }
 }

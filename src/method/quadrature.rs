@@ -62,9 +62,9 @@ impl Quadrature {
 /// and 0 at the others.
 fn lagrange_polynomials() -> [[f64; 5]; 5] {
     let mut polynomials = [[0.0; 5]; 5];
-    for (node, polynomial) in NODES.iter().zip(&mut polynomials) {
+    for (index, (node, polynomial)) in NODES.iter().zip(&mut polynomials).enumerate() {
         polynomial[0] = 1.0;
-        for other in NODES.iter().filter(|other| *other != node) {
+        for (_, other) in NODES.iter().enumerate().filter(|(other, _)| *other != index) {
             // Times (theta - other) / (node - other).
             let mut below = 0.0;
             for coefficient in polynomial.iter_mut() {

@@ -185,16 +185,18 @@ impl<'a> RadauSteps<'a> {
         {
             *end = start + stage;
         }
-        let error = self.estimate(&self.rate.clone())?;
+        let error = self.estimate(false)?;
         if error > 1.0 && (self.was_rejected || self.accepted.is_none()) {
             return self.estimate_again();
         }
         Ok(error)
     }
 
-    /// Norm of (gamma/h I - J)^-1 (rate - u'(t)), u the polynomial through start
-    /// and stages; it is the difference to an embedded method of order s.
-    fn estimate(&mut self, rate: &[f64]) -> Result<f64, Trial> {
+    /// Norm of (gamma/h I - J)^-1 (f - u'(t)), u the polynomial through start and
+    /// stages; it is the difference to an embedded method of order s. f is the
+    /// rate at the start, or what stands in `rate_at_end`.
+    fn estimate(&mut self, is_again: bool) -> Result<f64, Trial> {
+        let rate = if is_again { &self.rate_at_end } else { &self.rate };
         let method = &self.methods[self.current];
         let real = method.coefficients.real / self.step;
         for (index, error) in self.error.iter_mut().enumerate() {
@@ -221,9 +223,8 @@ impl<'a> RadauSteps<'a> {
         for ((scratch, start), error) in self.scratch.iter_mut().zip(&self.start).zip(&self.error) {
             *scratch = start + error;
         }
-        let mut rate = self.rate.clone();
-        self.stretch.rate(self.time, &self.scratch, &mut rate);
-        self.estimate(&rate)
+        self.stretch.rate(self.time, &self.scratch, &mut self.rate_at_end);
+        self.estimate(true)
     }
 
     /// Stages of the quadratures, Z_w = h A P.

@@ -2,7 +2,9 @@
 //! the emitted Jacobian, so that nothing is iterated.
 
 use super::lanes::{LANES, Sum, combine, sum};
-use super::one_step::{OneStep, Pace, Trial, drive_all, first_step, weighted_norm};
+use super::one_step::{
+    OneStep, Pace, Trial, drive_all, finite_jacobian, first_step, require_finite, weighted_norm,
+};
 use super::quadrature::{Flows, NODES, Quadrature};
 use super::step_matrix::StepMatrix;
 use super::tableau::{RODAS5P, Rosenbrock};
@@ -103,12 +105,7 @@ impl<'a> RosenbrockSteps<'a> {
         require_finite("the rate of", &self.rate)?;
         self.stretch.time_derivative(time, state, &mut self.time_derivative[..self.size]);
         require_finite("the time derivative of the rate of", &self.time_derivative)?;
-        self.stretch.jacobian(time, state, &mut self.jacobian);
-        if let Some(index) = self.jacobian.iter().position(|value| !value.is_finite()) {
-            let (row, _) = self.stretch.system.jacobian_pattern().entries[index];
-            let what = "the Jacobian of the rate of";
-            return Err(Trial::NotFinite { what, index: row as usize });
-        }
+        finite_jacobian(self.stretch, time, state, &mut self.jacobian)?;
         self.factored_step = 0.0;
         self.is_linearized = true;
         Ok(())
@@ -273,12 +270,5 @@ impl OneStep for RosenbrockSteps<'_> {
 
     fn pace(&self) -> Pace {
         Pace { exponent: 0.2, memory: 0.0, safety: 0.9, smallest: 0.2, largest: 6.0, hold: 1.0 }
-    }
-}
-
-fn require_finite(what: &'static str, values: &[f64]) -> Result<(), Trial> {
-    match values.iter().position(|value| !value.is_finite()) {
-        None => Ok(()),
-        Some(index) => Err(Trial::NotFinite { what, index }),
     }
 }

@@ -1,5 +1,7 @@
 //! Coefficients of explicit Runge-Kutta pairs, each as published.
 
+#[cfg(test)]
+mod conditions;
 mod dop853;
 mod radau;
 mod rodas5p;

@@ -17,9 +17,9 @@ pub(super) struct Collocation {
 impl Collocation {
     pub(super) fn new(coefficients: &'static Radau) -> Self {
         let c = coefficients.nodes;
-        let slope = c.iter().map(|&at| {
-            let others = c.iter().filter(|&&other| other != at);
-            others.fold(1.0 / at, |product, other| product * other / (other - at))
+        let slope = c.iter().enumerate().map(|(index, at)| {
+            let others = c.iter().enumerate().filter(|(other, _)| *other != index);
+            others.fold(1.0 / at, |product, (_, other)| product * other / (other - at))
         });
         Self {
             coefficients,

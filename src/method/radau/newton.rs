@@ -5,7 +5,7 @@ use num_complex::Complex64;
 
 use super::collocation::Collocation;
 use crate::method::Stretch;
-use crate::method::one_step::Trial;
+use crate::method::one_step::{Trial, finite_jacobian, require_finite};
 use crate::method::step_matrix::StepMatrix;
 
 /// What became of an iteration.
@@ -126,12 +126,7 @@ impl<'a> Newton<'a> {
         if self.jacobian_state != JacobianState::Unknown {
             return Ok(());
         }
-        self.stretch.jacobian(time, state, &mut self.jacobian);
-        if let Some(index) = self.jacobian.iter().position(|value| !value.is_finite()) {
-            let (row, _) = self.stretch.system.jacobian_pattern().entries[index];
-            let what = "the Jacobian of the rate of";
-            return Err(Trial::NotFinite { what, index: row as usize });
-        }
+        finite_jacobian(self.stretch, time, state, &mut self.jacobian)?;
         self.jacobian_state = JacobianState::Current;
         self.factored = (0.0, 0);
         Ok(())
@@ -266,9 +261,7 @@ impl<'a> Newton<'a> {
             }
             let rate = &mut self.rates[stage * self.size..][..self.size];
             self.stretch.state_rate(time + node * step, &self.state, rate);
-            if let Some(index) = rate.iter().position(|value| !value.is_finite()) {
-                return Err(Trial::NotFinite { what: "the rate of", index });
-            }
+            require_finite("the rate of", rate)?;
         }
         let matrix = method.coefficients.inverse;
         product(

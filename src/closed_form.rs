@@ -7,10 +7,15 @@
 
 pub mod induction_motor;
 pub mod printed_laws;
+pub mod reed;
+mod roots;
 pub mod saw_gin_by_hand;
+pub mod shaft;
 pub mod two_mass;
 
 pub use induction_motor::{InductionMotor, Nameplate};
 pub use printed_laws::PrintedShaft;
+pub use reed::ReedShaft;
 pub use saw_gin_by_hand::SawGinByHand;
+pub use shaft::Shaft;
 pub use two_mass::TwoMass;

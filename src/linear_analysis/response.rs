@@ -1,5 +1,7 @@
 //! Answers to harmonic disturbances.
 
+use std::io;
+
 use machinist_scenes::Simulator;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
@@ -34,6 +36,40 @@ pub struct Response {
     pub amplitudes: Vec<f64>,
     /// arg H \[rad\], continuous over frequency; negative lags.
     pub phases: Vec<f64>,
+}
+
+impl Response {
+    /// Unit of the amplitudes: of the output over that of the input.
+    #[must_use]
+    pub fn amplitude_unit(&self) -> String {
+        match self.from_unit.as_str() {
+            "1" => self.to_unit.clone(),
+            unit if unit.contains([' ', '/', '*']) => format!("{}/({unit})", self.to_unit),
+            unit => format!("{}/{unit}", self.to_unit),
+        }
+    }
+
+    /// Frequency \[rad/s\] and size of the largest amplitude.
+    #[must_use]
+    pub fn peak(&self) -> Option<(f64, f64)> {
+        let points = self.frequencies.iter().copied().zip(self.amplitudes.iter().copied());
+        points.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Writes a table: a header with units, then one line a frequency.
+    ///
+    /// # Errors
+    /// Whatever `writer` reports.
+    pub fn write_csv(&self, writer: impl io::Write) -> io::Result<()> {
+        let mut csv = csv::Writer::from_writer(writer);
+        let amplitude = format!("amplitude [{}]", self.amplitude_unit());
+        csv.write_record(["frequency [rad/s]", &amplitude, "phase [rad]"])?;
+        for index in 0..self.frequencies.len() {
+            let line = [self.frequencies[index], self.amplitudes[index], self.phases[index]];
+            csv.serialize(line)?;
+        }
+        csv.flush()
+    }
 }
 
 /// The input of a response.

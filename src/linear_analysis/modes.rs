@@ -26,8 +26,8 @@ pub struct Mode {
     /// Imaginary part \[rad/s\], not negative: the frequency of the damped motion.
     pub imaginary: f64,
     /// Values of all states in SI units, in the order \[q, q', z\], as real and
-    /// imaginary part. The coordinate or first-order state that moves most, beside
-    /// its scale, is 1.
+    /// imaginary part. The coordinate or first-order state with the largest share is
+    /// 1; if it stands still, the largest state.
     pub shape: Vec<[f64; 2]>,
     /// What share of the motion each coordinate, with its velocity, and then each
     /// first-order state has: participation factors |w_i x_i| of right and left
@@ -251,7 +251,11 @@ impl Problem {
         let residual = if size > 0.0 { distance.norm() / size } else { 0.0 };
         let in_units =
             DVector::from_fn(vector.len(), |index, _| vector[index] * self.scales[index]);
-        let unit = in_units[self.largest(vector)];
+        // A constant speed has none of its own in the coordinates.
+        let leading = self.leading(&shares);
+        let is_still =
+            in_units[leading].norm() <= f64::EPSILON * in_units[in_units.icamax()].norm();
+        let unit = in_units[if is_still { in_units.icamax() } else { leading }];
         let shape = in_units.iter().map(|component| {
             let component = component / unit;
             [component.re, component.im]
@@ -259,20 +263,10 @@ impl Problem {
         Mode { kind, real: value.re, imaginary: value.im, shape: shape.collect(), shares, residual }
     }
 
-    /// The coordinate or first-order state that moves most; a velocity if none of
-    /// them moves beside the velocities.
-    fn largest(&self, vector: &DVector<Complex64>) -> usize {
-        const NOTHING: f64 = 1e-9;
-        let n = self.coordinates;
-        let most = |indices: &mut dyn Iterator<Item = usize>| {
-            indices.max_by(|a, b| vector[*a].norm().total_cmp(&vector[*b].norm())).unwrap_or(0)
-        };
-        let without_velocities = most(&mut (0..n).chain(2 * n..vector.len()));
-        let among_all = most(&mut (0..vector.len()));
-        if vector[without_velocities].norm() > NOTHING * vector[among_all].norm() {
-            without_velocities
-        } else {
-            among_all
-        }
+    /// The coordinate or first-order state with the largest share.
+    fn leading(&self, shares: &[f64]) -> usize {
+        let largest = (0..shares.len()).rev().max_by(|a, b| shares[*a].total_cmp(&shares[*b]));
+        let index = largest.unwrap_or(0);
+        if index < self.coordinates { index } else { index + self.coordinates }
     }
 }

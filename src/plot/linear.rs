@@ -32,8 +32,10 @@ pub fn plot_response(response: &Response, title: &str, path: &Path) -> Result<()
 }
 
 /// Draws the shapes of the slowest six oscillations, or of aperiodic motions if there
-/// is none, into an `.svg` or `.png` file: what coordinates and first-order states do
-/// beside their scales, in phase with the one that moves most and a quarter later.
+/// is none, into an `.svg` or `.png` file: roots of the shares that coordinates and
+/// first-order states have, the largest as 1, in phase with that one and a quarter of
+/// a period later. Of equal undamped masses that is the shape itself, and it does not
+/// depend on units.
 ///
 /// # Errors
 /// As [`plot_response`]; [`PlotError::Nothing`] if all motions are free.
@@ -52,16 +54,15 @@ pub fn plot_modes(
     let columns: Vec<[Column; 2]> = drawn(modes)
         .into_iter()
         .map(|mode| {
-            let size = |state: &usize| {
-                let [re, im] = mode.shape[*state];
-                re.hypot(im) / simulator.state_scale(*state)
-            };
-            let largest = states.iter().map(size).fold(0.0, f64::max);
+            let largest = mode.shares.iter().copied().fold(0.0, f64::max);
             let part = |which: usize| {
-                let value = |state: &usize| {
-                    mode.shape[*state][which] / simulator.state_scale(*state) / largest
+                let value = |(state, share): (&usize, &f64)| {
+                    let [re, im] = mode.shape[*state];
+                    let size = re.hypot(im);
+                    let direction = if size > 0.0 { [re, im][which] / size } else { 0.0 };
+                    (share / largest).sqrt() * direction
                 };
-                states.iter().map(value).collect::<Vec<f64>>()
+                states.iter().zip(&mode.shares).map(value).collect::<Vec<f64>>()
             };
             let later = part(1).iter().map(|value| -value).collect();
             [column(&described(mode), "1", part(0)), column("a quarter later", "1", later)]
@@ -72,7 +73,7 @@ pub fn plot_modes(
         .map(|pair| over(&places, pair.iter().collect(), [&axes[0], &axes[1]]))
         .collect();
     let subtitle = format!(
-        "{}, shapes of natural motions at t = {} s, beside the scales of the states",
+        "{}, natural motions at t = {} s: roots of the shares of states, with their phase",
         simulator.name(),
         linearization.point().time
     );
@@ -94,12 +95,21 @@ fn described(mode: &Mode) -> String {
     let (frequency, ratio) = (mode.natural_frequency(), mode.damping_ratio());
     match mode.kind {
         ModeKind::Oscillation => {
-            format!("{frequency:.5} rad/s, damping ratio {ratio:.3}: in phase")
+            format!("{} rad/s, damping ratio {ratio:.3}: in phase", rounded(frequency))
         }
         ModeKind::Aperiodic | ModeKind::Free => {
-            format!("decay within {:.3e} s: in phase", mode.decay_time())
+            format!("decay within {} s: in phase", rounded(mode.decay_time()))
         }
     }
+}
+
+/// Four significant digits.
+fn rounded(value: f64) -> String {
+    if !(1e-3..1e6).contains(&value.abs()) {
+        return format!("{value:.3e}");
+    }
+    let decimals = (3 - value.abs().log10().floor() as i32).max(0) as usize;
+    format!("{value:.decimals$}")
 }
 
 fn column(name: &str, unit: &str, values: Vec<f64>) -> Column {

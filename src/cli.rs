@@ -11,7 +11,7 @@ mod failure;
 mod generate;
 mod linear;
 mod list;
-mod modes;
+pub mod modes;
 mod output;
 pub mod progress;
 mod report;

@@ -10,10 +10,13 @@ mod derive;
 pub mod explain;
 mod failure;
 mod generate;
+mod linear;
 mod list;
+pub mod modes;
 mod output;
 pub mod progress;
 mod report;
+mod response;
 mod run;
 mod scene;
 pub mod specs;
@@ -45,6 +48,10 @@ enum Command {
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
+    /// Natural frequencies, damping and mode shapes of a scene
+    Modes(modes::Modes),
+    /// Frequency response of a scene: amplitude and phase
+    Response(response::FrequencyResponse),
     /// Hold the simulators against closed forms and references
     Verify(verify::Verify),
     /// Make one page with equations, plots, checks and costs of all scenes
@@ -61,6 +68,8 @@ pub fn main() -> ExitCode {
         Command::Derive(command) => command.execute(),
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Modes(command) => command.execute(),
+        Command::Response(command) => command.execute(),
         Command::Verify(command) => command.execute(),
         Command::Report(command) => command.execute(),
         Command::List(command) => command.execute(),

@@ -8,6 +8,7 @@ mod equations;
 mod figure;
 mod ledger;
 mod licences;
+mod modes;
 pub mod number;
 mod page;
 mod reduction;
@@ -20,6 +21,7 @@ use std::path::Path;
 
 use machinist::interpreted::InterpretedSimulator;
 use machinist::ledger::{LedgerRow, ledger as ledger_rows};
+use machinist::linear_analysis::LinearError;
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
 use machinist::winder_walk::FirstStage;
@@ -34,6 +36,7 @@ use crate::cli::Failure;
 use crate::cli::progress::during;
 use crate::cli::specs::{self, Derived};
 use crate::explain::Explanation;
+use modes::Modes;
 use work_precision::WorkPrecision;
 
 /// Everything the page shows.
@@ -55,6 +58,7 @@ struct SceneData {
     /// Whether the run is by emitted code; a scene that is new is evaluated.
     is_built_in: bool,
     run: Result<Trajectory, SimulateError>,
+    modes: Option<Result<Modes, LinearError>>,
 }
 
 /// The page, made.
@@ -112,9 +116,10 @@ impl SceneData {
         let run = |simulator: &dyn Simulator<f64>| {
             Simulation::new(simulator).with_energy_balance(true).run()
         };
-        let trajectory = match built_in {
-            Some(simulator) => run(simulator),
-            None => run(&InterpretedSimulator::new(derived.program.clone())),
+        let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
+        let (trajectory, modes) = match built_in {
+            Some(simulator) => both(simulator),
+            None => both(&InterpretedSimulator::new(derived.program.clone())),
         };
         Ok(Self {
             document,
@@ -122,6 +127,7 @@ impl SceneData {
             dependencies: Dependencies::new(&derived.equations, &derived.program.reduction),
             is_built_in: built_in.is_some(),
             run: trajectory,
+            modes,
             derived,
         })
     }

@@ -423,6 +423,7 @@ pub fn recurrences() -> Program {
         })
         .collect();
     program.rate = rate;
+    program.layout = Layout::of_all(&program.system);
     program
 }
 
@@ -462,6 +463,7 @@ pub fn coupled() -> Program {
     };
     program.forcing = tape(|b| coupled_forcing(b).to_vec());
     program.rate = rate;
+    program.layout = Layout::of_all(&program.system);
     program
 }
 

@@ -226,6 +226,7 @@ impl<'a> Simulation<'a> {
             method,
             rtol: self.rtol,
             work: system.work(),
+            notes: system.notes(),
             times,
             columns: table.into_columns(energy_balance.as_ref()),
             energy_balance,

@@ -113,7 +113,8 @@ pub struct RunDefaults {
 }
 
 /// Methods a spec may name.
-pub const METHODS: &[&str] = &["bdf", "tr_bdf2", "esdirk34", "tsit45"];
+pub const METHODS: &[&str] =
+    &["bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto"];
 
 /// A source file that took part, for headers, `rerun-if-changed` and freshness.
 #[derive(Debug, Clone, PartialEq, Eq)]

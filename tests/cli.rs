@@ -274,7 +274,7 @@ fn nothing_is_written_if_one_of_several_specs_is_wrong() {
 #[test]
 fn equations_are_printed_in_the_names_of_the_spec() {
     let derived = answer(&["derive", "two_mass"]);
-    let row = "driver.inertia*driver.phi_ddot = drive_torque - coupling.stiffness*coupling.twist";
+    let row = "driver.inertia*driver.phi_ddot = drive_torque - coupling.torque";
     assert!(derived.contains(row), "{derived}");
     assert!(derived.contains("rate_jacobian"), "{derived}");
     assert!(

@@ -3,7 +3,7 @@
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::work_precision::WorkPrecision;
+use super::work_precision::{RUNS, WorkPrecision};
 use super::{Report, figure, ledger, licences, scene, verification};
 
 /// Nothing may be loaded: everything the page needs is in it.
@@ -146,7 +146,7 @@ fn work_precision(measured: &[WorkPrecision]) -> Markup {
                 scene,
                 &html! {
                     code { (scene.scene) } ", measured against " (scene.reference) ". Times are
-                     medians of up to seven runs on the machine that made this page; only their
+                     medians of up to " (RUNS) " runs on the machine that made this page; only their
                      ratios mean anything elsewhere."
                 },
             ))

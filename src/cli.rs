@@ -9,10 +9,13 @@ mod check;
 mod derive;
 mod failure;
 mod generate;
+mod linear;
 mod list;
+pub mod modes;
 mod output;
 pub mod progress;
 mod report;
+mod response;
 mod run;
 mod scene;
 pub mod specs;
@@ -42,6 +45,10 @@ enum Command {
     Derive(derive::Derive),
     /// Simulate a scene
     Run(run::Run),
+    /// Natural frequencies, damping and mode shapes of a scene
+    Modes(modes::Modes),
+    /// Frequency response of a scene: amplitude and phase
+    Response(response::FrequencyResponse),
     /// Hold the simulators against closed forms and references
     Verify(verify::Verify),
     /// Make one page with equations, plots, checks and costs of all scenes
@@ -57,6 +64,8 @@ pub fn main() -> ExitCode {
         Command::Check(command) => command.execute(),
         Command::Derive(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Modes(command) => command.execute(),
+        Command::Response(command) => command.execute(),
         Command::Verify(command) => command.execute(),
         Command::Report(command) => command.execute(),
         Command::List(command) => command.execute(),

@@ -11,6 +11,7 @@ pub mod error;
 #[cfg(feature = "cli")]
 pub mod interpreted;
 pub mod ledger;
+pub mod linear_analysis;
 pub mod method;
 #[cfg(feature = "plot")]
 pub mod plot;

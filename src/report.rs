@@ -8,6 +8,7 @@ mod equations;
 mod figure;
 mod ledger;
 mod licences;
+mod modes;
 pub mod number;
 mod page;
 mod scene;
@@ -19,6 +20,7 @@ use std::path::Path;
 
 use machinist::interpreted::InterpretedSimulator;
 use machinist::ledger::{LedgerRow, ledger as ledger_rows};
+use machinist::linear_analysis::LinearError;
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
 use machinist::winder_walk::FirstStage;
@@ -30,6 +32,7 @@ use machinist_scenes::{Simulator, scenes};
 use crate::cli::Failure;
 use crate::cli::progress::during;
 use crate::cli::specs::{self, Derived};
+use modes::Modes;
 use work_precision::WorkPrecision;
 
 /// Everything the page shows.
@@ -49,6 +52,7 @@ struct SceneData {
     /// Whether the run is by emitted code; a scene that is new is evaluated.
     is_built_in: bool,
     run: Result<Trajectory, SimulateError>,
+    modes: Option<Result<Modes, LinearError>>,
 }
 
 /// The page, made.
@@ -102,11 +106,12 @@ impl SceneData {
         let run = |simulator: &dyn Simulator<f64>| {
             Simulation::new(simulator).with_energy_balance(true).run()
         };
-        let trajectory = match built_in {
-            Some(simulator) => run(simulator),
-            None => run(&InterpretedSimulator::new(derived.program.clone())),
+        let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
+        let (trajectory, modes) = match built_in {
+            Some(simulator) => both(simulator),
+            None => both(&InterpretedSimulator::new(derived.program.clone())),
         };
-        Self { document, is_built_in: built_in.is_some(), run: trajectory, derived }
+        Self { document, is_built_in: built_in.is_some(), run: trajectory, modes, derived }
     }
 
     fn name(&self) -> &str {

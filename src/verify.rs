@@ -26,6 +26,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::error::SimulateError;
+use crate::linear_analysis::LinearError;
 use machine::Machine;
 
 /// What is changed before the checks run.
@@ -175,6 +176,9 @@ pub enum CheckFailure {
     /// Its run was refused or stopped.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
+    /// Its linear analysis was refused or did not succeed.
+    #[error(transparent)]
+    Linear(#[from] LinearError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {
@@ -185,6 +189,9 @@ pub enum CheckFailure {
         /// The name asked for.
         name: String,
     },
+    /// A machine that should oscillate does not.
+    #[error("the linearized scene does not oscillate")]
+    NoOscillation,
     /// The motor has no single steady state.
     #[error("the equations of the steady state are singular")]
     Singular,

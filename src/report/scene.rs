@@ -7,7 +7,7 @@ use machinist_codegen::system::LagrangianSystem;
 use maud::{Markup, html};
 
 use super::number::{exact, number};
-use super::{SceneData, equations, figure};
+use super::{SceneData, equations, figure, modes};
 use crate::cli::specs::{Cost, costs};
 
 /// The section of a scene.
@@ -30,6 +30,7 @@ pub fn section(scene: &SceneData) -> Markup {
                 Ok(trajectory) => (run(scene, trajectory)),
                 Err(error) => p.warning { "The run stopped. " (error) },
             }
+            (modes::section(scene.name(), scene.modes.as_ref()))
         }
     }
 }

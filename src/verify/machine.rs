@@ -14,6 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 use crate::complex_step::{self, ComplexStep};
+use crate::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
 use crate::{Method, Simulation, Trajectory};
 
 /// A verified scene, with overridden parameters if any.
@@ -151,6 +152,16 @@ impl Machine {
         Ok(run.method(Method::Tsit45))
     }
 
+    /// The linearization with these settings where asked for.
+    pub(crate) fn linearization(
+        &self,
+        settings: &[(&str, f64)],
+        place: Place,
+    ) -> Result<Linearization<'static>, CheckFailure> {
+        let point = operating_point(&self.simulation(settings)?, place)?;
+        Ok(Linearization::at(self.real, point)?)
+    }
+
     /// The column of this name of one of this scene's runs.
     pub(crate) fn column<'t>(
         &self,
@@ -220,6 +231,12 @@ impl Machine {
         let mut values = vec![0.0; pattern.entries.len()];
         self.real.parameter_jacobian(point.time, &point.state, &point.parameters, &mut values);
         complex_step::dense(pattern, &values)
+    }
+
+    /// The point about which a scene was linearized.
+    pub(crate) fn point_of(linearization: &Linearization<'_>) -> Point {
+        let LinearPoint { time, state, parameters } = linearization.point().clone();
+        Point { time, state, parameters }
     }
 
     /// The output of this name at a point.

@@ -4,7 +4,9 @@
 use super::machine::{Point, SplitMix};
 use super::reference::{SAW_GIN, scaled_distance};
 use super::{Check, CheckFailure, Machine, Measured, worse};
+use crate::closed_form::induction_motor::MOTOR_4A280M8;
 use crate::closed_form::saw_gin_by_hand::{SawGinByHand, SawGinState};
+use crate::linear_analysis::Place;
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -21,6 +23,13 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-9,
         reason: "the reference is exact to 16 digits; a hundred times the tolerance of a step",
         measure: run,
+    },
+    Check {
+        name: "operating point under load, by the equilibrium solve",
+        reference: "torque of the closed form at the slip found, and the coupling's torque; relative",
+        tolerance: 1e-10,
+        reason: "Newton's method ends at rounding; the slip of 0.02 loses two digits of the speed",
+        measure: operating_point,
     },
 ];
 
@@ -74,4 +83,16 @@ fn random_state(random: &mut SplitMix, number: usize) -> (f64, SawGinState) {
 fn run(machine: &Machine) -> Result<Measured, CheckFailure> {
     let trajectory = machine.simulation(&[])?.until(2.0).points(2).rtol(1e-11).run()?;
     Ok(Measured::error(scaled_distance(machine, &trajectory, SAW_GIN)?))
+}
+
+/// Motor, coupling and load carry one torque, that of the motor's curve.
+fn operating_point(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let point = Machine::point_of(&machine.linearization(&[], Place::Equilibrium)?);
+    let speed = point.state[machine.state_index("motor.omega")?];
+    let expected = MOTOR_4A280M8.torque(MOTOR_4A280M8.slip(speed));
+    let mut error = 0.0;
+    for torque in ["motor_torque", "coupling_torque"] {
+        error = worse(error, (machine.output(&point, torque)? / expected - 1.0).abs());
+    }
+    Ok(Measured::error(error))
 }

@@ -399,7 +399,7 @@ fn a_freeze_beyond_its_tolerance_is_refused_with_the_figure() {
         let said = said(&output);
         assert!(said.contains("`twist` is wrong by 1.00e0") && said.contains("5e-1"), "{said}");
     }
-    freeze("0.2", "");
+    freeze("0.25", "");
     let run = answer(&["run", text(&path)]);
     assert!(run.contains("driver_speed"), "{run}");
 }

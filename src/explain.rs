@@ -15,6 +15,8 @@ use machinist_codegen::structure::Structure;
 use machinist_scenes::Describe as _;
 use serde::Serialize;
 
+use crate::freeze::{self, Candidate};
+
 /// Runs of each, of which the median counts.
 const RUNS: usize = 5;
 /// Tolerance at which outputs are compared.
@@ -34,6 +36,8 @@ pub struct Explanation {
     pub states: Vec<String>,
     /// What the structure of what is left allows.
     pub structure: Structure,
+    /// What could be taken for rigid, and at what price, if runs were wanted.
+    pub candidates: Vec<Candidate>,
     /// Run times, if they were measured.
     pub times: Option<Result<Times, SimulateError>>,
 }
@@ -93,7 +97,8 @@ impl Explanation {
         let steps = [
             (Keep::Tunable, "parameters fixed"),
             (Keep::Reachable, "unreachable left out"),
-            (Keep::Needed, "cyclic left out"),
+            (Keep::Exact, "cyclic left out"),
+            (Keep::Needed, "frozen as wanted"),
         ];
         for (step, done) in steps.into_iter().filter(|(step, _)| *step <= keep) {
             let size = Size::of(&pipeline::generate(scene, step)?);
@@ -108,6 +113,7 @@ impl Explanation {
             stages,
             states: needed.layout.quantities().map(|q| q.name.path.clone()).collect(),
             structure: Structure::of(&needed),
+            candidates: if with_times { freeze::candidates(scene)? } else { Vec::new() },
             times: with_times.then(|| Times::measure(whole, needed)),
         })
     }
@@ -161,7 +167,9 @@ impl Times {
             needed: median(needed_times),
             whole_steps: steps.0,
             needed_steps: steps.1,
-            difference: difference(&fine(&whole)?, &fine(&needed)?),
+            difference: relative_differences(&fine(&whole)?, &fine(&needed)?)
+                .iter()
+                .fold(0.0, |largest, (_, difference)| difference.max(largest)),
         })
     }
 
@@ -171,7 +179,8 @@ impl Times {
     }
 }
 
-fn timed(simulator: &InterpretedSimulator) -> Result<(f64, Trajectory), SimulateError> {
+/// Time of the scene's own run \[ms\], and the run.
+pub fn timed(simulator: &InterpretedSimulator) -> Result<(f64, Trajectory), SimulateError> {
     let start = Instant::now();
     let run = Simulation::new(simulator).run()?;
     Ok((start.elapsed().as_secs_f64() * 1e3, run))
@@ -182,21 +191,22 @@ fn fine(simulator: &InterpretedSimulator) -> Result<Trajectory, SimulateError> {
     Simulation::new(simulator).rtol(FINE).atol(&atol).points(101).run()
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// The middle one.
+pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-fn difference(whole: &Trajectory, needed: &Trajectory) -> f64 {
-    let mut largest: f64 = 0.0;
-    for column in whole.of_kind(machinist::trajectory::ColumnKind::Output) {
-        let Some(ours) = needed.column(&column.name) else { return f64::NAN };
+/// Of each output, the largest difference relative to its largest value.
+pub fn relative_differences(exact: &Trajectory, other: &Trajectory) -> Vec<(String, f64)> {
+    let columns = exact.of_kind(machinist::trajectory::ColumnKind::Output);
+    let differences = columns.map(|column| {
+        let name = column.name.clone();
+        let Some(ours) = other.column(&name) else { return (name, f64::NAN) };
         let size = column.values.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-        for (a, b) in ours.iter().zip(&column.values) {
-            if a != b {
-                largest = largest.max((a - b).abs() / size);
-            }
-        }
-    }
-    largest
+        let differences = ours.iter().zip(&column.values).map(|(a, b)| (a - b).abs());
+        let largest = differences.fold(0.0_f64, f64::max);
+        (name, if largest == 0.0 { 0.0 } else { largest / size })
+    });
+    differences.collect()
 }

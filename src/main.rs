@@ -2,6 +2,7 @@
 
 mod cli;
 mod explain;
+mod freeze;
 mod report;
 
 fn main() -> std::process::ExitCode {

@@ -37,6 +37,7 @@ use crate::cli::progress::during;
 use crate::cli::specs::{self, Derived};
 use crate::explain::Explanation;
 use modes::Modes;
+use crate::freeze::admit;
 use work_precision::WorkPrecision;
 
 /// Everything the page shows.
@@ -74,6 +75,9 @@ pub struct Page {
 pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Failure> {
     let files = specs::scene_files(specs)?;
     let derived = during("deriving", || specs::all(&files, Derived::new))?;
+    for (file, derived) in files.iter().zip(&derived) {
+        admit(file, &derived.program)?;
+    }
     let programs: Vec<_> = derived.iter().map(|derived| derived.program.clone()).collect();
     let emitted = emit_scenes(emitted, &programs, Mode::Write)?;
     let options = VerifyOptions::default();

@@ -411,3 +411,62 @@ fn a_response_of_unknown_quantities_or_over_a_bad_range_is_refused() {
     let bad_file = ["--out", "r.txt"];
     assert_refused(&[&ask("load_torque", "twist", "1:2")[..], &bad_file].concat(), &[".csv"]);
 }
+
+#[test]
+fn explain_tells_what_is_left_out_of_every_scene_and_why() {
+    for (scene, states, gone) in [
+        ("saw_gin", 7, "cylinder.phi"),
+        ("motor_run_up", 5, "motor.phi"),
+        ("two_mass", 3, "cylinder.phi"),
+    ] {
+        let text = answer(&["explain", scene, "--without-times"]);
+        assert!(text.contains(gone) && text.contains("cyclic"), "{text}");
+        let json = answer(&["explain", scene, "--json", "--without-times"]);
+        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        assert_eq!(json["states"].as_array().map(Vec::len), Some(states), "{scene}");
+        assert_eq!(json["left_out"][0]["name"], gone);
+        let stages = json["stages"].as_array().expect("stages");
+        assert_eq!(stages[0]["size"]["states"], states + 1);
+    }
+    let whole = answer(&["explain", "saw_gin", "--keep-all", "--without-times"]);
+    assert!(whole.contains("Nothing is left out") && whole.contains("motor.phi, cylinder.phi"));
+}
+
+#[test]
+fn explain_measures_what_freezing_the_coupling_would_do() {
+    let json = answer(&["explain", "two_mass", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let candidate = &json["freeze_candidates"][0];
+    assert_eq!(candidate["instance"], "coupling");
+    let errors = candidate["price"]["Ok"]["errors"].as_array().expect("errors");
+    assert_eq!(errors[0][0], "twist");
+    assert_eq!(errors[0][1], 1.0, "a rigid coupling does not twist");
+    assert!(errors[2][1].as_f64().is_some_and(|error| error > 0.0 && error < 0.2), "{errors:?}");
+    assert!(json["run"]["ratio"].as_f64().is_some_and(|ratio| ratio > 0.0));
+}
+
+#[test]
+fn a_freeze_beyond_its_tolerance_is_refused_with_the_figure() {
+    let folder = tempfile::tempdir().expect("a folder");
+    copy_specs(folder.path());
+    let path = folder.path().join("scenes/two_mass.toml");
+    let spec = fs::read_to_string(&path).expect("the spec");
+    let freeze = |tolerance: &str, outputs: &str| {
+        let spec = spec.replace(
+            "twist = \"coupling.twist\"\ncoupling_torque = \"coupling.torque\"\n",
+            outputs,
+        );
+        let freeze = format!("{spec}\n[freeze]\nrigid = [\"coupling\"]\ntolerance = {tolerance}\n");
+        fs::write(&path, freeze).expect("written");
+    };
+    freeze("0.5", "twist = \"coupling.twist\"\n");
+    for arguments in [["run", text(&path)], ["explain", text(&path)]] {
+        let output = output(&arguments);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        let said = said(&output);
+        assert!(said.contains("`twist` is wrong by 1.00e0") && said.contains("5e-1"), "{said}");
+    }
+    freeze("0.25", "");
+    let run = answer(&["run", text(&path)]);
+    assert!(run.contains("driver_speed"), "{run}");
+}

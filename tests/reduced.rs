@@ -475,3 +475,40 @@ fn a_scene_without_outputs_keeps_its_states() {
     let text = CHAIN.split("[outputs]").next().expect("the rest");
     assert_eq!(Spec::new(text).needed().layout.len(), 6);
 }
+
+fn frozen(outputs: &str, tolerance: &str) -> Spec {
+    let text = GIN.replace("speed = \"cylinder.omega\"\n", outputs).replace(
+        "[run]",
+        &format!("[freeze]\nrigid = [\"coupling\"]\ntolerance = {tolerance}\n[run]"),
+    );
+    Spec::new(&text)
+}
+
+#[test]
+fn a_rigid_coupling_makes_two_rotors_one() {
+    let spec = frozen("speed = \"cylinder.omega\"\nmotor = \"motor.omega\"\n", "0.05");
+    let (needed, exact) = (spec.needed(), spec.program(Keep::Exact));
+    assert_eq!((needed.layout.len(), exact.layout.len()), (5, 7));
+    assert_eq!(left_out(&needed, What::State, Why::Frozen), ["motor.phi", "motor.omega"]);
+    let unneeded = left_out(&needed, What::Parameter, Why::Unreachable);
+    assert_eq!(unneeded, ["coupling.stiffness", "coupling.damping"]);
+    assert_sound(&needed);
+    let (ours, theirs) = (run(&needed, Some(1.0)), run(&exact, Some(1.0)));
+    let (ours, theirs) = (ours.last("speed").unwrap(), theirs.last("speed").unwrap());
+    assert!((ours - theirs).abs() < 1e-2 * theirs, "{ours} for {theirs}");
+    assert!(ours != theirs);
+}
+
+#[test]
+fn what_does_not_hold_a_ratio_or_does_not_start_at_rest_is_not_frozen() {
+    let refused = |text: &str| {
+        let spec = Spec::new(text);
+        let path = spec.folder.path().join("scene.toml");
+        pipeline::generate(&path, Keep::Needed).expect_err("refused").render()
+    };
+    let freeze = |unit: &str| format!("\n[freeze]\nrigid = [\"{unit}\"]\ntolerance = 0.1\n");
+    let moving = format!("{CHAIN}{}", freeze("second"));
+    assert!(refused(&moving).contains("not at rest at the start"));
+    let springless = format!("{CHAIN}{}", freeze("a"));
+    assert!(refused(&springless).contains("no potential energy of two coordinates"));
+}

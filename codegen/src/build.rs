@@ -103,6 +103,13 @@ impl Build {
 fn generate(scene: &Path) -> Result<Program, BuildError> {
     println!("cargo:rerun-if-changed={}", scene.display());
     let program = pipeline::generate(scene, Keep::Needed)?;
+    if !program.system.freeze.rigid.is_empty() {
+        let scene = &program.system.name;
+        println!(
+            "cargo:warning=scene {scene} is frozen in part; `machinist explain` measures what that \
+             does to its outputs"
+        );
+    }
     // Units that come with Machinist have no path; they change with the crate.
     for file in program.system.files.iter().filter(|file| !file.path.as_os_str().is_empty()) {
         println!("cargo:rerun-if-changed={}", file.path.display());

@@ -288,6 +288,14 @@ impl From<crate::cas::CasError> for Diagnostics {
     }
 }
 
+impl From<crate::reduce::FreezeError> for Diagnostics {
+    fn from(error: crate::reduce::FreezeError) -> Self {
+        let help =
+            "leave it out of `rigid` in [freeze]; `machinist explain` lists what can be frozen";
+        Diagnostic::of_file("", error.to_string(), help).into()
+    }
+}
+
 impl From<Diagnostic> for Diagnostics {
     fn from(error: Diagnostic) -> Self {
         Diagnostics { errors: vec![error], left_out: 0 }

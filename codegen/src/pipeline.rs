@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostics;
 use crate::lagrange::{self, EquationsOfMotion};
 use crate::linearize::linearize;
 use crate::program::Program;
-use crate::reduce::{Keep, reduce};
+use crate::reduce::{FreezeError, Keep, reduce};
 use crate::system::LagrangianSystem;
 use crate::{lower, scene, spec};
 
@@ -21,12 +21,19 @@ use crate::{lower, scene, spec};
 /// # Errors
 /// With file, line, span and hint for whatever is wrong in the spec.
 pub fn generate(scene: &Path, keep: Keep) -> Result<Program, Diagnostics> {
-    let system = check(scene)?;
+    compile(check(scene)?, keep)
+}
+
+/// A checked scene to its program.
+///
+/// # Errors
+/// As [`generate`].
+pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Program, Diagnostics> {
     let linearization = session(move |cas| {
         let equations = lagrange::derive(cas, &system);
-        let needed = reduce(cas, &equations, keep);
-        linearize(cas, &needed)
-    })?;
+        let needed = reduce(cas, &equations, keep)?;
+        Ok::<_, FreezeError>(linearize(cas, &needed))
+    })??;
     Ok(lower::lower(&linearization))
 }
 

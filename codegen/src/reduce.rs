@@ -3,18 +3,21 @@
 //! In this order: parameters that the scene fixes become numbers ([`fixed`]);
 //! states that no output reaches go ([`reach`]); positions that nothing depends
 //! on, but for their differences, go ([`cyclic`]); what is then not mentioned any
-//! more goes ([`unused`]). None of it changes what the outputs are.
+//! more goes ([`unused`]). None of it changes what the outputs are. Before all that,
+//! and only where the scene asks for it, springs are taken for rigid ([`frozen`]).
 //!
 //! Energy and power balance are those of the part that is kept; what is left out
 //! acts on it as an outside force, whose power is among the power supplied.
 
 mod cyclic;
 mod fixed;
+mod frozen;
 mod reach;
 mod unused;
 
 use crate::cas::Cas;
-use crate::lagrange::EquationsOfMotion;
+use crate::lagrange::{EquationsOfMotion, derive};
+pub use frozen::FreezeError;
 
 /// How much of a scene is kept. Each leaves out all that the one before it does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -25,7 +28,10 @@ pub enum Keep {
     Tunable,
     /// Only what some output depends on.
     Reachable,
-    /// Of positions, only what some output or rate depends on.
+    /// Of positions, only what some output or rate depends on. Exact up to here.
+    Exact,
+    /// What the scene wants frozen is rigid; the same as [`Keep::Exact`] if it wants
+    /// nothing frozen.
     #[default]
     Needed,
 }
@@ -78,24 +84,38 @@ pub enum Why {
     Fixed,
     /// The scene fixes it at zero, and its terms vanish.
     Zero,
+    /// The scene wants it frozen: an approximation.
+    Frozen,
 }
 
 /// The equations of what is kept.
-pub fn reduce(cas: &mut Cas, whole: &EquationsOfMotion, keep: Keep) -> EquationsOfMotion {
+///
+/// # Errors
+/// [`FreezeError`] if the scene wants something frozen that cannot be.
+pub fn reduce(
+    cas: &mut Cas,
+    whole: &EquationsOfMotion,
+    keep: Keep,
+) -> Result<EquationsOfMotion, FreezeError> {
     let mut equations = whole.clone();
+    if keep >= Keep::Needed && !whole.system.freeze.rigid.is_empty() {
+        let mut reduction = Reduction::default();
+        let system = frozen::freeze(cas, &whole.system, &mut reduction)?;
+        equations = EquationsOfMotion { reduction, ..derive(cas, &system) };
+    }
     if keep >= Keep::Tunable {
         equations = fixed::fix(cas, equations);
     }
     if keep >= Keep::Reachable {
         equations = reach::slice(cas, equations);
     }
-    if keep >= Keep::Needed {
+    if keep >= Keep::Exact {
         equations = cyclic::relative(cas, equations);
     }
     if keep >= Keep::Tunable {
         equations = unused::drop(cas, equations, whole);
     }
-    equations
+    Ok(equations)
 }
 
 impl Reduction {
@@ -129,6 +149,7 @@ impl Why {
             Why::Cyclic => "cyclic",
             Why::Fixed => "fixed",
             Why::Zero => "zero",
+            Why::Frozen => "frozen",
         }
     }
 }

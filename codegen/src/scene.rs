@@ -15,6 +15,8 @@ mod resolve;
 mod spline;
 mod typed;
 
+pub(crate) use evaluate::evaluate;
+
 use crate::diagnostic::{Diagnostic, Diagnostics, Mistake};
 use crate::expr::ParameterId;
 use crate::spec::SceneSpec;

@@ -69,6 +69,10 @@ pub struct SceneSpec {
     pub outputs: Vec<OutputSpec>,
     /// Parameters that runs may change; all, if not given.
     pub tunable: Option<Vec<Spanned<String>>>,
+    /// Instances to be taken for rigid.
+    pub rigid: Vec<Spanned<String>>,
+    /// Largest relative error of an output allowed for it.
+    pub freeze_tolerance: f64,
     /// The run asked for.
     pub run: RunSpec,
     /// Tables read from CSV files.

@@ -99,6 +99,25 @@ pub struct GeneralizedForce {
     pub conversion: Expr,
 }
 
+/// The potential energy of one instance of a unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spring {
+    /// The instance.
+    pub instance: String,
+    /// Its part of V.
+    pub potential: Expr,
+}
+
+/// Approximations that a scene asks for.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Freeze {
+    /// Instances whose springs are to be taken for rigid.
+    pub rigid: Vec<String>,
+    /// Largest error of any output that is allowed for it, relative to the output's
+    /// largest value over the scene's run.
+    pub tolerance: f64,
+}
+
 /// The run a scene asks for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunDefaults {
@@ -152,6 +171,8 @@ pub struct LagrangianSystem {
     pub kinetic: Expr,
     /// V.
     pub potential: Expr,
+    /// V by instances, for those that have one.
+    pub springs: Vec<Spring>,
     /// D.
     pub dissipation: Expr,
     /// Q, one for each coordinate.
@@ -173,6 +194,8 @@ pub struct LagrangianSystem {
     pub discontinuities: Vec<Expr>,
     /// The run unless told otherwise.
     pub run: RunDefaults,
+    /// Approximations wanted.
+    pub freeze: Freeze,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,
 }
@@ -204,6 +227,7 @@ impl LagrangianSystem {
         for force in &mut self.generalized_force {
             all.extend([&mut force.total, &mut force.conversion]);
         }
+        all.extend(self.springs.iter_mut().map(|spring| &mut spring.potential));
         all.extend(self.helpers.iter_mut().map(|helper| &mut helper.expr));
         all.extend(self.outputs.iter_mut().map(|output| &mut output.expr));
         all.extend(&mut self.discontinuities);

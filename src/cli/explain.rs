@@ -1,6 +1,7 @@
 //! `machinist explain`: what is left out of a scene, why, and what that saves.
 
 use clap::Args;
+use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
 use machinist_codegen::structure::{Frequency, Structure};
 use serde_json::{Value, json};
@@ -10,6 +11,7 @@ use super::output::{columns, print};
 use super::progress::during;
 use super::scene::spec_path;
 use crate::explain::{Explanation, Times};
+use crate::freeze::{Candidate, admit};
 use crate::report::number::number;
 
 #[derive(Debug, Args)]
@@ -30,6 +32,9 @@ pub struct Explain {
 impl Explain {
     pub fn execute(&self) -> Result<(), Failure> {
         let path = spec_path(&self.scene)?;
+        if !self.keep_all {
+            admit(&path, &pipeline::generate(&path, Keep::Needed)?)?;
+        }
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
         let explanation =
             during("deriving and running", || Explanation::new(&path, keep, !self.without_times))?;
@@ -50,6 +55,7 @@ fn as_text(explanation: &Explanation) -> String {
     for line in structure(&explanation.structure) {
         text.push_str(&format!("  {line}\n"));
     }
+    text.push_str(&candidates(&explanation.candidates));
     match &explanation.times {
         Some(Ok(times)) => text.push_str(&format!("\n{}\n", run_times(times))),
         Some(Err(error)) => text.push_str(&format!("\nNo run times: {error}\n")),
@@ -95,6 +101,34 @@ fn sizes(explanation: &Explanation) -> String {
 
 fn difference(before: usize, after: usize) -> i64 {
     before as i64 - after as i64
+}
+
+/// What could be frozen: one line an instance, with its price.
+fn candidates(candidates: &[Candidate]) -> String {
+    if candidates.is_empty() {
+        return String::new();
+    }
+    let lines = candidates.iter().map(|candidate| format!("  {}\n", price(candidate)));
+    format!("\nWhat [freeze] could take for rigid\n{}", lines.collect::<String>())
+}
+
+/// A sentence on the price of a candidate.
+pub fn price(candidate: &Candidate) -> String {
+    match &candidate.price {
+        Err(error) => format!("{}: its run stopped: {error}", candidate.instance),
+        Ok(price) => {
+            let errors = price.errors.iter();
+            let errors: Vec<String> =
+                errors.map(|(output, error)| format!("{output} {}", number(*error, 2))).collect();
+            format!(
+                "{}: {} states, {} of the time; errors relative to the largest value: {}",
+                candidate.instance,
+                price.states,
+                number(price.time_ratio, 2),
+                errors.join(", ")
+            )
+        }
+    }
 }
 
 /// Sentences on what the structure allows.
@@ -176,6 +210,7 @@ fn as_json(explanation: &Explanation) -> Value {
             "rate_operations": frequency(structure.rate),
             "jacobian_operations": frequency(structure.jacobian),
         },
+        "freeze_candidates": explanation.candidates,
         "run": times,
     })
 }

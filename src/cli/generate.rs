@@ -10,6 +10,7 @@ use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use super::output::print;
 use super::progress::during;
 use super::{Failure, specs};
+use crate::freeze::admit;
 
 /// Where emitted scenes are kept.
 pub const EMITTED: &str = "generated/src/scenes";
@@ -25,15 +26,23 @@ pub struct Generate {
     /// The folder of the emitted files
     #[arg(long, value_name = "DIR", default_value = EMITTED)]
     out: PathBuf,
+    /// Leave nothing out, whether the outputs need it or not
+    #[arg(long)]
+    keep_all: bool,
 }
 
 impl Generate {
     /// Everything is derived and emitted in memory before anything is written.
     pub fn execute(&self) -> Result<(), Failure> {
         let files = specs::scene_files(&self.specs)?;
-        let programs = during("deriving", || {
-            specs::all(&files, |file| pipeline::generate(file, Keep::Needed))
-        })?;
+        let keep = if self.keep_all { Keep::All } else { Keep::Needed };
+        let programs =
+            during("deriving", || specs::all(&files, |file| pipeline::generate(file, keep)))?;
+        if !self.keep_all {
+            for (file, program) in files.iter().zip(&programs) {
+                admit(file, program)?;
+            }
+        }
         let mode = if self.check { Mode::Check } else { Mode::Write };
         let summary = emit_scenes(&self.out, &programs, mode)?;
         print(&describe(&summary))

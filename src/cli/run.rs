@@ -18,6 +18,9 @@ use crate::report::number::number;
 pub struct Run {
     /// Name of a scene built in, or a scene file
     scene: String,
+    /// Leave nothing out, whether the outputs need it or not
+    #[arg(long)]
+    keep_all: bool,
     /// Give a parameter another value, in its SI unit
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, f64)>,
@@ -62,7 +65,7 @@ impl Run {
         if let Some(file) = &self.plot {
             require_ending(file, &["svg", "png"], "--plot")?;
         }
-        let scene = Scene::load(&self.scene)?;
+        let scene = Scene::load(&self.scene, self.keep_all)?;
         self.check_columns(scene.simulator())?;
         let simulation = self.simulation(scene.simulator())?;
         let mut trajectory = during("simulating", || simulation.run())?;

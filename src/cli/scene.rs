@@ -10,6 +10,7 @@ use machinist_scenes::{Simulator, scenes};
 
 use super::progress::during;
 use super::{Failure, specs};
+use crate::freeze::admit;
 
 /// A scene ready to run.
 pub enum Scene {
@@ -20,11 +21,16 @@ pub enum Scene {
 }
 
 impl Scene {
-    /// The scene of a name or of a spec file.
-    pub fn load(argument: &str) -> Result<Self, Failure> {
-        if is_path(argument) {
-            let program =
-                during("deriving", || pipeline::generate(Path::new(argument), Keep::Needed))?;
+    /// The scene of a name or of a spec file; of its spec in any case if nothing is
+    /// to be left out.
+    pub fn load(argument: &str, keep_all: bool) -> Result<Self, Failure> {
+        if keep_all || is_path(argument) {
+            let path = spec_path(argument)?;
+            let keep = if keep_all { Keep::All } else { Keep::Needed };
+            let program = during("deriving", || pipeline::generate(&path, keep))?;
+            if !keep_all {
+                admit(&path, &program)?;
+            }
             return Ok(Self::Interpreted(Box::new(InterpretedSimulator::new(program))));
         }
         scenes::find::<f64>(argument).map(Self::Emitted).ok_or_else(|| unknown(argument))

@@ -2,14 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use machinist_codegen::cas::session;
 use machinist_codegen::diagnostic::Diagnostics;
 use machinist_codegen::emit::tape_operations;
 use machinist_codegen::lagrange::EquationsOfMotion;
-use machinist_codegen::linearize::linearize;
+use machinist_codegen::pipeline;
 use machinist_codegen::program::Program;
-use machinist_codegen::reduce::{Keep, reduce};
-use machinist_codegen::{lower, pipeline};
+use machinist_codegen::reduce::Keep;
 
 use super::Failure;
 
@@ -81,12 +79,8 @@ impl Derived {
     /// Derives a scene file.
     pub fn new(scene: &Path) -> Result<Self, Diagnostics> {
         let equations = pipeline::derive(scene)?;
-        let for_people = equations.clone();
-        let linearization = session(move |cas| {
-            let needed = reduce(cas, &equations, Keep::Needed);
-            linearize(cas, &needed)
-        })?;
-        Ok(Self { equations: for_people, program: lower::lower(&linearization) })
+        let program = pipeline::compile(equations.system.clone(), Keep::Needed)?;
+        Ok(Self { equations, program })
     }
 }
 

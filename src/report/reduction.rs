@@ -36,6 +36,10 @@ pub fn section(explanation: &Explanation, dependencies: &Dependencies) -> Markup
             Some(Err(error)) => p.warning { "The runs to compare stopped. " (error) },
             None => {}
         }
+        @if !explanation.candidates.is_empty() {
+            p { "What could be taken for rigid on request, measured by running both:" }
+            ul { @for candidate in &explanation.candidates { li { (explain::price(candidate)) } } }
+        }
         figure {
             div.scroll { (drawing(dependencies)) }
             figcaption {

@@ -27,6 +27,7 @@ pub(super) fn fix(cas: &mut Cas, equations: EquationsOfMotion) -> EquationsOfMot
         // As a number it would divide by zero; a run may set it, or never get there.
         fixed.retain(|id| !singular.contains(id));
     }
+    let reduction = equations.reduction;
     let mut system = equations.system;
     let values: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
     for expr in system.exprs_mut() {
@@ -35,7 +36,7 @@ pub(super) fn fix(cas: &mut Cas, equations: EquationsOfMotion) -> EquationsOfMot
     for (id, parameter) in (0..).map(ParameterId).zip(&mut system.parameters) {
         parameter.tunable = !fixed.contains(&id);
     }
-    derive(cas, &system)
+    EquationsOfMotion { reduction, ..derive(cas, &system) }
 }
 
 fn number(symbol: Symbol, fixed: &BTreeSet<ParameterId>, values: &[f64]) -> Option<Expr> {

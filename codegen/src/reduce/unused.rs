@@ -172,6 +172,7 @@ fn consume(equations: &mut EquationsOfMotion) {
     system.supplied_power = equations.supplied.clone();
     system.dissipated_power = equations.dissipated.clone();
     system.generalized_force.clear();
+    system.springs.clear();
     let initial = |symbol| {
         let state = layout.states.iter().find(|state| state.motion.symbol() == symbol);
         state.map_or_else(|| Expr::integer(0), |state| state.initial.clone())

@@ -2,7 +2,7 @@
 
 mod initial;
 mod outputs;
-mod tunable;
+mod precision;
 
 use crate::diagnostic::{Mistake, Span};
 use crate::dimension::Dimension;
@@ -15,7 +15,7 @@ use crate::spec::expression::Ast;
 use crate::spec::{Declared, InstanceSpec, SceneSpec, UnitSpec, did_you_mean, quoted};
 use crate::system::{
     Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Name, Parameter, Quantity,
-    RunDefaults,
+    RunDefaults, Spring,
 };
 
 /// Values of all parameters, those of the scene first; instances may have others
@@ -55,7 +55,7 @@ pub fn assemble(
     let mut assembler =
         Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), mistakes };
     assembler.inputs();
-    let energies = assembler.energies();
+    let (energies, springs) = assembler.energies();
     let [kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
     let generalized_force = assembler.forces();
@@ -63,6 +63,7 @@ pub fn assemble(
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
     let parameters = assembler.parameters();
+    let freeze = assembler.freeze();
     let helpers = assembler.helpers();
     let outputs = assembler.outputs();
     assembler.inertia(&kinetic);
@@ -79,6 +80,7 @@ pub fn assemble(
         parameters,
         kinetic,
         potential,
+        springs,
         dissipation,
         generalized_force,
         stored_energy,
@@ -95,6 +97,7 @@ pub fn assemble(
             rtol: run.rtol,
             method: run.method.clone(),
         },
+        freeze,
         files: spec.sources.files(),
     }
 }
@@ -158,8 +161,10 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// T, V, D, stored energy, supplied and dissipated power: sums over instances.
-    fn energies(&mut self) -> [Expr; 6] {
+    /// T, V, D, stored energy, supplied and dissipated power: sums over instances;
+    /// and V of each instance.
+    fn energies(&mut self) -> ([Expr; 6], Vec<Spring>) {
+        let mut springs = Vec::new();
         let energy = |what: &str| Wanted { energy: true, ..Wanted::new(Dimension::ENERGY, what) };
         let power = |what: &str| Wanted::new(Dimension::POWER, what);
         let place = crate::scene::typed::Uses::PLACE;
@@ -172,7 +177,7 @@ impl<'a> Assembler<'a> {
             power("the dissipated power"),
         ];
         let mut terms: [Vec<Expr>; 6] = Default::default();
-        for (index, _, unit) in self.instances() {
+        for (index, instance, unit) in self.instances() {
             let (energy, power) = (&unit.energy, &unit.power);
             let texts: [&Option<Ast>; 6] = [
                 &energy.kinetic,
@@ -188,8 +193,13 @@ impl<'a> Assembler<'a> {
                     terms.push(self.note(resolved));
                 }
             }
+            if energy.potential.is_some()
+                && let Some(potential) = terms[1].last().cloned()
+            {
+                springs.push(Spring { instance: instance.name.value.clone(), potential });
+            }
         }
-        terms.map(sum)
+        (terms.map(sum), springs)
     }
 
     /// Q of each coordinate of the scene: a force on a coordinate that follows

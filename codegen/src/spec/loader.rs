@@ -56,6 +56,8 @@ pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
             initial: scene.initial,
             outputs: scene.outputs,
             tunable: scene.tunable,
+            rigid: scene.rigid,
+            freeze_tolerance: scene.freeze_tolerance,
             run,
             tables,
         }),

@@ -29,6 +29,8 @@ pub struct SceneText {
     pub initial: Vec<(Spanned<String>, Formula)>,
     pub outputs: Vec<OutputSpec>,
     pub tunable: Option<Vec<Spanned<String>>>,
+    pub rigid: Vec<Spanned<String>>,
+    pub freeze_tolerance: f64,
     pub run: Option<RunSpec>,
 }
 
@@ -71,6 +73,8 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let initial = initial_values(initial, &mut fields);
     let outputs = each(&mut fields, "outputs", output);
     let tunable = fields.take("tunable").map(|tree| tunable(tree, fields.found()));
+    let freeze = fields.take("freeze").map(|tree| freeze(tree, fields.found()));
+    let (rigid, freeze_tolerance) = freeze.unwrap_or_default();
     let run = fields.require("run").and_then(|tree| run(tree, fields.found()));
     fields.close();
     SceneText {
@@ -84,6 +88,8 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         initial,
         outputs,
         tunable,
+        rigid,
+        freeze_tolerance,
         run,
     }
 }
@@ -178,15 +184,34 @@ fn output(entry: &Entry, found: &mut Findings) -> Option<OutputSpec> {
 
 fn tunable(tree: &Spanned<Tree>, found: &mut Findings) -> Vec<Spanned<String>> {
     let mut fields = Fields::open(tree, "[tunable]".to_owned(), found);
-    let names = match fields.require("parameters") {
-        None => Vec::new(),
-        Some(Spanned { value: Tree::List(items), .. }) => {
-            items.iter().filter_map(|item| fields.as_text(item, "parameters")).collect()
-        }
-        Some(tree) => fields.wrong(tree, "parameters", "a list of names").unwrap_or_default(),
-    };
+    let names = required_names("parameters", &mut fields);
     fields.close();
     names
+}
+
+/// Instances to be taken for rigid, and the error allowed for it.
+fn freeze(tree: &Spanned<Tree>, found: &mut Findings) -> (Vec<Spanned<String>>, f64) {
+    let mut fields = Fields::open(tree, "[freeze]".to_owned(), found);
+    let rigid = required_names("rigid", &mut fields);
+    let tolerance = fields.required_number("tolerance");
+    fields.close();
+    if let Some(tolerance) = &tolerance
+        && !(tolerance.value > 0.0 && tolerance.value <= 1.0)
+    {
+        let message = "`tolerance` is an error relative to an output, above 0 and at most 1";
+        found.mistakes.push(Mistake::new(tolerance.span, message, "out of range"));
+    }
+    (rigid, tolerance.map_or(0.0, |tolerance| tolerance.value))
+}
+
+fn required_names(key: &'static str, fields: &mut Fields<'_>) -> Vec<Spanned<String>> {
+    match fields.require(key) {
+        None => Vec::new(),
+        Some(Spanned { value: Tree::List(items), .. }) => {
+            items.iter().filter_map(|item| fields.as_text(item, key)).collect()
+        }
+        Some(tree) => fields.wrong(tree, key, "a list of names").unwrap_or_default(),
+    }
 }
 
 fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {

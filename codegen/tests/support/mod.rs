@@ -7,8 +7,8 @@ use machinist_codegen::program::{MatrixTape, Program, SparsityPattern};
 use machinist_codegen::reduce::Reduction;
 use machinist_codegen::state::Layout;
 use machinist_codegen::system::{
-    Coordinate, Definition, FirstOrderState, GeneralizedForce, LagrangianSystem, Name, Parameter,
-    Quantity, RunDefaults, SourceFile, Table,
+    Coordinate, Definition, FirstOrderState, Freeze, GeneralizedForce, LagrangianSystem, Name,
+    Parameter, Quantity, RunDefaults, SourceFile, Table,
 };
 use machinist_codegen::tape::{Node, NodeId, Op, Tape};
 
@@ -165,6 +165,7 @@ fn pendulum_system() -> LagrangianSystem {
         ],
         kinetic: zero(),
         potential: zero(),
+        springs: vec![],
         dissipation: zero(),
         generalized_force: vec![GeneralizedForce { total: zero(), conversion: zero() }],
         stored_energy: zero(),
@@ -188,6 +189,7 @@ fn pendulum_system() -> LagrangianSystem {
             rtol: 1e-8,
             method: "bdf".to_owned(),
         },
+        freeze: Freeze::default(),
         files: vec![SourceFile {
             path: "specs/scenes/pendulum.toml".into(),
             label: "scenes/pendulum.toml".to_owned(),

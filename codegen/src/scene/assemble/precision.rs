@@ -1,9 +1,11 @@
-//! Which parameters runs may change.
+//! What the scene says of precision: which parameters runs may change, and what
+//! may be taken for rigid.
 
 use crate::diagnostic::{Mistake, Spanned};
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::spec::{did_you_mean, quoted};
+use crate::system::Freeze;
 
 impl Assembler<'_> {
     /// Whether each parameter may be changed, those of the scene first; all may, if
@@ -22,6 +24,22 @@ impl Assembler<'_> {
             }
         }
         tunable
+    }
+
+    /// Instances to be taken for rigid, each known and named once.
+    pub(super) fn freeze(&mut self) -> Freeze {
+        let mut freeze = Freeze { tolerance: self.spec.freeze_tolerance, ..Freeze::default() };
+        for name in &self.spec.rigid {
+            if let Err(mistake) = find_instance(self.spec, &name.value, name.span) {
+                self.mistakes.push(*mistake);
+            } else if freeze.rigid.contains(&name.value) {
+                let message = format!("{} is frozen twice", quoted(&name.value));
+                self.mistakes.push(Mistake::new(name.span, message, "again"));
+            } else {
+                freeze.rigid.push(name.value.clone());
+            }
+        }
+        freeze
     }
 
     fn tunable_parameter(&self, path: &Spanned<String>) -> Result<usize, Box<Mistake>> {

@@ -11,6 +11,7 @@ mod taylor;
 use std::fmt;
 use std::str::FromStr;
 
+use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
 use crate::error::{StopCause, UnknownMethod, did_you_mean};
@@ -139,6 +140,13 @@ impl Method {
     #[must_use]
     pub fn is_implicit(self) -> bool {
         self.row().implicit
+    }
+
+    /// Whether the method can run this simulator: `taylor` needs the series that
+    /// emitted simulators have and simulators written by hand may lack.
+    #[must_use]
+    pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
+        self != Self::Taylor || simulator.taylor().is_some()
     }
 
     /// One line for people.

@@ -9,17 +9,17 @@ use machinist_scenes::{Simulator, scenes};
 
 mod common;
 
-#[allow(dead_code, reason = "tests need not use all")]
+#[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod coupled {
     include!("../codegen/tests/emitted/coupled.rs");
 }
 
-#[allow(dead_code, reason = "tests need not use all")]
+#[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod recurrences {
     include!("../codegen/tests/emitted/recurrences.rs");
 }
 
-#[allow(dead_code, reason = "tests need not use all")]
+#[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod pendulum {
     include!("../codegen/tests/emitted/pendulum.rs");
 }

@@ -124,6 +124,7 @@ pub struct Factored<R, const N: usize> {
     factors: [[R; N]; N],
 }
 
+#[allow(clippy::needless_range_loop, reason = "rows and columns of one matrix")]
 impl<R: Real, const N: usize> Factored<R, N> {
     /// Factors a matrix, of which the lower triangle is read.
     #[must_use]

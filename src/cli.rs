@@ -7,12 +7,16 @@
 
 mod check;
 mod derive;
+pub mod explain;
 mod failure;
 mod generate;
+mod linear;
 mod list;
+pub mod modes;
 mod output;
 pub mod progress;
 mod report;
+mod response;
 mod run;
 mod scene;
 pub mod specs;
@@ -40,8 +44,14 @@ enum Command {
     Check(check::Check),
     /// Print the equations of motion of a scene
     Derive(derive::Derive),
+    /// Say what is left out of a scene, why, and what that saves
+    Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
+    /// Natural frequencies, damping and mode shapes of a scene
+    Modes(modes::Modes),
+    /// Frequency response of a scene: amplitude and phase
+    Response(response::FrequencyResponse),
     /// Hold the simulators against closed forms and references
     Verify(verify::Verify),
     /// Make one page with equations, plots, checks and costs of all scenes
@@ -56,7 +66,10 @@ pub fn main() -> ExitCode {
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
         Command::Derive(command) => command.execute(),
+        Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Modes(command) => command.execute(),
+        Command::Response(command) => command.execute(),
         Command::Verify(command) => command.execute(),
         Command::Report(command) => command.execute(),
         Command::List(command) => command.execute(),

@@ -112,6 +112,12 @@ pub enum StopCause {
         /// What is not finite.
         what: String,
     },
+    /// The tolerance is finer than numbers are.
+    #[error("rounding alone exceeds the relative tolerance {rtol}. Hint: 1e-14 is about the least")]
+    ToleranceBelowRounding {
+        /// The relative tolerance.
+        rtol: f64,
+    },
     /// Newton's iteration fails however small the step.
     #[error(
         "Newton's iteration does not converge. \
@@ -122,7 +128,7 @@ pub enum StopCause {
     /// The limit on steps is reached.
     #[error(
         "the limit of {limit} steps is reached. \
-         Hint: an explicit method on a stiff machine (try `bdf`), or raise the limit"
+         Hint: an explicit method on a stiff machine (try `auto`), or raise the limit"
     )]
     TooManySteps {
         /// The limit.

@@ -71,7 +71,7 @@ impl InterpretedSimulator {
         results: &mut [f64],
     ) {
         let system = &self.program.system;
-        assert_eq!(state.len(), system.states(), "length of the state");
+        assert_eq!(state.len(), self.program.layout.len(), "length of the state");
         assert_eq!(parameters.len(), system.parameters.len(), "number of parameters");
         evaluator.borrow_mut().evaluate(time, state, parameters, &system.tables, results);
     }
@@ -100,19 +100,19 @@ impl Describe for InterpretedSimulator {
         let system = &self.program.system;
         Shape {
             coordinates: system.coordinates.len(),
+            positions: self.program.layout.positions(),
             first_order: system.first_order.len(),
+            quadratures: self.program.layout.quadratures,
             parameters: system.parameters.len(),
             outputs: system.outputs.len(),
             discontinuities: system.discontinuities.len(),
         }
     }
     fn state(&self, index: usize) -> Quantity<'_> {
-        let quantity = self.program.system.state_quantities().nth(index);
-        described(quantity.expect("an index below the number of states"))
+        described(&self.program.layout.states[index].quantity)
     }
     fn state_scale(&self, index: usize) -> f64 {
-        let scale = self.program.system.state_scales().nth(index);
-        scale.expect("an index below the number of states")
+        self.program.layout.states[index].scale
     }
     fn parameter(&self, index: usize) -> Quantity<'_> {
         described(&self.program.system.parameters[index].quantity)
@@ -208,7 +208,7 @@ impl TaylorSeries<f64> for InterpretedSimulator {
         _workspace: &mut [f64],
     ) {
         let system = &self.program.system;
-        assert_eq!(state.len(), system.states(), "length of the state");
+        assert_eq!(state.len(), self.program.layout.len(), "length of the state");
         assert_eq!(parameters.len(), system.parameters.len(), "number of parameters");
         let mut series = self.series.borrow_mut();
         series.evaluate(time, state, parameters, &system.tables, coefficients);

@@ -1,4 +1,4 @@
-//! The reproduction ledger: what the saw-gin study prints, what its equations as
+//! The reproduction ledger: what the saw-gin and winder studies print, what their equations as
 //! printed give, what the consistent reading gives, and what to make of it.
 //!
 //! Only the printed figures are written down here; every other number is computed
@@ -7,6 +7,7 @@
 mod motor;
 mod run_up;
 mod shaft;
+mod winder;
 
 use serde::Serialize;
 
@@ -39,6 +40,7 @@ pub fn ledger() -> Result<Vec<LedgerRow>, CheckFailure> {
     let mut rows = motor::rows()?;
     rows.extend(run_up::rows(&runs));
     rows.extend(shaft::rows(&runs));
+    rows.extend(winder::rows());
     Ok(rows)
 }
 

@@ -11,12 +11,14 @@ pub mod error;
 #[cfg(feature = "cli")]
 pub mod interpreted;
 pub mod ledger;
+pub mod linear_analysis;
 pub mod method;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod simulate;
 pub mod trajectory;
 pub mod verify;
+pub mod winder_walk;
 
 pub use error::SimulateError;
 pub use method::Method;

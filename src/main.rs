@@ -1,6 +1,7 @@
 //! The `machinist` program.
 
 mod cli;
+mod explain;
 mod report;
 
 fn main() -> std::process::ExitCode {

@@ -3,9 +3,21 @@
 //! To add a method: write one file in `src/method/` with a type that is an
 //! [`Integrator`], and add one row to the table below.
 
+mod auto;
 mod diffsol;
+mod explicit;
+mod lanes;
+mod lu;
+mod one_step;
+#[cfg(test)]
+mod order;
+mod quadrature;
+mod radau;
+mod rosenbrock;
+mod step_matrix;
 mod stretch;
 mod system;
+mod tableau;
 mod taylor;
 
 use std::fmt;
@@ -25,10 +37,20 @@ methods! {
     TrBdf2 { name: "tr_bdf2", order: 2, implicit: true, integrator: diffsol::TrBdf2 },
     /// Singly diagonally implicit Runge-Kutta of order 3, explicit first stage; for stiff machines.
     Esdirk34 { name: "esdirk34", order: 3, implicit: true, integrator: diffsol::Esdirk34 },
-    /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
+    /// Explicit Runge-Kutta of order 5 by Tsitouras, diffsol's; for machines that are not stiff.
     Tsit45 { name: "tsit45", order: 5, implicit: false, integrator: diffsol::Tsit45 },
-    /// Taylor series of an order that follows the tolerance; the fastest for smooth machines that are not stiff.
-    Taylor { name: "taylor", order: 30, implicit: false, integrator: taylor::Taylor },
+    /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
+    Tsit5 { name: "tsit5", order: 5, implicit: false, integrator: explicit::Tsit5 },
+    /// Explicit Runge-Kutta of order 8 by Dormand and Prince; not stiff, tight tolerances.
+    Dop853 { name: "dop853", order: 8, implicit: false, integrator: explicit::Dop853 },
+    /// Rosenbrock method of order 5 by Steinebach; for stiff machines.
+    Rodas5p { name: "rodas5p", order: 5, implicit: true, integrator: rosenbrock::Rodas5p },
+    /// Radau IIA of orders 5, 9 and 13, whichever pays; stiff machines, tight tolerances.
+    Radau { name: "radau", order: 13, implicit: true, integrator: radau::Radau },
+    /// Explicit where it can be, implicit where the machine is stiff, by the tolerance.
+    Auto { name: "auto", order: 13, implicit: true, integrator: auto::Auto },
+    /// Taylor series of an order that follows the tolerance; smooth machines that are not stiff.
+    Taylor { name: "taylor", order: 32, implicit: false, integrator: taylor::Taylor },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.

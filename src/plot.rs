@@ -1,6 +1,9 @@
-//! Plots of trajectories as SVG and PNG, with a font of their own.
+//! Plots of trajectories, mode shapes and frequency responses as SVG and PNG, with
+//! a font of their own.
 
+mod linear;
 mod panel;
+mod ruler;
 
 use std::fs;
 use std::io;
@@ -13,7 +16,9 @@ use thiserror::Error;
 
 use crate::error::did_you_mean;
 use crate::trajectory::{Column, ColumnKind, Trajectory};
+pub use linear::{plot_modes, plot_response};
 use panel::Panel;
+use ruler::Axis;
 
 const WIDTH: u32 = 1000;
 const TITLE_HEIGHT: u32 = 64;
@@ -69,32 +74,43 @@ pub enum PlotError {
 /// # Errors
 /// [`PlotError`]; no file is written then, or only part of one.
 pub fn plot(trajectory: &Trajectory, columns: &[&str], path: &Path) -> Result<(), PlotError> {
-    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-    let panels = panels(trajectory, columns)?;
-    // Only a font file that does not parse is refused, and a test parses this one.
-    let _ = register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT);
-    let bytes = match extension.to_ascii_lowercase().as_str() {
-        "svg" => draw_svg(trajectory, &panels)?.into_bytes(),
-        "png" => draw_png(trajectory, &panels)?,
-        _ => return Err(PlotError::UnknownFileType(path.to_owned())),
+    let Trajectory { scene, method, rtol, .. } = trajectory;
+    let axes = [Axis::Linear("time [s]"), Axis::Linear("")];
+    let picture = Picture {
+        title: &trajectory.title,
+        subtitle: format!("{scene}, {method}, rtol {rtol:e}"),
+        panels: panels(trajectory, columns, &axes)?,
     };
-    fs::write(path, bytes).map_err(|source| PlotError::Writing { path: path.to_owned(), source })
+    picture.write(path)
+}
+
+/// Panels over each other, under a title.
+struct Picture<'a> {
+    title: &'a str,
+    subtitle: String,
+    panels: Vec<Panel<'a>>,
 }
 
 /// Columns of one unit share a panel; panels in order of first appearance.
-fn panels<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<Panel<'a>>, PlotError> {
+fn panels<'a>(
+    trajectory: &'a Trajectory,
+    names: &[&str],
+    [horizontal, vertical]: &'a [Axis; 2],
+) -> Result<Vec<Panel<'a>>, PlotError> {
     let mut panels: Vec<Panel<'a>> = Vec::new();
     for column in chosen(trajectory, names)? {
         match panels.iter_mut().find(|panel| panel.unit == column.unit) {
             Some(panel) => panel.columns.push(column),
             None => panels.push(Panel {
                 unit: &column.unit,
-                times: &trajectory.times,
+                places: &trajectory.times,
                 columns: vec![column],
+                horizontal,
+                vertical,
             }),
         }
     }
-    if panels.is_empty() { Err(PlotError::Nothing) } else { Ok(panels) }
+    Ok(panels)
 }
 
 fn chosen<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<&'a Column>, PlotError> {
@@ -114,32 +130,74 @@ fn chosen<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<&'a Colu
     names.iter().map(find).collect()
 }
 
-fn draw_svg(trajectory: &Trajectory, panels: &[Panel<'_>]) -> Result<String, PlotError> {
-    let mut text = String::new();
-    let (width, height) = size(panels);
-    {
-        let area = SVGBackend::with_string(&mut text, (width, height)).into_drawing_area();
-        draw(&area, trajectory, panels).map_err(|error| drawing(&error))?;
+impl Picture<'_> {
+    fn write(&self, path: &Path) -> Result<(), PlotError> {
+        let ending = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        if self.panels.is_empty() {
+            return Err(PlotError::Nothing);
+        }
+        // Only a font file that does not parse is refused, and a test parses this one.
+        let _ = register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT);
+        let bytes = match ending.to_ascii_lowercase().as_str() {
+            "svg" => self.svg()?.into_bytes(),
+            "png" => self.png()?,
+            _ => return Err(PlotError::UnknownFileType(path.to_owned())),
+        };
+        fs::write(path, bytes)
+            .map_err(|source| PlotError::Writing { path: path.to_owned(), source })
     }
-    let drawn = format!("width=\"{width}\" height=\"{height}\"");
-    let shown = format!("width=\"{}\" height=\"{}\"", width / SCALE, height / SCALE);
-    Ok(text.replacen(&drawn, &shown, 1))
-}
 
-fn draw_png(trajectory: &Trajectory, panels: &[Panel<'_>]) -> Result<Vec<u8>, PlotError> {
-    let (width, height) = size(panels);
-    let mut pixels = vec![0; width as usize * height as usize * 3];
-    {
-        let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
-        draw(&area, trajectory, panels).map_err(|error| drawing(&error))?;
+    fn svg(&self) -> Result<String, PlotError> {
+        let mut text = String::new();
+        let (width, height) = self.size();
+        {
+            let area = SVGBackend::with_string(&mut text, (width, height)).into_drawing_area();
+            self.draw(&area).map_err(|error| drawing(&error))?;
+        }
+        let drawn = format!("width=\"{width}\" height=\"{height}\"");
+        let shown = format!("width=\"{}\" height=\"{}\"", width / SCALE, height / SCALE);
+        Ok(text.replacen(&drawn, &shown, 1))
     }
-    let (width, height, pixels) = averaged(&pixels, width, height);
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    let written = encoder.write_header().and_then(|mut file| file.write_image_data(&pixels));
-    written.map_err(|error| drawing(&error))?;
-    Ok(bytes)
+
+    fn png(&self) -> Result<Vec<u8>, PlotError> {
+        let (width, height) = self.size();
+        let mut pixels = vec![0; width as usize * height as usize * 3];
+        {
+            let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
+            self.draw(&area).map_err(|error| drawing(&error))?;
+        }
+        let (width, height, pixels) = averaged(&pixels, width, height);
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        let written = encoder.write_header().and_then(|mut file| file.write_image_data(&pixels));
+        written.map_err(|error| drawing(&error))?;
+        Ok(bytes)
+    }
+
+    fn size(&self) -> (u32, u32) {
+        let height = TITLE_HEIGHT + self.panels.len() as u32 * PANEL_HEIGHT + TIME_AXIS_HEIGHT;
+        (WIDTH * SCALE, height * SCALE)
+    }
+
+    fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB> {
+        area.fill(&WHITE)?;
+        let (heading, mut rest) = area.split_vertically(TITLE_HEIGHT * SCALE);
+        self.draw_title(&heading)?;
+        for (index, panel) in self.panels.iter().enumerate() {
+            let is_last = index + 1 == self.panels.len();
+            let (own, below) = rest.split_vertically(PANEL_HEIGHT * SCALE);
+            panel.draw(if is_last { &rest } else { &own }, is_last)?;
+            rest = below;
+        }
+        area.present()
+    }
+
+    fn draw_title<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB> {
+        let at = |x: u32, y: u32| ((x * SCALE) as i32, (y * SCALE) as i32);
+        area.draw_text(self.title, &text(22, panel::INK), at(24, 16))?;
+        area.draw_text(&self.subtitle, &text(14, panel::FAINT), at(24, 42))
+    }
 }
 
 fn drawing(error: &impl ToString) -> PlotError {
@@ -164,40 +222,7 @@ fn averaged(pixels: &[u8], width: u32, height: u32) -> (u32, u32, Vec<u8>) {
     (columns, rows, means)
 }
 
-fn size(panels: &[Panel<'_>]) -> (u32, u32) {
-    let height = TITLE_HEIGHT + panels.len() as u32 * PANEL_HEIGHT + TIME_AXIS_HEIGHT;
-    (WIDTH * SCALE, height * SCALE)
-}
-
 type DrawResult<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
-
-fn draw<DB: DrawingBackend>(
-    area: &DrawingArea<DB, Shift>,
-    trajectory: &Trajectory,
-    panels: &[Panel<'_>],
-) -> DrawResult<DB> {
-    area.fill(&WHITE)?;
-    let (heading, mut rest) = area.split_vertically(TITLE_HEIGHT * SCALE);
-    draw_title(&heading, trajectory)?;
-    for (index, panel) in panels.iter().enumerate() {
-        let is_last = index + 1 == panels.len();
-        let (own, below) = rest.split_vertically(PANEL_HEIGHT * SCALE);
-        panel.draw(if is_last { &rest } else { &own }, is_last)?;
-        rest = below;
-    }
-    area.present()
-}
-
-fn draw_title<DB: DrawingBackend>(
-    area: &DrawingArea<DB, Shift>,
-    trajectory: &Trajectory,
-) -> DrawResult<DB> {
-    let at = |x: u32, y: u32| ((x * SCALE) as i32, (y * SCALE) as i32);
-    area.draw_text(&trajectory.title, &text(22, panel::INK), at(24, 16))?;
-    let Trajectory { scene, method, rtol, .. } = trajectory;
-    let run = format!("{scene}, {method}, rtol {rtol:e}");
-    area.draw_text(&run, &text(14, panel::FAINT), at(24, 42))
-}
 
 fn text(size: u32, color: RGBColor) -> TextStyle<'static> {
     (FONT, f64::from(size * SCALE)).into_font().color(&color)

@@ -8,26 +8,35 @@ mod equations;
 mod figure;
 mod ledger;
 mod licences;
+mod modes;
 pub mod number;
 mod page;
+mod reduction;
 mod scene;
 mod verification;
+mod winder_walk;
 mod work_precision;
 
 use std::path::Path;
 
 use machinist::interpreted::InterpretedSimulator;
 use machinist::ledger::{LedgerRow, ledger as ledger_rows};
+use machinist::linear_analysis::LinearError;
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
+use machinist::winder_walk::FirstStage;
 use machinist::{SimulateError, Simulation};
+use machinist_codegen::dependencies::Dependencies;
 use machinist_codegen::document::{Document, Notation};
+use machinist_codegen::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_scenes::{Simulator, scenes};
 
 use crate::cli::Failure;
 use crate::cli::progress::during;
 use crate::cli::specs::{self, Derived};
+use crate::explain::Explanation;
+use modes::Modes;
 use work_precision::WorkPrecision;
 
 /// Everything the page shows.
@@ -36,6 +45,7 @@ struct Report {
     emitted: Summary,
     verdicts: Vec<Verdict>,
     ledger: Result<Vec<LedgerRow>, String>,
+    winder: Result<FirstStage, String>,
     work_precision: Vec<WorkPrecision>,
 }
 
@@ -43,9 +53,12 @@ struct Report {
 struct SceneData {
     derived: Derived,
     document: Document,
+    explanation: Explanation,
+    dependencies: Dependencies,
     /// Whether the run is by emitted code; a scene that is new is evaluated.
     is_built_in: bool,
     run: Result<Trajectory, SimulateError>,
+    modes: Option<Result<Modes, LinearError>>,
 }
 
 /// The page, made.
@@ -66,20 +79,25 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     let options = VerifyOptions::default();
     let verdicts = during("verifying", || verify_all(&options))
         .map_err(|error| Failure::unsuccessful(error, ""))?;
-    let mut scenes: Vec<SceneData> =
-        during("simulating", || derived.into_iter().map(SceneData::new).collect());
+    let mut scenes: Vec<SceneData> = during("simulating", || {
+        let scenes = derived.into_iter().zip(&files);
+        scenes
+            .map(|(derived, file)| SceneData::new(derived, file, with_times))
+            .collect::<Result<_, Failure>>()
+    })?;
     // As in the table of checks, which goes from the simple to the whole.
     scenes.sort_by_key(|scene| {
         verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
     });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
+    let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
     let work_precision = if with_times {
         during("timing the methods", work_precision::measure)?
     } else {
         Vec::new()
     };
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
-    let report = Report { scenes, emitted, verdicts, ledger, work_precision };
+    let report = Report { scenes, emitted, verdicts, ledger, winder, work_precision };
     Ok(Page { html: page::render(&report), all_passed })
 }
 
@@ -92,17 +110,26 @@ impl Report {
 }
 
 impl SceneData {
-    fn new(derived: Derived) -> Self {
+    fn new(derived: Derived, file: &Path, with_times: bool) -> Result<Self, Failure> {
         let document = Document::new(&derived.equations, Notation::Latex);
         let built_in = scenes::find::<f64>(&derived.program.system.name);
         let run = |simulator: &dyn Simulator<f64>| {
             Simulation::new(simulator).with_energy_balance(true).run()
         };
-        let trajectory = match built_in {
-            Some(simulator) => run(simulator),
-            None => run(&InterpretedSimulator::new(derived.program.clone())),
+        let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
+        let (trajectory, modes) = match built_in {
+            Some(simulator) => both(simulator),
+            None => both(&InterpretedSimulator::new(derived.program.clone())),
         };
-        Self { document, is_built_in: built_in.is_some(), run: trajectory, derived }
+        Ok(Self {
+            document,
+            explanation: Explanation::new(file, Keep::Needed, with_times)?,
+            dependencies: Dependencies::new(&derived.equations, &derived.program.reduction),
+            is_built_in: built_in.is_some(),
+            run: trajectory,
+            modes,
+            derived,
+        })
     }
 
     fn name(&self) -> &str {

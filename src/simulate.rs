@@ -165,6 +165,22 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// The simulator.
+    pub(crate) fn simulator(&self) -> &'a dyn Simulator<f64> {
+        self.simulator
+    }
+
+    /// Where the run starts \[s\].
+    pub(crate) fn start_time(&self) -> f64 {
+        self.from
+    }
+
+    /// State at the start and parameters, found to make sense.
+    pub(crate) fn checked_start(&self) -> Result<(Vec<f64>, Vec<f64>), SimulateError> {
+        let parameters = self.checked_parameters()?.to_vec();
+        Ok((self.checked_initial_state()?, parameters))
+    }
+
     /// Integrates from start to end.
     ///
     /// # Errors
@@ -226,6 +242,7 @@ impl<'a> Simulation<'a> {
             method,
             rtol: self.rtol,
             work: system.work(),
+            notes: system.notes(),
             times,
             columns: table.into_columns(energy_balance.as_ref()),
             energy_balance,

@@ -20,6 +20,9 @@ pub struct Trajectory {
     pub rtol: f64,
     /// What the run cost.
     pub work: Work,
+    /// What the method has to say of the run, such as which one `auto` chose and
+    /// why; mostly nothing.
+    pub notes: Vec<String>,
     /// Output times \[s\].
     pub times: Vec<f64>,
     /// States, then outputs, then energies.

@@ -12,16 +12,21 @@
 mod every_scene;
 pub(crate) mod machine;
 pub(crate) mod motor_run_up;
+mod motor_stationary_axes;
+mod pendulum_chain;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
 mod two_mass;
+pub(crate) mod winder_linear;
+mod winder_nonlinear;
 
 use comfy_table::{Table, presets};
 use serde::Serialize;
 use thiserror::Error;
 
 use crate::error::SimulateError;
+use crate::linear_analysis::LinearError;
 use machine::Machine;
 
 /// What is changed before the checks run.
@@ -101,6 +106,10 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "motor_run_up" => motor_run_up::CHECKS,
         "saw_gin" => saw_gin::CHECKS,
         "saw_gin_as_printed" => saw_gin_as_printed::CHECKS,
+        "motor_stationary_axes" => motor_stationary_axes::CHECKS,
+        "winder_linear" => winder_linear::CHECKS,
+        "winder_nonlinear" => winder_nonlinear::CHECKS,
+        "pendulum_chain" => pendulum_chain::CHECKS,
         _ => &[],
     }
 }
@@ -167,6 +176,9 @@ pub enum CheckFailure {
     /// Its run was refused or stopped.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
+    /// Its linear analysis was refused or did not succeed.
+    #[error(transparent)]
+    Linear(#[from] LinearError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {
@@ -177,6 +189,9 @@ pub enum CheckFailure {
         /// The name asked for.
         name: String,
     },
+    /// A machine that should oscillate does not.
+    #[error("the linearized scene does not oscillate")]
+    NoOscillation,
     /// The motor has no single steady state.
     #[error("the equations of the steady state are singular")]
     Singular,

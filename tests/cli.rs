@@ -344,3 +344,70 @@ fn outside_of_scripts(page: &str) -> String {
     }
     text
 }
+
+#[test]
+fn modes_of_a_machine_in_balance_are_a_table() {
+    let text = answer(&["modes", "two_mass", "--set", "drive_torque=843.72"]);
+    let swing = text.lines().find(|line| line.starts_with("oscillation")).expect("a row");
+    for part in ["cylinder.phi 77 %", "155.025", "139.817", "22.2525", "0.431952"] {
+        assert!(swing.contains(part), "{text}");
+    }
+}
+
+#[test]
+fn modes_as_json_hold_shapes_and_matrices() {
+    let text = answer(&["modes", "two_mass", "--at", "t=0.1", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(json["modes"][2]["kind"], "oscillation");
+    assert_eq!(json["modes"][2]["shape"].as_array().map(Vec::len), Some(4));
+    assert_eq!(json["mass"][0][0], 4.2);
+    assert_eq!(json["stiffness"][0][1], -23065.2);
+    assert_eq!(json["time"], 0.1);
+}
+
+#[test]
+fn modes_without_an_equilibrium_say_what_changes_and_what_to_do() {
+    assert_refused(
+        &["modes", "two_mass"],
+        &["no equilibrium", "`driver.omega` changes by", "--at initial"],
+    );
+    assert_refused(&["modes", "two_mass", "--at", "noon"], &["noon", "equilibrium, initial"]);
+    assert_refused(&["modes", "two_mas"], &["did you mean `two_mass`?"]);
+    assert_refused(&["modes", "two_mass", "--at", "t=-1"], &["must end after it starts"]);
+}
+
+#[test]
+fn a_response_is_written_and_drawn() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [csv, svg, png] = ["r.csv", "r.svg", "r.png"].map(|name| folder.path().join(name));
+    let ask = ["response", "two_mass", "--at", "initial", "--from", "load_torque", "--to", "twist"];
+    let with = |more: &[&str]| answer(&[&ask[..], more].concat());
+    let said =
+        with(&["--range", "1:1e4", "--points", "9", "--out", text(&csv), "--plot", text(&svg)]);
+    assert!(said.contains("twist answers load_torque"), "{said}");
+    let (header, columns) = read_csv(&fs::read_to_string(&csv).expect("a table"));
+    assert_eq!(header, ["frequency [rad/s]", "amplitude [rad/(N m)]", "phase [rad]"]);
+    assert_eq!((columns[0].len(), columns[0][0], columns[0][8]), (9, 1.0, 1e4));
+    assert!((columns[1][0] * 23_065.2 * (4.2 + 1.244) / 4.2 - 1.0).abs() < 1e-3);
+    assert!(fs::read_to_string(&svg).expect("a plot").contains("rad/s"));
+    with(&["--plot", text(&png)]);
+    assert!(fs::read(&png).expect("a plot").starts_with(b"\x89PNG"));
+    let plot = ["modes", "saw_gin", "--plot", text(&svg)];
+    answer(&plot);
+    assert!(fs::read_to_string(&svg).expect("a plot").contains("cylinder.phi"));
+    assert_eq!(with(&["--out", "-"]).lines().count(), 402);
+}
+
+#[test]
+fn a_response_of_unknown_quantities_or_over_a_bad_range_is_refused() {
+    let ask = |from, to, range| {
+        ["response", "two_mass", "--at", "initial", "--from", from, "--to", to, "--range", range]
+    };
+    assert_refused(&ask("load_torqu", "twist", "1:2"), &["did you mean `load_torque`?"]);
+    assert_refused(&ask("load_torque", "twst", "1:2"), &["did you mean `twist`?"]);
+    assert_refused(&ask("load_torque", "twist", "2:1"), &["from 2 to 1 rad/s"]);
+    assert_refused(&ask("load_torque", "twist", "0:1"), &["above 0"]);
+    assert_refused(&ask("load_torque", "twist", "1-2"), &["LOWEST:HIGHEST"]);
+    let bad_file = ["--out", "r.txt"];
+    assert_refused(&[&ask("load_torque", "twist", "1:2")[..], &bad_file].concat(), &[".csv"]);
+}

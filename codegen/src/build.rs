@@ -24,6 +24,7 @@ use crate::emit::rust::emit;
 use crate::emit::{EmitError, EmitOptions};
 use crate::pipeline;
 use crate::program::Program;
+use crate::reduce::Keep;
 use crate::write::{WriteError, write_within};
 
 /// Emits scenes to `OUT_DIR`, one file a scene, for a build script.
@@ -101,7 +102,7 @@ impl Build {
 /// has failed again in any case.
 fn generate(scene: &Path) -> Result<Program, BuildError> {
     println!("cargo:rerun-if-changed={}", scene.display());
-    let program = pipeline::generate(scene)?;
+    let program = pipeline::generate(scene, Keep::Needed)?;
     // Units that come with Machinist have no path; they change with the crate.
     for file in program.system.files.iter().filter(|file| !file.path.as_os_str().is_empty()) {
         println!("cargo:rerun-if-changed={}", file.path.display());

@@ -143,6 +143,12 @@ impl Cas {
         simplify::cheapest(&mut self.vocabulary, &form.0)
     }
 
+    /// As one quotient of polynomials, common factors cancelled.
+    #[must_use]
+    pub fn rational(&self, form: &Form) -> Form {
+        Form(form.0.together().cancel())
+    }
+
     /// Multiplied out, with sin^2 + cos^2 put together.
     pub fn expand(&mut self, form: &Form) -> Form {
         Form(simplify::trigonometric(&mut self.vocabulary, &form.0.expand()))
@@ -175,6 +181,14 @@ impl std::ops::Mul for &Form {
     type Output = Form;
     fn mul(self, other: &Form) -> Form {
         Form(&self.0 * &other.0)
+    }
+}
+
+impl std::ops::Div for &Form {
+    type Output = Form;
+    /// The divisor must not be zero.
+    fn div(self, other: &Form) -> Form {
+        Form(&self.0 / &other.0)
     }
 }
 

@@ -3,6 +3,8 @@
 //! Excluded: spans, strings and units (they stay in [`crate::spec`]), and any
 //! type of the computer algebra system (it stays in [`crate::cas`]).
 
+use std::collections::BTreeSet;
+
 use num_rational::BigRational;
 
 /// Index of a generalized coordinate of a scene.
@@ -103,4 +105,63 @@ pub enum Expr {
     Power(Box<Expr>, Box<Expr>),
     /// Function and arguments.
     Call(Function, Vec<Expr>),
+}
+
+impl Expr {
+    /// The number of an integer.
+    #[must_use]
+    pub fn integer(value: i64) -> Self {
+        Expr::Number(BigRational::from_integer(value.into()))
+    }
+
+    /// Calls `see` with this expression and every part of it.
+    pub fn visit<'a>(&'a self, see: &mut impl FnMut(&'a Expr)) {
+        see(self);
+        match self {
+            Expr::Number(_) | Expr::Symbol(_) => {}
+            Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
+                parts.iter().for_each(|part| part.visit(see));
+            }
+            Expr::Power(base, exponent) => {
+                base.visit(see);
+                exponent.visit(see);
+            }
+        }
+    }
+
+    /// Every symbol of the expression.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        let mut symbols = BTreeSet::new();
+        self.visit(&mut |part| {
+            if let Expr::Symbol(symbol) = part {
+                symbols.insert(*symbol);
+            }
+        });
+        symbols
+    }
+
+    /// Whether a symbol for which `is` holds is in the expression.
+    #[must_use]
+    pub fn mentions(&self, is: impl Fn(Symbol) -> bool) -> bool {
+        let mut found = false;
+        self.visit(&mut |part| found |= matches!(part, Expr::Symbol(symbol) if is(*symbol)));
+        found
+    }
+
+    /// The expression with other ones in place of symbols.
+    #[must_use]
+    pub fn replace(&self, with: &impl Fn(Symbol) -> Option<Expr>) -> Expr {
+        let all = |parts: &[Expr]| parts.iter().map(|part| part.replace(with)).collect();
+        match self {
+            Expr::Number(_) => self.clone(),
+            Expr::Symbol(symbol) => with(*symbol).unwrap_or_else(|| self.clone()),
+            Expr::Sum(terms) => Expr::Sum(all(terms)),
+            Expr::Product(factors) => Expr::Product(all(factors)),
+            Expr::Power(base, exponent) => {
+                Expr::Power(Box::new(base.replace(with)), Box::new(exponent.replace(with)))
+            }
+            Expr::Call(function, arguments) => Expr::Call(*function, all(arguments)),
+        }
+    }
 }

@@ -9,6 +9,8 @@
 
 use crate::cas::{Cas, Form};
 use crate::expr::{CoordinateId, Expr, Symbol};
+use crate::reduce::Reduction;
+use crate::state::Layout;
 use crate::system::LagrangianSystem;
 
 /// M(q, t) q'' = f(q, q', z, t), z' = h(q, q', z, t), and the power balance.
@@ -18,6 +20,8 @@ use crate::system::LagrangianSystem;
 pub struct EquationsOfMotion {
     /// What was derived from.
     pub system: LagrangianSystem,
+    /// The entries of the state, in order.
+    pub layout: Layout,
     /// M, n by n, symmetric.
     pub mass_matrix: Vec<Vec<Expr>>,
     /// f, n long.
@@ -40,6 +44,8 @@ pub struct EquationsOfMotion {
     pub helpers: Vec<Expr>,
     /// As `helpers`.
     pub outputs: Vec<Expr>,
+    /// What has been left out of them.
+    pub reduction: Reduction,
 }
 
 /// Derives the equations of motion.
@@ -82,6 +88,8 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         time_momentum: power.time_momentum,
         helpers: normal_forms(cas, system.helpers.iter().map(|helper| &helper.expr)),
         outputs: normal_forms(cas, system.outputs.iter().map(|output| &output.expr)),
+        layout: Layout::of_all(system),
+        reduction: Reduction::default(),
         system: system.clone(),
     }
 }

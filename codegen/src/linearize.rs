@@ -2,9 +2,9 @@
 //! parameters and time.
 
 use crate::cas::{Cas, Form};
-use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
+use crate::expr::{Expr, ParameterId, Symbol};
 use crate::lagrange::EquationsOfMotion;
-use crate::system::LagrangianSystem;
+use crate::state::Motion;
 
 /// Derivatives of M, f, h and of the energies, structural nonzeros only.
 ///
@@ -15,7 +15,7 @@ use crate::system::LagrangianSystem;
 pub struct Linearization {
     /// What was linearized.
     pub equations: EquationsOfMotion,
-    /// With respect to the state \[q, q', z\], in order.
+    /// With respect to the entries of the state, in order.
     pub state: Vec<Partials>,
     /// With respect to the parameters, in order.
     pub parameters: Vec<Partials>,
@@ -32,23 +32,12 @@ pub struct Partials {
     pub mass_matrix: Vec<(usize, usize, Expr)>,
     /// (row, df/ds).
     pub forcing: Vec<(usize, Expr)>,
-    /// (row, dh/ds).
+    /// (entry of the state, dy'/ds) of positions and first-order states.
     pub rates: Vec<(usize, Expr)>,
     /// dE/ds of T + V + stored energy.
     pub energy: Expr,
     /// d(2 T - q' dT/dq')/ds.
     pub time_momentum: Expr,
-}
-
-/// The symbols of the state \[q, q', z\], in order.
-pub fn state_symbols(system: &LagrangianSystem) -> impl Iterator<Item = Symbol> + use<> {
-    let coordinates = (0..system.coordinates.len() as u32).map(CoordinateId);
-    let states = (0..system.first_order.len() as u32).map(FirstOrderId);
-    coordinates
-        .clone()
-        .map(Symbol::Coordinate)
-        .chain(coordinates.map(Symbol::Velocity))
-        .chain(states.map(Symbol::FirstOrder))
 }
 
 /// Differentiates everything by everything, structural zeros left out.
@@ -57,7 +46,7 @@ pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization 
     let forms = Forms::new(cas, equations);
     let parameters = (0..system.parameters.len() as u32).map(ParameterId).map(Symbol::Parameter);
     Linearization {
-        state: state_symbols(system).map(|symbol| forms.partials(cas, symbol)).collect(),
+        state: equations.layout.symbols().map(|symbol| forms.partials(cas, symbol)).collect(),
         parameters: parameters.map(|symbol| forms.partials(cas, symbol)).collect(),
         time: forms.partials(cas, Symbol::Time),
         equations: equations.clone(),
@@ -68,7 +57,8 @@ pub fn linearize(cas: &mut Cas, equations: &EquationsOfMotion) -> Linearization 
 struct Forms {
     mass_matrix: Vec<Vec<Form>>,
     forcing: Vec<Form>,
-    rates: Vec<Form>,
+    /// y' of positions and first-order states, by entry of the state.
+    rates: Vec<(usize, Form)>,
     energy: Form,
     time_momentum: Form,
 }
@@ -77,10 +67,17 @@ impl Forms {
     fn new(cas: &mut Cas, equations: &EquationsOfMotion) -> Self {
         let [kinetic, potential, stored] = equations.energy.each_ref().map(|e| cas.form(e));
         let rows = equations.mass_matrix.iter();
+        let entries = equations.layout.states.iter().enumerate();
+        let rates = entries.filter_map(|(entry, state)| match &state.motion {
+            Motion::Position { rate, .. } => Some((entry, rate)),
+            Motion::FirstOrder(id) => Some((entry, &equations.rates[id.0 as usize])),
+            Motion::Velocity(_) => None,
+        });
+        let rates = rates.map(|(entry, rate)| (entry, cas.form(rate))).collect();
         Forms {
             mass_matrix: rows.map(|row| row.iter().map(|e| cas.form(e)).collect()).collect(),
             forcing: equations.forcing.iter().map(|e| cas.form(e)).collect(),
-            rates: equations.rates.iter().map(|e| cas.form(e)).collect(),
+            rates,
             energy: &(&kinetic + &potential) + &stored,
             time_momentum: cas.form(&equations.time_momentum),
         }
@@ -93,12 +90,11 @@ impl Forms {
                 mass_matrix.extend(nonzero(cas, entry, symbol).map(|expr| (i, j, expr)));
             }
         }
-        let mut by_row = |forms: &[Form]| {
-            let rows = forms.iter().enumerate();
-            rows.filter_map(|(i, form)| nonzero(cas, form, symbol).map(|e| (i, e))).collect()
-        };
-        let forcing = by_row(&self.forcing);
-        let rates = by_row(&self.rates);
+        let mut nonzeros = |row: usize, form| nonzero(cas, form, symbol).map(|e| (row, e));
+        let rows = self.forcing.iter().enumerate();
+        let forcing = rows.filter_map(|(row, form)| nonzeros(row, form)).collect();
+        let rates = self.rates.iter();
+        let rates = rates.filter_map(|(entry, form)| nonzeros(*entry, form)).collect();
         let energy = cas.derivative(&self.energy, symbol);
         let time_momentum = cas.derivative(&self.time_momentum, symbol);
         Partials {

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! spec text -> SceneSpec -> LagrangianSystem -> EquationsOfMotion
-//!   -> Linearization -> Program -> emitted Rust
+//!   -> EquationsOfMotion of what is needed -> Linearization -> Program -> emitted Rust
 //! ```
 
 use std::path::Path;
@@ -12,18 +12,20 @@ use crate::diagnostic::Diagnostics;
 use crate::lagrange::{self, EquationsOfMotion};
 use crate::linearize::linearize;
 use crate::program::Program;
+use crate::reduce::{Keep, reduce};
 use crate::system::LagrangianSystem;
 use crate::{lower, scene, spec};
 
-/// A scene file to its program.
+/// A scene file to its program, of the whole scene or of what its outputs need.
 ///
 /// # Errors
 /// With file, line, span and hint for whatever is wrong in the spec.
-pub fn generate(scene: &Path) -> Result<Program, Diagnostics> {
+pub fn generate(scene: &Path, keep: Keep) -> Result<Program, Diagnostics> {
     let system = check(scene)?;
     let linearization = session(move |cas| {
         let equations = lagrange::derive(cas, &system);
-        linearize(cas, &equations)
+        let needed = reduce(cas, &equations, keep);
+        linearize(cas, &needed)
     })?;
     Ok(lower::lower(&linearization))
 }

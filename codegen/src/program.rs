@@ -1,5 +1,7 @@
 //! A scene ready to be emitted or evaluated: one tape for each function.
 
+use crate::reduce::Reduction;
+use crate::state::Layout;
 use crate::system::LagrangianSystem;
 use crate::tape::Tape;
 
@@ -28,6 +30,10 @@ pub struct MatrixTape {
 pub struct Program {
     /// Names, units, docs, tables, defaults.
     pub system: LagrangianSystem,
+    /// The entries of the state, in order.
+    pub layout: Layout,
+    /// What has been left out.
+    pub reduction: Reduction,
     /// `states` results.
     pub initial_state: Tape,
     /// One result for each discontinuity.

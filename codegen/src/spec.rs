@@ -67,6 +67,8 @@ pub struct SceneSpec {
     pub initial: Vec<(Spanned<String>, Formula)>,
     /// Wanted outputs.
     pub outputs: Vec<OutputSpec>,
+    /// Parameters that runs may change; all, if not given.
+    pub tunable: Option<Vec<Spanned<String>>>,
     /// The run asked for.
     pub run: RunSpec,
     /// Tables read from CSV files.

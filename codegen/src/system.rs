@@ -64,6 +64,8 @@ pub struct Parameter {
     pub quantity: Quantity,
     /// Its value in SI units.
     pub value: f64,
+    /// Whether runs may give it another value; if not, it becomes a number.
+    pub tunable: bool,
 }
 
 /// A named expression: a helper of a unit, or an output of the scene.
@@ -113,7 +115,9 @@ pub struct RunDefaults {
 }
 
 /// Methods a spec may name.
-pub const METHODS: &[&str] = &["bdf", "tr_bdf2", "esdirk34", "tsit45", "taylor"];
+pub const METHODS: &[&str] = &[
+    "bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto", "taylor",
+];
 
 /// A source file that took part, for headers, `rerun-if-changed` and freshness.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -180,23 +184,29 @@ impl LagrangianSystem {
         &self.parameters[id.0 as usize]
     }
 
-    /// Length of the state \[q, q', z\].
-    #[must_use]
-    pub fn states(&self) -> usize {
-        2 * self.coordinates.len() + self.first_order.len()
-    }
-
-    /// The quantities of the state \[q, q', z\], in order.
-    pub fn state_quantities(&self) -> impl Iterator<Item = &Quantity> {
-        let positions = self.coordinates.iter().map(|c| &c.position);
-        let velocities = self.coordinates.iter().map(|c| &c.velocity);
-        positions.chain(velocities).chain(self.first_order.iter().map(|z| &z.quantity))
-    }
-
-    /// Typical sizes of the state \[q, q', z\], in order.
-    pub fn state_scales(&self) -> impl Iterator<Item = f64> {
-        let positions = self.coordinates.iter().map(|c| c.scale[0]);
-        let velocities = self.coordinates.iter().map(|c| c.scale[1]);
-        positions.chain(velocities).chain(self.first_order.iter().map(|z| z.scale))
+    /// Every expression of the self.
+    pub fn exprs_mut(&mut self) -> Vec<&mut Expr> {
+        let mut all = vec![
+            &mut self.kinetic,
+            &mut self.potential,
+            &mut self.dissipation,
+            &mut self.stored_energy,
+            &mut self.supplied_power,
+            &mut self.dissipated_power,
+        ];
+        for coordinate in &mut self.coordinates {
+            all.extend(&mut coordinate.initial);
+            all.extend(coordinate.identified.iter_mut().map(|(_, factor)| factor));
+        }
+        for state in &mut self.first_order {
+            all.extend([&mut state.rate, &mut state.initial]);
+        }
+        for force in &mut self.generalized_force {
+            all.extend([&mut force.total, &mut force.conversion]);
+        }
+        all.extend(self.helpers.iter_mut().map(|helper| &mut helper.expr));
+        all.extend(self.outputs.iter_mut().map(|output| &mut output.expr));
+        all.extend(&mut self.discontinuities);
+        all
     }
 }

@@ -168,11 +168,12 @@ fn single_precision_runs_the_same_code() {
 
 #[test]
 fn a_simulator_describes_its_spec() {
-    let (machine, system) = (oddities::Oddities, support::oddities().system);
+    let (machine, program) = (oddities::Oddities, support::oddities());
+    let system = &program.system;
     assert_eq!(machine.name(), system.name);
     assert_eq!(machine.title(), system.title);
-    assert_eq!(machine.shape().states(), system.states());
-    for (index, quantity) in system.state_quantities().enumerate() {
+    assert_eq!(machine.shape().states(), program.layout.len());
+    for (index, quantity) in program.layout.quantities().enumerate() {
         let described = machine.state(index);
         assert_eq!(described.name, quantity.name.path);
         assert_eq!((described.unit, described.doc), (&*quantity.unit, &*quantity.doc));

@@ -74,8 +74,11 @@ fn chain(n: u32) -> LagrangianSystem {
         .collect();
     let none = GeneralizedForce { total: number(0), conversion: number(0) };
     system.generalized_force = vec![none; n as usize];
-    system.parameters =
-        vec![Parameter { quantity: support::quantity("g", "m/s^2", "gravity"), value: 9.81 }];
+    system.parameters = vec![Parameter {
+        quantity: support::quantity("g", "m/s^2", "gravity"),
+        value: 9.81,
+        tunable: true,
+    }];
     system
 }
 

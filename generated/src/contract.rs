@@ -20,8 +20,15 @@ pub struct Quantity<'a> {
 pub struct Shape {
     /// Generalized coordinates, n.
     pub coordinates: usize,
+    /// Positions in the state: n, less those left out because nothing depends on
+    /// them.
+    pub positions: usize,
     /// First-order states, m.
     pub first_order: usize,
+    /// How many of the last entries of the state are only integrated: no rate
+    /// depends on them, so that an implicit method may leave them out of its
+    /// iteration.
+    pub quadratures: usize,
     /// Parameters.
     pub parameters: usize,
     /// Wanted outputs.
@@ -31,10 +38,10 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Length of the state, 2 n + m.
+    /// Length of the state: positions, velocities and first-order states.
     #[must_use]
     pub const fn states(&self) -> usize {
-        2 * self.coordinates + self.first_order
+        self.positions + self.coordinates + self.first_order
     }
 }
 
@@ -143,7 +150,7 @@ pub trait Simulator<R: Real>: Describe {
     fn initial_state(&self, parameters: &[R], state: &mut [R]);
     /// Times of known jumps of the right-hand side \[s\], unsorted.
     fn discontinuities(&self, parameters: &[R], times: &mut [R]);
-    /// y' = \[q', M^-1 f, h\].
+    /// y': velocities, M^-1 f, h, in the order of the state.
     fn rate(&self, time: R, state: &[R], parameters: &[R], rate: &mut [R]);
     /// dy'/dy, values in the order of `rate_jacobian_pattern`.
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);

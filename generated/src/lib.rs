@@ -13,6 +13,11 @@
 //! M(q, t) q'' = f(q, q', z, t)                      z' = h(q, q', z, t)
 //! y' = [q', M^-1 f, h]
 //! ```
+//!
+//! less what the scene's outputs do not need: a position that nothing depends on
+//! is not in the state, of positions that matter only relative to each other there
+//! are only the relative ones, and what is only integrated for an output stands
+//! last. [`Shape`] counts, and [`Describe::state`] names what there is.
 #![no_std]
 #![forbid(unsafe_code)]
 #[cfg(feature = "std")]

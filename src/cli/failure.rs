@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use machinist::SimulateError;
+use machinist::linear_analysis::LinearError;
 use machinist_codegen::diagnostic::Diagnostics;
 use machinist_codegen::write::WriteError;
 use miette::{Report, miette};
@@ -66,6 +67,18 @@ impl From<SimulateError> for Failure {
     fn from(error: SimulateError) -> Self {
         match error {
             SimulateError::Stopped { .. } => Self::unsuccessful(error, ""),
+            _ => Self::input(error, ""),
+        }
+    }
+}
+
+impl From<LinearError> for Failure {
+    fn from(error: LinearError) -> Self {
+        let at = "`--at initial` and `--at t=SECONDS` linearize about states that are not steady";
+        match error {
+            LinearError::Simulate(error) => error.into(),
+            LinearError::Eigenvalues => Self::unsuccessful(error, ""),
+            LinearError::NoEquilibrium { .. } => Self::input(error, at),
             _ => Self::input(error, ""),
         }
     }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use machinist_codegen::pipeline;
+use machinist_codegen::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 
 use super::output::print;
@@ -30,7 +31,9 @@ impl Generate {
     /// Everything is derived and emitted in memory before anything is written.
     pub fn execute(&self) -> Result<(), Failure> {
         let files = specs::scene_files(&self.specs)?;
-        let programs = during("deriving", || specs::all(&files, pipeline::generate))?;
+        let programs = during("deriving", || {
+            specs::all(&files, |file| pipeline::generate(file, Keep::Needed))
+        })?;
         let mode = if self.check { Mode::Check } else { Mode::Write };
         let summary = emit_scenes(&self.out, &programs, mode)?;
         print(&describe(&summary))

@@ -3,6 +3,8 @@
 use std::io::{self, BufWriter, Write as _, stdout};
 use std::path::Path;
 
+use machinist::plot::PlotError;
+
 use super::Failure;
 
 /// Writes an answer to standard output. A reader that has gone away, as `head`
@@ -38,9 +40,31 @@ pub fn write_file(
     Ok(())
 }
 
+/// Refuses a file whose name has none of these endings.
+pub fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(), Failure> {
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    if endings.iter().any(|known| known.eq_ignore_ascii_case(ending)) {
+        return Ok(());
+    }
+    let message = format!("{option} {}: no such format", file.display());
+    Err(Failure::input(message, format!("the name must end in .{}", endings.join(" or ."))))
+}
+
+/// Draws beside the file first, so that a failure leaves it as it was.
+pub fn draw_file(
+    path: &Path,
+    draw: impl FnOnce(&Path) -> Result<(), PlotError>,
+) -> Result<(), Failure> {
+    let failed = |error: &io::Error| Failure::file(path, error);
+    let drawing = temporary_beside(path).map_err(|error| failed(&error))?;
+    draw(drawing.path()).map_err(|error| Failure::unsuccessful(error, ""))?;
+    drawing.persist(path).map_err(|error| failed(&error.error))?;
+    Ok(())
+}
+
 /// A temporary file in the folder of `path`, with its ending and the permissions
 /// any new file gets.
-pub fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

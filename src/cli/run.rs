@@ -8,7 +8,7 @@ use machinist::{Method, Simulation};
 use machinist_codegen::spec::did_you_mean;
 use machinist_scenes::Simulator;
 
-use super::output::{columns, print, print_with, temporary_beside, write_file};
+use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
 use super::progress::during;
 use super::scene::Scene;
 use super::{Failure, assignment};
@@ -69,7 +69,8 @@ impl Run {
         self.choose_columns(&mut trajectory);
 
         if let Some(file) = &self.plot {
-            draw(&trajectory, &self.columns, file)?;
+            let names: Vec<&str> = self.columns.iter().map(String::as_str).collect();
+            draw_file(file, |path| machinist::plot::plot(&trajectory, &names, path))?;
         }
         match (format, &self.out) {
             (Some(Format::StandardOutput), _) => {
@@ -184,24 +185,4 @@ fn format_of(file: &Path) -> Result<Format, Failure> {
     require_ending(file, &["csv", "json"], "--out")?;
     let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     Ok(if is_json { Format::Json } else { Format::Csv })
-}
-
-fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(), Failure> {
-    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    if endings.iter().any(|known| known.eq_ignore_ascii_case(ending)) {
-        return Ok(());
-    }
-    let message = format!("{option} {}: no such format", file.display());
-    Err(Failure::input(message, format!("the name must end in .{}", endings.join(" or ."))))
-}
-
-/// Draws beside the file first, so that a failure leaves it as it was.
-fn draw(trajectory: &Trajectory, names: &[String], file: &Path) -> Result<(), Failure> {
-    let failed = |error: &std::io::Error| Failure::file(file, error);
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let drawing = temporary_beside(file).map_err(|error| failed(&error))?;
-    machinist::plot::plot(trajectory, &names, drawing.path())
-        .map_err(|error| Failure::unsuccessful(error, ""))?;
-    drawing.persist(file).map_err(|error| failed(&error.error))?;
-    Ok(())
 }

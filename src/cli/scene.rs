@@ -4,6 +4,7 @@ use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use machinist::interpreted::InterpretedSimulator;
 use machinist_codegen::pipeline;
+use machinist_codegen::reduce::Keep;
 use machinist_codegen::spec::did_you_mean;
 use machinist_scenes::{Simulator, scenes};
 
@@ -22,7 +23,8 @@ impl Scene {
     /// The scene of a name or of a spec file.
     pub fn load(argument: &str) -> Result<Self, Failure> {
         if is_path(argument) {
-            let program = during("deriving", || pipeline::generate(Path::new(argument)))?;
+            let program =
+                during("deriving", || pipeline::generate(Path::new(argument), Keep::Needed))?;
             return Ok(Self::Interpreted(Box::new(InterpretedSimulator::new(program))));
         }
         scenes::find::<f64>(argument).map(Self::Emitted).ok_or_else(|| unknown(argument))

@@ -8,6 +8,7 @@ use machinist_codegen::emit::tape_operations;
 use machinist_codegen::lagrange::EquationsOfMotion;
 use machinist_codegen::linearize::linearize;
 use machinist_codegen::program::Program;
+use machinist_codegen::reduce::{Keep, reduce};
 use machinist_codegen::{lower, pipeline};
 
 use super::Failure;
@@ -70,9 +71,9 @@ pub fn all<T>(
 
 /// A scene with its equations and what is computed of them.
 pub struct Derived {
-    /// For people.
+    /// For people: of the whole scene.
     pub equations: EquationsOfMotion,
-    /// For machines.
+    /// For machines: of what the outputs need.
     pub program: Program,
 }
 
@@ -81,7 +82,10 @@ impl Derived {
     pub fn new(scene: &Path) -> Result<Self, Diagnostics> {
         let equations = pipeline::derive(scene)?;
         let for_people = equations.clone();
-        let linearization = session(move |cas| linearize(cas, &equations))?;
+        let linearization = session(move |cas| {
+            let needed = reduce(cas, &equations, Keep::Needed);
+            linearize(cas, &needed)
+        })?;
         Ok(Self { equations: for_people, program: lower::lower(&linearization) })
     }
 }

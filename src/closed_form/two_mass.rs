@@ -224,7 +224,7 @@ impl Torques {
 ///
 /// The hyperbolic pair is written in decaying exponentials only, so that it
 /// neither overflows nor loses the slow one to cancellation.
-fn damped_pair(t: f64, decay: f64, square: f64) -> (f64, f64) {
+pub(super) fn damped_pair(t: f64, decay: f64, square: f64) -> (f64, f64) {
     let discriminant = square - decay * decay;
     let root = discriminant.abs().sqrt();
     let fade = (-decay * t).exp();

@@ -106,11 +106,12 @@ fn frequency_row() -> Result<LedgerRow, CheckFailure> {
 }
 
 /// Undamped natural frequency on the coupling, from the emitted rate Jacobian at
-/// rest: sqrt of minus d(w_d' - w_2')/d(phi_d) \[rad/s\].
+/// rest: sqrt of minus d(w_d' - w_2')/d(phi_d) \[rad/s\]; a twist changes as phi_d does.
 fn natural_frequency(machine: &Machine) -> Result<f64, CheckFailure> {
     let point = machine.point(&[], &[])?;
     let jacobian = machine.rate_jacobian(&point);
-    let angle = machine.state_index("motor.phi")?;
+    let angle =
+        machine.state_index("coupling.twist").or_else(|_| machine.state_index("motor.phi"))?;
     let row = |name| machine.state_index(name).map(|index| jacobian[(index, angle)]);
     Ok((row("cylinder.omega")? - row("motor.omega")?).sqrt())
 }

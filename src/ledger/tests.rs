@@ -31,12 +31,26 @@ fn the_literal_reading_never_runs_up() {
 }
 
 #[test]
+fn the_mobility_table_is_reproduced_and_the_printed_amplitude_is_too_small() {
+    let rows = ledger().expect("the consistent runs succeed");
+    let mobility: Vec<&LedgerRow> =
+        rows.iter().filter(|row| row.figure.starts_with("mobility")).collect();
+    assert_eq!(mobility.len(), 5);
+    assert!(mobility.iter().all(|row| row.verdict.starts_with("reproduced")));
+    let force = find(&rows, "amplitude of the bobbin under force, bench model M5");
+    // 25/sqrt(20390^2 + 10450^2) m against 25/sqrt(20390^2 + 21945^2) m.
+    assert!((force.consistent.expect("a closed form") - 1.091_13e-3).abs() < 1e-8);
+    assert!((force.as_printed.expect("a closed form") - 8.345_6e-4).abs() < 1e-8);
+}
+
+#[test]
 fn every_row_has_a_verdict_and_a_line() {
     let rows = ledger().expect("the consistent runs succeed");
     assert!(rows.iter().all(|row| row.verdict.len() > 20));
     let text = render_ledger(&rows);
     for row in &rows {
-        assert_eq!(text.lines().filter(|line| line.contains(&row.verdict)).count(), 1);
+        let says = |line: &&str| line.contains(row.figure) && line.contains(&row.verdict);
+        assert_eq!(text.lines().filter(says).count(), 1, "{}", row.figure);
     }
 }
 

@@ -32,6 +32,11 @@ impl<'a> Stretch<'a> {
         }
     }
 
+    #[cfg(test)]
+    pub(super) fn for_test(system: &'a System<'a>, from: f64, until: f64, atol: &'a [f64]) -> Self {
+        Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX }
+    }
+
     /// `time` moved into \[from, until).
     ///
     /// A jump at t0 has its new value from t0 on, so a method that evaluates the
@@ -49,6 +54,23 @@ impl<'a> Stretch<'a> {
         self.system.rate(self.within(time), state, rate);
     }
 
+    /// f(t, y) without quadratures at `time` moved into the stretch.
+    pub fn state_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.system.state_rate(self.within(time), state, rate);
+    }
+
+    /// Rates of the quadratures at `time` moved into the stretch.
+    #[must_use]
+    pub fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
+        self.system.flow_rates(self.within(time), state)
+    }
+
+    /// Partial derivative of f with respect to time, without quadratures, at
+    /// `time` moved into the stretch.
+    pub fn time_derivative(&self, time: f64, state: &[f64], derivative: &mut [f64]) {
+        self.system.time_derivative(self.within(time), state, derivative);
+    }
+
     /// df/dy without quadratures at `time` moved into the stretch.
     pub fn jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.system.jacobian(self.within(time), state, values);
@@ -58,11 +80,6 @@ impl<'a> Stretch<'a> {
     #[must_use]
     pub fn flow_gradient(&self, time: f64, state: &[f64]) -> Vec<(usize, [f64; FLOWS])> {
         self.system.flow_gradient(self.within(time), state)
-    }
-
-    /// The rates of the energy quadratures at `time` moved into the stretch.
-    pub(super) fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
-        self.system.flow_rates(self.within(time), state)
     }
 
     /// Whether there is nothing for a method to step on: no states, or a stretch

@@ -1,6 +1,6 @@
 //! The equations a method integrates, and the count of how often it asks.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use machinist_scenes::{Simulator, SparsityPattern};
 use serde::Serialize;
@@ -39,6 +39,7 @@ pub struct System<'a> {
     states: usize,
     with_flows: bool,
     work: Cell<Work>,
+    notes: RefCell<Vec<String>>,
 }
 
 impl<'a> System<'a> {
@@ -46,7 +47,14 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64], with_flows: bool) -> Self {
         let states = simulator.shape().states();
-        Self { simulator, parameters, states, with_flows, work: Cell::default() }
+        Self {
+            simulator,
+            parameters,
+            states,
+            with_flows,
+            work: Cell::default(),
+            notes: RefCell::default(),
+        }
     }
 
     /// The simulator, for methods that need more than rate and Jacobian.
@@ -91,14 +99,19 @@ impl<'a> System<'a> {
 
     /// f(t, y), `len` long.
     pub fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
-        self.count(|work| work.rate_evaluations += 1);
         let states = self.states();
         let (rate, flow_rates) = rate.split_at_mut(states);
         let state = &state[..states];
-        self.simulator.rate(time, state, self.parameters, rate);
+        self.state_rate(time, state, rate);
         if self.with_flows {
             flow_rates.copy_from_slice(&self.flow_rates(time, state));
         }
+    }
+
+    /// f(t, y) without the quadratures, `states` long.
+    pub fn state_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.count(|work| work.rate_evaluations += 1);
+        self.simulator.rate(time, state, self.parameters, rate);
     }
 
     /// Nonzeros of df/dy without the rows of the quadratures.
@@ -145,6 +158,22 @@ impl<'a> System<'a> {
         self.simulator.time_derivative(time, state, self.parameters, derivative);
     }
 
+    /// Tells the user something of how the run went; what has been said already,
+    /// or too much, is left out.
+    pub fn note(&self, note: String) {
+        const MOST: usize = 100;
+        let mut notes = self.notes.borrow_mut();
+        if notes.len() < MOST && !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+
+    /// All that was noted.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        self.notes.borrow().clone()
+    }
+
     /// Adds to the work counted.
     pub fn count(&self, add: impl FnOnce(&mut Work)) {
         let mut work = self.work.get();
@@ -158,7 +187,9 @@ impl<'a> System<'a> {
         self.work.get()
     }
 
-    pub(super) fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
+    /// Rates of the quadratures.
+    #[must_use]
+    pub fn flow_rates(&self, time: f64, state: &[f64]) -> [f64; FLOWS] {
         let power = self.simulator.power_balance(time, state, self.parameters);
         let passed = power.supplied.abs() + power.dissipated.abs();
         [power.supplied, power.dissipated, passed]

@@ -1,13 +1,11 @@
-//! One panel of a plot: the columns of one unit over time.
+//! One panel of a plot: the columns of one unit over time, frequency or names.
 
-use std::ops::Range;
-
+use plotters::chart::ChartContext;
 use plotters::coord::Shift;
-use plotters::coord::ranged1d::{BoldPoints, Ranged};
-use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use super::ruler::{Axis, Ruler};
 use super::{DrawResult, SCALE, TIME_AXIS_HEIGHT, text};
 use crate::trajectory::Column;
 
@@ -33,33 +31,40 @@ const LEGEND_LINE: u32 = 20;
 /// Points drawn of a line at most.
 const MAX_POINTS: usize = 2000;
 
+/// Distance of stems that stand side by side, in steps from name to name.
+const STEM_DISTANCE: f64 = 0.2;
+
 /// Columns that share a unit.
 pub(super) struct Panel<'a> {
     pub unit: &'a str,
-    pub times: &'a [f64],
+    /// Where the values of all columns stand on the horizontal axis.
+    pub places: &'a [f64],
     pub columns: Vec<&'a Column>,
+    pub horizontal: &'a Axis,
+    pub vertical: &'a Axis,
 }
 
+type Chart<'c, DB> = ChartContext<'c, DB, Cartesian2d<Ruler, Ruler>>;
+
 impl Panel<'_> {
-    /// Legend above, lines below, and under the last panel the axis of time.
+    /// Legend above, lines below, and under the last panel the horizontal axis.
     pub fn draw<DB: DrawingBackend>(
         &self,
         area: &DrawingArea<DB, Shift>,
         is_last: bool,
     ) -> DrawResult<DB> {
         let legend_height = self.draw_legend(area)?;
-        let time_axis = if is_last { TIME_AXIS_HEIGHT } else { 14 };
-        let (time, value) = (self.time_range(), self.value_range());
+        let axis_height = if is_last { TIME_AXIS_HEIGHT } else { 14 };
+        let (across, up) = self.rulers();
+        let (across_ticks, up_ticks) = (across.ticks(), up.ticks());
         let mut chart = ChartBuilder::on(area)
             .margin_top(legend_height)
             .margin_right(RIGHT * SCALE)
             .margin_left(0)
             .set_label_area_size(LabelAreaPosition::Left, LEFT * SCALE)
-            .set_label_area_size(LabelAreaPosition::Bottom, time_axis * SCALE)
-            .build_cartesian_2d(time.clone(), value.clone())?;
+            .set_label_area_size(LabelAreaPosition::Bottom, axis_height * SCALE)
+            .build_cartesian_2d(if is_last { across } else { across.unlabelled() }, up)?;
 
-        let time_ticks = Ticks::new(&time, 11);
-        let value_ticks = Ticks::new(&value, 6);
         let label = text(13, FAINT);
         let description = text(14, INK);
         let mut mesh = chart.configure_mesh();
@@ -68,27 +73,47 @@ impl Panel<'_> {
             .light_line_style(TRANSPARENT)
             .axis_style(GRID.stroke_width(SCALE))
             .set_all_tick_mark_size(TICK * SCALE)
-            .x_labels(11)
-            .y_labels(6)
+            .x_labels(across_ticks)
+            .y_labels(up_ticks)
             .label_style(label)
             .axis_desc_style(description);
-        let format_time =
-            |tick: &f64| if is_last { time_ticks.format(*tick) } else { String::new() };
-        let format_value = |tick: &f64| value_ticks.format(*tick);
-        mesh.x_label_formatter(&format_time).y_label_formatter(&format_value);
         if is_last {
-            mesh.x_desc("time [s]");
+            mesh.x_desc(self.horizontal.title());
         }
         mesh.draw()?;
+        match self.horizontal {
+            Axis::Names(_) => self.draw_stems(&mut chart),
+            Axis::Linear(_) | Axis::Logarithmic(_) => self.draw_lines(&mut chart),
+        }
+    }
 
+    fn draw_lines<DB: DrawingBackend>(&self, chart: &mut Chart<'_, DB>) -> DrawResult<DB> {
+        let places = self.horizontal.placed(self.places);
         for (column, color) in self.columns.iter().zip(COLORS.iter().cycle()) {
             let style = color.stroke_width(SCALE + SCALE / 2);
-            for line in finite_lines(self.times, &column.values) {
+            for line in finite_lines(&places, &self.vertical.placed(&column.values)) {
                 let pixel = |point: &(f64, f64)| chart.backend_coord(point);
                 for piece in cut_at_sharp_turns(&thinned(line), pixel) {
                     chart.draw_series(LineSeries::new(piece, style))?;
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// From zero to each value, with a dot on it; columns side by side.
+    fn draw_stems<DB: DrawingBackend>(&self, chart: &mut Chart<'_, DB>) -> DrawResult<DB> {
+        let middle = (self.columns.len() as f64 - 1.0) / 2.0;
+        for (number, column) in self.columns.iter().enumerate() {
+            let color = COLORS[number % COLORS.len()];
+            let shift = STEM_DISTANCE * (number as f64 - middle);
+            let points: Vec<(f64, f64)> =
+                self.places.iter().map(|place| place + shift).zip(column.values.clone()).collect();
+            let style = color.stroke_width(2 * SCALE);
+            let stem = |point: &(f64, f64)| PathElement::new([(point.0, 0.0), *point], style);
+            chart.draw_series(points.iter().map(stem))?;
+            let dot = |point: &(f64, f64)| Circle::new(*point, 4 * SCALE, color.filled());
+            chart.draw_series(points.iter().map(dot))?;
         }
         Ok(())
     }
@@ -122,67 +147,11 @@ impl Panel<'_> {
         Ok(((line + 1) * LEGEND_LINE + 6) * SCALE)
     }
 
-    fn time_range(&self) -> Range<f64> {
-        let first = self.times.first().copied().unwrap_or(0.0);
-        let last = self.times.last().copied().unwrap_or(1.0);
-        if first < last { first..last } else { widened(first..last) }
+    fn rulers(&self) -> (Ruler, Ruler) {
+        let places = self.horizontal.placed(self.places);
+        let values = self.columns.iter().flat_map(|column| self.vertical.placed(&column.values));
+        (self.horizontal.along(&places), self.vertical.around(values))
     }
-
-    /// From the least to the greatest value, and a little more.
-    fn value_range(&self) -> Range<f64> {
-        let values = self.columns.iter().flat_map(|column| &column.values);
-        let extent = |(low, high): (f64, f64), value: &f64| (low.min(*value), high.max(*value));
-        let finite = values.filter(|value| value.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), extent);
-        if low <= high { widened(low..high) } else { 0.0..1.0 }
-    }
-}
-
-fn widened(range: Range<f64>) -> Range<f64> {
-    const MARGIN: f64 = 0.06;
-    let size = range.start.abs().max(range.end.abs());
-    let span = range.end - range.start;
-    let margin = if span > 1e-9 * size { MARGIN * span } else { (0.1 * size).max(1e-3) };
-    range.start - margin..range.end + margin
-}
-
-/// The ticks that plotters chooses, and how to write them all alike.
-struct Ticks {
-    decimals: usize,
-    exponential: bool,
-}
-
-impl Ticks {
-    fn new(range: &Range<f64>, count: usize) -> Self {
-        let axis: RangedCoordf64 = range.clone().into();
-        let ticks = axis.key_points(BoldPoints(count));
-        let largest = ticks.iter().fold(0.0, |max: f64, tick| max.max(tick.abs()));
-        let step = ticks.windows(2).map(|pair| pair[1] - pair[0]).fold(largest, f64::min);
-        let exponential = largest >= 1e6 || (largest > 0.0 && largest < 1e-4);
-        let unit = if exponential { power_of_ten(largest) } else { 1.0 };
-        let is_exact = |decimals: &i32| {
-            let scaled = |tick: &f64| tick / unit * 10f64.powi(*decimals);
-            let tolerance = 1e-3 * step / unit * 10f64.powi(*decimals);
-            ticks.iter().map(scaled).all(|tick| (tick - tick.round()).abs() <= tolerance)
-        };
-        let decimals = (0..9).find(is_exact).unwrap_or(9) as usize;
-        Self { decimals, exponential }
-    }
-
-    fn format(&self, tick: f64) -> String {
-        let decimals = self.decimals;
-        let text = if self.exponential && tick != 0.0 {
-            format!("{tick:.decimals$e}")
-        } else {
-            format!("{tick:.decimals$}")
-        };
-        let is_zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
-        if is_zero { "0".to_owned() } else { text.replace('-', "\u{2212}") }
-    }
-}
-
-fn power_of_ten(value: f64) -> f64 {
-    10f64.powf(value.log10().floor())
 }
 
 /// The points in order, cut where a value is NaN or infinite.
@@ -277,25 +246,5 @@ mod tests {
         assert_eq!((up.last(), down.first()), (Some(&spike[2]), Some(&spike[2])));
         let curve: Vec<_> = (0..20).map(|i| (f64::from(i), f64::from(i * i))).collect();
         assert_eq!(cut_at_sharp_turns(&curve, pixel), [curve]);
-    }
-
-    #[test]
-    fn ticks_are_written_alike() {
-        let texts = |range: Range<f64>, ticks: &[f64]| {
-            let format = Ticks::new(&range, 6);
-            ticks.iter().map(|tick| format.format(*tick)).collect::<Vec<_>>()
-        };
-        assert_eq!(texts(-1.0..1.0, &[-0.5, -0.0, 0.5]), ["\u{2212}0.5", "0", "0.5"]);
-        assert_eq!(texts(0.0..50.0, &[10.0, 20.0]), ["10", "20"]);
-        assert_eq!(texts(0.0..5e7, &[1e7, 2e7]), ["1e7", "2e7"]);
-        assert_eq!(texts(0.0..5e-6, &[0.0, 2e-6]), ["0", "2e\u{2212}6"]);
-    }
-
-    #[test]
-    fn a_constant_gets_a_range_around_it() {
-        let range = widened(5.0..5.0);
-        assert!(range.start < 5.0 && range.end > 5.0);
-        let range = widened(0.0..0.0);
-        assert!(range.start < 0.0 && range.end > 0.0);
     }
 }

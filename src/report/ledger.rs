@@ -9,7 +9,7 @@ use super::number::number;
 pub fn section(ledger: &Result<Vec<LedgerRow>, String>) -> Markup {
     html! {
         p {
-            "The figures that the saw-gin study prints, next to what its equations and numbers give
+            "The figures that the studies print, next to what their equations and numbers give
              as printed, and in the consistent reading that the scenes follow. Every number but the
              printed ones was computed for this page."
         }

@@ -4,7 +4,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::work_precision::{RUNS, WorkPrecision};
-use super::{Report, figure, ledger, licences, scene, verification};
+use super::{Report, figure, ledger, licences, scene, verification, winder_walk};
 
 /// Nothing may be loaded: everything the page needs is in it.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; font-src data:; \
@@ -33,6 +33,10 @@ pub fn render(report: &Report) -> String {
                             h2 { "Error against run time" }
                             (work_precision(&report.work_precision))
                         }
+                    }
+                    section id="winder-walk" {
+                        h2 { "Which model a winder needs" }
+                        (winder_walk::section(&report.winder))
                     }
                     section id="ledger" {
                         h2 { "Reproduction ledger" }
@@ -87,7 +91,8 @@ fn contents(report: &Report) -> Markup {
                     @if !report.work_precision.is_empty() {
                         li { a href="#work-precision" { "Error against run time" } }
                     }
-                    li { a href="#ledger" { "Reproduction ledger" } }
+                    li { a href="#winder-walk" { "Which model a winder needs" } }
+                li { a href="#ledger" { "Reproduction ledger" } }
                     li { a href="#licences" { "Licences" } }
                 }
             }

@@ -7,7 +7,7 @@ use machinist_codegen::system::LagrangianSystem;
 use maud::{Markup, html};
 
 use super::number::{exact, number};
-use super::{SceneData, equations, figure};
+use super::{SceneData, equations, figure, modes, reduction};
 use crate::cli::specs::{Cost, costs};
 
 /// The section of a scene.
@@ -25,11 +25,14 @@ pub fn section(scene: &SceneData) -> Markup {
             (parameters(system))
             h3 { "Structure" }
             (structure(&scene.derived.program))
+            h3 { "What the outputs need" }
+            (reduction::section(&scene.explanation, &scene.dependencies))
             h3 { "Run" }
             @match &scene.run {
                 Ok(trajectory) => (run(scene, trajectory)),
                 Err(error) => p.warning { "The run stopped. " (error) },
             }
+            (modes::section(scene.name(), scene.modes.as_ref()))
         }
     }
 }
@@ -67,7 +70,7 @@ fn parameters(system: &LagrangianSystem) -> Markup {
 fn structure(program: &Program) -> Markup {
     let system = &program.system;
     let counts = [
-        ("states", system.states()),
+        ("states", program.layout.len()),
         ("coordinates", system.coordinates.len()),
         ("first-order states", system.first_order.len()),
         ("parameters", system.parameters.len()),

@@ -139,9 +139,8 @@ fn closed_form(times: &[f64]) -> Reference {
         load_frequency: 241.8051,
         load_phase: 0.0,
     };
-    let quantities: [Quantity; 4] = [
-        ("driver.phi", |motion| motion.driver_angle),
-        ("cylinder.phi", |motion| motion.driven_angle),
+    let quantities: [Quantity; 3] = [
+        ("coupling.twist", |motion| motion.twist().angle),
         ("driver.omega", |motion| motion.driver_speed),
         ("cylinder.omega", |motion| motion.driven_speed),
     ];

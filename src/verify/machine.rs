@@ -2,14 +2,19 @@
 //! its quantities by name, and random states.
 
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
+use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
+use machinist_scenes::scenes::pendulum_chain::PendulumChain;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
 use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::scenes::winder_linear::WinderLinear;
+use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
 use machinist_scenes::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 use crate::complex_step::{self, ComplexStep};
+use crate::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
 use crate::{Method, Simulation, Trajectory};
 
 /// A verified scene, with overridden parameters if any.
@@ -32,7 +37,16 @@ pub(crate) struct Point {
 
 /// Every verified scene, in the order of the report.
 pub(crate) fn all() -> Vec<Machine> {
-    vec![two_mass(), motor_run_up(), saw_gin(), saw_gin_as_printed()]
+    vec![
+        two_mass(),
+        motor_run_up(),
+        saw_gin(),
+        saw_gin_as_printed(),
+        motor_stationary_axes(),
+        winder_linear(),
+        winder_nonlinear(),
+        pendulum_chain(),
+    ]
 }
 
 /// Two rotors on a coupling.
@@ -53,6 +67,26 @@ pub(crate) fn saw_gin() -> Machine {
 /// The saw gin as printed.
 pub(crate) fn saw_gin_as_printed() -> Machine {
     Machine::new("saw_gin_as_printed", &SawGinAsPrinted, &SawGinAsPrinted)
+}
+
+/// The motor alone, in charges.
+pub(crate) fn motor_stationary_axes() -> Machine {
+    Machine::new("motor_stationary_axes", &MotorStationaryAxes, &MotorStationaryAxes)
+}
+
+/// The bobbin on a linear layer.
+pub(crate) fn winder_linear() -> Machine {
+    Machine::new("winder_linear", &WinderLinear, &WinderLinear)
+}
+
+/// The bobbin on a stiffening layer.
+pub(crate) fn winder_nonlinear() -> Machine {
+    Machine::new("winder_nonlinear", &WinderNonlinear, &WinderNonlinear)
+}
+
+/// Three pendulums hanging on one another.
+pub(crate) fn pendulum_chain() -> Machine {
+    Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
 }
 
 impl Machine {
@@ -116,6 +150,16 @@ impl Machine {
         let atol = vec![1e-13; self.real.shape().states()];
         let run = self.simulation(settings)?.until(until).rtol(1e-12).atol(&atol);
         Ok(run.method(Method::Tsit45))
+    }
+
+    /// The linearization with these settings where asked for.
+    pub(crate) fn linearization(
+        &self,
+        settings: &[(&str, f64)],
+        place: Place,
+    ) -> Result<Linearization<'static>, CheckFailure> {
+        let point = operating_point(&self.simulation(settings)?, place)?;
+        Ok(Linearization::at(self.real, point)?)
     }
 
     /// The column of this name of one of this scene's runs.
@@ -187,6 +231,12 @@ impl Machine {
         let mut values = vec![0.0; pattern.entries.len()];
         self.real.parameter_jacobian(point.time, &point.state, &point.parameters, &mut values);
         complex_step::dense(pattern, &values)
+    }
+
+    /// The point about which a scene was linearized.
+    pub(crate) fn point_of(linearization: &Linearization<'_>) -> Point {
+        let LinearPoint { time, state, parameters } = linearization.point().clone();
+        Point { time, state, parameters }
     }
 
     /// The output of this name at a point.

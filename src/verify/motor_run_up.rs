@@ -1,9 +1,12 @@
 //! Checks of the motor against its exact solution at constant speed, its torque
 //! curve, and the converged reference of its run-up.
 
+use num_complex::Complex64;
+
 use super::reference::{MOTOR_RUN_UP, scaled_distance};
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::induction_motor::{Flux, MOTOR_4A280M8};
+use crate::linear_analysis::{Mode, Place};
 
 const FLUX: [&str; 4] = ["motor.psi_sx", "motor.psi_sy", "motor.psi_rx", "motor.psi_ry"];
 const TWO_EXPONENTIALS: &str = "two complex exponentials, relative to the largest flux linkage";
@@ -83,6 +86,20 @@ pub(super) const CHECKS: &[Check] = &[
         reason: "the reference is exact to 16 digits; a hundred times the tolerance of a step",
         measure: run_up,
     },
+    Check {
+        name: "operating point without load, by the equilibrium solve",
+        reference: "speed and flux linkages where the torque curve crosses zero, each relative",
+        tolerance: 1e-10,
+        reason: "Newton's method ends at rounding",
+        measure: operating_point,
+    },
+    Check {
+        name: "eigenvalues at constant speeds",
+        reference: "the two complex eigenvalues of the closed form at 0, 40 and 76.97 rad/s, relative",
+        tolerance: 1e-12,
+        reason: "emitted Jacobian and dense algebra of six states, near rounding",
+        measure: eigenvalues,
+    },
 ];
 
 /// Largest distance of the flux linkages from the closed form over 0.3 s of
@@ -161,4 +178,33 @@ fn no_load_speed(machine: &Machine) -> Result<Measured, CheckFailure> {
 fn run_up(machine: &Machine) -> Result<Measured, CheckFailure> {
     let trajectory = machine.simulation(&[])?.until(1.0).points(2).rtol(1e-11).run()?;
     Ok(Measured::error(scaled_distance(machine, &trajectory, MOTOR_RUN_UP)?))
+}
+
+fn operating_point(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let linearization = machine.linearization(&[], Place::Equilibrium)?;
+    let state = &linearization.point().state;
+    let flux = MOTOR_4A280M8.steady_flux(0.0);
+    let ours = FLUX
+        .iter()
+        .map(|name| Ok(state[machine.state_index(name)?]))
+        .collect::<Result<Vec<f64>, CheckFailure>>()?;
+    let exact = [flux.stator.re, flux.stator.im, flux.rotor.re, flux.rotor.im];
+    let speed = state[machine.state_index("motor.omega")?] / MOTOR_4A280M8.synchronous_speed();
+    Ok(Measured::error(worse(relative_distance(&ours, &exact), (speed - 1.0).abs())))
+}
+
+/// With an inertia of 1e30 kg m^2 the fluxes' eigenvalues are apart from the speed's.
+/// Those of the complex equations and their conjugates are the real system's four.
+fn eigenvalues(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut error = 0.0;
+    for speed in [0.0, 40.0, 76.97] {
+        let settings = [("motor.inertia", 1e30), ("initial_speed", speed)];
+        let modes = machine.linearization(&settings, Place::Initial)?.modes()?;
+        for exact in MOTOR_4A280M8.eigenvalues(MOTOR_4A280M8.slip(speed)) {
+            let exact = Complex64::new(exact.re, exact.im.abs());
+            let distance = |mode: &Mode| (mode.eigenvalue() - exact).norm() / exact.norm();
+            error = worse(error, modes.iter().map(distance).fold(f64::INFINITY, f64::min));
+        }
+    }
+    Ok(Measured::error(error))
 }

@@ -4,7 +4,9 @@
 use super::machine::{Point, SplitMix};
 use super::reference::{SAW_GIN, scaled_distance};
 use super::{Check, CheckFailure, Machine, Measured, worse};
+use crate::closed_form::induction_motor::MOTOR_4A280M8;
 use crate::closed_form::saw_gin_by_hand::{SawGinByHand, SawGinState};
+use crate::linear_analysis::Place;
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -22,39 +24,52 @@ pub(super) const CHECKS: &[Check] = &[
         reason: "the reference is exact to 16 digits; a hundred times the tolerance of a step",
         measure: run,
     },
+    Check {
+        name: "operating point under load, by the equilibrium solve",
+        reference: "torque of the closed form at the slip found, and the coupling's torque; relative",
+        tolerance: 1e-10,
+        reason: "Newton's method ends at rounding; the slip of 0.02 loses two digits of the speed",
+        measure: operating_point,
+    },
 ];
 
-/// States in the order of [`SawGinByHand::rate`].
-const STATES: [&str; 8] = [
-    "motor.psi_sx",
-    "motor.psi_sy",
-    "motor.psi_rx",
-    "motor.psi_ry",
-    "motor.phi",
-    "motor.omega",
-    "cylinder.phi",
-    "cylinder.omega",
+/// The states that the emitted equations share with those by hand, in the order of
+/// [`SawGinByHand::rate`]; their twist is the difference of the two angles there.
+const SHARED: [(&str, usize); 6] = [
+    ("motor.psi_sx", 0),
+    ("motor.psi_sy", 1),
+    ("motor.psi_rx", 2),
+    ("motor.psi_ry", 3),
+    ("motor.omega", 5),
+    ("cylinder.omega", 7),
 ];
+const TWIST: &str = "coupling.twist";
+const ANGLES: [usize; 2] = [4, 6];
 
 fn right_hand_side(machine: &Machine) -> Result<Measured, CheckFailure> {
     let parameters = machine.parameters(&[])?;
-    let mut places = [0; 8];
-    for (place, name) in places.iter_mut().zip(STATES) {
-        *place = machine.state_index(name)?;
-    }
+    let places = SHARED.map(|(name, by_hand)| Ok((machine.state_index(name)?, by_hand)));
+    let places = places.into_iter().collect::<Result<Vec<_>, CheckFailure>>()?;
+    let twist = machine.state_index(TWIST)?;
     let mut random = SplitMix(8);
     let mut error = 0.0;
     for number in 0..1000 {
         let (time, hand) = random_state(&mut random, number);
         let mut state = vec![0.0; machine.real.shape().states()];
         let values = [hand.flux.as_slice(), &hand.motor, &hand.cylinder].concat();
-        for (place, value) in places.iter().zip(values) {
-            state[*place] = value;
+        for (place, by_hand) in &places {
+            state[*place] = values[*by_hand];
         }
+        state[twist] = hand.motor[0] - hand.cylinder[0];
         let rate = machine.rate(&Point { time, state, parameters: parameters.clone() });
-        for (place, sum) in places.iter().zip(SawGinByHand.rate(time, &hand)) {
+        let sums = SawGinByHand.rate(time, &hand);
+        for (place, by_hand) in &places {
+            let sum = sums[*by_hand];
             error = worse(error, (rate[*place] - sum.value).abs() / sum.largest_term);
         }
+        let [driving, driven] = ANGLES.map(|by_hand| sums[by_hand]);
+        let largest = driving.largest_term.max(driven.largest_term);
+        error = worse(error, (rate[twist] - (driving.value - driven.value)).abs() / largest);
     }
     Ok(Measured::error(error))
 }
@@ -74,4 +89,16 @@ fn random_state(random: &mut SplitMix, number: usize) -> (f64, SawGinState) {
 fn run(machine: &Machine) -> Result<Measured, CheckFailure> {
     let trajectory = machine.simulation(&[])?.until(2.0).points(2).rtol(1e-11).run()?;
     Ok(Measured::error(scaled_distance(machine, &trajectory, SAW_GIN)?))
+}
+
+/// Motor, coupling and load carry one torque, that of the motor's curve.
+fn operating_point(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let point = Machine::point_of(&machine.linearization(&[], Place::Equilibrium)?);
+    let speed = point.state[machine.state_index("motor.omega")?];
+    let expected = MOTOR_4A280M8.torque(MOTOR_4A280M8.slip(speed));
+    let mut error = 0.0;
+    for torque in ["motor_torque", "coupling_torque"] {
+        error = worse(error, (machine.output(&point, torque)? / expected - 1.0).abs());
+    }
+    Ok(Measured::error(error))
 }

@@ -24,6 +24,10 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
         ("motor_run_up.motor.alpha_r", 0.0859),
         ("saw_gin.cylinder.inertia", 1.2441),
         ("saw_gin_as_printed.motor.sigma", 0.0897),
+        ("motor_stationary_axes.motor.alpha_r", 0.0859),
+        ("winder_linear.layer.viscosity", 95.01),
+        ("winder_nonlinear.layer.cubic_stiffness", 2.0001e9),
+        ("pendulum_chain.chain.m_3", 0.5001),
     ]);
     assert_eq!(
         failed(&verdicts, "two_mass"),
@@ -34,6 +38,10 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
             "amplitude of the steady harmonic twist",
             "phase of the steady harmonic twist",
             "static twist under constant torques",
+            "natural frequency of the coupling",
+            "damping ratio of the coupling",
+            "twist at constant speed, by the equilibrium solve",
+            "frequency response of the twist to the load",
         ]
     );
     let motor = failed(&verdicts, "motor_run_up");
@@ -46,6 +54,7 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
         "breakdown slip",
         "starting torque",
         "run-up, state after 1 s",
+        "eigenvalues at constant speeds",
     ] {
         assert!(motor.contains(&check), "`{check}` passes with a broken rotor resistance");
     }
@@ -57,6 +66,25 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
     );
     let torque = "torque-speed curve, speed for the printed angle";
     assert_eq!(failed(&verdicts, "saw_gin_as_printed"), [torque]);
+    assert_eq!(
+        failed(&verdicts, "motor_stationary_axes"),
+        [
+            "torque over the run-up",
+            "speed over the run-up",
+            "currents of all windings over the run-up",
+            "currents switched on at standstill",
+            "currents switched on at 76.97 rad/s",
+        ]
+    );
+    let winder = failed(&verdicts, "winder_linear");
+    assert_eq!(
+        winder.len(),
+        6,
+        "all motions see the viscosity, mass and mobility do not: {winder:?}"
+    );
+    // The override wins over what the linear limit sets.
+    assert_eq!(failed(&verdicts, "winder_nonlinear").len(), 3);
+    assert_eq!(failed(&verdicts, "pendulum_chain"), ["accelerations at 1000 random states"]);
 }
 
 #[test]

@@ -25,7 +25,15 @@ impl Describe for Oscillator {
         "A rotor on a spring and a damper"
     }
     fn shape(&self) -> Shape {
-        Shape { coordinates: 1, first_order: 0, parameters: 5, outputs: 2, discontinuities: 1 }
+        Shape {
+            coordinates: 1,
+            positions: 1,
+            first_order: 0,
+            quadratures: 0,
+            parameters: 5,
+            outputs: 2,
+            discontinuities: 1,
+        }
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         [

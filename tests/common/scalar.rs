@@ -29,7 +29,9 @@ impl Describe for Scalar {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: 0,
+            positions: 0,
             first_order: 1,
+            quadratures: 0,
             parameters: 0,
             outputs: 0,
             discontinuities: self.jumps.len(),
@@ -78,8 +80,10 @@ impl Simulator<f64> for Scalar {
         values[0] = (self.slope)(time, y[0]);
     }
     fn parameter_jacobian(&self, _time: f64, _y: &[f64], _p: &[f64], _values: &mut [f64]) {}
-    fn time_derivative(&self, _time: f64, _y: &[f64], _p: &[f64], derivative: &mut [f64]) {
-        derivative[0] = f64::NAN;
+    fn time_derivative(&self, time: f64, y: &[f64], _p: &[f64], derivative: &mut [f64]) {
+        let step = 1e-5;
+        let (ahead, behind) = ((self.rate)(time + step, y[0]), (self.rate)(time - step, y[0]));
+        derivative[0] = (ahead - behind) / (2.0 * step);
     }
     fn mass_matrix(&self, _time: f64, _y: &[f64], _p: &[f64], _values: &mut [f64]) {}
     fn forcing(&self, _time: f64, _y: &[f64], _p: &[f64], _forcing: &mut [f64]) {}

@@ -122,7 +122,7 @@ impl<'a> Scene<'a> {
         let system = &program.system;
         names::identifier(&system.name)?;
         let machine = format_ident!("{}", names::type_name(&system.name));
-        let states = system.state_quantities().map(|quantity| quantity.name.ident.as_str());
+        let states = program.layout.quantities().map(|quantity| quantity.name.ident.as_str());
         let states = names::distinct(states, "states")?;
         let parameters = system.parameters.iter().map(|p| p.quantity.name.ident.as_str());
         let parameters = names::distinct(parameters, "parameters")?;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::expr::{Expr, Function, HelperId, TableId};
+use crate::expr::{Expr, Function, HelperId, Symbol, TableId};
 use crate::fold;
 use crate::tape::{Node, NodeId, Op, Tape};
 
@@ -14,7 +14,8 @@ pub struct Graph {
     known: HashMap<Key, NodeId>,
     /// Depends on parameters and literals only; see [`super::terms`].
     constant: Vec<bool>,
-    coordinates: u32,
+    /// Entries of the state by what expressions call them.
+    entries: HashMap<Symbol, u32>,
     accelerations: Vec<NodeId>,
     helpers: HashMap<HelperId, NodeId>,
 }
@@ -23,17 +24,16 @@ pub struct Graph {
 type Key = (u8, [u64; 4]);
 
 impl Graph {
-    /// A graph for one expression or for a scene without coordinates.
+    /// A graph for one expression, whose symbols get entries as they come.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A graph for a scene of `coordinates` generalized coordinates, so that
-    /// symbols find their place in the state \[q, q', z\].
+    /// A graph for a scene whose state is made of `symbols`, in this order.
     #[must_use]
-    pub fn for_scene(coordinates: usize) -> Self {
-        Graph { coordinates: coordinates as u32, ..Self::default() }
+    pub fn for_scene(symbols: impl Iterator<Item = Symbol>) -> Self {
+        Graph { entries: symbols.zip(0..).collect(), ..Self::default() }
     }
 
     /// What q'' stands for from now on.
@@ -54,14 +54,15 @@ impl Graph {
         super::terms::lower(self, expr)
     }
 
-    pub(super) fn symbol(&mut self, symbol: crate::expr::Symbol) -> NodeId {
-        use crate::expr::Symbol;
+    pub(super) fn symbol(&mut self, symbol: Symbol) -> NodeId {
         match symbol {
             Symbol::Pi => self.literal(std::f64::consts::PI),
             Symbol::Time => self.push(Op::Time),
-            Symbol::Coordinate(id) => self.push(Op::State(id.0)),
-            Symbol::Velocity(id) => self.push(Op::State(self.coordinates + id.0)),
-            Symbol::FirstOrder(id) => self.push(Op::State(2 * self.coordinates + id.0)),
+            Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::FirstOrder(_) => {
+                let next = self.entries.len() as u32;
+                let entry = *self.entries.entry(symbol).or_insert(next);
+                self.push(Op::State(entry))
+            }
             Symbol::Parameter(id) => self.push(Op::Parameter(id.0)),
             Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
             Symbol::Helper(id) => self.helpers[&id],

@@ -6,6 +6,7 @@ use crate::expr::Expr;
 use crate::factor::{Factorization, factor};
 use crate::linearize::{Linearization, Partials};
 use crate::program::{MatrixTape, Program, SparsityPattern};
+use crate::state::Motion;
 use crate::tape::NodeId;
 
 /// One tape for each function of a simulator.
@@ -37,6 +38,8 @@ pub fn lower(linearization: &Linearization) -> Program {
         energy: graph.tape(&energy),
         power_balance: graph.tape(&balance),
         system: system.clone(),
+        layout: linearization.equations.layout.clone(),
+        reduction: linearization.equations.reduction.clone(),
     }
 }
 
@@ -47,7 +50,9 @@ struct Build<'a> {
     mass_matrix: Vec<Vec<NodeId>>,
     factorization: Factorization,
     forcing: Vec<NodeId>,
-    /// \[q', q'', z'\]
+    /// q''
+    accelerations: Vec<NodeId>,
+    /// y', an entry for each of the state.
     rate: Vec<NodeId>,
 }
 
@@ -55,7 +60,7 @@ impl<'a> Build<'a> {
     fn new(linearization: &'a Linearization) -> Self {
         let equations = &linearization.equations;
         let system = &equations.system;
-        let mut graph = Graph::for_scene(system.coordinates.len());
+        let mut graph = Graph::for_scene(equations.layout.symbols());
         let abbreviations = Abbreviations::new(&equations.helpers);
         for (id, definition) in abbreviations.entries() {
             let node = graph.lower(definition);
@@ -74,17 +79,26 @@ impl<'a> Build<'a> {
             graph.name(*node, &format!("{}_dot", coordinate.velocity.name.ident));
         }
         graph.set_accelerations(accelerations.clone());
-        let velocities = crate::linearize::state_symbols(system)
-            .skip(system.coordinates.len())
-            .take(system.coordinates.len())
-            .map(|symbol| graph.symbol(symbol))
-            .collect::<Vec<_>>();
         let rates: Vec<NodeId> = equations.rates.iter().map(|h| graph.lower(&short(h))).collect();
         for (state, node) in system.first_order.iter().zip(&rates) {
             graph.name(*node, &format!("{}_dot", state.quantity.name.ident));
         }
-        let rate = [velocities, accelerations, rates].concat();
-        Build { linearization, abbreviations, graph, mass_matrix, factorization, forcing, rate }
+        let rate = equations.layout.states.iter().map(|state| match &state.motion {
+            Motion::Position { rate, .. } => graph.lower(&short(rate)),
+            Motion::Velocity(id) => accelerations[id.0 as usize],
+            Motion::FirstOrder(id) => rates[id.0 as usize],
+        });
+        let rate = rate.collect();
+        Build {
+            linearization,
+            abbreviations,
+            graph,
+            mass_matrix,
+            factorization,
+            forcing,
+            accelerations,
+            rate,
+        }
     }
 
     fn lower(&mut self, expr: &Expr) -> NodeId {
@@ -96,11 +110,10 @@ impl<'a> Build<'a> {
         self.forcing.len()
     }
 
-    /// One column of a Jacobian of the rate: d\[q', q'', z'\]/ds.
+    /// One column of a Jacobian of the rate: dy'/ds.
     fn column(&mut self, partials: &Partials) -> Vec<NodeId> {
         let n = self.coordinates();
         let zero = self.graph.literal(0.0);
-        let one = self.graph.literal(1.0);
         let mut right_side = vec![zero; n];
         for (row, expr) in &partials.forcing {
             right_side[*row] = self.lower(expr);
@@ -114,12 +127,13 @@ impl<'a> Build<'a> {
         }
         let accelerations = self.factorization.solve(&mut self.graph, &right_side);
         let mut column = vec![zero; self.rate.len()];
-        column[n..2 * n].copy_from_slice(&accelerations);
-        for (row, expr) in &partials.rates {
-            column[2 * n + row] = self.lower(expr);
+        for (entry, state) in self.linearization.equations.layout.states.iter().enumerate() {
+            if let Motion::Velocity(id) = state.motion {
+                column[entry] = accelerations[id.0 as usize];
+            }
         }
-        if let crate::expr::Symbol::Velocity(id) = partials.symbol {
-            column[id.0 as usize] = one;
+        for (entry, expr) in &partials.rates {
+            column[*entry] = self.lower(expr);
         }
         column
     }
@@ -132,8 +146,7 @@ impl<'a> Build<'a> {
         entry: NodeId,
         column: usize,
     ) {
-        let acceleration = self.rate[self.coordinates() + column];
-        let part = self.graph.mul(entry, acceleration);
+        let part = self.graph.mul(entry, self.accelerations[column]);
         right_side[row] = self.graph.sub(right_side[row], part);
     }
 
@@ -165,13 +178,10 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// \[q, q', z\] at the start.
+    /// y at the start.
     fn initial_state(&mut self) -> Vec<NodeId> {
-        let system = &self.linearization.equations.system;
-        let positions = system.coordinates.iter().map(|c| &c.initial[0]);
-        let velocities = system.coordinates.iter().map(|c| &c.initial[1]);
-        let states = system.first_order.iter().map(|z| &z.initial);
-        positions.chain(velocities).chain(states).map(|e| self.lower(e)).collect()
+        let states = &self.linearization.equations.layout.states;
+        states.iter().map(|state| self.lower(&state.initial)).collect()
     }
 
     /// dE/dt by the chain rule, power supplied, power dissipated.

@@ -2,6 +2,7 @@
 
 mod initial;
 mod outputs;
+mod tunable;
 
 use crate::diagnostic::{Mistake, Span};
 use crate::dimension::Dimension;
@@ -286,14 +287,15 @@ impl<'a> Assembler<'a> {
         states
     }
 
-    fn parameters(&self) -> Vec<Parameter> {
+    fn parameters(&mut self) -> Vec<Parameter> {
+        let tunable = self.tunable();
         let own = self.spec.parameters.iter().map(|parameter| (None, parameter));
         let of_units = self.instances().flat_map(|(_, instance, unit)| {
             let name = Some(instance.name.value.as_str());
             unit.parameters.iter().map(move |parameter| (name, parameter))
         });
-        let all = own.chain(of_units).zip(self.values);
-        let parameters = all.map(|((instance, parameter), value)| Parameter {
+        let all = own.chain(of_units).zip(self.values).zip(tunable);
+        let parameters = all.map(|(((instance, parameter), value), tunable)| Parameter {
             quantity: quantity(
                 instance,
                 &parameter.name.value,
@@ -301,6 +303,7 @@ impl<'a> Assembler<'a> {
                 &parameter.doc,
             ),
             value: *value,
+            tunable,
         });
         parameters.collect()
     }

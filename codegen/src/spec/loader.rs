@@ -50,6 +50,7 @@ pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
             forces: scene.forces,
             initial: scene.initial,
             outputs: scene.outputs,
+            tunable: scene.tunable,
             run,
             tables,
         }),

@@ -28,6 +28,7 @@ pub struct SceneText {
     pub forces: Vec<PortForceSpec>,
     pub initial: Vec<(Spanned<String>, Formula)>,
     pub outputs: Vec<OutputSpec>,
+    pub tunable: Option<Vec<Spanned<String>>>,
     pub run: Option<RunSpec>,
 }
 
@@ -69,6 +70,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let initial = fields.entries("initial");
     let initial = initial_values(initial, &mut fields);
     let outputs = each(&mut fields, "outputs", output);
+    let tunable = fields.take("tunable").map(|tree| tunable(tree, fields.found()));
     let run = fields.require("run").and_then(|tree| run(tree, fields.found()));
     fields.close();
     SceneText {
@@ -81,6 +83,7 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         forces,
         initial,
         outputs,
+        tunable,
         run,
     }
 }
@@ -171,6 +174,19 @@ fn output(entry: &Entry, found: &mut Findings) -> Option<OutputSpec> {
     let mut fields = Fields::alone(entry.value.span, found);
     let of: Option<Ast> = fields.as_expression(&entry.value, &entry.key.value);
     Some(OutputSpec::Alias { name: entry.key.clone(), of: of? })
+}
+
+fn tunable(tree: &Spanned<Tree>, found: &mut Findings) -> Vec<Spanned<String>> {
+    let mut fields = Fields::open(tree, "[tunable]".to_owned(), found);
+    let names = match fields.require("parameters") {
+        None => Vec::new(),
+        Some(Spanned { value: Tree::List(items), .. }) => {
+            items.iter().filter_map(|item| fields.as_text(item, "parameters")).collect()
+        }
+        Some(tree) => fields.wrong(tree, "parameters", "a list of names").unwrap_or_default(),
+    };
+    fields.close();
+    names
 }
 
 fn run(tree: &Spanned<Tree>, found: &mut Findings) -> Option<RunSpec> {

@@ -6,6 +6,7 @@ use super::{Extent, MassMatrix, Recurrence, SeriesNode, TaylorTape};
 use crate::expr::Function;
 use crate::program::Program;
 use crate::prune::reachable;
+use crate::state::Motion;
 use crate::tape::{NodeId, Op, Tape};
 
 /// The recurrences of a program's solution.
@@ -57,10 +58,15 @@ fn unsolved(mut builder: Builder, program: &Program, entries: &[NodeId]) -> Tayl
         known.map_or(forcing, |known| builder.push(Recurrence::Sub(forcing, known)))
     });
     let right_side = right_side.collect();
-    let velocities = (n..2 * n).map(|i| builder.push(Recurrence::State(i as u32)));
-    let velocities: Vec<NodeId> = velocities.collect();
-    let first_order = builder.translate(&program.rate, &program.rate.results[2 * n..]);
-    builder.tape.rate = [velocities, accelerations.clone(), first_order].concat();
+    let states = program.layout.states.iter().zip(&program.rate.results);
+    builder.tape.rate = states
+        .map(|(state, &rate)| match state.motion {
+            Motion::Velocity(id) => accelerations[id.0 as usize],
+            Motion::Position { .. } | Motion::FirstOrder(_) => {
+                builder.translate(&program.rate, &[rate])[0]
+            }
+        })
+        .collect();
     builder.tape.mass_matrix = Some(MassMatrix { lower, right_side, accelerations });
     builder.tape
 }

@@ -55,7 +55,7 @@ use ::machinist_scenes::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 2;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
+/// Length of the state y.
 pub const STATES: usize = 4;
 
 /// Parameters.
@@ -209,7 +209,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 27 operations.
 #[must_use]
@@ -463,7 +463,9 @@ impl Describe for Coupled {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 2,
             first_order: 0,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

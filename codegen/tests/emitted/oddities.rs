@@ -59,7 +59,7 @@ use ::machinist_scenes::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 1;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
+/// Length of the state y.
 pub const STATES: usize = 3;
 
 /// Parameters.
@@ -351,7 +351,7 @@ pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     [p.start]
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 14 operations.
 #[must_use]
@@ -394,9 +394,9 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [state_2, STATES_2, p_2] = *state;
-    let state_2_forcing = p_2 - p.arm_damping * STATES_2
+    let state_forcing = p_2 - p.arm_damping * STATES_2
         - p.STATES * p.arm_gravity * p.time * state_2.sin();
-    [state_2_forcing]
+    [state_forcing]
 }
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
@@ -691,7 +691,9 @@ impl Describe for Oddities {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 1,
             first_order: 1,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

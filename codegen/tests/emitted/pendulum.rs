@@ -53,7 +53,7 @@ use ::machinist_scenes::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 1;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
+/// Length of the state y.
 pub const STATES: usize = 3;
 
 /// Parameters.
@@ -208,7 +208,7 @@ pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     [p.start]
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 14 operations.
 #[must_use]
@@ -461,7 +461,9 @@ impl Describe for Pendulum {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 1,
             first_order: 1,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

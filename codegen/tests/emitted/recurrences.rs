@@ -115,7 +115,7 @@ use ::machinist_scenes::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 1;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
+/// Length of the state y.
 pub const STATES: usize = 65;
 
 /// Parameters.
@@ -457,7 +457,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 70 operations.
 #[must_use]
@@ -1286,7 +1286,9 @@ impl Describe for Recurrences {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 1,
             first_order: 63,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

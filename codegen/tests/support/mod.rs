@@ -4,6 +4,8 @@
 
 use machinist_codegen::expr::{Expr, Function, TableId};
 use machinist_codegen::program::{MatrixTape, Program, SparsityPattern};
+use machinist_codegen::reduce::Reduction;
+use machinist_codegen::state::Layout;
 use machinist_codegen::system::{
     Coordinate, Definition, FirstOrderState, GeneralizedForce, LagrangianSystem, Name, Parameter,
     Quantity, RunDefaults, SourceFile, Table,
@@ -71,7 +73,7 @@ pub fn zero() -> Expr {
 }
 
 fn parameter(path: &str, unit: &str, value: f64, doc: &str) -> Parameter {
-    Parameter { quantity: quantity(path, unit, doc), value }
+    Parameter { quantity: quantity(path, unit, doc), value, tunable: true }
 }
 
 fn pattern(rows: usize, columns: usize, entries: &[(u32, u32)]) -> SparsityPattern {
@@ -95,8 +97,11 @@ const START: u32 = 5;
 /// torque' = (load(t) [t >= start] - torque)/lag
 /// ```
 pub fn pendulum() -> Program {
+    let system = pendulum_system();
     Program {
-        system: pendulum_system(),
+        layout: Layout::of_all(&system),
+        reduction: Reduction::default(),
+        system,
         initial_state: tape(|b| vec![b.number(0.5), b.number(0.0), b.number(0.0)]),
         discontinuities: tape(|b| vec![b.parameter(START)]),
         rate: tape(|b| {
@@ -316,6 +321,7 @@ pub fn oddities() -> Program {
         expr: zero(),
     });
     program.system.outputs = outputs.collect();
+    program.layout = Layout::of_all(&program.system);
     program
 }
 
@@ -417,6 +423,7 @@ pub fn recurrences() -> Program {
         })
         .collect();
     program.rate = rate;
+    program.layout = Layout::of_all(&program.system);
     program
 }
 
@@ -456,6 +463,7 @@ pub fn coupled() -> Program {
     };
     program.forcing = tape(|b| coupled_forcing(b).to_vec());
     program.rate = rate;
+    program.layout = Layout::of_all(&program.system);
     program
 }
 

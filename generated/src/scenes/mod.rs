@@ -16,6 +16,28 @@ use crate::{Real, Simulator};
 )]
 pub mod motor_run_up;
 
+/// Induction motor running up empty, from its co-energy
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod motor_stationary_axes;
+
+/// Chain of three pendulums
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod pendulum_chain;
+
 /// Saw gin: motor, coupling and saw cylinder
 #[rustfmt::skip]
 #[allow(
@@ -49,13 +71,39 @@ pub mod saw_gin_as_printed;
 )]
 pub mod two_mass;
 
+/// Bobbin on a winding drum, linear layer
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_linear;
+
+/// Bobbin on a winding drum, stiffening layer
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_nonlinear;
+
 /// Names of all scenes, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &[
     "motor_run_up",
+    "motor_stationary_axes",
+    "pendulum_chain",
     "saw_gin",
     "saw_gin_as_printed",
     "two_mass",
+    "winder_linear",
+    "winder_nonlinear",
 ];
 
 /// The scene of a name.
@@ -63,9 +111,13 @@ pub const NAMES: &[&str] = &[
 pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     match name {
         "motor_run_up" => Some(&motor_run_up::MotorRunUp),
+        "motor_stationary_axes" => Some(&motor_stationary_axes::MotorStationaryAxes),
+        "pendulum_chain" => Some(&pendulum_chain::PendulumChain),
         "saw_gin" => Some(&saw_gin::SawGin),
         "saw_gin_as_printed" => Some(&saw_gin_as_printed::SawGinAsPrinted),
         "two_mass" => Some(&two_mass::TwoMass),
+        "winder_linear" => Some(&winder_linear::WinderLinear),
+        "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),
         _ => None,
     }
 }

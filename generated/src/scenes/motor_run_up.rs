@@ -16,23 +16,22 @@
 // Shapes; all quantities are in SI units:
 //   coordinates               1
 //   first-order states        4
-//   states                    6
+//   states                    5
 //   parameters               11
 //   outputs                   4
 //   discontinuities           0
 //
 // State:
-//     0  motor.phi     [rad]    rotor angle
-//     1  motor.omega   [rad/s]  rate of rotor angle
-//     2  motor.psi_sx  [V s]    stator flux linkage along x
-//     3  motor.psi_sy  [V s]    stator flux linkage along y
-//     4  motor.psi_rx  [V s]    rotor flux linkage along x
-//     5  motor.psi_ry  [V s]    rotor flux linkage along y
+//     0  motor.omega   [rad/s]  rate of rotor angle
+//     1  motor.psi_sx  [V s]    stator flux linkage along x
+//     2  motor.psi_sy  [V s]    stator flux linkage along y
+//     3  motor.psi_rx  [V s]    rotor flux linkage along x
+//     4  motor.psi_ry  [V s]    rotor flux linkage along y
 //
 // Nonzeros:
 //   mass_matrix               1 of 1 by 1
-//   rate_jacobian            19 of 6 by 6
-//   parameter_jacobian       24 of 6 by 11
+//   rate_jacobian            18 of 5 by 5
+//   parameter_jacobian       24 of 5 by 11
 //
 // Operations:
 //   initial_state             0
@@ -55,8 +54,8 @@ use crate::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 1;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
-pub const STATES: usize = 6;
+/// Length of the state y.
+pub const STATES: usize = 5;
 
 /// Parameters.
 pub const PARAMETERS: usize = 11;
@@ -76,60 +75,59 @@ pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
 
 /// Nonzeros of dy'/dy.
 pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 6,
-    columns: 6,
+    rows: 5,
+    columns: 5,
     entries: &[
         (0, 1),
+        (0, 2),
+        (0, 3),
+        (0, 4),
+        (1, 1),
         (1, 2),
         (1, 3),
-        (1, 4),
-        (1, 5),
+        (2, 1),
         (2, 2),
-        (2, 3),
         (2, 4),
-        (3, 2),
+        (3, 0),
+        (3, 1),
         (3, 3),
-        (3, 5),
-        (4, 1),
+        (3, 4),
+        (4, 0),
         (4, 2),
+        (4, 3),
         (4, 4),
-        (4, 5),
-        (5, 1),
-        (5, 3),
-        (5, 4),
-        (5, 5),
     ],
 };
 
 /// Nonzeros of dy'/dp.
 pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 6,
+    rows: 5,
     columns: 11,
     entries: &[
-        (1, 1),
+        (0, 1),
+        (0, 3),
+        (0, 5),
+        (0, 6),
+        (0, 7),
+        (0, 8),
+        (1, 2),
         (1, 3),
-        (1, 5),
-        (1, 6),
+        (1, 4),
         (1, 7),
-        (1, 8),
+        (1, 9),
         (2, 2),
         (2, 3),
         (2, 4),
         (2, 7),
         (2, 9),
-        (3, 2),
         (3, 3),
-        (3, 4),
-        (3, 7),
-        (3, 9),
+        (3, 5),
+        (3, 6),
+        (3, 10),
         (4, 3),
         (4, 5),
         (4, 6),
         (4, 10),
-        (5, 3),
-        (5, 5),
-        (5, 6),
-        (5, 10),
     ],
 };
 
@@ -260,18 +258,16 @@ impl<R: Real> Outputs<R> {
 
 /// Where to find what in the state.
 pub mod state {
-    /// motor.phi: rotor angle \[rad\].
-    pub const MOTOR_PHI: usize = 0;
     /// motor.omega: rate of rotor angle \[rad/s\].
-    pub const MOTOR_OMEGA: usize = 1;
+    pub const MOTOR_OMEGA: usize = 0;
     /// motor.psi_sx: stator flux linkage along x \[V s\].
-    pub const MOTOR_PSI_SX: usize = 2;
+    pub const MOTOR_PSI_SX: usize = 1;
     /// motor.psi_sy: stator flux linkage along y \[V s\].
-    pub const MOTOR_PSI_SY: usize = 3;
+    pub const MOTOR_PSI_SY: usize = 2;
     /// motor.psi_rx: rotor flux linkage along x \[V s\].
-    pub const MOTOR_PSI_RX: usize = 4;
+    pub const MOTOR_PSI_RX: usize = 3;
     /// motor.psi_ry: rotor flux linkage along y \[V s\].
-    pub const MOTOR_PSI_RY: usize = 5;
+    pub const MOTOR_PSI_RY: usize = 4;
 }
 
 /// State at the start of the run, in the units of the states.
@@ -279,14 +275,7 @@ pub mod state {
 /// No operations.
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
-    [
-        R::literal(0.0),
-        p.initial_speed,
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+    [p.initial_speed, R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
 /// Times at which the right-hand side jumps \[s\].
@@ -297,13 +286,13 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 45 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
@@ -328,7 +317,6 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; ST
     let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
-        motor_omega,
         motor_omega_dot,
         motor_psi_sx_dot,
         motor_psi_sy_dot,
@@ -358,7 +346,7 @@ pub fn forcing<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
-    let [_, _, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [_, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
@@ -375,8 +363,8 @@ pub fn rate_jacobian<R: Real>(
     _time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 19] {
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+) -> [R; 18] {
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
@@ -400,7 +388,6 @@ pub fn rate_jacobian<R: Real>(
         - motor_omega_0;
     let motor_omega_dot_by_motor_psi_ry = t2 * motor_psi_sx * inverse_motor_inertia;
     [
-        R::literal(1.0),
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx,
@@ -431,7 +418,7 @@ pub fn parameter_jacobian<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 24] {
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
@@ -532,14 +519,7 @@ pub fn time_derivative<R: Real>(
     _state: &[R; STATES],
     _p: &Parameters<R>,
 ) -> [R; STATES] {
-    [
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-        R::literal(0.0),
-    ]
+    [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
 /// Wanted outputs.
@@ -547,7 +527,7 @@ pub fn time_derivative<R: Real>(
 /// 27 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
@@ -571,7 +551,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 /// 32 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
@@ -599,7 +579,7 @@ pub fn power_balance<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
@@ -672,7 +652,7 @@ pub fn series<R: Real>(
     workspace: &mut [R],
 ) {
     let (mut lanes, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
-    let [_, motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let t0 = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - t0;
@@ -719,7 +699,6 @@ pub fn series<R: Real>(
     let t33 = t32 * t29;
     let motor_psi_ry_dot = t33 - t31;
     let mut rates = [
-        motor_omega,
         motor_omega_dot,
         motor_psi_sx_dot,
         motor_psi_sy_dot,
@@ -731,7 +710,7 @@ pub fn series<R: Real>(
         let (_, inverse) = order_and_inverse::<R>(order);
         let state_k = rates.map(|rate| rate * inverse);
         coefficients[order] = state_k;
-        let [_, motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
+        let [motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
         motor_psi_ry_k] = state_k;
         let sums = lanes.sums(order);
         let t4_k = motor_omega_k * p.motor_pole_pairs;
@@ -773,7 +752,6 @@ pub fn series<R: Real>(
                 [motor_psi_ry_k, motor_psi_sy_k, motor_psi_ry_k, motor_psi_rx_k],
             );
         rates = [
-            motor_omega_k,
             motor_omega_dot_k,
             motor_psi_sx_dot_k,
             motor_psi_sy_dot_k,
@@ -812,7 +790,9 @@ impl Describe for MotorRunUp {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 0,
             first_order: 4,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,
@@ -918,11 +898,6 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     Quantity {
-        name: "motor.phi",
-        unit: "rad",
-        doc: "rotor angle",
-    },
-    Quantity {
         name: "motor.omega",
         unit: "rad/s",
         doc: "rate of rotor angle",
@@ -949,7 +924,7 @@ static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     },
 ];
 
-static STATE_SCALES: [f64; STATES] = [150.0, 78.5, 1.0, 1.0, 1.0, 1.0];
+static STATE_SCALES: [f64; STATES] = [78.5, 1.0, 1.0, 1.0, 1.0];
 
 static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
     Quantity {

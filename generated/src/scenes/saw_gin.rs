@@ -20,38 +20,37 @@
 // Shapes; all quantities are in SI units:
 //   coordinates               2
 //   first-order states        4
-//   states                    8
+//   states                    7
 //   parameters               21
 //   outputs                   8
 //   discontinuities           0
 //
 // State:
-//     0  motor.phi       [rad]    rotor angle
-//     1  cylinder.phi    [rad]    angle
-//     2  motor.omega     [rad/s]  rate of rotor angle
-//     3  cylinder.omega  [rad/s]  rate of angle
-//     4  motor.psi_sx    [V s]    stator flux linkage along x
-//     5  motor.psi_sy    [V s]    stator flux linkage along y
-//     6  motor.psi_rx    [V s]    rotor flux linkage along x
-//     7  motor.psi_ry    [V s]    rotor flux linkage along y
+//     0  coupling.twist  [rad]    twist
+//     1  motor.omega     [rad/s]  rate of rotor angle
+//     2  cylinder.omega  [rad/s]  rate of angle
+//     3  motor.psi_sx    [V s]    stator flux linkage along x
+//     4  motor.psi_sy    [V s]    stator flux linkage along y
+//     5  motor.psi_rx    [V s]    rotor flux linkage along x
+//     6  motor.psi_ry    [V s]    rotor flux linkage along y
 //
 // Nonzeros:
 //   mass_matrix               2 of 2 by 2
-//   rate_jacobian            28 of 8 by 8
-//   parameter_jacobian       38 of 8 by 21
+//   rate_jacobian            26 of 7 by 7
+//   parameter_jacobian       39 of 7 by 21
 //
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                     80
+//   rate                     78
 //   mass_matrix               0
-//   forcing                  45
-//   rate_jacobian            76
-//   parameter_jacobian      186
+//   forcing                  43
+//   rate_jacobian            73
+//   parameter_jacobian      185
 //   time_derivative          32
-//   outputs                  57
-//   energy                   41
-//   power_balance           156
+//   outputs                  55
+//   energy                   39
+//   power_balance           152
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -61,8 +60,8 @@ use crate::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 2;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
-pub const STATES: usize = 8;
+/// Length of the state y.
+pub const STATES: usize = 7;
 
 /// Parameters.
 pub const PARAMETERS: usize = 21;
@@ -82,83 +81,82 @@ pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
 
 /// Nonzeros of dy'/dy.
 pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 8,
-    columns: 8,
+    rows: 7,
+    columns: 7,
     entries: &[
+        (0, 1),
         (0, 2),
+        (1, 0),
+        (1, 1),
+        (1, 2),
         (1, 3),
+        (1, 4),
+        (1, 5),
+        (1, 6),
         (2, 0),
         (2, 1),
         (2, 2),
-        (2, 3),
-        (2, 4),
-        (2, 5),
-        (2, 6),
-        (2, 7),
-        (3, 0),
-        (3, 1),
-        (3, 2),
         (3, 3),
+        (3, 4),
+        (3, 5),
+        (4, 3),
         (4, 4),
-        (4, 5),
         (4, 6),
-        (5, 4),
+        (5, 1),
+        (5, 3),
         (5, 5),
-        (5, 7),
-        (6, 2),
+        (5, 6),
+        (6, 1),
         (6, 4),
+        (6, 5),
         (6, 6),
-        (6, 7),
-        (7, 2),
-        (7, 5),
-        (7, 6),
-        (7, 7),
     ],
 };
 
 /// Nonzeros of dy'/dp.
 pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 8,
+    rows: 7,
     columns: 21,
     entries: &[
-        (2, 0),
-        (2, 2),
-        (2, 4),
-        (2, 5),
-        (2, 6),
-        (2, 7),
+        (0, 12),
+        (1, 0),
+        (1, 2),
+        (1, 4),
+        (1, 5),
+        (1, 6),
+        (1, 7),
+        (1, 10),
+        (1, 11),
+        (1, 12),
         (2, 10),
         (2, 11),
         (2, 12),
-        (3, 10),
-        (3, 11),
-        (3, 12),
-        (3, 13),
-        (3, 14),
-        (3, 15),
-        (3, 16),
-        (3, 17),
-        (3, 18),
-        (3, 19),
-        (3, 20),
+        (2, 13),
+        (2, 14),
+        (2, 15),
+        (2, 16),
+        (2, 17),
+        (2, 18),
+        (2, 19),
+        (2, 20),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 6),
+        (3, 8),
         (4, 1),
         (4, 2),
         (4, 3),
         (4, 6),
         (4, 8),
-        (5, 1),
         (5, 2),
-        (5, 3),
-        (5, 6),
-        (5, 8),
+        (5, 4),
+        (5, 5),
+        (5, 9),
         (6, 2),
         (6, 4),
         (6, 5),
         (6, 9),
-        (7, 2),
-        (7, 4),
-        (7, 5),
-        (7, 9),
     ],
 };
 
@@ -361,22 +359,20 @@ impl<R: Real> Outputs<R> {
 
 /// Where to find what in the state.
 pub mod state {
-    /// motor.phi: rotor angle \[rad\].
-    pub const MOTOR_PHI: usize = 0;
-    /// cylinder.phi: angle \[rad\].
-    pub const CYLINDER_PHI: usize = 1;
+    /// coupling.twist: twist \[rad\].
+    pub const COUPLING_TWIST: usize = 0;
     /// motor.omega: rate of rotor angle \[rad/s\].
-    pub const MOTOR_OMEGA: usize = 2;
+    pub const MOTOR_OMEGA: usize = 1;
     /// cylinder.omega: rate of angle \[rad/s\].
-    pub const CYLINDER_OMEGA: usize = 3;
+    pub const CYLINDER_OMEGA: usize = 2;
     /// motor.psi_sx: stator flux linkage along x \[V s\].
-    pub const MOTOR_PSI_SX: usize = 4;
+    pub const MOTOR_PSI_SX: usize = 3;
     /// motor.psi_sy: stator flux linkage along y \[V s\].
-    pub const MOTOR_PSI_SY: usize = 5;
+    pub const MOTOR_PSI_SY: usize = 4;
     /// motor.psi_rx: rotor flux linkage along x \[V s\].
-    pub const MOTOR_PSI_RX: usize = 6;
+    pub const MOTOR_PSI_RX: usize = 5;
     /// motor.psi_ry: rotor flux linkage along y \[V s\].
-    pub const MOTOR_PSI_RY: usize = 7;
+    pub const MOTOR_PSI_RY: usize = 6;
 }
 
 /// State at the start of the run, in the units of the states.
@@ -385,7 +381,6 @@ pub mod state {
 #[must_use]
 pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
     [
-        R::literal(0.0),
         R::literal(0.0),
         R::literal(0.0),
         R::literal(0.0),
@@ -404,30 +399,29 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 80 operations.
+/// 78 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
     let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
@@ -457,8 +451,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
     let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
-        motor_omega,
-        cylinder_omega,
+        coupling_twist_rate,
         motor_omega_dot,
         cylinder_omega_dot,
         motor_psi_sx_dot,
@@ -482,27 +475,26 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 45 operations.
+/// 43 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
@@ -521,14 +513,14 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 76 operations.
+/// 73 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 28] {
-    let [_, _, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
+) -> [R; 26] {
+    let [_, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
@@ -547,29 +539,27 @@ pub fn rate_jacobian<R: Real>(
     let t2 = (inverse_load_standstill_band * cylinder_omega).tanh();
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t3 = p.coupling_stiffness * p.coupling_ratio;
-    let t4 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
-    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
-    let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
-        * coupling_ratio_squared * inverse_cylinder_inertia);
+    let t3 = p.coupling_damping * p.coupling_ratio;
+    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
+        * inverse_motor_inertia);
+    let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness * p.coupling_ratio
+        * inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_omega = t4 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_motor_omega = t3 * inverse_cylinder_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
+    let motor_omega_dot_by_cylinder_omega = t3 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_omega = (-(p.coupling_damping
-        * coupling_ratio_squared)
+        * (p.coupling_ratio * p.coupling_ratio))
         - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t2 * t2)
             * (p.load_mean
                 + p.load_amplitude
                     * (p.load_phase
                         + R::literal(core::f64::consts::PI) * load_omega_2 * time)
                         .sin())) * inverse_cylinder_inertia;
-    let t5 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
-    let motor_omega_dot_by_motor_psi_sx = t5 * motor_psi_ry * inverse_motor_inertia;
+    let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
+    let t4 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
+    let motor_omega_dot_by_motor_psi_sx = t4 * motor_psi_ry * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
@@ -579,20 +569,18 @@ pub fn rate_jacobian<R: Real>(
     let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
         - motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = t5 * motor_psi_sx * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_ry = t4 * motor_psi_sx * inverse_motor_inertia;
     [
         R::literal(1.0),
-        R::literal(1.0),
-        motor_omega_dot_by_motor_phi,
-        motor_omega_dot_by_cylinder_phi,
+        coupling_twist_dot_by_cylinder_omega,
+        motor_omega_dot_by_coupling_twist,
         motor_omega_dot_by_motor_omega,
         motor_omega_dot_by_cylinder_omega,
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx,
         motor_omega_dot_by_motor_psi_ry,
-        cylinder_omega_dot_by_motor_phi,
-        cylinder_omega_dot_by_cylinder_phi,
+        cylinder_omega_dot_by_coupling_twist,
         cylinder_omega_dot_by_motor_omega,
         cylinder_omega_dot_by_cylinder_omega,
         motor_psi_sx_dot_by_motor_psi_sx,
@@ -614,15 +602,15 @@ pub fn rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 186 operations.
+/// 185 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 38] {
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+) -> [R; 39] {
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
@@ -632,43 +620,40 @@ pub fn parameter_jacobian<R: Real>(
     let motor_u_x = t0 * cos_motor_supply_phase;
     let sin_motor_supply_phase = p.motor_supply_phase.sin();
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
-    let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
+    let t1 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
     let time_minus_load_engagement_time = time - p.load_engagement_time;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t1 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t2 = R::literal(1.0) + t1;
-    let load_engagement = R::literal(1.0) / t2;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let t3 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let t2 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t3 = R::literal(1.0) + t2;
+    let load_engagement = R::literal(1.0) / t3;
+    let t4 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t5 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t5 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t6 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t6 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
-        * t5;
-    let t7 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
-    let t8 = t7.sin();
-    let t9 = p.load_mean + p.load_amplitude * t8;
-    let t10 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t9 * t10;
+    let t6 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t7 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t7 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
+        * t6;
+    let t8 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t9 = t8.sin();
+    let t10 = p.load_mean + p.load_amplitude * t9;
+    let t11 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t10 * t11;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t11 = p.coupling_stiffness * p.coupling_ratio;
-    let t12 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let cylinder_omega_dot = (t11 * coupling_twist + t12 * coupling_twist_rate
-        - load_resistance) * inverse_cylinder_inertia;
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
+        * inverse_cylinder_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t13 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let t12 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t14 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
-    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t13 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t14 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
@@ -676,74 +661,77 @@ pub fn parameter_jacobian<R: Real>(
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(
         3.0 * core::f64::consts::PI,
-    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t5
+    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t6
         * inverse_motor_inertia;
-    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t15 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t16 * t3;
+        * motor_psi_sy - t15 * t4;
     let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t16 * t4;
-    let t17 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sx) - t15 * t5;
+    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t17 * t13;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t17 * t14
+        * motor_psi_ry + t16 * t12;
+    let motor_psi_ry_dot_by_motor_supply_frequency = t16 * t13
         - R::literal(core::f64::consts::TAU) * motor_psi_rx;
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
-        * motor_omega_0 / motor_x_s_times_motor_sigma * t5 * inverse_motor_inertia;
+        * motor_omega_0 / motor_x_s_times_motor_sigma * t6 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t6 * motor_omega_0 / (p.motor_x_s * (t15 * t15))
+    let motor_omega_dot_by_motor_k_r = -(t7 * motor_omega_0 / (p.motor_x_s * (t14 * t14))
         * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
         * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
     let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
         * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t3);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t4);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
-    let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
-        - motor_phi) * inverse_motor_inertia;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t4);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t5);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t12;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t13;
+    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist
+        * inverse_motor_inertia);
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega
         - motor_omega) * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi
-        + p.coupling_damping * cylinder_omega) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = (coupling_torque - t11 * cylinder_phi
-        - t12 * cylinder_omega) * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+        * inverse_motor_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = (t1 + p.coupling_damping * motor_omega
+        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * cylinder_omega)
+        * inverse_cylinder_inertia;
+    let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t10
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t11
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t8 * t10
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t9 * t11
         * inverse_cylinder_inertia);
-    let t18 = t7.cos();
+    let t17 = t8.cos();
     let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
         * p.load_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-        * time * load_engagement * t18 * t10 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t18
-        * t10 * inverse_cylinder_inertia);
-    let t19 = t2 * t2;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t9
-        * t1 * t10 / t19 * inverse_cylinder_inertia;
+        * time * load_engagement * t17 * t11 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t17
+        * t11 * inverse_cylinder_inertia);
+    let t18 = t3 * t3;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t10
+        * t2 * t11 / t18 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0)
         / (p.load_engagement_width * p.load_engagement_width)
-        * time_minus_load_engagement_time * t9 * t1 * t10 / t19
+        * time_minus_load_engagement_time * t10 * t2 * t11 / t18
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
-        * load_engagement * (R::literal(1.0) - t10 * t10) * t9
+        * load_engagement * (R::literal(1.0) - t11 * t11) * t10
         * inverse_cylinder_inertia;
     [
+        coupling_twist_dot_by_coupling_ratio,
         motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_supply_frequency,
         motor_omega_dot_by_motor_pole_pairs,
@@ -794,7 +782,7 @@ pub fn time_derivative<R: Real>(
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; STATES] {
-    let [_, _, _, cylinder_omega, ..] = *state;
+    let [_, _, cylinder_omega, ..] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
@@ -809,7 +797,6 @@ pub fn time_derivative<R: Real>(
     [
         R::literal(0.0),
         R::literal(0.0),
-        R::literal(0.0),
         cylinder_omega_dot_by_time,
         R::literal(0.0),
         R::literal(0.0),
@@ -820,23 +807,22 @@ pub fn time_derivative<R: Real>(
 
 /// Wanted outputs.
 ///
-/// 57 operations.
+/// 55 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let coupling_torque = p.coupling_stiffness * coupling_twist
+        + p.coupling_damping * coupling_twist_rate;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t0 = motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
@@ -868,15 +854,14 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
 
 /// T, V and the energy of first-order states \[J\].
 ///
-/// 41 operations.
+/// 39 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
     let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
     let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
@@ -896,15 +881,15 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 156 operations.
+/// 152 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
@@ -912,16 +897,15 @@ pub fn power_balance<R: Real>(
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
     let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let t1 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
     let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
@@ -943,11 +927,11 @@ pub fn power_balance<R: Real>(
                     + R::literal(core::f64::consts::PI) * load_omega_2 * time)
                     .sin())
         * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
-    let t7 = p.coupling_damping * p.coupling_ratio;
+    let t6 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let cylinder_omega_dot = (t6 + t7 * coupling_twist_rate - load_resistance)
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + t6 * coupling_twist_rate - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
@@ -961,19 +945,18 @@ pub fn power_balance<R: Real>(
     let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
         * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
         - motor_psi_rx * motor_slip_speed;
-    let t8 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t9 = t1 * motor_omega - t6 * cylinder_omega
-        + p.motor_inertia * motor_omega * motor_omega_dot
+    let t7 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t8 = t1 * coupling_twist_rate + p.motor_inertia * motor_omega * motor_omega_dot
         + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot
-        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t8 * motor_psi_rx)
+        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t7 * motor_psi_rx)
             * motor_psi_sx_dot
-        + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t8 * motor_psi_ry)
+        + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t7 * motor_psi_ry)
             * motor_psi_sy_dot;
     PowerBalance {
-        stored_rate: t9
-            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t8 * motor_psi_sx)
+        stored_rate: t8
+            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t7 * motor_psi_sx)
                 * motor_psi_rx_dot
-            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t8 * motor_psi_sy)
+            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t7 * motor_psi_sy)
                 * motor_psi_ry_dot,
         supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy)
             - cylinder_omega * load_resistance,
@@ -983,7 +966,7 @@ pub fn power_balance<R: Real>(
                 + p.motor_alpha_r * motor_sigma * motor_x_r
                     * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry))
             + p.coupling_damping * motor_omega * coupling_twist_rate
-            - t7 * cylinder_omega * coupling_twist_rate,
+            - t6 * cylinder_omega * coupling_twist_rate,
     }
 }
 
@@ -992,7 +975,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 119 recurrences. 9 sums of products an order.
+/// 116 recurrences. 9 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1005,8 +988,8 @@ pub fn series<R: Real>(
 ) {
     let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
     let (mut lanes_1, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
-    let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_sx,
-    motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
+    motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let t0 = p.motor_k_s * p.motor_k_r;
@@ -1016,89 +999,86 @@ pub fn series<R: Real>(
     let motor_u_x = t2 * t1;
     let t3 = p.motor_supply_phase.sin();
     let motor_u_y = t2 * t3;
-    let t4 = cylinder_phi * p.coupling_ratio;
-    let coupling_twist = motor_phi - t4;
-    let t5 = cylinder_omega * p.coupling_ratio;
-    let coupling_twist_rate = motor_omega - t5;
-    let t6 = motor_omega * p.motor_pole_pairs;
-    let motor_slip_speed = motor_omega_0 - t6;
-    let t7 = time - p.load_engagement_time;
-    let t8 = R::literal(1.0) / p.load_engagement_width;
-    let t9 = t7 * t8;
-    let t10 = -t9;
-    let t11 = t10.exp();
-    let t12 = R::literal(1.0) + t11;
-    let load_engagement = R::literal(1.0) / t12;
-    let t13 = coupling_twist * p.coupling_stiffness;
-    let t14 = coupling_twist_rate * p.coupling_damping;
-    let coupling_torque = t13 + t14;
-    let t15 = motor_psi_rx * p.motor_k_r;
-    let t16 = motor_psi_sx - t15;
-    let t17 = p.motor_x_s * motor_sigma;
-    let t18 = motor_psi_ry * p.motor_k_r;
-    let t19 = motor_psi_sy - t18;
-    let t20 = motor_psi_sx * p.motor_k_s;
-    let t21 = motor_psi_sy * p.motor_k_s;
-    let t22 = motor_psi_sx * motor_psi_ry;
-    let t23 = motor_psi_sy * motor_psi_rx;
-    let t24 = t23 - t22;
-    let t25 = R::literal(1.5) * p.motor_pole_pairs;
-    let t26 = t25 * p.motor_k_r;
-    let t27 = t26 * motor_omega_0;
-    let t28 = t27 / t17;
-    let motor_torque = t24 * t28;
-    let t29 = R::literal(core::f64::consts::PI) * load_omega_2;
-    let t30 = time * t29;
-    let t31 = p.load_phase + t30;
-    let t32 = t31.sin();
-    let t33 = t31.cos();
-    let t34 = t32 * p.load_amplitude;
-    let t35 = p.load_mean + t34;
-    let t36 = R::literal(1.0) / p.load_standstill_band;
-    let t37 = cylinder_omega * t36;
-    let t38 = t37.tanh();
-    let t39 = t38 * t38;
-    let t40 = R::literal(1.0) - t39;
-    let t41 = load_engagement * t35;
-    let load_resistance = t41 * t38;
-    let t42 = R::literal(1.0) / p.motor_inertia;
-    let t43 = R::literal(1.0) / p.cylinder_inertia;
-    let t44 = motor_torque - coupling_torque;
-    let t45 = p.coupling_stiffness * p.coupling_ratio;
-    let t46 = coupling_twist * t45;
-    let t47 = p.coupling_damping * p.coupling_ratio;
-    let t48 = coupling_twist_rate * t47;
-    let t49 = t46 + t48;
-    let t50 = t49 - load_resistance;
-    let motor_omega_dot = t44 * t42;
-    let cylinder_omega_dot = t50 * t43;
-    let t51 = p.motor_alpha_s * motor_omega_0;
-    let t52 = t16 * t51;
-    let t53 = motor_psi_sy * motor_omega_0;
-    let t54 = motor_u_x + t53;
-    let motor_psi_sx_dot = t54 - t52;
-    let t55 = motor_psi_sx * motor_omega_0;
-    let t56 = t19 * t51;
-    let t57 = motor_u_y - t55;
-    let motor_psi_sy_dot = t57 - t56;
-    let t58 = motor_psi_ry * motor_slip_speed;
-    let t59 = t20 - motor_psi_rx;
-    let t60 = p.motor_alpha_r * motor_omega_0;
-    let t61 = t59 * t60;
-    let motor_psi_rx_dot = t58 + t61;
-    let t62 = motor_psi_rx * motor_slip_speed;
-    let t63 = t21 - motor_psi_ry;
-    let t64 = t63 * t60;
-    let motor_psi_ry_dot = t64 - t62;
-    let t9_slope = R::literal(1.0) * t8;
-    let t10_slope = -t9_slope;
-    let inverse_t12 = R::literal(1.0) / t12;
-    let mut t11_before = t11;
+    let t4 = cylinder_omega * p.coupling_ratio;
+    let coupling_twist_rate = motor_omega - t4;
+    let t5 = motor_omega * p.motor_pole_pairs;
+    let motor_slip_speed = motor_omega_0 - t5;
+    let t6 = coupling_twist * p.coupling_stiffness;
+    let t7 = coupling_twist_rate * p.coupling_damping;
+    let coupling_torque = t6 + t7;
+    let t8 = time - p.load_engagement_time;
+    let t9 = R::literal(1.0) / p.load_engagement_width;
+    let t10 = t8 * t9;
+    let t11 = -t10;
+    let t12 = t11.exp();
+    let t13 = R::literal(1.0) + t12;
+    let load_engagement = R::literal(1.0) / t13;
+    let t14 = motor_psi_rx * p.motor_k_r;
+    let t15 = motor_psi_sx - t14;
+    let t16 = p.motor_x_s * motor_sigma;
+    let t17 = motor_psi_ry * p.motor_k_r;
+    let t18 = motor_psi_sy - t17;
+    let t19 = motor_psi_sx * p.motor_k_s;
+    let t20 = motor_psi_sy * p.motor_k_s;
+    let t21 = motor_psi_sx * motor_psi_ry;
+    let t22 = motor_psi_sy * motor_psi_rx;
+    let t23 = t22 - t21;
+    let t24 = R::literal(1.5) * p.motor_pole_pairs;
+    let t25 = t24 * p.motor_k_r;
+    let t26 = t25 * motor_omega_0;
+    let t27 = t26 / t16;
+    let motor_torque = t23 * t27;
+    let t28 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let t29 = time * t28;
+    let t30 = p.load_phase + t29;
+    let t31 = t30.sin();
+    let t32 = t30.cos();
+    let t33 = t31 * p.load_amplitude;
+    let t34 = p.load_mean + t33;
+    let t35 = R::literal(1.0) / p.load_standstill_band;
+    let t36 = cylinder_omega * t35;
+    let t37 = t36.tanh();
+    let t38 = t37 * t37;
+    let t39 = R::literal(1.0) - t38;
+    let t40 = load_engagement * t34;
+    let load_resistance = t40 * t37;
+    let t41 = R::literal(1.0) / p.motor_inertia;
+    let t42 = R::literal(1.0) / p.cylinder_inertia;
+    let t43 = motor_torque - coupling_torque;
+    let t44 = p.coupling_stiffness * p.coupling_ratio;
+    let t45 = coupling_twist * t44;
+    let t46 = p.coupling_damping * p.coupling_ratio;
+    let t47 = coupling_twist_rate * t46;
+    let t48 = t45 + t47;
+    let t49 = t48 - load_resistance;
+    let motor_omega_dot = t43 * t41;
+    let cylinder_omega_dot = t49 * t42;
+    let t50 = p.motor_alpha_s * motor_omega_0;
+    let t51 = t15 * t50;
+    let t52 = motor_psi_sy * motor_omega_0;
+    let t53 = motor_u_x + t52;
+    let motor_psi_sx_dot = t53 - t51;
+    let t54 = motor_psi_sx * motor_omega_0;
+    let t55 = t18 * t50;
+    let t56 = motor_u_y - t54;
+    let motor_psi_sy_dot = t56 - t55;
+    let t57 = motor_psi_ry * motor_slip_speed;
+    let t58 = t19 - motor_psi_rx;
+    let t59 = p.motor_alpha_r * motor_omega_0;
+    let t60 = t58 * t59;
+    let motor_psi_rx_dot = t57 + t60;
+    let t61 = motor_psi_rx * motor_slip_speed;
+    let t62 = t20 - motor_psi_ry;
+    let t63 = t62 * t59;
+    let motor_psi_ry_dot = t63 - t61;
+    let t10_slope = R::literal(1.0) * t9;
+    let t11_slope = -t10_slope;
+    let inverse_t13 = R::literal(1.0) / t13;
+    let mut t12_before = t12;
+    let mut t31_before = t31;
     let mut t32_before = t32;
-    let mut t33_before = t33;
     let mut rates = [
-        motor_omega,
-        cylinder_omega,
+        coupling_twist_rate,
         motor_omega_dot,
         cylinder_omega_dot,
         motor_psi_sx_dot,
@@ -1111,97 +1091,94 @@ pub fn series<R: Real>(
         let (k, inverse) = order_and_inverse::<R>(order);
         let state_k = rates.map(|rate| rate * inverse);
         coefficients[order] = state_k;
-        let [motor_phi_k, cylinder_phi_k, motor_omega_k, cylinder_omega_k,
-        motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = state_k;
+        let [coupling_twist_k, motor_omega_k, cylinder_omega_k, motor_psi_sx_k,
+        motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
-        let t4_k = cylinder_phi_k * p.coupling_ratio;
-        let coupling_twist_k = motor_phi_k - t4_k;
-        let t5_k = cylinder_omega_k * p.coupling_ratio;
-        let coupling_twist_rate_k = motor_omega_k - t5_k;
-        let t6_k = motor_omega_k * p.motor_pole_pairs;
-        let motor_slip_speed_k = -t6_k;
-        let t11_k = inverse * t10_slope * t11_before;
-        let load_engagement_k = -(sums[0] + t11_k * load_engagement) * inverse_t12;
-        let t13_k = coupling_twist_k * p.coupling_stiffness;
-        let t14_k = coupling_twist_rate_k * p.coupling_damping;
-        let coupling_torque_k = t13_k + t14_k;
-        let t15_k = motor_psi_rx_k * p.motor_k_r;
-        let t16_k = motor_psi_sx_k - t15_k;
-        let t18_k = motor_psi_ry_k * p.motor_k_r;
-        let t19_k = motor_psi_sy_k - t18_k;
-        let t20_k = motor_psi_sx_k * p.motor_k_s;
-        let t21_k = motor_psi_sy_k * p.motor_k_s;
-        let t22_k = sums[1] + motor_psi_sx * motor_psi_ry_k
+        let t4_k = cylinder_omega_k * p.coupling_ratio;
+        let coupling_twist_rate_k = motor_omega_k - t4_k;
+        let t5_k = motor_omega_k * p.motor_pole_pairs;
+        let motor_slip_speed_k = -t5_k;
+        let t6_k = coupling_twist_k * p.coupling_stiffness;
+        let t7_k = coupling_twist_rate_k * p.coupling_damping;
+        let coupling_torque_k = t6_k + t7_k;
+        let t12_k = inverse * t11_slope * t12_before;
+        let load_engagement_k = -(sums[0] + t12_k * load_engagement) * inverse_t13;
+        let t14_k = motor_psi_rx_k * p.motor_k_r;
+        let t15_k = motor_psi_sx_k - t14_k;
+        let t17_k = motor_psi_ry_k * p.motor_k_r;
+        let t18_k = motor_psi_sy_k - t17_k;
+        let t19_k = motor_psi_sx_k * p.motor_k_s;
+        let t20_k = motor_psi_sy_k * p.motor_k_s;
+        let t21_k = sums[1] + motor_psi_sx * motor_psi_ry_k
             + motor_psi_sx_k * motor_psi_ry;
-        let t23_k = sums[2] + motor_psi_sy * motor_psi_rx_k
+        let t22_k = sums[2] + motor_psi_sy * motor_psi_rx_k
             + motor_psi_sy_k * motor_psi_rx;
-        let t24_k = t23_k - t22_k;
-        let motor_torque_k = t24_k * t28;
-        let t32_k = inverse * t29 * t33_before;
-        let t33_k = -inverse * t29 * t32_before;
-        let t34_k = t32_k * p.load_amplitude;
-        let t37_k = cylinder_omega_k * t36;
-        let t38_k = inverse * sums[3] + t37_k * t40;
-        let t39_k = sums[4] + t38 * t38_k + t38_k * t38;
-        let t40_k = -t39_k;
-        let t41_k = sums[5] + load_engagement * t34_k + load_engagement_k * t35;
-        let load_resistance_k = sums[6] + t41 * t38_k + t41_k * t38;
-        let t44_k = motor_torque_k - coupling_torque_k;
-        let t46_k = coupling_twist_k * t45;
-        let t48_k = coupling_twist_rate_k * t47;
-        let t49_k = t46_k + t48_k;
-        let t50_k = t49_k - load_resistance_k;
-        let motor_omega_dot_k = t44_k * t42;
-        let cylinder_omega_dot_k = t50_k * t43;
-        let t52_k = t16_k * t51;
-        let t53_k = motor_psi_sy_k * motor_omega_0;
-        let motor_psi_sx_dot_k = t53_k - t52_k;
-        let t55_k = motor_psi_sx_k * motor_omega_0;
-        let t56_k = t19_k * t51;
-        let t57_k = -t55_k;
-        let motor_psi_sy_dot_k = t57_k - t56_k;
-        let t58_k = sums[7] + motor_psi_ry * motor_slip_speed_k
+        let t23_k = t22_k - t21_k;
+        let motor_torque_k = t23_k * t27;
+        let t31_k = inverse * t28 * t32_before;
+        let t32_k = -inverse * t28 * t31_before;
+        let t33_k = t31_k * p.load_amplitude;
+        let t36_k = cylinder_omega_k * t35;
+        let t37_k = inverse * sums[3] + t36_k * t39;
+        let t38_k = sums[4] + t37 * t37_k + t37_k * t37;
+        let t39_k = -t38_k;
+        let t40_k = sums[5] + load_engagement * t33_k + load_engagement_k * t34;
+        let load_resistance_k = sums[6] + t40 * t37_k + t40_k * t37;
+        let t43_k = motor_torque_k - coupling_torque_k;
+        let t45_k = coupling_twist_k * t44;
+        let t47_k = coupling_twist_rate_k * t46;
+        let t48_k = t45_k + t47_k;
+        let t49_k = t48_k - load_resistance_k;
+        let motor_omega_dot_k = t43_k * t41;
+        let cylinder_omega_dot_k = t49_k * t42;
+        let t51_k = t15_k * t50;
+        let t52_k = motor_psi_sy_k * motor_omega_0;
+        let motor_psi_sx_dot_k = t52_k - t51_k;
+        let t54_k = motor_psi_sx_k * motor_omega_0;
+        let t55_k = t18_k * t50;
+        let t56_k = -t54_k;
+        let motor_psi_sy_dot_k = t56_k - t55_k;
+        let t57_k = sums[7] + motor_psi_ry * motor_slip_speed_k
             + motor_psi_ry_k * motor_slip_speed;
-        let t59_k = t20_k - motor_psi_rx_k;
-        let t61_k = t59_k * t60;
-        let motor_psi_rx_dot_k = t58_k + t61_k;
-        let t62_k = sums_1[0] + motor_psi_rx * motor_slip_speed_k
+        let t58_k = t19_k - motor_psi_rx_k;
+        let t60_k = t58_k * t59;
+        let motor_psi_rx_dot_k = t57_k + t60_k;
+        let t61_k = sums_1[0] + motor_psi_rx * motor_slip_speed_k
             + motor_psi_rx_k * motor_slip_speed;
-        let t63_k = t21_k - motor_psi_ry_k;
-        let t64_k = t63_k * t60;
-        let motor_psi_ry_dot_k = t64_k - t62_k;
+        let t62_k = t20_k - motor_psi_ry_k;
+        let t63_k = t62_k * t59;
+        let motor_psi_ry_dot_k = t63_k - t61_k;
         lanes
             .set(
                 order,
                 [
-                    t11_k,
+                    t12_k,
                     motor_psi_sx_k,
                     motor_psi_rx_k,
-                    k * t37_k,
-                    t38_k,
+                    k * t36_k,
+                    t37_k,
                     load_engagement_k,
-                    t38_k,
+                    t37_k,
                     motor_slip_speed_k,
                 ],
                 [
                     load_engagement_k,
                     motor_psi_ry_k,
                     motor_psi_sy_k,
+                    t39_k,
+                    t37_k,
+                    t33_k,
                     t40_k,
-                    t38_k,
-                    t34_k,
-                    t41_k,
                     motor_psi_ry_k,
                 ],
             );
         lanes_1.set(order, [motor_slip_speed_k], [motor_psi_rx_k]);
-        t11_before = t11_k;
+        t12_before = t12_k;
+        t31_before = t31_k;
         t32_before = t32_k;
-        t33_before = t33_k;
         rates = [
-            motor_omega_k,
-            cylinder_omega_k,
+            coupling_twist_rate_k,
             motor_omega_dot_k,
             cylinder_omega_dot_k,
             motor_psi_sx_dot_k,
@@ -1241,7 +1218,9 @@ impl Describe for SawGin {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 1,
             first_order: 4,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,
@@ -1347,14 +1326,9 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     Quantity {
-        name: "motor.phi",
+        name: "coupling.twist",
         unit: "rad",
-        doc: "rotor angle",
-    },
-    Quantity {
-        name: "cylinder.phi",
-        unit: "rad",
-        doc: "angle",
+        doc: "twist",
     },
     Quantity {
         name: "motor.omega",
@@ -1388,7 +1362,7 @@ static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     },
 ];
 
-static STATE_SCALES: [f64; STATES] = [150.0, 150.0, 78.5, 78.5, 1.0, 1.0, 1.0, 1.0];
+static STATE_SCALES: [f64; STATES] = [1.0, 78.5, 78.5, 1.0, 1.0, 1.0, 1.0];
 
 static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
     Quantity {

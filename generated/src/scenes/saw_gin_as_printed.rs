@@ -45,8 +45,8 @@
 //   rate                     86
 //   mass_matrix               0
 //   forcing                  42
-//   rate_jacobian            81
-//   parameter_jacobian      179
+//   rate_jacobian            78
+//   parameter_jacobian      186
 //   time_derivative          32
 //   outputs                  43
 //   energy                   12
@@ -60,7 +60,7 @@ use crate::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 2;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
+/// Length of the state y.
 pub const STATES: usize = 8;
 
 /// Parameters.
@@ -402,7 +402,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
 /// 86 operations.
 #[must_use]
@@ -516,7 +516,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 81 operations.
+/// 78 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     time: R,
@@ -526,59 +526,56 @@ pub fn rate_jacobian<R: Real>(
     let [motor_phi, _, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
     motor_psi_x2, motor_psi_y2] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_literal_times_motor_phi = p.motor_literal * motor_phi;
+    let t0 = R::literal(1.0) - p.motor_literal;
+    let motor_rotor_term = p.motor_literal * motor_phi + t0 * motor_omega;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let t0 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
+    let t1 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
         / (p.motor_sigma * p.motor_x_s);
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
-    let t1 = (inverse_load_standstill_band * cylinder_omega).tanh();
+    let t2 = (inverse_load_standstill_band * cylinder_omega).tanh();
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t2 = p.coupling_stiffness * p.coupling_ratio;
-    let t3 = p.coupling_damping * p.coupling_ratio;
+    let t3 = p.coupling_stiffness * p.coupling_ratio;
+    let t4 = p.coupling_damping * p.coupling_ratio;
     let motor_psi_x1_dot_by_motor_psi_x2 = p.motor_omega_0 * p.motor_k_r
         * p.motor_alpha_s;
     let motor_psi_x2_dot_by_motor_psi_x1 = p.motor_omega_0 * p.motor_k_s
         * p.motor_alpha_r;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_phi = t2 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
     let motor_psi_x2_dot_by_motor_phi = -(p.motor_literal * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_cylinder_phi = t2 * inverse_motor_inertia;
+    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
         * coupling_ratio_squared * inverse_cylinder_inertia);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_omega = t3 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_motor_omega = t4 * inverse_cylinder_inertia;
     let motor_psi_x2_dot_by_motor_omega = (p.motor_literal - R::literal(1.0))
         * motor_psi_y2;
-    let motor_psi_y2_dot_by_motor_omega = (R::literal(1.0) - p.motor_literal)
-        * motor_psi_x2;
-    let motor_omega_dot_by_cylinder_omega = t3 * inverse_motor_inertia;
+    let motor_psi_y2_dot_by_motor_omega = t0 * motor_psi_x2;
+    let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_omega = (-(p.coupling_damping
         * coupling_ratio_squared)
-        - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t1 * t1)
+        - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t2 * t2)
             * (p.load_mean
                 + p.load_amplitude
                     * (p.load_phase
                         + R::literal(core::f64::consts::PI) * load_omega_2 * time)
                         .sin())) * inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_psi_x1 = -(t0 * motor_psi_y2 * inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_x1 = -(t1 * motor_psi_y2 * inverse_motor_inertia);
     let motor_psi_x1_dot_by_motor_psi_x1 = -(p.motor_omega_0 * p.motor_alpha_s);
     let motor_psi_y1_dot_by_motor_psi_x1 = -p.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_y1 = t0 * motor_psi_x2 * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_x2 = t0 * motor_psi_y1 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_y1 = t1 * motor_psi_x2 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_x2 = t1 * motor_psi_y1 * inverse_motor_inertia;
     let motor_psi_x2_dot_by_motor_psi_x2 = -(p.motor_omega_0 * p.motor_alpha_r);
-    let motor_literal_times_motor_omega = p.motor_literal * motor_omega;
-    let motor_psi_y2_dot_by_motor_psi_x2 = motor_omega - p.motor_omega_0
-        + motor_literal_times_motor_phi - motor_literal_times_motor_omega;
-    let motor_omega_dot_by_motor_psi_y2 = -(t0 * motor_psi_x1 * inverse_motor_inertia);
-    let motor_psi_x2_dot_by_motor_psi_y2 = p.motor_omega_0
-        + motor_literal_times_motor_omega - motor_literal_times_motor_phi - motor_omega;
+    let motor_psi_y2_dot_by_motor_psi_x2 = motor_rotor_term - p.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_y2 = -(t1 * motor_psi_x1 * inverse_motor_inertia);
+    let motor_psi_x2_dot_by_motor_psi_y2 = p.motor_omega_0 - motor_rotor_term;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -615,7 +612,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 179 operations.
+/// 186 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -651,11 +648,10 @@ pub fn parameter_jacobian<R: Real>(
     let load_resistance = load_engagement * t8 * t9;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t10 = p.coupling_stiffness * p.coupling_ratio;
-    let t11 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let cylinder_omega_dot = (t10 * coupling_twist + t11 * coupling_twist_rate
-        - load_resistance) * inverse_cylinder_inertia;
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
+        * inverse_cylinder_inertia;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
     let cos_motor_gamma = p.motor_gamma.cos();
     let motor_psi_y1_dot_by_motor_gamma = p.motor_u_m * cos_motor_gamma;
@@ -683,11 +679,11 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_x2;
     let motor_psi_y1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_y2;
-    let t12 = motor_psi_x1_times_motor_psi_y2 - motor_psi_y1_times_motor_psi_x2;
+    let t10 = motor_psi_x1_times_motor_psi_y2 - motor_psi_y1_times_motor_psi_x2;
     let motor_omega_dot_by_motor_sigma = t5
-        / (p.motor_sigma * p.motor_sigma * p.motor_x_s) * t12 * inverse_motor_inertia;
+        / (p.motor_sigma * p.motor_sigma * p.motor_x_s) * t10 * inverse_motor_inertia;
     let motor_omega_dot_by_motor_x_s = t5 / (p.motor_sigma * (p.motor_x_s * p.motor_x_s))
-        * t12 * inverse_motor_inertia;
+        * t10 * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_alpha_s = p.motor_omega_0
         * (p.motor_k_r * motor_psi_x2 - motor_psi_x1);
     let motor_psi_y1_dot_by_motor_alpha_s = p.motor_omega_0
@@ -696,10 +692,8 @@ pub fn parameter_jacobian<R: Real>(
         * (p.motor_k_s * motor_psi_x1 - motor_psi_x2);
     let motor_psi_y2_dot_by_motor_alpha_r = p.motor_omega_0
         * (p.motor_k_s * motor_psi_y1 - motor_psi_y2);
-    let motor_phi_minus_motor_omega = motor_phi - motor_omega;
-    let motor_psi_x2_dot_by_motor_literal = -(motor_psi_y2
-        * motor_phi_minus_motor_omega);
-    let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * motor_phi_minus_motor_omega;
+    let motor_psi_x2_dot_by_motor_literal = motor_psi_y2 * (motor_omega - motor_phi);
+    let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * (motor_phi - motor_omega);
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
         - motor_phi) * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
@@ -710,26 +704,29 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi
         + p.coupling_damping * cylinder_omega) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = (coupling_torque - t10 * cylinder_phi
-        - t11 * cylinder_omega) * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi
+        + p.coupling_damping * motor_omega
+        - R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio * cylinder_phi
+        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * cylinder_omega)
+        * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_mean = -(load_engagement * t9
         * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t7 * t9
         * inverse_cylinder_inertia);
-    let t13 = t6.cos();
+    let t11 = t6.cos();
     let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
         * p.load_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-        * time * load_engagement * t13 * t9 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t13
+        * time * load_engagement * t11 * t9 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t11
         * t9 * inverse_cylinder_inertia);
-    let t14 = t1 * t1;
+    let t12 = t1 * t1;
     let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t8
-        * t0 * t9 / t14 * inverse_cylinder_inertia;
+        * t0 * t9 / t12 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0)
         / (p.load_engagement_width * p.load_engagement_width)
-        * time_minus_load_engagement_time * t8 * t0 * t9 / t14
+        * time_minus_load_engagement_time * t8 * t0 * t9 / t12
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
@@ -1175,7 +1172,9 @@ impl Describe for SawGinAsPrinted {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 2,
             first_order: 4,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,

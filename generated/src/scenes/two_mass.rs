@@ -17,34 +17,33 @@
 // Shapes; all quantities are in SI units:
 //   coordinates               2
 //   first-order states        0
-//   states                    4
+//   states                    3
 //   parameters               11
 //   outputs                   4
 //   discontinuities           0
 //
 // State:
-//     0  driver.phi      [rad]    angle
-//     1  cylinder.phi    [rad]    angle
-//     2  driver.omega    [rad/s]  rate of angle
-//     3  cylinder.omega  [rad/s]  rate of angle
+//     0  coupling.twist  [rad]    twist
+//     1  driver.omega    [rad/s]  rate of angle
+//     2  cylinder.omega  [rad/s]  rate of angle
 //
 // Nonzeros:
 //   mass_matrix               2 of 2 by 2
-//   rate_jacobian            10 of 4 by 4
-//   parameter_jacobian       12 of 4 by 11
+//   rate_jacobian             8 of 3 by 3
+//   parameter_jacobian       13 of 3 by 11
 //
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                     22
+//   rate                     20
 //   mass_matrix               0
-//   forcing                  18
-//   rate_jacobian            19
-//   parameter_jacobian       51
+//   forcing                  16
+//   rate_jacobian            16
+//   parameter_jacobian       50
 //   time_derivative           7
-//   outputs                   7
-//   energy                   12
-//   power_balance            39
+//   outputs                   5
+//   energy                   10
+//   power_balance            35
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -54,8 +53,8 @@ use crate::{
 /// Generalized coordinates, n.
 pub const COORDINATES: usize = 2;
 
-/// Length of the state `[q, q', z]`, 2 n + m.
-pub const STATES: usize = 4;
+/// Length of the state y.
+pub const STATES: usize = 3;
 
 /// Parameters.
 pub const PARAMETERS: usize = 11;
@@ -75,39 +74,29 @@ pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
 
 /// Nonzeros of dy'/dy.
 pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 4,
-    columns: 4,
-    entries: &[
-        (0, 2),
-        (1, 3),
-        (2, 0),
-        (2, 1),
-        (2, 2),
-        (2, 3),
-        (3, 0),
-        (3, 1),
-        (3, 2),
-        (3, 3),
-    ],
+    rows: 3,
+    columns: 3,
+    entries: &[(0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
 };
 
 /// Nonzeros of dy'/dp.
 pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
-    rows: 4,
+    rows: 3,
     columns: 11,
     entries: &[
-        (2, 0),
-        (2, 6),
+        (0, 9),
+        (1, 0),
+        (1, 6),
+        (1, 7),
+        (1, 8),
+        (1, 9),
+        (2, 1),
+        (2, 2),
+        (2, 3),
         (2, 7),
         (2, 8),
         (2, 9),
-        (3, 1),
-        (3, 2),
-        (3, 3),
-        (3, 7),
-        (3, 8),
-        (3, 9),
-        (3, 10),
+        (2, 10),
     ],
 };
 
@@ -238,14 +227,12 @@ impl<R: Real> Outputs<R> {
 
 /// Where to find what in the state.
 pub mod state {
-    /// driver.phi: angle \[rad\].
-    pub const DRIVER_PHI: usize = 0;
-    /// cylinder.phi: angle \[rad\].
-    pub const CYLINDER_PHI: usize = 1;
+    /// coupling.twist: twist \[rad\].
+    pub const COUPLING_TWIST: usize = 0;
     /// driver.omega: rate of angle \[rad/s\].
-    pub const DRIVER_OMEGA: usize = 2;
+    pub const DRIVER_OMEGA: usize = 1;
     /// cylinder.omega: rate of angle \[rad/s\].
-    pub const CYLINDER_OMEGA: usize = 3;
+    pub const CYLINDER_OMEGA: usize = 2;
 }
 
 /// State at the start of the run, in the units of the states.
@@ -253,7 +240,7 @@ pub mod state {
 /// No operations.
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
-    [p.initial_twist, R::literal(0.0), p.initial_twist_rate, R::literal(0.0)]
+    [p.initial_twist, p.initial_twist_rate, R::literal(0.0)]
 }
 
 /// Times at which the right-hand side jumps \[s\].
@@ -264,14 +251,13 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// `y' = [q', M^-1 f, h]`, in the units of the states per second.
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 22 operations.
+/// 20 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
     let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let coupling_torque = p.coupling_stiffness * coupling_twist
@@ -281,7 +267,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
     let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
         + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
-    [driver_omega, cylinder_omega, driver_omega_dot, cylinder_omega_dot]
+    [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot]
 }
 
 /// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
@@ -298,15 +284,14 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 18 operations.
+/// 16 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
     let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let coupling_torque = p.coupling_stiffness * coupling_twist
@@ -319,39 +304,34 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 19 operations.
+/// 16 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     _time: R,
     _state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 10] {
+) -> [R; 8] {
     let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t0 = p.coupling_stiffness * p.coupling_ratio;
-    let t1 = p.coupling_damping * p.coupling_ratio;
-    let driver_omega_dot_by_driver_phi = -(p.coupling_stiffness
+    let t0 = p.coupling_damping * p.coupling_ratio;
+    let driver_omega_dot_by_coupling_twist = -(p.coupling_stiffness
         * inverse_driver_inertia);
-    let cylinder_omega_dot_by_driver_phi = t0 * inverse_cylinder_inertia;
-    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let driver_omega_dot_by_cylinder_phi = t0 * inverse_driver_inertia;
-    let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
-        * coupling_ratio_squared * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness * p.coupling_ratio
+        * inverse_cylinder_inertia;
     let driver_omega_dot_by_driver_omega = -(p.coupling_damping
         * inverse_driver_inertia);
-    let cylinder_omega_dot_by_driver_omega = t1 * inverse_cylinder_inertia;
-    let driver_omega_dot_by_cylinder_omega = t1 * inverse_driver_inertia;
+    let cylinder_omega_dot_by_driver_omega = t0 * inverse_cylinder_inertia;
+    let driver_omega_dot_by_cylinder_omega = t0 * inverse_driver_inertia;
     let cylinder_omega_dot_by_cylinder_omega = -(p.coupling_damping
-        * coupling_ratio_squared * inverse_cylinder_inertia);
+        * (p.coupling_ratio * p.coupling_ratio) * inverse_cylinder_inertia);
+    let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
     [
         R::literal(1.0),
-        R::literal(1.0),
-        driver_omega_dot_by_driver_phi,
-        driver_omega_dot_by_cylinder_phi,
+        coupling_twist_dot_by_cylinder_omega,
+        driver_omega_dot_by_coupling_twist,
         driver_omega_dot_by_driver_omega,
         driver_omega_dot_by_cylinder_omega,
-        cylinder_omega_dot_by_driver_phi,
-        cylinder_omega_dot_by_cylinder_phi,
+        cylinder_omega_dot_by_coupling_twist,
         cylinder_omega_dot_by_driver_omega,
         cylinder_omega_dot_by_cylinder_omega,
     ]
@@ -359,30 +339,27 @@ pub fn rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 51 operations.
+/// 50 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
-) -> [R; 12] {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
-    let coupling_twist = driver_phi - coupling_ratio_times_cylinder_phi;
+) -> [R; 13] {
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = driver_omega - coupling_ratio_times_cylinder_omega;
     let load_frequency_times_time = p.load_frequency * time;
     let sin_load_frequency_times_time = load_frequency_times_time.sin();
     let resistance = p.load_torque + p.load_amplitude * sin_load_frequency_times_time;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let t0 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
     let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t0 = p.coupling_stiffness * p.coupling_ratio;
-    let t1 = p.coupling_damping * p.coupling_ratio;
     let driver_omega_dot = (p.drive_torque - coupling_torque) * inverse_driver_inertia;
-    let cylinder_omega_dot = (t0 * coupling_twist + t1 * coupling_twist_rate
-        - resistance) * inverse_cylinder_inertia;
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance)
+        * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_torque = -inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_amplitude = -(sin_load_frequency_times_time
         * inverse_cylinder_inertia);
@@ -390,21 +367,24 @@ pub fn parameter_jacobian<R: Real>(
         * load_frequency_times_time.cos() * inverse_cylinder_inertia);
     let driver_omega_dot_by_driver_inertia = -(driver_omega_dot
         * inverse_driver_inertia);
-    let driver_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
-        - driver_phi) * inverse_driver_inertia;
+    let driver_omega_dot_by_coupling_stiffness = -(coupling_twist
+        * inverse_driver_inertia);
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_cylinder_inertia;
     let driver_omega_dot_by_coupling_damping = (coupling_ratio_times_cylinder_omega
         - driver_omega) * inverse_driver_inertia;
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
-    let driver_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi
-        + p.coupling_damping * cylinder_omega) * inverse_driver_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = (coupling_torque - t0 * cylinder_phi
-        - t1 * cylinder_omega) * inverse_cylinder_inertia;
+    let driver_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
+        * inverse_driver_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = (t0 + p.coupling_damping * driver_omega
+        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * cylinder_omega)
+        * inverse_cylinder_inertia;
+    let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
     [
+        coupling_twist_dot_by_coupling_ratio,
         inverse_driver_inertia,
         driver_omega_dot_by_driver_inertia,
         driver_omega_dot_by_coupling_stiffness,
@@ -431,16 +411,15 @@ pub fn time_derivative<R: Real>(
 ) -> [R; STATES] {
     let cylinder_omega_dot_by_time = -(p.load_amplitude * p.load_frequency
         * (p.load_frequency * time).cos() * (R::literal(1.0) / p.cylinder_inertia));
-    [R::literal(0.0), R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time]
+    [R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time]
 }
 
 /// Wanted outputs.
 ///
-/// 7 operations.
+/// 5 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
@@ -454,11 +433,10 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 
 /// T, V and the energy of first-order states \[J\].
 ///
-/// 12 operations.
+/// 10 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
     Energy {
         kinetic: R::literal(0.5) * p.driver_inertia * (driver_omega * driver_omega)
             + R::literal(0.5) * p.cylinder_inertia * (cylinder_omega * cylinder_omega),
@@ -470,32 +448,31 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 39 operations.
+/// 35 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let coupling_twist = driver_phi - p.coupling_ratio * cylinder_phi;
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
     let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let t0 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
-    let t1 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
-    let t2 = p.coupling_damping * p.coupling_ratio;
+    let t1 = p.coupling_damping * p.coupling_ratio;
     let driver_omega_dot = (p.drive_torque - coupling_torque)
         * (R::literal(1.0) / p.driver_inertia);
-    let cylinder_omega_dot = (t1 + t2 * coupling_twist_rate - resistance)
+    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
+        + t1 * coupling_twist_rate - resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
     PowerBalance {
-        stored_rate: t0 * driver_omega - t1 * cylinder_omega
+        stored_rate: t0 * coupling_twist_rate
             + p.driver_inertia * driver_omega * driver_omega_dot
             + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot,
         supplied: p.drive_torque * driver_omega - cylinder_omega * resistance,
         dissipated: p.coupling_damping * driver_omega * coupling_twist_rate
-            - t2 * cylinder_omega * coupling_twist_rate,
+            - t1 * cylinder_omega * coupling_twist_rate,
     }
 }
 
@@ -504,7 +481,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 38 recurrences. No sums of products.
+/// 35 recurrences. No sums of products.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -515,64 +492,55 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     _workspace: &mut [R],
 ) {
-    let [driver_phi, cylinder_phi, driver_omega, cylinder_omega] = *state;
-    let t0 = cylinder_phi * p.coupling_ratio;
-    let coupling_twist = driver_phi - t0;
-    let t1 = cylinder_omega * p.coupling_ratio;
-    let coupling_twist_rate = driver_omega - t1;
-    let t2 = time * p.load_frequency;
-    let t3 = t2.sin();
-    let t4 = t2.cos();
-    let t5 = t3 * p.load_amplitude;
-    let resistance = p.load_torque + t5;
-    let t6 = coupling_twist * p.coupling_stiffness;
-    let t7 = coupling_twist_rate * p.coupling_damping;
-    let coupling_torque = t6 + t7;
-    let t8 = R::literal(1.0) / p.driver_inertia;
-    let t9 = R::literal(1.0) / p.cylinder_inertia;
-    let t10 = p.drive_torque - coupling_torque;
-    let t11 = p.coupling_stiffness * p.coupling_ratio;
-    let t12 = coupling_twist * t11;
-    let t13 = p.coupling_damping * p.coupling_ratio;
-    let t14 = coupling_twist_rate * t13;
-    let t15 = t12 + t14;
-    let t16 = t15 - resistance;
-    let driver_omega_dot = t10 * t8;
-    let cylinder_omega_dot = t16 * t9;
+    let [coupling_twist, driver_omega, cylinder_omega] = *state;
+    let t0 = cylinder_omega * p.coupling_ratio;
+    let coupling_twist_rate = driver_omega - t0;
+    let t1 = time * p.load_frequency;
+    let t2 = t1.sin();
+    let t3 = t1.cos();
+    let t4 = t2 * p.load_amplitude;
+    let resistance = p.load_torque + t4;
+    let t5 = coupling_twist * p.coupling_stiffness;
+    let t6 = coupling_twist_rate * p.coupling_damping;
+    let coupling_torque = t5 + t6;
+    let t7 = R::literal(1.0) / p.driver_inertia;
+    let t8 = R::literal(1.0) / p.cylinder_inertia;
+    let t9 = p.drive_torque - coupling_torque;
+    let t10 = p.coupling_stiffness * p.coupling_ratio;
+    let t11 = coupling_twist * t10;
+    let t12 = p.coupling_damping * p.coupling_ratio;
+    let t13 = coupling_twist_rate * t12;
+    let t14 = t11 + t13;
+    let t15 = t14 - resistance;
+    let driver_omega_dot = t9 * t7;
+    let cylinder_omega_dot = t15 * t8;
+    let mut t2_before = t2;
     let mut t3_before = t3;
-    let mut t4_before = t4;
-    let mut rates = [driver_omega, cylinder_omega, driver_omega_dot, cylinder_omega_dot];
+    let mut rates = [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot];
     coefficients[0] = *state;
     for order in 1..coefficients.len() {
         let (_, inverse) = order_and_inverse::<R>(order);
         let state_k = rates.map(|rate| rate * inverse);
         coefficients[order] = state_k;
-        let [driver_phi_k, cylinder_phi_k, driver_omega_k, cylinder_omega_k] = state_k;
-        let t0_k = cylinder_phi_k * p.coupling_ratio;
-        let coupling_twist_k = driver_phi_k - t0_k;
-        let t1_k = cylinder_omega_k * p.coupling_ratio;
-        let coupling_twist_rate_k = driver_omega_k - t1_k;
-        let t3_k = inverse * p.load_frequency * t4_before;
-        let t4_k = -inverse * p.load_frequency * t3_before;
-        let t5_k = t3_k * p.load_amplitude;
-        let t6_k = coupling_twist_k * p.coupling_stiffness;
-        let t7_k = coupling_twist_rate_k * p.coupling_damping;
-        let coupling_torque_k = t6_k + t7_k;
-        let t10_k = -coupling_torque_k;
-        let t12_k = coupling_twist_k * t11;
-        let t14_k = coupling_twist_rate_k * t13;
-        let t15_k = t12_k + t14_k;
-        let t16_k = t15_k - t5_k;
-        let driver_omega_dot_k = t10_k * t8;
-        let cylinder_omega_dot_k = t16_k * t9;
+        let [coupling_twist_k, driver_omega_k, cylinder_omega_k] = state_k;
+        let t0_k = cylinder_omega_k * p.coupling_ratio;
+        let coupling_twist_rate_k = driver_omega_k - t0_k;
+        let t2_k = inverse * p.load_frequency * t3_before;
+        let t3_k = -inverse * p.load_frequency * t2_before;
+        let t4_k = t2_k * p.load_amplitude;
+        let t5_k = coupling_twist_k * p.coupling_stiffness;
+        let t6_k = coupling_twist_rate_k * p.coupling_damping;
+        let coupling_torque_k = t5_k + t6_k;
+        let t9_k = -coupling_torque_k;
+        let t11_k = coupling_twist_k * t10;
+        let t13_k = coupling_twist_rate_k * t12;
+        let t14_k = t11_k + t13_k;
+        let t15_k = t14_k - t4_k;
+        let driver_omega_dot_k = t9_k * t7;
+        let cylinder_omega_dot_k = t15_k * t8;
+        t2_before = t2_k;
         t3_before = t3_k;
-        t4_before = t4_k;
-        rates = [
-            driver_omega_k,
-            cylinder_omega_k,
-            driver_omega_dot_k,
-            cylinder_omega_dot_k,
-        ];
+        rates = [coupling_twist_rate_k, driver_omega_dot_k, cylinder_omega_dot_k];
     }
 }
 
@@ -605,7 +573,9 @@ impl Describe for TwoMass {
     fn shape(&self) -> Shape {
         Shape {
             coordinates: COORDINATES,
+            positions: 1,
             first_order: 0,
+            quadratures: 0,
             parameters: PARAMETERS,
             outputs: OUTPUTS,
             discontinuities: DISCONTINUITIES,
@@ -711,14 +681,9 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     Quantity {
-        name: "driver.phi",
+        name: "coupling.twist",
         unit: "rad",
-        doc: "angle",
-    },
-    Quantity {
-        name: "cylinder.phi",
-        unit: "rad",
-        doc: "angle",
+        doc: "twist",
     },
     Quantity {
         name: "driver.omega",
@@ -732,7 +697,7 @@ static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     },
 ];
 
-static STATE_SCALES: [f64; STATES] = [150.0, 150.0, 78.5, 78.5];
+static STATE_SCALES: [f64; STATES] = [1.0, 78.5, 78.5];
 
 static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
     Quantity {

@@ -9,7 +9,7 @@ use crate::tape::{NodeId, Op, Tape};
 /// # Errors
 /// [`EmitError::Malformed`] names the function and the rule.
 pub(super) fn check(program: &Program) -> Result<(), EmitError> {
-    let states = program.system.states();
+    let states = program.layout.len();
     let expected = [
         states,
         program.system.discontinuities.len(),
@@ -47,7 +47,7 @@ fn check_tape(tape: &Tape, program: &Program) -> Result<(), String> {
             return Err(format!("node {index} reads node {late}, which does not come before it"));
         }
         let (entry, count, kind) = match node.op {
-            Op::State(entry) => (entry, system.states(), "state"),
+            Op::State(entry) => (entry, program.layout.len(), "state"),
             Op::Parameter(entry) => (entry, system.parameters.len(), "parameter"),
             Op::Table { table, .. } => (table.0, system.tables.len(), "table"),
             _ => continue,

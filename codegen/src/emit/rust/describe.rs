@@ -24,7 +24,11 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
     let system = &scene.program.system;
     let machine = &scene.machine;
     let (name, title) = (&system.name, &system.title);
-    let first_order = proc_macro2::Literal::usize_unsuffixed(system.first_order.len());
+    let count = proc_macro2::Literal::usize_unsuffixed;
+    let layout = &scene.program.layout;
+    let positions = count(layout.positions());
+    let first_order = count(system.first_order.len());
+    let quadratures = count(layout.quadratures);
     quote! {
         impl Describe for #machine {
             fn name(&self) -> &'static str { #name }
@@ -32,7 +36,9 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             fn shape(&self) -> Shape {
                 Shape {
                     coordinates: COORDINATES,
+                    positions: #positions,
                     first_order: #first_order,
+                    quadratures: #quadratures,
                     parameters: PARAMETERS,
                     outputs: OUTPUTS,
                     discontinuities: DISCONTINUITIES,
@@ -121,10 +127,11 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
 
 fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let system = &scene.program.system;
-    let states = quantities(system.state_quantities());
+    let states = quantities(scene.program.layout.quantities());
     let parameters = quantities(system.parameters.iter().map(|parameter| &parameter.quantity));
     let outputs = quantities(system.outputs.iter().map(|output| &output.quantity));
-    let scales = numbers("scale of a state", system.state_scales())?;
+    let scales =
+        numbers("scale of a state", scene.program.layout.states.iter().map(|state| state.scale))?;
     let defaults = numbers("parameter", system.parameters.iter().map(|p| p.value))?;
     let run = run_defaults(scene)?;
     Ok(quote! {

@@ -131,7 +131,7 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
         Manner { doc: doc.to_owned(), returns, names, of_parameters_only: false }
     };
     let fields = |names: [&str; 3]| names.map(|name| format_ident!("{name}")).to_vec();
-    let n = scene.program.system.coordinates.len();
+    let system = &scene.program.system;
     let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_dot")).collect();
     match function {
         "initial_state" => Manner {
@@ -142,15 +142,18 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             of_parameters_only: true,
             ..array("DISCONTINUITIES", "Times at which the right-hand side jumps \\[s\\].", vec![])
         },
-        "rate" => {
-            array("STATES", "`y' = [q', M^-1 f, h]`, in the units of the states per second.", rates)
-        }
+        "rate" => array(
+            "STATES",
+            "`y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.",
+            rates,
+        ),
         "mass_matrix" => {
             let pattern = &scene.program.mass_matrix.pattern;
             matrix(pattern, "`M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.", vec![])
         }
         "forcing" => {
-            let names = scene.states.iter().take(n).map(|q| format!("{q}_forcing")).collect();
+            let names = system.coordinates.iter();
+            let names = names.map(|c| format!("{}_forcing", c.position.name.ident)).collect();
             array("COORDINATES", "`f` of `M q'' = f(q, q', z, t)`, one for each coordinate.", names)
         }
         "rate_jacobian" => {

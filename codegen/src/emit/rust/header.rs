@@ -4,7 +4,7 @@
 use crate::emit::text::comment_lines;
 use crate::emit::{EmitOptions, functions, tape_operations};
 use crate::program::{Program, SparsityPattern};
-use crate::system::LagrangianSystem;
+use crate::state::Layout;
 
 /// The first words of every emitted file, by which it is recognised.
 pub(crate) const MARK: &str = "// Emitted by Machinist";
@@ -25,9 +25,9 @@ pub(super) fn header(program: &Program, options: &EmitOptions) -> String {
         lines.extend(comment_lines(&system.source).into_iter().map(|line| format!("  {line}")));
     }
     lines.push(String::new());
-    lines.extend(shapes(system));
+    lines.extend(shapes(program));
     lines.push(String::new());
-    lines.extend(states(system));
+    lines.extend(states(&program.layout));
     lines.push(String::new());
     lines.extend(sparsity(program));
     lines.push(String::new());
@@ -58,13 +58,14 @@ fn section(text: &str) -> Vec<String> {
     if lines.is_empty() { lines } else { [vec![String::new()], lines].concat() }
 }
 
-fn shapes(system: &LagrangianSystem) -> Vec<String> {
+fn shapes(program: &Program) -> Vec<String> {
+    let system = &program.system;
     let row = |name, count: usize| format!("  {name:<20} {count:>6}");
     vec![
         "Shapes; all quantities are in SI units:".to_owned(),
         row("coordinates", system.coordinates.len()),
         row("first-order states", system.first_order.len()),
-        row("states", system.states()),
+        row("states", program.layout.len()),
         row("parameters", system.parameters.len()),
         row("outputs", system.outputs.len()),
         row("discontinuities", system.discontinuities.len()),
@@ -72,13 +73,13 @@ fn shapes(system: &LagrangianSystem) -> Vec<String> {
 }
 
 /// The state as a table: index, name, unit, meaning.
-fn states(system: &LagrangianSystem) -> Vec<String> {
+fn states(layout: &Layout) -> Vec<String> {
     let width = |text: fn(&crate::system::Quantity) -> &str| {
-        system.state_quantities().map(|quantity| text(quantity).chars().count()).max().unwrap_or(0)
+        layout.quantities().map(|quantity| text(quantity).chars().count()).max().unwrap_or(0)
     };
     let name_width = width(|quantity| &quantity.name.path);
     let unit_width = width(|quantity| &quantity.unit) + 2;
-    let rows = system.state_quantities().enumerate().map(|(index, quantity)| {
+    let rows = layout.quantities().enumerate().map(|(index, quantity)| {
         let unit = format!("[{}]", quantity.unit);
         let doc = comment_lines(&quantity.doc).join(" ");
         let row = format!(

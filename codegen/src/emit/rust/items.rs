@@ -22,7 +22,7 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
     };
     let counts = [
         count("COORDINATES", system.coordinates.len(), "Generalized coordinates, n."),
-        count("STATES", system.states(), "Length of the state `[q, q', z]`, 2 n + m."),
+        count("STATES", scene.program.layout.len(), "Length of the state y."),
         count("PARAMETERS", system.parameters.len(), "Parameters."),
         count("OUTPUTS", system.outputs.len(), "Wanted outputs."),
         count(
@@ -199,7 +199,7 @@ pub(super) fn meaning(quantity: &Quantity) -> String {
 /// `pub mod state` with the index of every state.
 pub(super) fn state_indices(scene: &Scene<'_>) -> TokenStream {
     let mut namer = Namer::empty();
-    let constants = scene.program.system.state_quantities().enumerate().map(|(index, quantity)| {
+    let constants = scene.program.layout.quantities().enumerate().map(|(index, quantity)| {
         let name = namer.claim(&constant_name(&quantity.name.ident));
         let docs = doc([meaning(quantity)]);
         let index = proc_macro2::Literal::usize_unsuffixed(index);

@@ -1,0 +1,52 @@
+//! Which parameters runs may change.
+
+use crate::diagnostic::{Mistake, Spanned};
+use crate::scene::assemble::Assembler;
+use crate::scene::layout::{Local, Scope, find_instance};
+use crate::spec::{did_you_mean, quoted};
+
+impl Assembler<'_> {
+    /// Whether each parameter may be changed, those of the scene first; all may, if
+    /// the scene does not say which.
+    pub(super) fn tunable(&mut self) -> Vec<bool> {
+        let Some(names) = &self.spec.tunable else { return vec![true; self.values.len()] };
+        let mut tunable = vec![false; self.values.len()];
+        for name in names {
+            match self.tunable_parameter(name) {
+                Ok(index) if tunable[index] => {
+                    let message = format!("parameter {} is listed twice", quoted(&name.value));
+                    self.mistakes.push(Mistake::new(name.span, message, "listed again"));
+                }
+                Ok(index) => tunable[index] = true,
+                Err(mistake) => self.mistakes.push(*mistake),
+            }
+        }
+        tunable
+    }
+
+    fn tunable_parameter(&self, path: &Spanned<String>) -> Result<usize, Box<Mistake>> {
+        let (scope, names, name) = match path.value.split_once('.') {
+            None => (Scope::Scene, &self.layout.scene, path.value.as_str()),
+            Some((instance, name)) => {
+                let instance = find_instance(self.spec, instance, path.span)?;
+                let unit = self.spec.instances[instance].unit;
+                (Scope::Instance(instance), &self.layout.units[unit], name)
+            }
+        };
+        if let Some(Local::Parameter(index)) = names.get(name) {
+            return Ok(self.layout.parameter(scope, index).0 as usize);
+        }
+        let known =
+            names.iter().filter(|known| matches!(names.get(known), Some(Local::Parameter(_))));
+        let message = format!("{} is no parameter", quoted(&path.value));
+        let label = if names.get(name).is_some() { "not a parameter" } else { "unknown" };
+        let help = match scope {
+            Scope::Scene if names.get(name).is_none() => {
+                let help = did_you_mean(name, known);
+                format!("{help}\na parameter of a unit is written \"instance.name\"")
+            }
+            _ => did_you_mean(name, known),
+        };
+        Err(Box::new(Mistake::new(path.span, message, label).help(help.trim_start())))
+    }
+}

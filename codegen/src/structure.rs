@@ -1,0 +1,133 @@
+//! What the structure of a program allows: which parts are constant, linear or
+//! apart from each other, and how often each operation has to be done.
+//!
+//! Excluded: doing anything about it; this only tells.
+
+use crate::program::{MatrixTape, Program};
+use crate::tape::{NodeId, Op, Tape};
+
+/// Operations of a tape by how often their operands change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Frequency {
+    /// Of parameters only: once a run.
+    pub once: usize,
+    /// Of time and parameters only: once for each time, whatever the state.
+    pub by_time: usize,
+    /// Of the state: at every evaluation.
+    pub by_state: usize,
+}
+
+/// What a program's structure is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Structure {
+    /// Whether no entry of M depends on state or time.
+    pub constant_mass: bool,
+    /// Whether M has entries on its diagonal only.
+    pub diagonal_mass: bool,
+    /// Entries of dy'/dy that depend on parameters only, of how many.
+    pub constant_jacobian: (usize, usize),
+    /// Whether y' does not depend on time by itself.
+    pub autonomous: bool,
+    /// Entries of the state in groups that do not depend on each other.
+    pub subsystems: Vec<Vec<u32>>,
+    /// Operations of y'.
+    pub rate: Frequency,
+    /// Operations of dy'/dy.
+    pub jacobian: Frequency,
+}
+
+impl Structure {
+    /// Looks at a program.
+    #[must_use]
+    pub fn of(program: &Program) -> Self {
+        let mass = &program.mass_matrix;
+        let jacobian = &program.rate_jacobian;
+        let rate = Dependence::of(&program.rate);
+        Structure {
+            constant_mass: constants(mass) == mass.pattern.entries.len(),
+            diagonal_mass: mass.pattern.entries.iter().all(|(row, column)| row == column),
+            constant_jacobian: (constants(jacobian), jacobian.pattern.entries.len()),
+            autonomous: program.rate.results.iter().all(|id| !rate.on_time(*id)),
+            subsystems: subsystems(program),
+            rate: Frequency::of(&program.rate),
+            jacobian: Frequency::of(&jacobian.tape),
+        }
+    }
+
+    /// Whether y' is A y + b(t) with A of parameters only.
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        self.constant_jacobian.0 == self.constant_jacobian.1
+    }
+}
+
+impl Frequency {
+    /// Counts the operations of a tape.
+    #[must_use]
+    pub fn of(tape: &Tape) -> Self {
+        let dependence = Dependence::of(tape);
+        let needed = crate::emit::needed_nodes(tape);
+        let mut frequency = Frequency::default();
+        for (index, node) in tape.nodes.iter().enumerate() {
+            if !needed[index] || !node.op.is_arithmetic() {
+                continue;
+            }
+            match dependence.0[index] {
+                (_, true) => frequency.by_state += 1,
+                (true, false) => frequency.by_time += 1,
+                (false, false) => frequency.once += 1,
+            }
+        }
+        frequency
+    }
+}
+
+/// For each node, whether it depends on time and whether on the state.
+struct Dependence(Vec<(bool, bool)>);
+
+impl Dependence {
+    fn of(tape: &Tape) -> Self {
+        let mut known: Vec<(bool, bool)> = Vec::with_capacity(tape.nodes.len());
+        for node in &tape.nodes {
+            known.push(match node.op {
+                Op::Time => (true, false),
+                Op::State(_) => (false, true),
+                ref op => op.operands().iter().fold((false, false), |(time, state), id| {
+                    let of = known[id.0 as usize];
+                    (time || of.0, state || of.1)
+                }),
+            });
+        }
+        Dependence(known)
+    }
+
+    fn on_time(&self, id: NodeId) -> bool {
+        self.0[id.0 as usize].0
+    }
+
+    fn on_anything(&self, id: NodeId) -> bool {
+        self.0[id.0 as usize] != (false, false)
+    }
+}
+
+/// Entries of a matrix that depend on parameters only.
+fn constants(matrix: &MatrixTape) -> usize {
+    let dependence = Dependence::of(&matrix.tape);
+    matrix.tape.results.iter().filter(|id| !dependence.on_anything(**id)).count()
+}
+
+/// Connected parts of the state, by the pattern of dy'/dy.
+fn subsystems(program: &Program) -> Vec<Vec<u32>> {
+    let count = program.layout.len();
+    let mut group: Vec<usize> = (0..count).collect();
+    for &(row, column) in &program.rate_jacobian.pattern.entries {
+        let (a, b) = (group[row as usize], group[column as usize]);
+        let (from, to) = (a.max(b), a.min(b));
+        group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
+    }
+    let parts = (0..count).map(|first| {
+        let members = (0..count).filter(|entry| group[*entry] == first);
+        members.map(|entry| entry as u32).collect::<Vec<_>>()
+    });
+    parts.filter(|part| !part.is_empty()).collect()
+}

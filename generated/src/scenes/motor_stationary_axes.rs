@@ -1,0 +1,1807 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo run --release -- gen
+//
+// Sources, with SHA-256:
+//   8f45f0151bd7f9b04f50979fb7764e35ffae7dd1654b0dd483ce7f48b551ad63  scenes/motor_stationary_axes.toml
+//   e8422c9ed02eea8c3a709bd8932dbac067c759a5c771209ef9b59cb86800c611  units/induction_motor_stationary.toml
+//
+// Induction motor running up empty, from its co-energy
+//
+// The run-up of `motor_run_up` with charges as coordinates: the same torque and speed by another way.
+//
+// Source:
+//   Saw-gin study (2020), motor of equations (2), as a Lagrangian.
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               5
+//   first-order states        0
+//   states                    6
+//   parameters               11
+//   outputs                   9
+//   discontinuities           0
+//
+// State:
+//     0  motor.phi    [rad]    rotor angle
+//     1  motor.i_sa   [C/s]    rate of charge passed by the stator winding along alpha
+//     2  motor.i_sb   [C/s]    rate of charge passed by the stator winding along beta
+//     3  motor.i_ra   [C/s]    rate of charge passed by the rotor's first winding
+//     4  motor.i_rb   [C/s]    rate of charge passed by the rotor's second winding
+//     5  motor.omega  [rad/s]  rate of rotor angle
+//
+// Nonzeros:
+//   mass_matrix              13 of 5 by 5
+//   rate_jacobian            30 of 6 by 6
+//   parameter_jacobian       41 of 6 by 11
+//
+// Operations:
+//   initial_state             0
+//   discontinuities           0
+//   rate                    121
+//   mass_matrix              13
+//   forcing                  73
+//   rate_jacobian           321
+//   parameter_jacobian      580
+//   time_derivative          63
+//   outputs                  25
+//   energy                   33
+//   power_balance           173
+
+use crate::{
+    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+    SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 5;
+
+/// Length of the state y.
+pub const STATES: usize = 6;
+
+/// Parameters.
+pub const PARAMETERS: usize = 11;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 9;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 5,
+    columns: 5,
+    entries: &[
+        (0, 0),
+        (0, 2),
+        (0, 3),
+        (1, 1),
+        (1, 2),
+        (1, 3),
+        (2, 0),
+        (2, 1),
+        (2, 2),
+        (3, 0),
+        (3, 1),
+        (3, 3),
+        (4, 4),
+    ],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 6,
+    columns: 6,
+    entries: &[
+        (0, 5),
+        (1, 0),
+        (1, 1),
+        (1, 2),
+        (1, 3),
+        (1, 4),
+        (1, 5),
+        (2, 0),
+        (2, 1),
+        (2, 2),
+        (2, 3),
+        (2, 4),
+        (2, 5),
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (4, 0),
+        (4, 1),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (5, 0),
+        (5, 1),
+        (5, 2),
+        (5, 3),
+        (5, 4),
+    ],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 6,
+    columns: 11,
+    entries: &[
+        (1, 2),
+        (1, 3),
+        (1, 4),
+        (1, 5),
+        (1, 6),
+        (1, 7),
+        (1, 8),
+        (1, 9),
+        (1, 10),
+        (2, 2),
+        (2, 3),
+        (2, 4),
+        (2, 5),
+        (2, 6),
+        (2, 7),
+        (2, 8),
+        (2, 9),
+        (2, 10),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (3, 6),
+        (3, 7),
+        (3, 8),
+        (3, 9),
+        (3, 10),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (4, 6),
+        (4, 7),
+        (4, 8),
+        (4, 9),
+        (4, 10),
+        (5, 1),
+        (5, 3),
+        (5, 5),
+        (5, 6),
+        (5, 8),
+    ],
+};
+
+/// Induction motor running up empty, from its co-energy
+///
+/// The run-up of \`motor_run_up\` with charges as coordinates: the same torque and speed by another way.
+///
+/// Source: Saw-gin study (2020), motor of equations (2), as a Lagrangian.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct MotorStationaryAxes;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// initial_speed: speed at the start \[rad/s\]. In the spec: 0.0.
+    pub initial_speed: R,
+    /// motor.inertia: moment of inertia of the rotor \[kg m^2\]. In the spec: 4.2.
+    pub motor_inertia: R,
+    /// motor.phase_voltage: root mean square of the phase voltage \[V\]. In the spec: 220.0.
+    pub motor_phase_voltage: R,
+    /// motor.supply_frequency: frequency of the supply \[Hz\]. In the spec: 50.0.
+    pub motor_supply_frequency: R,
+    /// motor.supply_phase: phase of the supply at the start \[rad\]. In the spec: 0.0.
+    pub motor_supply_phase: R,
+    /// motor.pole_pairs: pairs of poles \[1\]. In the spec: 4.0.
+    pub motor_pole_pairs: R,
+    /// motor.k_s: stator coupling factor x_mu/x_s \[1\]. In the spec: 0.956.
+    pub motor_k_s: R,
+    /// motor.k_r: rotor coupling factor x_mu/x_r \[1\]. In the spec: 0.952.
+    pub motor_k_r: R,
+    /// motor.x_s: stator reactance at supply frequency \[ohm\]. In the spec: 4.14.
+    pub motor_x_s: R,
+    /// motor.alpha_s: stator decay R_s/(sigma x_s) \[1\]. In the spec: 0.115.
+    pub motor_alpha_s: R,
+    /// motor.alpha_r: rotor decay R_r/(sigma x_r) \[1\]. In the spec: 0.0858.
+    pub motor_alpha_r: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            initial_speed: values[0],
+            motor_inertia: values[1],
+            motor_phase_voltage: values[2],
+            motor_supply_frequency: values[3],
+            motor_supply_phase: values[4],
+            motor_pole_pairs: values[5],
+            motor_k_s: values[6],
+            motor_k_r: values[7],
+            motor_x_s: values[8],
+            motor_alpha_s: values[9],
+            motor_alpha_r: values[10],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.initial_speed,
+            self.motor_inertia,
+            self.motor_phase_voltage,
+            self.motor_supply_frequency,
+            self.motor_supply_phase,
+            self.motor_pole_pairs,
+            self.motor_k_s,
+            self.motor_k_r,
+            self.motor_x_s,
+            self.motor_alpha_s,
+            self.motor_alpha_r,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            initial_speed: R::literal(0.0),
+            motor_inertia: R::literal(4.2),
+            motor_phase_voltage: R::literal(220.0),
+            motor_supply_frequency: R::literal(50.0),
+            motor_supply_phase: R::literal(0.0),
+            motor_pole_pairs: R::literal(4.0),
+            motor_k_s: R::literal(0.956),
+            motor_k_r: R::literal(0.952),
+            motor_x_s: R::literal(4.14),
+            motor_alpha_s: R::literal(0.115),
+            motor_alpha_r: R::literal(0.0858),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// speed: rotor speed \[rad/s\].
+    pub speed: R,
+    /// torque: electromagnetic torque \[N m\].
+    pub torque: R,
+    /// slip: slip \[1\].
+    pub slip: R,
+    /// stator_current: amplitude of the stator current \[A\].
+    pub stator_current: R,
+    /// stator_alpha: rate of charge passed by the stator winding along alpha \[C/s\].
+    pub stator_alpha: R,
+    /// stator_beta: rate of charge passed by the stator winding along beta \[C/s\].
+    pub stator_beta: R,
+    /// rotor_first: rate of charge passed by the rotor's first winding \[C/s\].
+    pub rotor_first: R,
+    /// rotor_second: rate of charge passed by the rotor's second winding \[C/s\].
+    pub rotor_second: R,
+    /// angle: rotor angle \[rad\].
+    pub angle: R,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; OUTPUTS]) -> Self {
+        Self {
+            speed: values[0],
+            torque: values[1],
+            slip: values[2],
+            stator_current: values[3],
+            stator_alpha: values[4],
+            stator_beta: values[5],
+            rotor_first: values[6],
+            rotor_second: values[7],
+            angle: values[8],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        [
+            self.speed,
+            self.torque,
+            self.slip,
+            self.stator_current,
+            self.stator_alpha,
+            self.stator_beta,
+            self.rotor_first,
+            self.rotor_second,
+            self.angle,
+        ]
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// motor.phi: rotor angle \[rad\].
+    pub const MOTOR_PHI: usize = 0;
+    /// motor.i_sa: rate of charge passed by the stator winding along alpha \[C/s\].
+    pub const MOTOR_I_SA: usize = 1;
+    /// motor.i_sb: rate of charge passed by the stator winding along beta \[C/s\].
+    pub const MOTOR_I_SB: usize = 2;
+    /// motor.i_ra: rate of charge passed by the rotor's first winding \[C/s\].
+    pub const MOTOR_I_RA: usize = 3;
+    /// motor.i_rb: rate of charge passed by the rotor's second winding \[C/s\].
+    pub const MOTOR_I_RB: usize = 4;
+    /// motor.omega: rate of rotor angle \[rad/s\].
+    pub const MOTOR_OMEGA: usize = 5;
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// No operations.
+#[must_use]
+pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        p.initial_speed,
+    ]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
+///
+/// 121 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
+    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t1 * t0.cos();
+    let motor_u_b = t1 * t0.sin();
+    let motor_L_r = motor_M / p.motor_k_r;
+    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma
+        / p.motor_k_r;
+    let sin_motor_theta = motor_theta.sin();
+    let cos_motor_theta = motor_theta.cos();
+    let t2 = R::literal(1.5) * motor_M;
+    let t3 = t2 * cos_motor_theta;
+    let t4 = t2 * sin_motor_theta;
+    let t5 = R::literal(1.5) * motor_L_r;
+    let t6 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
+    let t7 = t3 * t6;
+    let t8 = t4 * t6;
+    let t9 = t7 * t3;
+    let t10 = t8 * t4;
+    let t11 = R::literal(1.0) / (t5 - t9 - t10);
+    let t12 = t8 * t3 - t7 * t4;
+    let t13 = t12 * t11;
+    let t14 = R::literal(1.5) * motor_R_s;
+    let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
+    let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
+    let t15 = t2 * motor_omega;
+    let t16 = R::literal(1.5) * motor_u_a - t14 * motor_i_sa
+        - t15
+            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
+                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
+    let t17 = R::literal(1.5) * motor_u_b - t14 * motor_i_sb
+        - t15
+            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
+                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let t18 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t19 = -(t18 * motor_i_ra)
+        - t15
+            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
+                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t7 * t16
+        - t8 * t17;
+    let motor_i_rb_dot = (-(t18 * motor_i_rb)
+        - t15
+            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t8 * t16
+        - t7 * t17 - t13 * t19) * (R::literal(1.0) / (t5 - t10 - t9 - t13 * t12));
+    let motor_omega_dot = t2
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta
+            - p.motor_pole_pairs * motor_along * sin_motor_theta)
+        * (R::literal(1.0) / p.motor_inertia);
+    let motor_i_ra_dot = t19 * t11 - t13 * motor_i_rb_dot;
+    let motor_i_sb_dot = t17 * t6 - t8 * motor_i_ra_dot - t7 * motor_i_rb_dot;
+    let motor_i_sa_dot = t16 * t6 - t7 * motor_i_ra_dot + t8 * motor_i_rb_dot;
+    [
+        motor_omega,
+        motor_i_sa_dot,
+        motor_i_sb_dot,
+        motor_i_ra_dot,
+        motor_i_rb_dot,
+        motor_omega_dot,
+    ]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// 13 operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 13] {
+    let [motor_phi, ..] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let motor_L_r = motor_M / p.motor_k_r;
+    let t0 = R::literal(1.5) * motor_L_s;
+    let t1 = R::literal(1.5) * motor_M;
+    let t2 = t1 * motor_theta.cos();
+    let t3 = t1 * motor_theta.sin();
+    let t4 = -t3;
+    let t5 = R::literal(1.5) * motor_L_r;
+    [t0, t2, t4, t0, t3, t2, t2, t3, t5, t4, t2, t5, p.motor_inertia]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 73 operations.
+#[must_use]
+pub fn forcing<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
+    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t1 * t0.cos();
+    let motor_u_b = t1 * t0.sin();
+    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma
+        / p.motor_k_r;
+    let sin_motor_theta = motor_theta.sin();
+    let cos_motor_theta = motor_theta.cos();
+    let t2 = R::literal(1.5) * motor_M;
+    let t3 = R::literal(1.5) * motor_R_s;
+    let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
+    let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
+    let t4 = t2 * motor_omega;
+    let motor_q_sa_forcing = R::literal(1.5) * motor_u_a - t3 * motor_i_sa
+        - t4
+            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
+                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
+    let motor_q_sb_forcing = R::literal(1.5) * motor_u_b - t3 * motor_i_sb
+        - t4
+            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
+                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let t5 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let motor_q_ra_forcing = -(t5 * motor_i_ra)
+        - t4
+            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
+                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta);
+    let motor_q_rb_forcing = -(t5 * motor_i_rb)
+        - t4
+            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta);
+    let motor_phi_forcing = t2
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta
+            - p.motor_pole_pairs * motor_along * sin_motor_theta);
+    [
+        motor_q_sa_forcing,
+        motor_q_sb_forcing,
+        motor_q_ra_forcing,
+        motor_q_rb_forcing,
+        motor_phi_forcing,
+    ]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// 321 operations.
+#[must_use]
+pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 30] {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
+    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_x_s_times_motor_alpha_s = p.motor_x_s * p.motor_alpha_s;
+    let motor_R_s = motor_x_s_times_motor_alpha_s * motor_sigma;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t1 * t0.cos();
+    let motor_u_b = t1 * t0.sin();
+    let motor_L_r = motor_M / p.motor_k_r;
+    let t2 = p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
+    let motor_R_r = t2 * motor_sigma / p.motor_k_r;
+    let sin_motor_theta = motor_theta.sin();
+    let cos_motor_theta = motor_theta.cos();
+    let t3 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
+    let t4 = R::literal(1.5) * motor_M;
+    let t5 = t4 * cos_motor_theta;
+    let t6 = t4 * sin_motor_theta;
+    let t7 = R::literal(1.5) * motor_L_r;
+    let t8 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
+    let t9 = t5 * t8;
+    let t10 = t6 * t8;
+    let t11 = t9 * t5;
+    let t12 = t10 * t6;
+    let t13 = R::literal(1.0) / (t7 - t11 - t12);
+    let t14 = t10 * t5 - t9 * t6;
+    let t15 = t14 * t13;
+    let t16 = R::literal(1.0) / (t7 - t12 - t11 - t15 * t14);
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let t17 = R::literal(1.5) * motor_R_s;
+    let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
+    let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
+    let t18 = t4 * motor_omega;
+    let t19 = R::literal(1.5) * motor_u_a - t17 * motor_i_sa
+        - t18
+            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
+                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
+    let t20 = R::literal(1.5) * motor_u_b - t17 * motor_i_sb
+        - t18
+            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
+                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let t21 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t22 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
+        - motor_pole_pairs_times_motor_i_sa * sin_motor_theta;
+    let t23 = -(t21 * motor_i_ra) - t18 * t22 - t9 * t19 - t10 * t20;
+    let motor_i_rb_dot = (-(t21 * motor_i_rb)
+        - t18
+            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t10 * t19
+        - t9 * t20 - t15 * t23) * t16;
+    let motor_i_ra_dot = t23 * t13 - t15 * motor_i_rb_dot;
+    let motor_i_sb_dot = t20 * t8 - t10 * motor_i_ra_dot - t9 * motor_i_rb_dot;
+    let motor_i_sa_dot = t19 * t8 - t9 * motor_i_ra_dot + t10 * motor_i_rb_dot;
+    let t24 = motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta;
+    let motor_pole_pairs_squared = p.motor_pole_pairs * p.motor_pole_pairs;
+    let t25 = t4 * motor_pole_pairs_squared * motor_omega;
+    let t26 = motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta;
+    let t27 = motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta;
+    let t28 = t3 * sin_motor_theta;
+    let t29 = t3 * cos_motor_theta;
+    let t30 = t25 * t24 + t28 * motor_i_ra_dot + t29 * motor_i_rb_dot;
+    let t31 = t25 * t26 - t29 * motor_i_ra_dot + t28 * motor_i_rb_dot;
+    let t32 = t25 * t27 + t28 * motor_i_sa_dot - t29 * motor_i_sb_dot - t9 * t30
+        - t10 * t31;
+    let motor_i_rb_dot_by_motor_phi = (R::literal(2.0) * motor_M
+        * motor_pole_pairs_squared * motor_omega
+        * (R::literal(0.75) * motor_i_sb * cos_motor_theta
+            - R::literal(0.75) * motor_i_sa * sin_motor_theta) + t29 * motor_i_sa_dot
+        + t28 * motor_i_sb_dot + t10 * t30 - t9 * t31 - t15 * t32) * t16;
+    let motor_omega_dot_by_motor_phi = t4
+        * (-(motor_pole_pairs_squared * motor_along * cos_motor_theta)
+            - motor_pole_pairs_squared * motor_across * sin_motor_theta)
+        * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_phi = t32 * t13 - t15 * motor_i_rb_dot_by_motor_phi;
+    let motor_i_sb_dot_by_motor_phi = t31 * t8 - t10 * motor_i_ra_dot_by_motor_phi
+        - t9 * motor_i_rb_dot_by_motor_phi;
+    let motor_i_sa_dot_by_motor_phi = t30 * t8 - t9 * motor_i_ra_dot_by_motor_phi
+        + t10 * motor_i_rb_dot_by_motor_phi;
+    let t33 = R::literal(1.5) * p.motor_k_s * p.motor_k_r - R::literal(1.5);
+    let t34 = motor_x_s_times_motor_alpha_s * t33;
+    let t35 = t3 * motor_omega;
+    let t36 = t35 * sin_motor_theta;
+    let t37 = t35 * cos_motor_theta;
+    let t38 = t3 * t26;
+    let t39 = t36 - t9 * t34;
+    let t40 = t10 * t34;
+    let t41 = t34 * t8;
+    let motor_i_rb_dot_by_motor_i_sa = (t37 + t40 - t15 * t39) * t16;
+    let motor_omega_dot_by_motor_i_sa = -(t38 * inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_i_sa = t39 * t13 - t15 * motor_i_rb_dot_by_motor_i_sa;
+    let motor_i_sb_dot_by_motor_i_sa = -(t10 * motor_i_ra_dot_by_motor_i_sa)
+        - t9 * motor_i_rb_dot_by_motor_i_sa;
+    let motor_i_sa_dot_by_motor_i_sa = t41 - t9 * motor_i_ra_dot_by_motor_i_sa
+        + t10 * motor_i_rb_dot_by_motor_i_sa;
+    let t42 = -t37 - t40;
+    let motor_i_rb_dot_by_motor_i_sb = (t39 - t15 * t42) * t16;
+    let motor_omega_dot_by_motor_i_sb = t3 * t24 * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_i_sb = t42 * t13 - t15 * motor_i_rb_dot_by_motor_i_sb;
+    let motor_i_sb_dot_by_motor_i_sb = t41 - t10 * motor_i_ra_dot_by_motor_i_sb
+        - t9 * motor_i_rb_dot_by_motor_i_sb;
+    let motor_i_sa_dot_by_motor_i_sb = t10 * motor_i_rb_dot_by_motor_i_sb
+        - t9 * motor_i_ra_dot_by_motor_i_sb;
+    let t43 = t2 * t33 / p.motor_k_r;
+    let t44 = t9 * t36;
+    let t45 = t10 * t37;
+    let t46 = t43 - t44 + t45;
+    let t47 = t10 * t36;
+    let t48 = t9 * t37;
+    let t49 = t36 * t8;
+    let t50 = t37 * t8;
+    let motor_i_rb_dot_by_motor_i_ra = (t47 + t48 - t15 * t46) * t16;
+    let motor_omega_dot_by_motor_i_ra = t4 * t22 * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_i_ra = t46 * t13 - t15 * motor_i_rb_dot_by_motor_i_ra;
+    let motor_i_sb_dot_by_motor_i_ra = -t50 - t10 * motor_i_ra_dot_by_motor_i_ra
+        - t9 * motor_i_rb_dot_by_motor_i_ra;
+    let motor_i_sa_dot_by_motor_i_ra = t49 - t9 * motor_i_ra_dot_by_motor_i_ra
+        + t10 * motor_i_rb_dot_by_motor_i_ra;
+    let t51 = t3 * t27;
+    let t52 = -t48 - t47;
+    let motor_i_rb_dot_by_motor_i_rb = (t43 + t45 - t44 - t15 * t52) * t16;
+    let motor_omega_dot_by_motor_i_rb = -(t51 * inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_i_rb = t52 * t13 - t15 * motor_i_rb_dot_by_motor_i_rb;
+    let motor_i_sb_dot_by_motor_i_rb = t49 - t10 * motor_i_ra_dot_by_motor_i_rb
+        - t9 * motor_i_rb_dot_by_motor_i_rb;
+    let motor_i_sa_dot_by_motor_i_rb = t50 - t9 * motor_i_ra_dot_by_motor_i_rb
+        + t10 * motor_i_rb_dot_by_motor_i_rb;
+    let t53 = R::literal(2.0) * p.motor_pole_pairs * motor_M
+        * (R::literal(0.75) * motor_i_rb * sin_motor_theta
+            - R::literal(0.75) * motor_i_ra * cos_motor_theta);
+    let t54 = t3 * (motor_i_sa * sin_motor_theta - motor_i_sb * cos_motor_theta)
+        - t9 * t38 - t10 * t53;
+    let motor_i_rb_dot_by_motor_omega = (t51 + t10 * t38 - t9 * t53 - t15 * t54) * t16;
+    let motor_i_ra_dot_by_motor_omega = t54 * t13 - t15 * motor_i_rb_dot_by_motor_omega;
+    let motor_i_sb_dot_by_motor_omega = t53 * t8 - t10 * motor_i_ra_dot_by_motor_omega
+        - t9 * motor_i_rb_dot_by_motor_omega;
+    let motor_i_sa_dot_by_motor_omega = t38 * t8 - t9 * motor_i_ra_dot_by_motor_omega
+        + t10 * motor_i_rb_dot_by_motor_omega;
+    [
+        R::literal(1.0),
+        motor_i_sa_dot_by_motor_phi,
+        motor_i_sa_dot_by_motor_i_sa,
+        motor_i_sa_dot_by_motor_i_sb,
+        motor_i_sa_dot_by_motor_i_ra,
+        motor_i_sa_dot_by_motor_i_rb,
+        motor_i_sa_dot_by_motor_omega,
+        motor_i_sb_dot_by_motor_phi,
+        motor_i_sb_dot_by_motor_i_sa,
+        motor_i_sb_dot_by_motor_i_sb,
+        motor_i_sb_dot_by_motor_i_ra,
+        motor_i_sb_dot_by_motor_i_rb,
+        motor_i_sb_dot_by_motor_omega,
+        motor_i_ra_dot_by_motor_phi,
+        motor_i_ra_dot_by_motor_i_sa,
+        motor_i_ra_dot_by_motor_i_sb,
+        motor_i_ra_dot_by_motor_i_ra,
+        motor_i_ra_dot_by_motor_i_rb,
+        motor_i_ra_dot_by_motor_omega,
+        motor_i_rb_dot_by_motor_phi,
+        motor_i_rb_dot_by_motor_i_sa,
+        motor_i_rb_dot_by_motor_i_sb,
+        motor_i_rb_dot_by_motor_i_ra,
+        motor_i_rb_dot_by_motor_i_rb,
+        motor_i_rb_dot_by_motor_omega,
+        motor_omega_dot_by_motor_phi,
+        motor_omega_dot_by_motor_i_sa,
+        motor_omega_dot_by_motor_i_sb,
+        motor_omega_dot_by_motor_i_ra,
+        motor_omega_dot_by_motor_i_rb,
+    ]
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// 580 operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 41] {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
+    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t1 = t0.cos();
+    let t2 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t2 * t1;
+    let t3 = t0.sin();
+    let motor_u_b = t2 * t3;
+    let motor_L_r = motor_M / p.motor_k_r;
+    let motor_k_s_times_motor_x_s = p.motor_k_s * p.motor_x_s;
+    let motor_R_r = motor_k_s_times_motor_x_s * p.motor_alpha_r * motor_sigma
+        / p.motor_k_r;
+    let sin_motor_theta = motor_theta.sin();
+    let cos_motor_theta = motor_theta.cos();
+    let t4 = R::literal(1.5) * p.motor_pole_pairs;
+    let t5 = R::literal(1.5) * motor_L_s;
+    let t6 = R::literal(1.5) * motor_M;
+    let t7 = t6 * cos_motor_theta;
+    let t8 = t6 * sin_motor_theta;
+    let t9 = R::literal(1.5) * motor_L_r;
+    let t10 = R::literal(1.0) / t5;
+    let t11 = t7 * t10;
+    let t12 = t8 * t10;
+    let t13 = t11 * t7;
+    let t14 = t12 * t8;
+    let t15 = R::literal(1.0) / (t9 - t13 - t14);
+    let t16 = t12 * t7 - t11 * t8;
+    let t17 = t16 * t15;
+    let t18 = R::literal(1.0) / (t9 - t14 - t13 - t17 * t16);
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let t19 = R::literal(1.5) * motor_R_s;
+    let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
+    let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
+    let t20 = -(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
+        - motor_pole_pairs_times_motor_i_rb * cos_motor_theta;
+    let t21 = t6 * motor_omega;
+    let t22 = R::literal(1.5) * motor_u_a;
+    let t23 = t22 - t19 * motor_i_sa - t21 * t20;
+    let t24 = motor_pole_pairs_times_motor_i_ra * cos_motor_theta
+        - motor_pole_pairs_times_motor_i_rb * sin_motor_theta;
+    let t25 = R::literal(1.5) * motor_u_b;
+    let t26 = t25 - t19 * motor_i_sb - t21 * t24;
+    let t27 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t28 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
+        - motor_pole_pairs_times_motor_i_sa * sin_motor_theta;
+    let t29 = -(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+        - motor_pole_pairs_times_motor_i_sb * sin_motor_theta;
+    let t30 = p.motor_pole_pairs * motor_across * cos_motor_theta
+        - p.motor_pole_pairs * motor_along * sin_motor_theta;
+    let t31 = -(t27 * motor_i_ra) - t21 * t28 - t11 * t23 - t12 * t26;
+    let motor_i_rb_dot = (-(t27 * motor_i_rb) - t21 * t29 + t12 * t23 - t11 * t26
+        - t17 * t31) * t18;
+    let motor_omega_dot = t6 * t30 * inverse_motor_inertia;
+    let motor_i_ra_dot = t31 * t15 - t17 * motor_i_rb_dot;
+    let motor_i_sb_dot = t26 * t10 - t12 * motor_i_ra_dot - t11 * motor_i_rb_dot;
+    let motor_i_sa_dot = t23 * t10 - t11 * motor_i_ra_dot + t12 * motor_i_rb_dot;
+    let motor_i_sa_times_cos_motor_theta = motor_i_sa * cos_motor_theta;
+    let motor_i_sb_times_sin_motor_theta = motor_i_sb * sin_motor_theta;
+    let t32 = R::literal(1.5) * p.motor_k_s;
+    let t33 = t32 * p.motor_k_r - R::literal(1.5);
+    let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
+    let t34 = R::literal(2.121_320_343_559_643) * t1;
+    let t35 = R::literal(2.121_320_343_559_643) * t3;
+    let t36 = -(t11 * t34) - t12 * t35;
+    let motor_i_rb_dot_by_motor_phase_voltage = (t12 * t34 - t11 * t35 - t17 * t36)
+        * t18;
+    let motor_i_ra_dot_by_motor_phase_voltage = t36 * t15
+        - t17 * motor_i_rb_dot_by_motor_phase_voltage;
+    let motor_i_sb_dot_by_motor_phase_voltage = t35 * t10
+        - t12 * motor_i_ra_dot_by_motor_phase_voltage
+        - t11 * motor_i_rb_dot_by_motor_phase_voltage;
+    let motor_i_sa_dot_by_motor_phase_voltage = t34 * t10
+        - t11 * motor_i_ra_dot_by_motor_phase_voltage
+        + t12 * motor_i_rb_dot_by_motor_phase_voltage;
+    let t37 = R::literal(3.0 * core::f64::consts::PI) * time;
+    let t38 = t6 / p.motor_supply_frequency;
+    let t39 = t38 * motor_omega;
+    let t40 = t5 / p.motor_supply_frequency;
+    let t41 = t38 * cos_motor_theta;
+    let t42 = t38 * sin_motor_theta;
+    let t43 = t39 * t20 - t37 * motor_u_b + t40 * motor_i_sa_dot + t41 * motor_i_ra_dot
+        - t42 * motor_i_rb_dot;
+    let t44 = t39 * t24 + t37 * motor_u_a + t40 * motor_i_sb_dot + t42 * motor_i_ra_dot
+        + t41 * motor_i_rb_dot;
+    let t45 = t9 / p.motor_supply_frequency;
+    let t46 = t39 * t28 + t41 * motor_i_sa_dot + t42 * motor_i_sb_dot
+        + t45 * motor_i_ra_dot - t11 * t43 - t12 * t44;
+    let motor_i_rb_dot_by_motor_supply_frequency = (-(t4 * motor_M
+        / p.motor_supply_frequency * motor_omega
+        * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta))
+        - t42 * motor_i_sa_dot + t41 * motor_i_sb_dot + t45 * motor_i_rb_dot + t12 * t43
+        - t11 * t44 - t17 * t46) * t18;
+    let motor_omega_dot_by_motor_supply_frequency = -(t38 * t30 * inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_supply_frequency = t46 * t15
+        - t17 * motor_i_rb_dot_by_motor_supply_frequency;
+    let motor_i_sb_dot_by_motor_supply_frequency = t44 * t10
+        - t12 * motor_i_ra_dot_by_motor_supply_frequency
+        - t11 * motor_i_rb_dot_by_motor_supply_frequency;
+    let motor_i_sa_dot_by_motor_supply_frequency = t43 * t10
+        - t11 * motor_i_ra_dot_by_motor_supply_frequency
+        + t12 * motor_i_rb_dot_by_motor_supply_frequency;
+    let t47 = t11 * t25 - t12 * t22;
+    let motor_i_rb_dot_by_motor_supply_phase = (-(t12 * t25) - t11 * t22 - t17 * t47)
+        * t18;
+    let motor_i_ra_dot_by_motor_supply_phase = t47 * t15
+        - t17 * motor_i_rb_dot_by_motor_supply_phase;
+    let motor_i_sb_dot_by_motor_supply_phase = t22 * t10
+        - t12 * motor_i_ra_dot_by_motor_supply_phase
+        - t11 * motor_i_rb_dot_by_motor_supply_phase;
+    let motor_i_sa_dot_by_motor_supply_phase = -(t25 * t10)
+        - t11 * motor_i_ra_dot_by_motor_supply_phase
+        + t12 * motor_i_rb_dot_by_motor_supply_phase;
+    let motor_i_rb_times_motor_theta = motor_i_rb * motor_theta;
+    let motor_i_ra_times_motor_theta = motor_i_ra * motor_theta;
+    let motor_i_sa_times_motor_theta = motor_i_sa * motor_theta;
+    let motor_i_sb_times_motor_theta = motor_i_sb * motor_theta;
+    let t48 = t6 * motor_phi;
+    let t49 = t48 * sin_motor_theta;
+    let t50 = t48 * cos_motor_theta;
+    let t51 = t21
+        * (motor_i_ra_times_motor_theta * cos_motor_theta + motor_i_ra * sin_motor_theta
+            + motor_i_rb * cos_motor_theta
+            - motor_i_rb_times_motor_theta * sin_motor_theta) + t49 * motor_i_ra_dot
+        + t50 * motor_i_rb_dot;
+    let t52 = t21
+        * (motor_i_ra_times_motor_theta * sin_motor_theta
+            + motor_i_rb_times_motor_theta * cos_motor_theta
+            + motor_i_rb * sin_motor_theta - motor_i_ra * cos_motor_theta)
+        - t50 * motor_i_ra_dot + t49 * motor_i_rb_dot;
+    let t53 = t21
+        * (motor_i_sa_times_motor_theta * cos_motor_theta + motor_i_sa * sin_motor_theta
+            + motor_i_sb_times_motor_theta * sin_motor_theta
+            - motor_i_sb * cos_motor_theta) + t49 * motor_i_sa_dot - t50 * motor_i_sb_dot
+        - t11 * t51 - t12 * t52;
+    let motor_i_rb_dot_by_motor_pole_pairs = (t50 * motor_i_sa_dot
+        - t21
+            * (motor_i_sa_times_motor_theta * sin_motor_theta
+                - motor_i_sa_times_cos_motor_theta
+                - motor_i_sb_times_motor_theta * cos_motor_theta
+                - motor_i_sb_times_sin_motor_theta) + t49 * motor_i_sb_dot + t12 * t51
+        - t11 * t52 - t17 * t53) * t18;
+    let motor_omega_dot_by_motor_pole_pairs = t6
+        * (motor_across * cos_motor_theta - motor_theta * motor_along * cos_motor_theta
+            - motor_theta * motor_across * sin_motor_theta
+            - motor_along * sin_motor_theta) * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_pole_pairs = t53 * t15
+        - t17 * motor_i_rb_dot_by_motor_pole_pairs;
+    let motor_i_sb_dot_by_motor_pole_pairs = t52 * t10
+        - t12 * motor_i_ra_dot_by_motor_pole_pairs
+        - t11 * motor_i_rb_dot_by_motor_pole_pairs;
+    let motor_i_sa_dot_by_motor_pole_pairs = t51 * t10
+        - t11 * motor_i_ra_dot_by_motor_pole_pairs
+        + t12 * motor_i_rb_dot_by_motor_pole_pairs;
+    let t54 = t5 * motor_omega;
+    let t55 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
+    let t56 = t4 * motor_L_s;
+    let t57 = t56 * motor_i_sb * motor_omega;
+    let t58 = R::literal(1.5) * p.motor_x_s * p.motor_alpha_r / p.motor_k_r;
+    let t59 = t56 * motor_i_sa * motor_omega;
+    let t60 = R::literal(3.0) * p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
+    let t61 = t5 * cos_motor_theta;
+    let t62 = t5 * sin_motor_theta;
+    let t63 = t55 * motor_i_sa - t54 * t20 - t61 * motor_i_ra_dot + t62 * motor_i_rb_dot;
+    let t64 = t55 * motor_i_sb - t54 * t24 - t62 * motor_i_ra_dot - t61 * motor_i_rb_dot;
+    let t65 = t5 / p.motor_k_r;
+    let t66 = t59 * sin_motor_theta + t60 * motor_i_ra - t57 * cos_motor_theta
+        - t58 * motor_i_ra - t61 * motor_i_sa_dot - t62 * motor_i_sb_dot
+        - t65 * motor_i_ra_dot - t11 * t63 - t12 * t64;
+    let motor_i_rb_dot_by_motor_k_s = (t59 * cos_motor_theta + t57 * sin_motor_theta
+        + t60 * motor_i_rb - t58 * motor_i_rb + t62 * motor_i_sa_dot
+        - t61 * motor_i_sb_dot - t65 * motor_i_rb_dot + t12 * t63 - t11 * t64
+        - t17 * t66) * t18;
+    let motor_omega_dot_by_motor_k_s = t5 * t30 * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_k_s = t66 * t15 - t17 * motor_i_rb_dot_by_motor_k_s;
+    let motor_i_sb_dot_by_motor_k_s = t64 * t10 - t12 * motor_i_ra_dot_by_motor_k_s
+        - t11 * motor_i_rb_dot_by_motor_k_s;
+    let motor_i_sa_dot_by_motor_k_s = t63 * t10 - t11 * motor_i_ra_dot_by_motor_k_s
+        + t12 * motor_i_rb_dot_by_motor_k_s;
+    let t67 = t32 * p.motor_x_s;
+    let t68 = t67 * p.motor_alpha_s;
+    let t69 = t68 * motor_i_sa;
+    let t70 = t68 * motor_i_sb;
+    let t71 = t67 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
+    let t72 = t9 / p.motor_k_r;
+    let t73 = t71 * motor_i_ra + t72 * motor_i_ra_dot - t11 * t69 - t12 * t70;
+    let motor_i_rb_dot_by_motor_k_r = (t71 * motor_i_rb + t72 * motor_i_rb_dot
+        + t12 * t69 - t11 * t70 - t17 * t73) * t18;
+    let motor_i_ra_dot_by_motor_k_r = t73 * t15 - t17 * motor_i_rb_dot_by_motor_k_r;
+    let motor_i_sb_dot_by_motor_k_r = t70 * t10 - t12 * motor_i_ra_dot_by_motor_k_r
+        - t11 * motor_i_rb_dot_by_motor_k_r;
+    let motor_i_sa_dot_by_motor_k_r = t69 * t10 - t11 * motor_i_ra_dot_by_motor_k_r
+        + t12 * motor_i_rb_dot_by_motor_k_r;
+    let t74 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
+    let t75 = t32 / motor_omega_0;
+    let t76 = t75 * motor_omega;
+    let t77 = t32 * p.motor_alpha_r * motor_sigma / p.motor_k_r;
+    let t78 = R::literal(1.5) / motor_omega_0;
+    let t79 = t75 * cos_motor_theta;
+    let t80 = t75 * sin_motor_theta;
+    let t81 = -(t74 * motor_i_sa) - t76 * t20 - t78 * motor_i_sa_dot
+        - t79 * motor_i_ra_dot + t80 * motor_i_rb_dot;
+    let t82 = -(t74 * motor_i_sb) - t76 * t24 - t78 * motor_i_sb_dot
+        - t80 * motor_i_ra_dot - t79 * motor_i_rb_dot;
+    let t83 = t32 / (p.motor_k_r * motor_omega_0);
+    let t84 = -(t77 * motor_i_ra) - t76 * t28 - t79 * motor_i_sa_dot
+        - t80 * motor_i_sb_dot - t83 * motor_i_ra_dot - t11 * t81 - t12 * t82;
+    let motor_i_rb_dot_by_motor_x_s = (-(t77 * motor_i_rb) - t76 * t29
+        + t80 * motor_i_sa_dot - t79 * motor_i_sb_dot - t83 * motor_i_rb_dot + t12 * t81
+        - t11 * t82 - t17 * t84) * t18;
+    let motor_omega_dot_by_motor_x_s = t75 * t30 * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_x_s = t84 * t15 - t17 * motor_i_rb_dot_by_motor_x_s;
+    let motor_i_sb_dot_by_motor_x_s = t82 * t10 - t12 * motor_i_ra_dot_by_motor_x_s
+        - t11 * motor_i_rb_dot_by_motor_x_s;
+    let motor_i_sa_dot_by_motor_x_s = t81 * t10 - t11 * motor_i_ra_dot_by_motor_x_s
+        + t12 * motor_i_rb_dot_by_motor_x_s;
+    let t85 = p.motor_x_s * t33;
+    let t86 = t85 * motor_i_sa;
+    let t87 = t85 * motor_i_sb;
+    let t88 = -(t11 * t86) - t12 * t87;
+    let motor_i_rb_dot_by_motor_alpha_s = (t12 * t86 - t11 * t87 - t17 * t88) * t18;
+    let motor_i_ra_dot_by_motor_alpha_s = t88 * t15
+        - t17 * motor_i_rb_dot_by_motor_alpha_s;
+    let motor_i_sb_dot_by_motor_alpha_s = t87 * t10
+        - t12 * motor_i_ra_dot_by_motor_alpha_s - t11 * motor_i_rb_dot_by_motor_alpha_s;
+    let motor_i_sa_dot_by_motor_alpha_s = t86 * t10
+        - t11 * motor_i_ra_dot_by_motor_alpha_s + t12 * motor_i_rb_dot_by_motor_alpha_s;
+    let t89 = motor_k_s_times_motor_x_s * t33 / p.motor_k_r;
+    let t90 = t89 * motor_i_ra;
+    let motor_i_rb_dot_by_motor_alpha_r = (t89 * motor_i_rb - t17 * t90) * t18;
+    let motor_i_ra_dot_by_motor_alpha_r = t90 * t15
+        - t17 * motor_i_rb_dot_by_motor_alpha_r;
+    let motor_i_sb_dot_by_motor_alpha_r = -(t12 * motor_i_ra_dot_by_motor_alpha_r)
+        - t11 * motor_i_rb_dot_by_motor_alpha_r;
+    let motor_i_sa_dot_by_motor_alpha_r = t12 * motor_i_rb_dot_by_motor_alpha_r
+        - t11 * motor_i_ra_dot_by_motor_alpha_r;
+    [
+        motor_i_sa_dot_by_motor_phase_voltage,
+        motor_i_sa_dot_by_motor_supply_frequency,
+        motor_i_sa_dot_by_motor_supply_phase,
+        motor_i_sa_dot_by_motor_pole_pairs,
+        motor_i_sa_dot_by_motor_k_s,
+        motor_i_sa_dot_by_motor_k_r,
+        motor_i_sa_dot_by_motor_x_s,
+        motor_i_sa_dot_by_motor_alpha_s,
+        motor_i_sa_dot_by_motor_alpha_r,
+        motor_i_sb_dot_by_motor_phase_voltage,
+        motor_i_sb_dot_by_motor_supply_frequency,
+        motor_i_sb_dot_by_motor_supply_phase,
+        motor_i_sb_dot_by_motor_pole_pairs,
+        motor_i_sb_dot_by_motor_k_s,
+        motor_i_sb_dot_by_motor_k_r,
+        motor_i_sb_dot_by_motor_x_s,
+        motor_i_sb_dot_by_motor_alpha_s,
+        motor_i_sb_dot_by_motor_alpha_r,
+        motor_i_ra_dot_by_motor_phase_voltage,
+        motor_i_ra_dot_by_motor_supply_frequency,
+        motor_i_ra_dot_by_motor_supply_phase,
+        motor_i_ra_dot_by_motor_pole_pairs,
+        motor_i_ra_dot_by_motor_k_s,
+        motor_i_ra_dot_by_motor_k_r,
+        motor_i_ra_dot_by_motor_x_s,
+        motor_i_ra_dot_by_motor_alpha_s,
+        motor_i_ra_dot_by_motor_alpha_r,
+        motor_i_rb_dot_by_motor_phase_voltage,
+        motor_i_rb_dot_by_motor_supply_frequency,
+        motor_i_rb_dot_by_motor_supply_phase,
+        motor_i_rb_dot_by_motor_pole_pairs,
+        motor_i_rb_dot_by_motor_k_s,
+        motor_i_rb_dot_by_motor_k_r,
+        motor_i_rb_dot_by_motor_x_s,
+        motor_i_rb_dot_by_motor_alpha_s,
+        motor_i_rb_dot_by_motor_alpha_r,
+        motor_omega_dot_by_motor_inertia,
+        motor_omega_dot_by_motor_supply_frequency,
+        motor_omega_dot_by_motor_pole_pairs,
+        motor_omega_dot_by_motor_k_s,
+        motor_omega_dot_by_motor_x_s,
+    ]
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// 63 operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; STATES] {
+    let [motor_phi, ..] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t1 * t0.cos();
+    let motor_u_b = t1 * t0.sin();
+    let motor_L_r = motor_M / p.motor_k_r;
+    let t2 = R::literal(1.5) * motor_M;
+    let t3 = t2 * motor_theta.cos();
+    let t4 = t2 * motor_theta.sin();
+    let t5 = R::literal(1.5) * motor_L_r;
+    let t6 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
+    let t7 = t3 * t6;
+    let t8 = t4 * t6;
+    let t9 = t7 * t3;
+    let t10 = t8 * t4;
+    let t11 = R::literal(1.0) / (t5 - t9 - t10);
+    let t12 = t8 * t3 - t7 * t4;
+    let t13 = t12 * t11;
+    let t14 = R::literal(1.5) * motor_omega_0;
+    let t15 = t14 * motor_u_b;
+    let t16 = t14 * motor_u_a;
+    let t17 = t7 * t15 - t8 * t16;
+    let motor_i_rb_dot_by_time = (-(t8 * t15) - t7 * t16 - t13 * t17)
+        * (R::literal(1.0) / (t5 - t10 - t9 - t13 * t12));
+    let motor_i_ra_dot_by_time = t17 * t11 - t13 * motor_i_rb_dot_by_time;
+    let motor_i_sb_dot_by_time = t16 * t6 - t8 * motor_i_ra_dot_by_time
+        - t7 * motor_i_rb_dot_by_time;
+    let motor_i_sa_dot_by_time = -(t15 * t6) - t7 * motor_i_ra_dot_by_time
+        + t8 * motor_i_rb_dot_by_time;
+    [
+        R::literal(0.0),
+        motor_i_sa_dot_by_time,
+        motor_i_sb_dot_by_time,
+        motor_i_ra_dot_by_time,
+        motor_i_rb_dot_by_time,
+        R::literal(0.0),
+    ]
+}
+
+/// Wanted outputs.
+///
+/// 25 operations.
+#[must_use]
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
+    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * motor_M
+        * (motor_across * motor_theta.cos() - motor_along * motor_theta.sin());
+    Outputs {
+        speed: motor_omega,
+        torque: motor_torque,
+        slip: R::literal(1.0) - p.motor_pole_pairs / motor_omega_0 * motor_omega,
+        stator_current: (motor_i_sa * motor_i_sa + motor_i_sb * motor_i_sb).sqrt(),
+        stator_alpha: motor_i_sa,
+        stator_beta: motor_i_sb,
+        rotor_first: motor_i_ra,
+        rotor_second: motor_i_rb,
+        angle: motor_phi,
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 33 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
+    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let motor_L_r = motor_M / p.motor_k_r;
+    Energy {
+        kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
+            + R::literal(0.75)
+                * (motor_L_s * (motor_i_sa * motor_i_sa + motor_i_sb * motor_i_sb)
+                    + motor_L_r * (motor_i_ra * motor_i_ra + motor_i_rb * motor_i_rb))
+            + R::literal(1.5) * motor_M
+                * (motor_along * motor_theta.cos() + motor_across * motor_theta.sin()),
+        potential: R::literal(0.0),
+        stored: R::literal(0.0),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 173 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = p.motor_pole_pairs * motor_phi;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
+    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t1 * t0.cos();
+    let motor_u_b = t1 * t0.sin();
+    let motor_L_r = motor_M / p.motor_k_r;
+    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma
+        / p.motor_k_r;
+    let sin_motor_theta = motor_theta.sin();
+    let cos_motor_theta = motor_theta.cos();
+    let t2 = R::literal(1.5) * motor_L_s;
+    let t3 = R::literal(1.5) * motor_M;
+    let t4 = t3 * cos_motor_theta;
+    let t5 = t3 * sin_motor_theta;
+    let t6 = R::literal(1.5) * motor_L_r;
+    let t7 = R::literal(1.0) / t2;
+    let t8 = t4 * t7;
+    let t9 = t5 * t7;
+    let t10 = t8 * t4;
+    let t11 = t9 * t5;
+    let t12 = R::literal(1.0) / (t6 - t10 - t11);
+    let t13 = t9 * t4 - t8 * t5;
+    let t14 = t13 * t12;
+    let t15 = R::literal(1.5) * motor_R_s;
+    let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
+    let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
+    let t16 = t3 * motor_omega;
+    let t17 = R::literal(1.5) * motor_u_a - t15 * motor_i_sa
+        - t16
+            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
+                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
+    let t18 = R::literal(1.5) * motor_u_b - t15 * motor_i_sb
+        - t16
+            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
+                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let t19 = R::literal(1.5) * motor_R_r;
+    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
+    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
+    let t20 = t3
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta
+            - p.motor_pole_pairs * motor_along * sin_motor_theta);
+    let t21 = -(t19 * motor_i_ra)
+        - t16
+            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
+                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t8 * t17
+        - t9 * t18;
+    let motor_i_rb_dot = (-(t19 * motor_i_rb)
+        - t16
+            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
+                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t9 * t17
+        - t8 * t18 - t14 * t21) * (R::literal(1.0) / (t6 - t11 - t10 - t14 * t13));
+    let motor_omega_dot = t20 * (R::literal(1.0) / p.motor_inertia);
+    let motor_i_ra_dot = t21 * t12 - t14 * motor_i_rb_dot;
+    let motor_i_sb_dot = t18 * t7 - t9 * motor_i_ra_dot - t8 * motor_i_rb_dot;
+    let motor_i_sa_dot = t17 * t7 - t8 * motor_i_ra_dot + t9 * motor_i_rb_dot;
+    let t22 = t20 * motor_omega
+        + (t2 * motor_i_sa
+            + t3 * (motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta))
+            * motor_i_sa_dot
+        + (t2 * motor_i_sb
+            + t3 * (motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta))
+            * motor_i_sb_dot;
+    PowerBalance {
+        stored_rate: t22
+            + (t6 * motor_i_ra
+                + t3 * (motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta))
+                * motor_i_ra_dot
+            + (t6 * motor_i_rb
+                + t3 * (motor_i_sb * cos_motor_theta - motor_i_sa * sin_motor_theta))
+                * motor_i_rb_dot + p.motor_inertia * motor_omega * motor_omega_dot,
+        supplied: R::literal(1.5) * motor_i_sa * motor_u_a
+            + R::literal(1.5) * motor_i_sb * motor_u_b,
+        dissipated: t15 * (motor_i_sa * motor_i_sa) + t15 * (motor_i_sb * motor_i_sb)
+            + t19 * (motor_i_ra * motor_i_ra) + t19 * (motor_i_rb * motor_i_rb),
+    }
+}
+
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 121 recurrences. 28 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_3, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
+    let motor_theta = motor_phi * p.motor_pole_pairs;
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let motor_L_r = motor_M / p.motor_k_r;
+    let sin_motor_theta = motor_theta.sin();
+    let cos_motor_theta = motor_theta.cos();
+    let t0 = R::literal(1.5) * motor_L_s;
+    let t1 = R::literal(1.5) * motor_M;
+    let t2 = cos_motor_theta * t1;
+    let t3 = sin_motor_theta * t1;
+    let t4 = -t3;
+    let t5 = R::literal(1.5) * motor_L_r;
+    let t6 = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - t6;
+    let t7 = motor_i_sa * motor_i_ra;
+    let t8 = motor_i_sb * motor_i_rb;
+    let motor_along = t7 + t8;
+    let t9 = motor_i_sa * motor_i_rb;
+    let t10 = motor_i_sb * motor_i_ra;
+    let motor_across = t10 - t9;
+    let t11 = p.motor_x_s * p.motor_alpha_s;
+    let motor_R_s = t11 * motor_sigma;
+    let t12 = time * motor_omega_0;
+    let t13 = p.motor_supply_phase + t12;
+    let t14 = t13.sin();
+    let t15 = t13.cos();
+    let t16 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t15 * t16;
+    let motor_u_b = t14 * t16;
+    let t17 = p.motor_k_s * p.motor_x_s;
+    let t18 = t17 * p.motor_alpha_r;
+    let t19 = t18 * motor_sigma;
+    let motor_R_r = t19 / p.motor_k_r;
+    let t20 = R::literal(1.5) * motor_R_s;
+    let t21 = motor_i_sa * t20;
+    let t22 = motor_i_ra * p.motor_pole_pairs;
+    let t23 = t22 * sin_motor_theta;
+    let t24 = motor_i_rb * p.motor_pole_pairs;
+    let t25 = t24 * cos_motor_theta;
+    let t26 = -t23;
+    let t27 = t26 - t25;
+    let t28 = motor_omega * t1;
+    let t29 = t28 * t27;
+    let t30 = motor_u_a * R::literal(1.5);
+    let t31 = t30 - t21;
+    let t32 = t31 - t29;
+    let t33 = motor_i_sb * t20;
+    let t34 = t24 * sin_motor_theta;
+    let t35 = t22 * cos_motor_theta;
+    let t36 = t35 - t34;
+    let t37 = t28 * t36;
+    let t38 = motor_u_b * R::literal(1.5);
+    let t39 = t38 - t33;
+    let t40 = t39 - t37;
+    let t41 = R::literal(1.5) * motor_R_r;
+    let t42 = motor_i_ra * t41;
+    let t43 = motor_i_sa * p.motor_pole_pairs;
+    let t44 = t43 * sin_motor_theta;
+    let t45 = motor_i_sb * p.motor_pole_pairs;
+    let t46 = t45 * cos_motor_theta;
+    let t47 = t46 - t44;
+    let t48 = t28 * t47;
+    let t49 = -t42;
+    let t50 = t49 - t48;
+    let t51 = motor_i_rb * t41;
+    let t52 = t43 * cos_motor_theta;
+    let t53 = t45 * sin_motor_theta;
+    let t54 = -t52;
+    let t55 = t54 - t53;
+    let t56 = t28 * t55;
+    let t57 = -t51;
+    let t58 = t57 - t56;
+    let t59 = motor_along * p.motor_pole_pairs;
+    let t60 = t59 * sin_motor_theta;
+    let t61 = motor_across * p.motor_pole_pairs;
+    let t62 = t61 * cos_motor_theta;
+    let t63 = t62 - t60;
+    let t64 = t63 * t1;
+    let factored = Factored::new([
+        [t0, R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)],
+        [R::literal(0.0), t0, R::literal(0.0), R::literal(0.0), R::literal(0.0)],
+        [t2, t3, t5, R::literal(0.0), R::literal(0.0)],
+        [t4, t2, R::literal(0.0), t5, R::literal(0.0)],
+        [
+            R::literal(0.0),
+            R::literal(0.0),
+            R::literal(0.0),
+            R::literal(0.0),
+            p.motor_inertia,
+        ],
+    ]);
+    let [motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot, motor_omega_dot,
+    ] = factored.solve([t32, t40, t50, t58, t64]);
+    let mut t14_before = t14;
+    let mut t15_before = t15;
+    let mut rates = [
+        motor_omega,
+        motor_i_sa_dot,
+        motor_i_sb_dot,
+        motor_i_ra_dot,
+        motor_i_rb_dot,
+        motor_omega_dot,
+    ];
+    coefficients[0] = *state;
+    for order in 1..coefficients.len() {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        let state_k = rates.map(|rate| rate * inverse);
+        coefficients[order] = state_k;
+        let [motor_phi_k, motor_i_sa_k, motor_i_sb_k, motor_i_ra_k, motor_i_rb_k,
+        motor_omega_k] = state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let motor_theta_k = motor_phi_k * p.motor_pole_pairs;
+        let sin_motor_theta_k = inverse * sums[0] + motor_theta_k * cos_motor_theta;
+        let cos_motor_theta_k = -(inverse * sums[1] + motor_theta_k * sin_motor_theta);
+        let t2_k = cos_motor_theta_k * t1;
+        let t3_k = sin_motor_theta_k * t1;
+        let t4_k = -t3_k;
+        let t7_k = sums[2] + motor_i_sa * motor_i_ra_k + motor_i_sa_k * motor_i_ra;
+        let t8_k = sums[3] + motor_i_sb * motor_i_rb_k + motor_i_sb_k * motor_i_rb;
+        let motor_along_k = t7_k + t8_k;
+        let t9_k = sums[4] + motor_i_sa * motor_i_rb_k + motor_i_sa_k * motor_i_rb;
+        let t10_k = sums[5] + motor_i_sb * motor_i_ra_k + motor_i_sb_k * motor_i_ra;
+        let motor_across_k = t10_k - t9_k;
+        let t14_k = inverse * motor_omega_0 * t15_before;
+        let t15_k = -inverse * motor_omega_0 * t14_before;
+        let motor_u_a_k = t15_k * t16;
+        let motor_u_b_k = t14_k * t16;
+        let t21_k = motor_i_sa_k * t20;
+        let t22_k = motor_i_ra_k * p.motor_pole_pairs;
+        let t23_k = sums[6] + t22 * sin_motor_theta_k + t22_k * sin_motor_theta;
+        let t24_k = motor_i_rb_k * p.motor_pole_pairs;
+        let t25_k = sums[7] + t24 * cos_motor_theta_k + t24_k * cos_motor_theta;
+        let t26_k = -t23_k;
+        let t27_k = t26_k - t25_k;
+        let t28_k = motor_omega_k * t1;
+        let t29_k = sums_1[0] + t28 * t27_k + t28_k * t27;
+        let t30_k = motor_u_a_k * R::literal(1.5);
+        let t31_k = t30_k - t21_k;
+        let t32_k = t31_k - t29_k;
+        let t33_k = motor_i_sb_k * t20;
+        let t34_k = sums_1[1] + t24 * sin_motor_theta_k + t24_k * sin_motor_theta;
+        let t35_k = sums_1[2] + t22 * cos_motor_theta_k + t22_k * cos_motor_theta;
+        let t36_k = t35_k - t34_k;
+        let t37_k = sums_1[3] + t28 * t36_k + t28_k * t36;
+        let t38_k = motor_u_b_k * R::literal(1.5);
+        let t39_k = t38_k - t33_k;
+        let t40_k = t39_k - t37_k;
+        let t42_k = motor_i_ra_k * t41;
+        let t43_k = motor_i_sa_k * p.motor_pole_pairs;
+        let t44_k = sums_1[4] + t43 * sin_motor_theta_k + t43_k * sin_motor_theta;
+        let t45_k = motor_i_sb_k * p.motor_pole_pairs;
+        let t46_k = sums_1[5] + t45 * cos_motor_theta_k + t45_k * cos_motor_theta;
+        let t47_k = t46_k - t44_k;
+        let t48_k = sums_1[6] + t28 * t47_k + t28_k * t47;
+        let t49_k = -t42_k;
+        let t50_k = t49_k - t48_k;
+        let t51_k = motor_i_rb_k * t41;
+        let t52_k = sums_1[7] + t43 * cos_motor_theta_k + t43_k * cos_motor_theta;
+        let t53_k = sums_2[0] + t45 * sin_motor_theta_k + t45_k * sin_motor_theta;
+        let t54_k = -t52_k;
+        let t55_k = t54_k - t53_k;
+        let t56_k = sums_2[1] + t28 * t55_k + t28_k * t55;
+        let t57_k = -t51_k;
+        let t58_k = t57_k - t56_k;
+        let t59_k = motor_along_k * p.motor_pole_pairs;
+        let t60_k = sums_2[2] + t59 * sin_motor_theta_k + t59_k * sin_motor_theta;
+        let t61_k = motor_across_k * p.motor_pole_pairs;
+        let t62_k = sums_2[3] + t61 * cos_motor_theta_k + t61_k * cos_motor_theta;
+        let t63_k = t62_k - t60_k;
+        let t64_k = t63_k * t1;
+        let n105_k = sums_2[4] + t2_k * motor_i_ra_dot;
+        let n106_k = sums_2[5] + t4_k * motor_i_rb_dot;
+        let n107_k = sums_2[6] + t3_k * motor_i_ra_dot;
+        let n108_k = sums_2[7] + t2_k * motor_i_rb_dot;
+        let n109_k = sums_3[0] + t2_k * motor_i_sa_dot;
+        let n110_k = sums_3[1] + t3_k * motor_i_sb_dot;
+        let n111_k = sums_3[2] + t4_k * motor_i_sa_dot;
+        let n112_k = sums_3[3] + t2_k * motor_i_sb_dot;
+        let n113_k = n105_k + n106_k;
+        let t32_k_2 = t32_k - n113_k;
+        let n115_k = n107_k + n108_k;
+        let t40_k_2 = t40_k - n115_k;
+        let n117_k = n109_k + n110_k;
+        let t50_k_2 = t50_k - n117_k;
+        let n119_k = n111_k + n112_k;
+        let t58_k_2 = t58_k - n119_k;
+        let [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_ra_dot_k, motor_i_rb_dot_k,
+        motor_omega_dot_k] = factored.solve([t32_k_2, t40_k_2, t50_k_2, t58_k_2, t64_k]);
+        lanes
+            .set(
+                order,
+                [
+                    k * motor_theta_k,
+                    k * motor_theta_k,
+                    motor_i_sa_k,
+                    motor_i_sb_k,
+                    motor_i_sa_k,
+                    motor_i_ra_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                ],
+                [
+                    cos_motor_theta_k,
+                    sin_motor_theta_k,
+                    motor_i_ra_k,
+                    motor_i_rb_k,
+                    motor_i_rb_k,
+                    motor_i_sb_k,
+                    t22_k,
+                    t24_k,
+                ],
+            );
+        lanes_1
+            .set(
+                order,
+                [
+                    t27_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                    t28_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                    t28_k,
+                    cos_motor_theta_k,
+                ],
+                [t28_k, t24_k, t22_k, t36_k, t43_k, t45_k, t47_k, t43_k],
+            );
+        lanes_2
+            .set(
+                order,
+                [
+                    sin_motor_theta_k,
+                    t28_k,
+                    sin_motor_theta_k,
+                    cos_motor_theta_k,
+                    t2_k,
+                    t4_k,
+                    t3_k,
+                    t2_k,
+                ],
+                [
+                    t45_k,
+                    t55_k,
+                    t59_k,
+                    t61_k,
+                    motor_i_ra_dot_k,
+                    motor_i_rb_dot_k,
+                    motor_i_ra_dot_k,
+                    motor_i_rb_dot_k,
+                ],
+            );
+        lanes_3
+            .set(
+                order,
+                [t2_k, t3_k, t4_k, t2_k],
+                [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_sa_dot_k, motor_i_sb_dot_k],
+            );
+        t14_before = t14_k;
+        t15_before = t15_k;
+        rates = [
+            motor_omega_k,
+            motor_i_sa_dot_k,
+            motor_i_sb_dot_k,
+            motor_i_ra_dot_k,
+            motor_i_rb_dot_k,
+            motor_omega_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for MotorStationaryAxes {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
+impl Describe for MotorStationaryAxes {
+    fn name(&self) -> &'static str {
+        "motor_stationary_axes"
+    }
+    fn title(&self) -> &'static str {
+        "Induction motor running up empty, from its co-energy"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            positions: 1,
+            first_order: 0,
+            quadratures: 0,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+}
+
+impl<R: Real> Simulator<R> for MotorStationaryAxes {
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "motor.phi",
+        unit: "rad",
+        doc: "rotor angle",
+    },
+    Quantity {
+        name: "motor.i_sa",
+        unit: "C/s",
+        doc: "rate of charge passed by the stator winding along alpha",
+    },
+    Quantity {
+        name: "motor.i_sb",
+        unit: "C/s",
+        doc: "rate of charge passed by the stator winding along beta",
+    },
+    Quantity {
+        name: "motor.i_ra",
+        unit: "C/s",
+        doc: "rate of charge passed by the rotor's first winding",
+    },
+    Quantity {
+        name: "motor.i_rb",
+        unit: "C/s",
+        doc: "rate of charge passed by the rotor's second winding",
+    },
+    Quantity {
+        name: "motor.omega",
+        unit: "rad/s",
+        doc: "rate of rotor angle",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [150.0, 800.0, 800.0, 800.0, 800.0, 78.5];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "initial_speed",
+        unit: "rad/s",
+        doc: "speed at the start",
+    },
+    Quantity {
+        name: "motor.inertia",
+        unit: "kg m^2",
+        doc: "moment of inertia of the rotor",
+    },
+    Quantity {
+        name: "motor.phase_voltage",
+        unit: "V",
+        doc: "root mean square of the phase voltage",
+    },
+    Quantity {
+        name: "motor.supply_frequency",
+        unit: "Hz",
+        doc: "frequency of the supply",
+    },
+    Quantity {
+        name: "motor.supply_phase",
+        unit: "rad",
+        doc: "phase of the supply at the start",
+    },
+    Quantity {
+        name: "motor.pole_pairs",
+        unit: "1",
+        doc: "pairs of poles",
+    },
+    Quantity {
+        name: "motor.k_s",
+        unit: "1",
+        doc: "stator coupling factor x_mu/x_s",
+    },
+    Quantity {
+        name: "motor.k_r",
+        unit: "1",
+        doc: "rotor coupling factor x_mu/x_r",
+    },
+    Quantity {
+        name: "motor.x_s",
+        unit: "ohm",
+        doc: "stator reactance at supply frequency",
+    },
+    Quantity {
+        name: "motor.alpha_s",
+        unit: "1",
+        doc: "stator decay R_s/(sigma x_s)",
+    },
+    Quantity {
+        name: "motor.alpha_r",
+        unit: "1",
+        doc: "rotor decay R_r/(sigma x_r)",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
+    0.0,
+    4.2,
+    220.0,
+    50.0,
+    0.0,
+    4.0,
+    0.956,
+    0.952,
+    4.14,
+    0.115,
+    0.0858,
+];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
+    Quantity {
+        name: "speed",
+        unit: "rad/s",
+        doc: "rotor speed",
+    },
+    Quantity {
+        name: "torque",
+        unit: "N m",
+        doc: "electromagnetic torque",
+    },
+    Quantity {
+        name: "slip",
+        unit: "1",
+        doc: "slip",
+    },
+    Quantity {
+        name: "stator_current",
+        unit: "A",
+        doc: "amplitude of the stator current",
+    },
+    Quantity {
+        name: "stator_alpha",
+        unit: "C/s",
+        doc: "rate of charge passed by the stator winding along alpha",
+    },
+    Quantity {
+        name: "stator_beta",
+        unit: "C/s",
+        doc: "rate of charge passed by the stator winding along beta",
+    },
+    Quantity {
+        name: "rotor_first",
+        unit: "C/s",
+        doc: "rate of charge passed by the rotor's first winding",
+    },
+    Quantity {
+        name: "rotor_second",
+        unit: "C/s",
+        doc: "rate of charge passed by the rotor's second winding",
+    },
+    Quantity {
+        name: "angle",
+        unit: "rad",
+        doc: "rotor angle",
+    },
+];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 2.0,
+    points: 2001,
+    rtol: 1e-8,
+    method: "tsit45",
+};

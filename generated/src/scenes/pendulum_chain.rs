@@ -1,0 +1,1472 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo run --release -- gen
+//
+// Sources, with SHA-256:
+//   c02cb12d2b09b1ef614d114dc34181b68d27d0240de63b453c85dcf0f0091503  scenes/pendulum_chain.toml
+//   0cffc4a4ddaf5edfd00f248740ed9408fe25ba00e6486e49d46fc843757b7a78  units/three_pendulums.toml
+//
+// Chain of three pendulums
+//
+// Let go from one side; nothing drives or brakes it, so that its energy stays.
+//
+// Source:
+//   Textbook.
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               3
+//   first-order states        0
+//   states                    6
+//   parameters                7
+//   outputs                   2
+//   discontinuities           0
+//
+// State:
+//     0  chain.th_1  [rad]    angle of the first link
+//     1  chain.th_2  [rad]    angle of the second link
+//     2  chain.th_3  [rad]    angle of the third link
+//     3  chain.w_1   [rad/s]  rate of angle of the first link
+//     4  chain.w_2   [rad/s]  rate of angle of the second link
+//     5  chain.w_3   [rad/s]  rate of angle of the third link
+//
+// Nonzeros:
+//   mass_matrix               9 of 3 by 3
+//   rate_jacobian            21 of 6 by 6
+//   parameter_jacobian       21 of 6 by 7
+//
+// Operations:
+//   initial_state             0
+//   discontinuities           0
+//   rate                    110
+//   mass_matrix              24
+//   forcing                  64
+//   rate_jacobian           285
+//   parameter_jacobian      338
+//   time_derivative           0
+//   outputs                  17
+//   energy                   48
+//   power_balance           226
+
+use crate::{
+    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+    SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 3;
+
+/// Length of the state y.
+pub const STATES: usize = 6;
+
+/// Parameters.
+pub const PARAMETERS: usize = 7;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 2;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 3,
+    columns: 3,
+    entries: &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 6,
+    columns: 6,
+    entries: &[
+        (0, 3),
+        (1, 4),
+        (2, 5),
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (4, 0),
+        (4, 1),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (5, 0),
+        (5, 1),
+        (5, 2),
+        (5, 3),
+        (5, 4),
+        (5, 5),
+    ],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 6,
+    columns: 7,
+    entries: &[
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (3, 6),
+        (4, 0),
+        (4, 1),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (4, 6),
+        (5, 0),
+        (5, 1),
+        (5, 2),
+        (5, 3),
+        (5, 4),
+        (5, 5),
+        (5, 6),
+    ],
+};
+
+/// Chain of three pendulums
+///
+/// Let go from one side; nothing drives or brakes it, so that its energy stays.
+///
+/// Source: Textbook.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PendulumChain;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// chain.m_1: mass at the end of the first link \[kg\]. In the spec: 1.0.
+    pub chain_m_1: R,
+    /// chain.m_2: mass at the end of the second link \[kg\]. In the spec: 0.8.
+    pub chain_m_2: R,
+    /// chain.m_3: mass at the end of the third link \[kg\]. In the spec: 0.5.
+    pub chain_m_3: R,
+    /// chain.l_1: length of the first link \[m\]. In the spec: 1.0.
+    pub chain_l_1: R,
+    /// chain.l_2: length of the second link \[m\]. In the spec: 0.7.
+    pub chain_l_2: R,
+    /// chain.l_3: length of the third link \[m\]. In the spec: 0.4.
+    pub chain_l_3: R,
+    /// chain.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub chain_gravity: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            chain_m_1: values[0],
+            chain_m_2: values[1],
+            chain_m_3: values[2],
+            chain_l_1: values[3],
+            chain_l_2: values[4],
+            chain_l_3: values[5],
+            chain_gravity: values[6],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.chain_m_1,
+            self.chain_m_2,
+            self.chain_m_3,
+            self.chain_l_1,
+            self.chain_l_2,
+            self.chain_l_3,
+            self.chain_gravity,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            chain_m_1: R::literal(1.0),
+            chain_m_2: R::literal(0.8),
+            chain_m_3: R::literal(0.5),
+            chain_l_1: R::literal(1.0),
+            chain_l_2: R::literal(0.7),
+            chain_l_3: R::literal(0.4),
+            chain_gravity: R::literal(9.81),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// end_x: third mass, sideways \[m\].
+    pub end_x: R,
+    /// end_y: third mass, upwards \[m\].
+    pub end_y: R,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; OUTPUTS]) -> Self {
+        Self {
+            end_x: values[0],
+            end_y: values[1],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        [self.end_x, self.end_y]
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// chain.th_1: angle of the first link \[rad\].
+    pub const CHAIN_TH_1: usize = 0;
+    /// chain.th_2: angle of the second link \[rad\].
+    pub const CHAIN_TH_2: usize = 1;
+    /// chain.th_3: angle of the third link \[rad\].
+    pub const CHAIN_TH_3: usize = 2;
+    /// chain.w_1: rate of angle of the first link \[rad/s\].
+    pub const CHAIN_W_1: usize = 3;
+    /// chain.w_2: rate of angle of the second link \[rad/s\].
+    pub const CHAIN_W_2: usize = 4;
+    /// chain.w_3: rate of angle of the third link \[rad/s\].
+    pub const CHAIN_W_3: usize = 5;
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// No operations.
+#[must_use]
+pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
+    [
+        R::literal(0.9),
+        R::literal(1.1),
+        R::literal(1.4),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
+///
+/// 110 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let sin_chain_th_2 = chain_th_2.sin();
+    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
+    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
+    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3
+        * chain_th_1_minus_chain_th_2.cos();
+    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t1 = chain_m_3_times_chain_l_1 * p.chain_l_3 * chain_th_1_minus_chain_th_3.cos();
+    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t2 = R::literal(1.0)
+        / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1));
+    let t3 = t0 * t2;
+    let t4 = t1 * t2;
+    let t5 = R::literal(1.0)
+        / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2) - t3 * t0);
+    let t6 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_th_2_minus_chain_th_3.cos()
+        - t4 * t0;
+    let t7 = t6 * t5;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t8 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let t9 = p.chain_l_1
+        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1
+            + p.chain_m_2 * p.chain_l_2 * chain_w_2_squared
+                * sin_chain_th_1_minus_chain_th_2
+            + chain_m_2_times_chain_gravity * sin_chain_th_1
+            + chain_m_3_times_chain_l_2 * chain_w_2_squared
+                * sin_chain_th_1_minus_chain_th_2
+            + t8 * chain_th_1_minus_chain_th_3.sin()
+            + chain_m_3_times_chain_gravity * sin_chain_th_1);
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
+    let t10 = t3 * t9
+        - p.chain_l_2
+            * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+                * sin_chain_th_2_minus_chain_th_1
+                + chain_m_2_times_chain_gravity * sin_chain_th_2
+                + chain_m_3_times_chain_l_1 * chain_w_1_squared
+                    * sin_chain_th_2_minus_chain_th_1
+                + t8 * chain_th_2_minus_chain_th_3.sin()
+                + chain_m_3_times_chain_gravity * sin_chain_th_2);
+    let t11 = t4 * t9
+        - chain_m_3_times_chain_l_3
+            * (p.chain_l_1 * chain_w_1_squared * (chain_th_3 - chain_th_1).sin()
+                + p.chain_l_2 * chain_w_2_squared * (chain_th_3 - chain_th_2).sin()
+                + p.chain_gravity * chain_th_3.sin()) - t7 * t10;
+    let chain_w_3_dot = t11
+        * (R::literal(1.0)
+            / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t4 * t1 - t7 * t6));
+    let chain_w_2_dot = t10 * t5 - t7 * chain_w_3_dot;
+    let chain_w_1_dot = -(t9 * t2) - t3 * chain_w_2_dot - t4 * chain_w_3_dot;
+    [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// 24 operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 9] {
+    let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
+    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
+    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3
+        * (chain_th_1 - chain_th_2).cos();
+    let t1 = p.chain_m_3 * p.chain_l_1 * p.chain_l_3 * (chain_th_1 - chain_th_3).cos();
+    let t2 = p.chain_m_3 * p.chain_l_2 * p.chain_l_3 * (chain_th_2 - chain_th_3).cos();
+    [
+        (p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1),
+        t0,
+        t1,
+        t0,
+        chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2),
+        t2,
+        t1,
+        t2,
+        p.chain_m_3 * (p.chain_l_3 * p.chain_l_3),
+    ]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 64 operations.
+#[must_use]
+pub fn forcing<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let sin_chain_th_2 = chain_th_2.sin();
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let sin_chain_th_1_minus_chain_th_2 = (chain_th_1 - chain_th_2).sin();
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t0 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let chain_th_1_forcing = -(p.chain_l_1
+        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1
+            + p.chain_m_2 * p.chain_l_2 * chain_w_2_squared
+                * sin_chain_th_1_minus_chain_th_2
+            + chain_m_2_times_chain_gravity * sin_chain_th_1
+            + p.chain_m_3 * p.chain_l_2 * chain_w_2_squared
+                * sin_chain_th_1_minus_chain_th_2 + t0 * (chain_th_1 - chain_th_3).sin()
+            + chain_m_3_times_chain_gravity * sin_chain_th_1));
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
+    let chain_th_2_forcing = -(p.chain_l_2
+        * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+            * sin_chain_th_2_minus_chain_th_1
+            + chain_m_2_times_chain_gravity * sin_chain_th_2
+            + p.chain_m_3 * p.chain_l_1 * chain_w_1_squared
+                * sin_chain_th_2_minus_chain_th_1 + t0 * (chain_th_2 - chain_th_3).sin()
+            + chain_m_3_times_chain_gravity * sin_chain_th_2));
+    let chain_th_3_forcing = -(chain_m_3_times_chain_l_3
+        * (p.chain_l_1 * chain_w_1_squared * (chain_th_3 - chain_th_1).sin()
+            + p.chain_l_2 * chain_w_2_squared * (chain_th_3 - chain_th_2).sin()
+            + p.chain_gravity * chain_th_3.sin()));
+    [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// 285 operations.
+#[must_use]
+pub fn rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 21] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let cos_chain_th_1 = chain_th_1.cos();
+    let sin_chain_th_2 = chain_th_2.sin();
+    let cos_chain_th_2 = chain_th_2.cos();
+    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
+    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
+    let cos_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.cos();
+    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t1 = t0 * cos_chain_th_1_minus_chain_th_2;
+    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
+    let cos_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.cos();
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t2 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let t3 = t2 * cos_chain_th_1_minus_chain_th_3;
+    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
+    let cos_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.cos();
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t4 = chain_m_3_times_chain_l_2 * p.chain_l_3;
+    let t5 = R::literal(1.0)
+        / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1));
+    let t6 = t1 * t5;
+    let t7 = t3 * t5;
+    let t8 = R::literal(1.0)
+        / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2) - t6 * t1);
+    let t9 = t4 * cos_chain_th_2_minus_chain_th_3 - t7 * t1;
+    let t10 = t9 * t8;
+    let t11 = R::literal(1.0)
+        / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t7 * t3 - t10 * t9);
+    let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
+    let t12 = p.chain_m_2 * p.chain_l_2 * chain_w_2_squared;
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let t13 = chain_m_3_times_chain_l_2 * chain_w_2_squared;
+    let chain_w_3_squared = chain_w_3 * chain_w_3;
+    let sin_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.sin();
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t14 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let t15 = p.chain_l_1
+        * (chain_m_1_times_chain_gravity * sin_chain_th_1
+            + t12 * sin_chain_th_1_minus_chain_th_2
+            + chain_m_2_times_chain_gravity * sin_chain_th_1
+            + t13 * sin_chain_th_1_minus_chain_th_2
+            + t14 * sin_chain_th_1_minus_chain_th_3
+            + chain_m_3_times_chain_gravity * sin_chain_th_1);
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let chain_th_2_minus_chain_th_1 = chain_th_2 - chain_th_1;
+    let sin_chain_th_2_minus_chain_th_1 = chain_th_2_minus_chain_th_1.sin();
+    let t16 = p.chain_m_2 * p.chain_l_1 * chain_w_1_squared;
+    let t17 = chain_m_3_times_chain_l_1 * chain_w_1_squared;
+    let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
+    let chain_th_3_minus_chain_th_1 = chain_th_3 - chain_th_1;
+    let sin_chain_th_3_minus_chain_th_1 = chain_th_3_minus_chain_th_1.sin();
+    let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
+    let chain_th_3_minus_chain_th_2 = chain_th_3 - chain_th_2;
+    let sin_chain_th_3_minus_chain_th_2 = chain_th_3_minus_chain_th_2.sin();
+    let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
+    let t18 = t6 * t15
+        - p.chain_l_2
+            * (t16 * sin_chain_th_2_minus_chain_th_1
+                + chain_m_2_times_chain_gravity * sin_chain_th_2
+                + t17 * sin_chain_th_2_minus_chain_th_1
+                + t14 * sin_chain_th_2_minus_chain_th_3
+                + chain_m_3_times_chain_gravity * sin_chain_th_2);
+    let chain_w_3_dot = (t7 * t15
+        - chain_m_3_times_chain_l_3
+            * (chain_l_1_times_chain_w_1_squared * sin_chain_th_3_minus_chain_th_1
+                + chain_l_2_times_chain_w_2_squared * sin_chain_th_3_minus_chain_th_2
+                + p.chain_gravity * chain_th_3.sin()) - t10 * t18) * t11;
+    let chain_w_2_dot = t18 * t8 - t10 * chain_w_3_dot;
+    let chain_w_1_dot = -(t15 * t5) - t6 * chain_w_2_dot - t7 * chain_w_3_dot;
+    let cos_chain_th_2_minus_chain_th_1 = chain_th_2_minus_chain_th_1.cos();
+    let cos_chain_th_3_minus_chain_th_1 = chain_th_3_minus_chain_th_1.cos();
+    let t19 = t0 * sin_chain_th_1_minus_chain_th_2;
+    let t20 = t19 * chain_w_2_dot;
+    let t21 = t19 * chain_w_1_dot;
+    let t22 = t2 * sin_chain_th_1_minus_chain_th_3;
+    let t23 = t22 * chain_w_3_dot;
+    let t24 = t20
+        - p.chain_l_1
+            * (chain_m_1_times_chain_gravity * cos_chain_th_1
+                + t12 * cos_chain_th_1_minus_chain_th_2
+                + chain_m_2_times_chain_gravity * cos_chain_th_1
+                + t13 * cos_chain_th_1_minus_chain_th_2
+                + t14 * cos_chain_th_1_minus_chain_th_3
+                + chain_m_3_times_chain_gravity * cos_chain_th_1) + t23;
+    let t25 = t22 * chain_w_1_dot;
+    let t26 = t0 * chain_w_1_squared * cos_chain_th_2_minus_chain_th_1 + t21 - t6 * t24;
+    let chain_w_3_dot_by_chain_th_1 = (t2 * chain_w_1_squared
+        * cos_chain_th_3_minus_chain_th_1 + t25 - t7 * t24 - t10 * t26) * t11;
+    let chain_w_2_dot_by_chain_th_1 = t26 * t8 - t10 * chain_w_3_dot_by_chain_th_1;
+    let chain_w_1_dot_by_chain_th_1 = t24 * t5 - t6 * chain_w_2_dot_by_chain_th_1
+        - t7 * chain_w_3_dot_by_chain_th_1;
+    let cos_chain_th_3_minus_chain_th_2 = chain_th_3_minus_chain_th_2.cos();
+    let t27 = t0 * chain_w_2_squared * cos_chain_th_1_minus_chain_th_2 - t20;
+    let t28 = t4 * sin_chain_th_2_minus_chain_th_3;
+    let t29 = t28 * chain_w_3_dot;
+    let t30 = t28 * chain_w_2_dot;
+    let t31 = -(p.chain_l_2
+        * (t16 * cos_chain_th_2_minus_chain_th_1
+            + chain_m_2_times_chain_gravity * cos_chain_th_2
+            + t17 * cos_chain_th_2_minus_chain_th_1
+            + t14 * cos_chain_th_2_minus_chain_th_3
+            + chain_m_3_times_chain_gravity * cos_chain_th_2)) - t21 + t29 - t6 * t27;
+    let chain_w_3_dot_by_chain_th_2 = (t4 * chain_w_2_squared
+        * cos_chain_th_3_minus_chain_th_2 + t30 - t7 * t27 - t10 * t31) * t11;
+    let chain_w_2_dot_by_chain_th_2 = t31 * t8 - t10 * chain_w_3_dot_by_chain_th_2;
+    let chain_w_1_dot_by_chain_th_2 = t27 * t5 - t6 * chain_w_2_dot_by_chain_th_2
+        - t7 * chain_w_3_dot_by_chain_th_2;
+    let t32 = t2 * chain_w_3_squared * cos_chain_th_1_minus_chain_th_3 - t23;
+    let t33 = t4 * chain_w_3_squared * cos_chain_th_2_minus_chain_th_3 - t29 - t6 * t32;
+    let chain_w_3_dot_by_chain_th_3 = (-(chain_m_3_times_chain_l_3
+        * (chain_l_1_times_chain_w_1_squared * cos_chain_th_3_minus_chain_th_1
+            + chain_l_2_times_chain_w_2_squared * cos_chain_th_3_minus_chain_th_2
+            + p.chain_gravity * chain_th_3.cos())) - t25 - t30 - t7 * t32 - t10 * t33)
+        * t11;
+    let chain_w_2_dot_by_chain_th_3 = t33 * t8 - t10 * chain_w_3_dot_by_chain_th_3;
+    let chain_w_1_dot_by_chain_th_3 = t32 * t5 - t6 * chain_w_2_dot_by_chain_th_3
+        - t7 * chain_w_3_dot_by_chain_th_3;
+    let t34 = R::literal(2.0) * p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t35 = t34 * chain_w_1 * sin_chain_th_2_minus_chain_th_1;
+    let t36 = R::literal(2.0) * p.chain_m_3;
+    let t37 = t36 * p.chain_l_1 * p.chain_l_3;
+    let chain_w_3_dot_by_chain_w_1 = (t10 * t35
+        - t37 * chain_w_1 * sin_chain_th_3_minus_chain_th_1) * t11;
+    let chain_w_2_dot_by_chain_w_1 = -(t35 * t8) - t10 * chain_w_3_dot_by_chain_w_1;
+    let chain_w_1_dot_by_chain_w_1 = -(t6 * chain_w_2_dot_by_chain_w_1)
+        - t7 * chain_w_3_dot_by_chain_w_1;
+    let t38 = t34 * chain_w_2 * sin_chain_th_1_minus_chain_th_2;
+    let t39 = t36 * p.chain_l_2 * p.chain_l_3;
+    let t40 = t6 * t38;
+    let chain_w_3_dot_by_chain_w_2 = (t7 * t38
+        - t39 * chain_w_2 * sin_chain_th_3_minus_chain_th_2 - t10 * t40) * t11;
+    let chain_w_2_dot_by_chain_w_2 = t40 * t8 - t10 * chain_w_3_dot_by_chain_w_2;
+    let chain_w_1_dot_by_chain_w_2 = -(t38 * t5) - t6 * chain_w_2_dot_by_chain_w_2
+        - t7 * chain_w_3_dot_by_chain_w_2;
+    let t41 = t37 * chain_w_3 * sin_chain_th_1_minus_chain_th_3;
+    let t42 = t6 * t41 - t39 * chain_w_3 * sin_chain_th_2_minus_chain_th_3;
+    let chain_w_3_dot_by_chain_w_3 = (t7 * t41 - t10 * t42) * t11;
+    let chain_w_2_dot_by_chain_w_3 = t42 * t8 - t10 * chain_w_3_dot_by_chain_w_3;
+    let chain_w_1_dot_by_chain_w_3 = -(t41 * t5) - t6 * chain_w_2_dot_by_chain_w_3
+        - t7 * chain_w_3_dot_by_chain_w_3;
+    [
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        chain_w_1_dot_by_chain_th_1,
+        chain_w_1_dot_by_chain_th_2,
+        chain_w_1_dot_by_chain_th_3,
+        chain_w_1_dot_by_chain_w_1,
+        chain_w_1_dot_by_chain_w_2,
+        chain_w_1_dot_by_chain_w_3,
+        chain_w_2_dot_by_chain_th_1,
+        chain_w_2_dot_by_chain_th_2,
+        chain_w_2_dot_by_chain_th_3,
+        chain_w_2_dot_by_chain_w_1,
+        chain_w_2_dot_by_chain_w_2,
+        chain_w_2_dot_by_chain_w_3,
+        chain_w_3_dot_by_chain_th_1,
+        chain_w_3_dot_by_chain_th_2,
+        chain_w_3_dot_by_chain_th_3,
+        chain_w_3_dot_by_chain_w_1,
+        chain_w_3_dot_by_chain_w_2,
+        chain_w_3_dot_by_chain_w_3,
+    ]
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// 338 operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 21] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let sin_chain_th_3 = chain_th_3.sin();
+    let t0 = p.chain_m_1 + p.chain_m_2 + p.chain_m_3;
+    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
+    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
+    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
+    let cos_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.cos();
+    let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
+    let t1 = chain_l_1_times_chain_l_2 * chain_m_2_plus_chain_m_3
+        * cos_chain_th_1_minus_chain_th_2;
+    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
+    let cos_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.cos();
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t2 = chain_m_3_times_chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
+    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
+    let cos_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.cos();
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let chain_l_3_squared = p.chain_l_3 * p.chain_l_3;
+    let t3 = R::literal(1.0) / (t0 * chain_l_1_squared);
+    let t4 = t1 * t3;
+    let t5 = t2 * t3;
+    let t6 = R::literal(1.0) / (chain_m_2_plus_chain_m_3 * chain_l_2_squared - t4 * t1);
+    let t7 = chain_m_3_times_chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3
+        - t5 * t1;
+    let t8 = t7 * t6;
+    let t9 = R::literal(1.0) / (p.chain_m_3 * chain_l_3_squared - t5 * t2 - t8 * t7);
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let chain_w_3_squared = chain_w_3 * chain_w_3;
+    let sin_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.sin();
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t10 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let t11 = p.chain_m_1 * p.chain_gravity * sin_chain_th_1
+        + p.chain_m_2 * p.chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2
+        + chain_m_2_times_chain_gravity * sin_chain_th_1
+        + chain_m_3_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2
+        + t10 * sin_chain_th_1_minus_chain_th_3
+        + chain_m_3_times_chain_gravity * sin_chain_th_1;
+    let t12 = p.chain_l_1 * t11;
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
+    let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
+    let t13 = p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+        * sin_chain_th_2_minus_chain_th_1
+        + chain_m_2_times_chain_gravity * sin_chain_th_2
+        + chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_2_minus_chain_th_1
+        + t10 * sin_chain_th_2_minus_chain_th_3
+        + chain_m_3_times_chain_gravity * sin_chain_th_2;
+    let sin_chain_th_3_minus_chain_th_1 = (chain_th_3 - chain_th_1).sin();
+    let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
+    let sin_chain_th_3_minus_chain_th_2 = (chain_th_3 - chain_th_2).sin();
+    let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
+    let t14 = chain_l_1_times_chain_w_1_squared * sin_chain_th_3_minus_chain_th_1
+        + chain_l_2_times_chain_w_2_squared * sin_chain_th_3_minus_chain_th_2
+        + p.chain_gravity * sin_chain_th_3;
+    let t15 = t4 * t12 - p.chain_l_2 * t13;
+    let chain_w_3_dot = (t5 * t12 - chain_m_3_times_chain_l_3 * t14 - t8 * t15) * t9;
+    let chain_w_2_dot = t15 * t6 - t8 * chain_w_3_dot;
+    let chain_w_1_dot = -(t12 * t3) - t4 * chain_w_2_dot - t5 * chain_w_3_dot;
+    let t16 = chain_l_1_squared * chain_w_1_dot;
+    let t17 = -(p.chain_gravity * chain_x_1) - t16;
+    let t18 = t4 * t17;
+    let chain_w_3_dot_by_chain_m_1 = (t8 * t18 - t5 * t17) * t9;
+    let chain_w_2_dot_by_chain_m_1 = -(t18 * t6) - t8 * chain_w_3_dot_by_chain_m_1;
+    let chain_w_1_dot_by_chain_m_1 = t17 * t3 - t4 * chain_w_2_dot_by_chain_m_1
+        - t5 * chain_w_3_dot_by_chain_m_1;
+    let t19 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
+    let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
+    let t20 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_minus_chain_th_1;
+    let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
+    let t21 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
+    let t22 = t21 * chain_w_2_dot;
+    let t23 = -(p.chain_l_1 * (t19 + chain_gravity_times_sin_chain_th_1)) - t16 - t22;
+    let t24 = t21 * chain_w_1_dot;
+    let t25 = chain_l_2_squared * chain_w_2_dot;
+    let t26 = -(p.chain_l_2 * (t20 + chain_gravity_times_sin_chain_th_2)) - t24 - t25
+        - t4 * t23;
+    let chain_w_3_dot_by_chain_m_2 = (-(t5 * t23) - t8 * t26) * t9;
+    let chain_w_2_dot_by_chain_m_2 = t26 * t6 - t8 * chain_w_3_dot_by_chain_m_2;
+    let chain_w_1_dot_by_chain_m_2 = t23 * t3 - t4 * chain_w_2_dot_by_chain_m_2
+        - t5 * chain_w_3_dot_by_chain_m_2;
+    let chain_l_3_times_chain_w_3_squared = p.chain_l_3 * chain_w_3_squared;
+    let t27 = p.chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t28 = -(p.chain_l_1
+        * (t19 + chain_l_3_times_chain_w_3_squared * sin_chain_th_1_minus_chain_th_3
+            + chain_gravity_times_sin_chain_th_1)) - t16 - t22 - t27 * chain_w_3_dot;
+    let t29 = p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t30 = -(p.chain_l_2
+        * (t20 + chain_l_3_times_chain_w_3_squared * sin_chain_th_2_minus_chain_th_3
+            + chain_gravity_times_sin_chain_th_2)) - t24 - t25 - t29 * chain_w_3_dot
+        - t4 * t28;
+    let chain_w_3_dot_by_chain_m_3 = (-(p.chain_l_3 * t14) - t27 * chain_w_1_dot
+        - t29 * chain_w_2_dot - chain_l_3_squared * chain_w_3_dot - t5 * t28 - t8 * t30)
+        * t9;
+    let chain_w_2_dot_by_chain_m_3 = t30 * t6 - t8 * chain_w_3_dot_by_chain_m_3;
+    let chain_w_1_dot_by_chain_m_3 = t28 * t3 - t4 * chain_w_2_dot_by_chain_m_3
+        - t5 * chain_w_3_dot_by_chain_m_3;
+    let t31 = p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t32 = t31 * cos_chain_th_1_minus_chain_th_2;
+    let t33 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t34 = -t11 - R::literal(2.0) * p.chain_l_1 * t0 * chain_w_1_dot
+        - t32 * chain_w_2_dot - t33 * chain_w_3_dot;
+    let t35 = -(t31 * chain_w_1_squared * sin_chain_th_2_minus_chain_th_1)
+        - t32 * chain_w_1_dot - t4 * t34;
+    let chain_w_3_dot_by_chain_l_1 = (-(chain_m_3_times_chain_l_3 * chain_w_1_squared
+        * sin_chain_th_3_minus_chain_th_1) - t33 * chain_w_1_dot - t5 * t34 - t8 * t35)
+        * t9;
+    let chain_w_2_dot_by_chain_l_1 = t35 * t6 - t8 * chain_w_3_dot_by_chain_l_1;
+    let chain_w_1_dot_by_chain_l_1 = t34 * t3 - t4 * chain_w_2_dot_by_chain_l_1
+        - t5 * chain_w_3_dot_by_chain_l_1;
+    let t36 = p.chain_l_1 * chain_m_2_plus_chain_m_3;
+    let t37 = t36 * cos_chain_th_1_minus_chain_th_2;
+    let t38 = -(t36 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2)
+        - t37 * chain_w_2_dot;
+    let t39 = chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t40 = -t13 - t37 * chain_w_1_dot
+        - R::literal(2.0) * p.chain_l_2 * chain_m_2_plus_chain_m_3 * chain_w_2_dot
+        - t39 * chain_w_3_dot - t4 * t38;
+    let chain_w_3_dot_by_chain_l_2 = (-(chain_m_3_times_chain_l_3 * chain_w_2_squared
+        * sin_chain_th_3_minus_chain_th_2) - t39 * chain_w_2_dot - t5 * t38 - t8 * t40)
+        * t9;
+    let chain_w_2_dot_by_chain_l_2 = t40 * t6 - t8 * chain_w_3_dot_by_chain_l_2;
+    let chain_w_1_dot_by_chain_l_2 = t38 * t3 - t4 * chain_w_2_dot_by_chain_l_2
+        - t5 * chain_w_3_dot_by_chain_l_2;
+    let t41 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
+    let t42 = -(chain_m_3_times_chain_l_1 * chain_w_3_squared
+        * sin_chain_th_1_minus_chain_th_3) - t41 * chain_w_3_dot;
+    let t43 = chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
+    let t44 = -(chain_m_3_times_chain_l_2 * chain_w_3_squared
+        * sin_chain_th_2_minus_chain_th_3) - t43 * chain_w_3_dot - t4 * t42;
+    let chain_w_3_dot_by_chain_l_3 = (-(p.chain_m_3 * t14) - t41 * chain_w_1_dot
+        - t43 * chain_w_2_dot
+        - R::literal(2.0) * p.chain_m_3 * p.chain_l_3 * chain_w_3_dot - t5 * t42
+        - t8 * t44) * t9;
+    let chain_w_2_dot_by_chain_l_3 = t44 * t6 - t8 * chain_w_3_dot_by_chain_l_3;
+    let chain_w_1_dot_by_chain_l_3 = t42 * t3 - t4 * chain_w_2_dot_by_chain_l_3
+        - t5 * chain_w_3_dot_by_chain_l_3;
+    let t45 = t0 * chain_x_1;
+    let t46 = t4 * t45 - t31 * sin_chain_th_2;
+    let chain_w_3_dot_by_chain_gravity = (t5 * t45
+        - chain_m_3_times_chain_l_3 * sin_chain_th_3 - t8 * t46) * t9;
+    let chain_w_2_dot_by_chain_gravity = t46 * t6 - t8 * chain_w_3_dot_by_chain_gravity;
+    let chain_w_1_dot_by_chain_gravity = -(t45 * t3)
+        - t4 * chain_w_2_dot_by_chain_gravity - t5 * chain_w_3_dot_by_chain_gravity;
+    [
+        chain_w_1_dot_by_chain_m_1,
+        chain_w_1_dot_by_chain_m_2,
+        chain_w_1_dot_by_chain_m_3,
+        chain_w_1_dot_by_chain_l_1,
+        chain_w_1_dot_by_chain_l_2,
+        chain_w_1_dot_by_chain_l_3,
+        chain_w_1_dot_by_chain_gravity,
+        chain_w_2_dot_by_chain_m_1,
+        chain_w_2_dot_by_chain_m_2,
+        chain_w_2_dot_by_chain_m_3,
+        chain_w_2_dot_by_chain_l_1,
+        chain_w_2_dot_by_chain_l_2,
+        chain_w_2_dot_by_chain_l_3,
+        chain_w_2_dot_by_chain_gravity,
+        chain_w_3_dot_by_chain_m_1,
+        chain_w_3_dot_by_chain_m_2,
+        chain_w_3_dot_by_chain_m_3,
+        chain_w_3_dot_by_chain_l_1,
+        chain_w_3_dot_by_chain_l_2,
+        chain_w_3_dot_by_chain_l_3,
+        chain_w_3_dot_by_chain_gravity,
+    ]
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// No operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Wanted outputs.
+///
+/// 17 operations.
+#[must_use]
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
+    let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let chain_y_1 = -(p.chain_l_1 * chain_th_1.cos());
+    let chain_x_2 = chain_x_1 + p.chain_l_2 * chain_th_2.sin();
+    let chain_y_2 = chain_y_1 - p.chain_l_2 * chain_th_2.cos();
+    let chain_x_3 = chain_x_2 + p.chain_l_3 * chain_th_3.sin();
+    let chain_y_3 = chain_y_2 - p.chain_l_3 * chain_th_3.cos();
+    Outputs {
+        end_x: chain_x_3,
+        end_y: chain_y_3,
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 48 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let chain_y_1 = -chain_l_1_times_cos_chain_th_1;
+    let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
+    let chain_vy_1 = chain_w_1 * chain_x_1;
+    let cos_chain_th_2 = chain_th_2.cos();
+    let chain_y_2 = chain_y_1 - p.chain_l_2 * cos_chain_th_2;
+    let chain_l_2_times_chain_w_2 = p.chain_l_2 * chain_w_2;
+    let chain_vx_2 = chain_vx_1 + chain_l_2_times_chain_w_2 * cos_chain_th_2;
+    let chain_vy_2 = chain_vy_1 + chain_l_2_times_chain_w_2 * chain_th_2.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let chain_y_3 = chain_y_2 - p.chain_l_3 * cos_chain_th_3;
+    let chain_l_3_times_chain_w_3 = p.chain_l_3 * chain_w_3;
+    let chain_vx_3 = chain_vx_2 + chain_l_3_times_chain_w_3 * cos_chain_th_3;
+    let chain_vy_3 = chain_vy_2 + chain_l_3_times_chain_w_3 * chain_th_3.sin();
+    Energy {
+        kinetic: R::literal(0.5) * p.chain_m_1
+            * (chain_vx_1 * chain_vx_1 + chain_vy_1 * chain_vy_1)
+            + R::literal(0.5) * p.chain_m_2
+                * (chain_vx_2 * chain_vx_2 + chain_vy_2 * chain_vy_2)
+            + R::literal(0.5) * p.chain_m_3
+                * (chain_vx_3 * chain_vx_3 + chain_vy_3 * chain_vy_3),
+        potential: p.chain_gravity
+            * (p.chain_m_2 * chain_y_2 - p.chain_m_1 * chain_l_1_times_cos_chain_th_1
+                + p.chain_m_3 * chain_y_3),
+        stored: R::literal(0.0),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 226 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
+    let chain_vy_1 = chain_w_1 * chain_x_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let cos_chain_th_2 = chain_th_2.cos();
+    let chain_l_2_times_chain_w_2 = p.chain_l_2 * chain_w_2;
+    let chain_vx_2 = chain_vx_1 + chain_l_2_times_chain_w_2 * cos_chain_th_2;
+    let chain_vy_2 = chain_vy_1 + chain_l_2_times_chain_w_2 * sin_chain_th_2;
+    let sin_chain_th_3 = chain_th_3.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let chain_l_3_times_chain_w_3 = p.chain_l_3 * chain_w_3;
+    let chain_vx_3 = chain_vx_2 + chain_l_3_times_chain_w_3 * cos_chain_th_3;
+    let chain_vy_3 = chain_vy_2 + chain_l_3_times_chain_w_3 * sin_chain_th_3;
+    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
+    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
+    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3
+        * chain_th_1_minus_chain_th_2.cos();
+    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t1 = chain_m_3_times_chain_l_1 * p.chain_l_3 * chain_th_1_minus_chain_th_3.cos();
+    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t2 = R::literal(1.0)
+        / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1));
+    let t3 = t0 * t2;
+    let t4 = t1 * t2;
+    let t5 = R::literal(1.0)
+        / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2) - t3 * t0);
+    let t6 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_th_2_minus_chain_th_3.cos()
+        - t4 * t0;
+    let t7 = t6 * t5;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
+    let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t8 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let t9 = p.chain_l_1
+        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1
+            + chain_m_2_times_chain_l_2 * chain_w_2_squared
+                * sin_chain_th_1_minus_chain_th_2
+            + chain_m_2_times_chain_gravity * sin_chain_th_1
+            + chain_m_3_times_chain_l_2 * chain_w_2_squared
+                * sin_chain_th_1_minus_chain_th_2
+            + t8 * chain_th_1_minus_chain_th_3.sin()
+            + chain_m_3_times_chain_gravity * sin_chain_th_1);
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
+    let t10 = t3 * t9
+        - p.chain_l_2
+            * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+                * sin_chain_th_2_minus_chain_th_1
+                + chain_m_2_times_chain_gravity * sin_chain_th_2
+                + chain_m_3_times_chain_l_1 * chain_w_1_squared
+                    * sin_chain_th_2_minus_chain_th_1
+                + t8 * chain_th_2_minus_chain_th_3.sin()
+                + chain_m_3_times_chain_gravity * sin_chain_th_2);
+    let chain_w_3_dot = (t4 * t9
+        - chain_m_3_times_chain_l_3
+            * (p.chain_l_1 * chain_w_1_squared * (chain_th_3 - chain_th_1).sin()
+                + p.chain_l_2 * chain_w_2_squared * (chain_th_3 - chain_th_2).sin()
+                + p.chain_gravity * sin_chain_th_3) - t7 * t10)
+        * (R::literal(1.0)
+            / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t4 * t1 - t7 * t6));
+    let chain_w_2_dot = t10 * t5 - t7 * chain_w_3_dot;
+    let chain_w_1_dot = -(t9 * t2) - t3 * chain_w_2_dot - t4 * chain_w_3_dot;
+    let t11 = R::literal(2.0) * p.chain_l_2;
+    let t12 = R::literal(0.5) * p.chain_m_2;
+    let t13 = R::literal(0.5) * p.chain_m_3;
+    let t14 = R::literal(2.0) * chain_vx_1;
+    let t15 = t11 * chain_w_2;
+    let t16 = (t12
+        * (t15 * chain_vy_2 * cos_chain_th_2 - t15 * chain_vx_2 * sin_chain_th_2)
+        + t13 * (t15 * chain_vy_3 * cos_chain_th_2 - t15 * chain_vx_3 * sin_chain_th_2)
+        + p.chain_gravity
+            * (chain_m_2_times_chain_l_2 * sin_chain_th_2
+                + chain_m_3_times_chain_l_2 * sin_chain_th_2)) * chain_w_2;
+    let t17 = (t12 * (t14 * chain_vy_2 - R::literal(2.0) * chain_vx_2 * chain_vy_1)
+        + t13 * (t14 * chain_vy_3 - R::literal(2.0) * chain_vx_3 * chain_vy_1)
+        + p.chain_gravity
+            * (p.chain_m_1 * chain_x_1 + p.chain_m_2 * chain_x_1
+                + p.chain_m_3 * chain_x_1)) * chain_w_1 + t16;
+    let t18 = R::literal(2.0) * p.chain_l_3;
+    let t19 = t18 * chain_w_3;
+    let t20 = R::literal(2.0) * chain_l_1_times_cos_chain_th_1;
+    let t21 = R::literal(2.0) * chain_x_1;
+    let t22 = (R::literal(0.5) * p.chain_m_1 * (t21 * chain_vy_1 + t20 * chain_vx_1)
+        + t12 * (t21 * chain_vy_2 + t20 * chain_vx_2)
+        + t13 * (t21 * chain_vy_3 + t20 * chain_vx_3)) * chain_w_1_dot;
+    let t23 = (t12
+        * (t11 * chain_vx_2 * cos_chain_th_2 + t11 * chain_vy_2 * sin_chain_th_2)
+        + t13 * (t11 * chain_vx_3 * cos_chain_th_2 + t11 * chain_vy_3 * sin_chain_th_2))
+        * chain_w_2_dot;
+    PowerBalance {
+        stored_rate: t17
+            + (t13
+                * (t19 * chain_vy_3 * cos_chain_th_3 - t19 * chain_vx_3 * sin_chain_th_3)
+                + chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_th_3)
+                * chain_w_3 + t22 + t23
+            + t13
+                * (t18 * chain_vx_3 * cos_chain_th_3 + t18 * chain_vy_3 * sin_chain_th_3)
+                * chain_w_3_dot,
+        supplied: R::literal(0.0),
+        dissipated: R::literal(0.0),
+    }
+}
+
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 111 recurrences. 29 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let (mut lanes_3, _) = Lanes::<R, 5>::new(workspace, coefficients.len());
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let t0 = p.chain_m_1 + p.chain_m_2;
+    let t1 = t0 + p.chain_m_3;
+    let t2 = p.chain_l_1 * p.chain_l_1;
+    let t3 = t1 * t2;
+    let t4 = p.chain_m_2 + p.chain_m_3;
+    let t5 = chain_th_1 - chain_th_2;
+    let t6 = t5.sin();
+    let t7 = t5.cos();
+    let t8 = p.chain_l_1 * p.chain_l_2;
+    let t9 = t8 * t4;
+    let t10 = t7 * t9;
+    let t11 = chain_th_1 - chain_th_3;
+    let t12 = t11.sin();
+    let t13 = t11.cos();
+    let t14 = p.chain_m_3 * p.chain_l_1;
+    let t15 = t14 * p.chain_l_3;
+    let t16 = t13 * t15;
+    let t17 = p.chain_l_2 * p.chain_l_2;
+    let t18 = t4 * t17;
+    let t19 = chain_th_2 - chain_th_3;
+    let t20 = t19.sin();
+    let t21 = t19.cos();
+    let t22 = p.chain_m_3 * p.chain_l_2;
+    let t23 = t22 * p.chain_l_3;
+    let t24 = t21 * t23;
+    let t25 = p.chain_l_3 * p.chain_l_3;
+    let t26 = p.chain_m_3 * t25;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let cos_chain_th_1 = chain_th_1.cos();
+    let sin_chain_th_2 = chain_th_2.sin();
+    let cos_chain_th_2 = chain_th_2.cos();
+    let sin_chain_th_3 = chain_th_3.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let t27 = p.chain_m_1 * p.chain_gravity;
+    let t28 = sin_chain_th_1 * t27;
+    let t29 = chain_w_2 * chain_w_2;
+    let t30 = p.chain_m_2 * p.chain_l_2;
+    let t31 = t29 * t30;
+    let t32 = t31 * t6;
+    let t33 = p.chain_m_2 * p.chain_gravity;
+    let t34 = sin_chain_th_1 * t33;
+    let t35 = t29 * t22;
+    let t36 = t35 * t6;
+    let t37 = chain_w_3 * chain_w_3;
+    let t38 = p.chain_m_3 * p.chain_l_3;
+    let t39 = t37 * t38;
+    let t40 = t39 * t12;
+    let t41 = p.chain_m_3 * p.chain_gravity;
+    let t42 = sin_chain_th_1 * t41;
+    let t43 = t28 + t32;
+    let t44 = t43 + t34;
+    let t45 = t44 + t36;
+    let t46 = t45 + t40;
+    let t47 = t46 + t42;
+    let t48 = t47 * p.chain_l_1;
+    let t49 = -t48;
+    let t50 = chain_w_1 * chain_w_1;
+    let t51 = -t6;
+    let t52 = p.chain_m_2 * p.chain_l_1;
+    let t53 = t50 * t52;
+    let t54 = t53 * t51;
+    let t55 = sin_chain_th_2 * t33;
+    let t56 = t50 * t14;
+    let t57 = t56 * t51;
+    let t58 = t39 * t20;
+    let t59 = sin_chain_th_2 * t41;
+    let t60 = t54 + t55;
+    let t61 = t60 + t57;
+    let t62 = t61 + t58;
+    let t63 = t62 + t59;
+    let t64 = t63 * p.chain_l_2;
+    let t65 = -t64;
+    let t66 = -t12;
+    let t67 = t50 * p.chain_l_1;
+    let t68 = t67 * t66;
+    let t69 = -t20;
+    let t70 = t29 * p.chain_l_2;
+    let t71 = t70 * t69;
+    let t72 = sin_chain_th_3 * p.chain_gravity;
+    let t73 = t68 + t71;
+    let t74 = t73 + t72;
+    let t75 = t74 * t38;
+    let t76 = -t75;
+    let factored = Factored::new([
+        [t3, R::literal(0.0), R::literal(0.0)],
+        [t10, t18, R::literal(0.0)],
+        [t16, t24, t26],
+    ]);
+    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t49, t65, t76]);
+    let mut rates = [
+        chain_w_1,
+        chain_w_2,
+        chain_w_3,
+        chain_w_1_dot,
+        chain_w_2_dot,
+        chain_w_3_dot,
+    ];
+    coefficients[0] = *state;
+    for order in 1..coefficients.len() {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        let state_k = rates.map(|rate| rate * inverse);
+        coefficients[order] = state_k;
+        let [chain_th_1_k, chain_th_2_k, chain_th_3_k, chain_w_1_k, chain_w_2_k,
+        chain_w_3_k] = state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let t5_k = chain_th_1_k - chain_th_2_k;
+        let t6_k = inverse * sums[0] + t5_k * t7;
+        let t7_k = -(inverse * sums[1] + t5_k * t6);
+        let t10_k = t7_k * t9;
+        let t11_k = chain_th_1_k - chain_th_3_k;
+        let t12_k = inverse * sums[2] + t11_k * t13;
+        let t13_k = -(inverse * sums[3] + t11_k * t12);
+        let t16_k = t13_k * t15;
+        let t19_k = chain_th_2_k - chain_th_3_k;
+        let t20_k = inverse * sums[4] + t19_k * t21;
+        let t21_k = -(inverse * sums[5] + t19_k * t20);
+        let t24_k = t21_k * t23;
+        let sin_chain_th_1_k = inverse * sums[6] + chain_th_1_k * cos_chain_th_1;
+        let cos_chain_th_1_k = -(inverse * sums[7] + chain_th_1_k * sin_chain_th_1);
+        let sin_chain_th_2_k = inverse * sums_1[0] + chain_th_2_k * cos_chain_th_2;
+        let cos_chain_th_2_k = -(inverse * sums_1[1] + chain_th_2_k * sin_chain_th_2);
+        let sin_chain_th_3_k = inverse * sums_1[2] + chain_th_3_k * cos_chain_th_3;
+        let cos_chain_th_3_k = -(inverse * sums_1[3] + chain_th_3_k * sin_chain_th_3);
+        let t28_k = sin_chain_th_1_k * t27;
+        let t29_k = sums_1[4] + chain_w_2 * chain_w_2_k + chain_w_2_k * chain_w_2;
+        let t31_k = t29_k * t30;
+        let t32_k = sums_1[5] + t31 * t6_k + t31_k * t6;
+        let t34_k = sin_chain_th_1_k * t33;
+        let t35_k = t29_k * t22;
+        let t36_k = sums_1[6] + t35 * t6_k + t35_k * t6;
+        let t37_k = sums_1[7] + chain_w_3 * chain_w_3_k + chain_w_3_k * chain_w_3;
+        let t39_k = t37_k * t38;
+        let t40_k = sums_2[0] + t39 * t12_k + t39_k * t12;
+        let t42_k = sin_chain_th_1_k * t41;
+        let t43_k = t28_k + t32_k;
+        let t44_k = t43_k + t34_k;
+        let t45_k = t44_k + t36_k;
+        let t46_k = t45_k + t40_k;
+        let t47_k = t46_k + t42_k;
+        let t48_k = t47_k * p.chain_l_1;
+        let t49_k = -t48_k;
+        let t50_k = sums_2[1] + chain_w_1 * chain_w_1_k + chain_w_1_k * chain_w_1;
+        let t51_k = -t6_k;
+        let t53_k = t50_k * t52;
+        let t54_k = sums_2[2] + t53 * t51_k + t53_k * t51;
+        let t55_k = sin_chain_th_2_k * t33;
+        let t56_k = t50_k * t14;
+        let t57_k = sums_2[3] + t56 * t51_k + t56_k * t51;
+        let t58_k = sums_2[4] + t39 * t20_k + t39_k * t20;
+        let t59_k = sin_chain_th_2_k * t41;
+        let t60_k = t54_k + t55_k;
+        let t61_k = t60_k + t57_k;
+        let t62_k = t61_k + t58_k;
+        let t63_k = t62_k + t59_k;
+        let t64_k = t63_k * p.chain_l_2;
+        let t65_k = -t64_k;
+        let t66_k = -t12_k;
+        let t67_k = t50_k * p.chain_l_1;
+        let t68_k = sums_2[5] + t67 * t66_k + t67_k * t66;
+        let t69_k = -t20_k;
+        let t70_k = t29_k * p.chain_l_2;
+        let t71_k = sums_2[6] + t70 * t69_k + t70_k * t69;
+        let t72_k = sin_chain_th_3_k * p.chain_gravity;
+        let t73_k = t68_k + t71_k;
+        let t74_k = t73_k + t72_k;
+        let t75_k = t74_k * t38;
+        let t76_k = -t75_k;
+        let n99_k = sums_2[7] + t10_k * chain_w_2_dot;
+        let n100_k = sums_3[0] + t16_k * chain_w_3_dot;
+        let n101_k = sums_3[1] + t10_k * chain_w_1_dot;
+        let n102_k = sums_3[2] + t24_k * chain_w_3_dot;
+        let n103_k = sums_3[3] + t16_k * chain_w_1_dot;
+        let n104_k = sums_3[4] + t24_k * chain_w_2_dot;
+        let n105_k = n99_k + n100_k;
+        let t49_k_2 = t49_k - n105_k;
+        let n107_k = n101_k + n102_k;
+        let t65_k_2 = t65_k - n107_k;
+        let n109_k = n103_k + n104_k;
+        let t76_k_2 = t76_k - n109_k;
+        let [chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k] = factored
+            .solve([t49_k_2, t65_k_2, t76_k_2]);
+        lanes
+            .set(
+                order,
+                [
+                    k * t5_k,
+                    k * t5_k,
+                    k * t11_k,
+                    k * t11_k,
+                    k * t19_k,
+                    k * t19_k,
+                    k * chain_th_1_k,
+                    k * chain_th_1_k,
+                ],
+                [
+                    t7_k,
+                    t6_k,
+                    t13_k,
+                    t12_k,
+                    t21_k,
+                    t20_k,
+                    cos_chain_th_1_k,
+                    sin_chain_th_1_k,
+                ],
+            );
+        lanes_1
+            .set(
+                order,
+                [
+                    k * chain_th_2_k,
+                    k * chain_th_2_k,
+                    k * chain_th_3_k,
+                    k * chain_th_3_k,
+                    chain_w_2_k,
+                    t6_k,
+                    t6_k,
+                    chain_w_3_k,
+                ],
+                [
+                    cos_chain_th_2_k,
+                    sin_chain_th_2_k,
+                    cos_chain_th_3_k,
+                    sin_chain_th_3_k,
+                    chain_w_2_k,
+                    t31_k,
+                    t35_k,
+                    chain_w_3_k,
+                ],
+            );
+        lanes_2
+            .set(
+                order,
+                [t12_k, chain_w_1_k, t51_k, t51_k, t20_k, t66_k, t69_k, t10_k],
+                [t39_k, chain_w_1_k, t53_k, t56_k, t39_k, t67_k, t70_k, chain_w_2_dot_k],
+            );
+        lanes_3
+            .set(
+                order,
+                [t16_k, t10_k, t24_k, t16_k, t24_k],
+                [
+                    chain_w_3_dot_k,
+                    chain_w_1_dot_k,
+                    chain_w_3_dot_k,
+                    chain_w_1_dot_k,
+                    chain_w_2_dot_k,
+                ],
+            );
+        rates = [
+            chain_w_1_k,
+            chain_w_2_k,
+            chain_w_3_k,
+            chain_w_1_dot_k,
+            chain_w_2_dot_k,
+            chain_w_3_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for PendulumChain {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 5>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
+impl Describe for PendulumChain {
+    fn name(&self) -> &'static str {
+        "pendulum_chain"
+    }
+    fn title(&self) -> &'static str {
+        "Chain of three pendulums"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            positions: 3,
+            first_order: 0,
+            quadratures: 0,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+}
+
+impl<R: Real> Simulator<R> for PendulumChain {
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "chain.th_1",
+        unit: "rad",
+        doc: "angle of the first link",
+    },
+    Quantity {
+        name: "chain.th_2",
+        unit: "rad",
+        doc: "angle of the second link",
+    },
+    Quantity {
+        name: "chain.th_3",
+        unit: "rad",
+        doc: "angle of the third link",
+    },
+    Quantity {
+        name: "chain.w_1",
+        unit: "rad/s",
+        doc: "rate of angle of the first link",
+    },
+    Quantity {
+        name: "chain.w_2",
+        unit: "rad/s",
+        doc: "rate of angle of the second link",
+    },
+    Quantity {
+        name: "chain.w_3",
+        unit: "rad/s",
+        doc: "rate of angle of the third link",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [1.0, 1.0, 1.0, 5.0, 5.0, 5.0];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "chain.m_1",
+        unit: "kg",
+        doc: "mass at the end of the first link",
+    },
+    Quantity {
+        name: "chain.m_2",
+        unit: "kg",
+        doc: "mass at the end of the second link",
+    },
+    Quantity {
+        name: "chain.m_3",
+        unit: "kg",
+        doc: "mass at the end of the third link",
+    },
+    Quantity {
+        name: "chain.l_1",
+        unit: "m",
+        doc: "length of the first link",
+    },
+    Quantity {
+        name: "chain.l_2",
+        unit: "m",
+        doc: "length of the second link",
+    },
+    Quantity {
+        name: "chain.l_3",
+        unit: "m",
+        doc: "length of the third link",
+    },
+    Quantity {
+        name: "chain.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [1.0, 0.8, 0.5, 1.0, 0.7, 0.4, 9.81];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
+    Quantity {
+        name: "end_x",
+        unit: "m",
+        doc: "third mass, sideways",
+    },
+    Quantity {
+        name: "end_y",
+        unit: "m",
+        doc: "third mass, upwards",
+    },
+];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 5.0,
+    points: 1001,
+    rtol: 1e-8,
+    method: "tsit45",
+};

@@ -1,0 +1,181 @@
+//! `machinist explain`: what is left out of a scene, why, and what that saves.
+
+use clap::Args;
+use machinist_codegen::reduce::Keep;
+use machinist_codegen::structure::{Frequency, Structure};
+use serde_json::{Value, json};
+
+use super::Failure;
+use super::output::{columns, print};
+use super::progress::during;
+use super::scene::spec_path;
+use crate::explain::{Explanation, Times};
+use crate::report::number::number;
+
+#[derive(Debug, Args)]
+pub struct Explain {
+    /// Name or file of the scene
+    scene: String,
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+    /// Leave nothing out
+    #[arg(long)]
+    keep_all: bool,
+    /// Do not run the scene to compare times
+    #[arg(long)]
+    without_times: bool,
+}
+
+impl Explain {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let path = spec_path(&self.scene)?;
+        let keep = if self.keep_all { Keep::All } else { Keep::Needed };
+        let explanation =
+            during("deriving and running", || Explanation::new(&path, keep, !self.without_times))?;
+        if self.json {
+            print(&format!("{:#}\n", as_json(&explanation)))
+        } else {
+            print(&as_text(&explanation))
+        }
+    }
+}
+
+fn as_text(explanation: &Explanation) -> String {
+    let mut text = format!("{}: {}\n\n", explanation.scene, explanation.title);
+    text.push_str(&left_out(explanation));
+    text.push_str(&sizes(explanation));
+    text.push_str(&format!("\nStates: {}\n", explanation.states.join(", ")));
+    text.push_str("\nStructure\n");
+    for line in structure(&explanation.structure) {
+        text.push_str(&format!("  {line}\n"));
+    }
+    match &explanation.times {
+        Some(Ok(times)) => text.push_str(&format!("\n{}\n", run_times(times))),
+        Some(Err(error)) => text.push_str(&format!("\nNo run times: {error}\n")),
+        None => {}
+    }
+    text
+}
+
+fn left_out(explanation: &Explanation) -> String {
+    if explanation.reduction.left_out.is_empty() {
+        return "Nothing is left out.\n\n".to_owned();
+    }
+    let header = ["left out", "what", "why", "instead"].map(str::to_owned);
+    let rows = explanation.reduction.left_out.iter().map(|thing| {
+        let (what, why) = (thing.what.name().to_owned(), thing.why.name().to_owned());
+        [thing.name.clone(), what, why, thing.instead.clone()]
+    });
+    let rows: Vec<_> = std::iter::once(header).chain(rows).collect();
+    format!("{}\n", columns(&rows, 4))
+}
+
+/// A column for the whole scene, for what is left, and for the difference of each
+/// step between them.
+fn sizes(explanation: &Explanation) -> String {
+    let (Some(first), Some(last)) = (explanation.stages.first(), explanation.stages.last()) else {
+        return String::new();
+    };
+    let header = ["", "whole", "kept", "saved", "of it by"].map(str::to_owned);
+    let figures = first.size.figures().into_iter().zip(last.size.figures());
+    let rows = figures.enumerate().map(|(index, ((name, whole), (_, kept)))| {
+        let steps = explanation.stages.windows(2).filter_map(|pair| {
+            let saved =
+                difference(pair[0].size.figures()[index].1, pair[1].size.figures()[index].1);
+            (saved != 0).then(|| format!("{} {saved}", pair[1].done))
+        });
+        let steps = steps.collect::<Vec<_>>().join(", ");
+        let saved = difference(whole, kept).to_string();
+        [name.to_owned(), whole.to_string(), kept.to_string(), saved, steps]
+    });
+    let rows: Vec<_> = std::iter::once(header).chain(rows).collect();
+    columns(&rows, 1)
+}
+
+fn difference(before: usize, after: usize) -> i64 {
+    before as i64 - after as i64
+}
+
+/// Sentences on what the structure allows.
+pub fn structure(structure: &Structure) -> Vec<String> {
+    let mass = match (structure.constant_mass, structure.diagonal_mass) {
+        (true, true) => "constant and diagonal",
+        (true, false) => "constant",
+        (false, true) => "diagonal",
+        (false, false) => "neither constant nor diagonal",
+    };
+    let (constant, all) = structure.constant_jacobian;
+    let parts = structure.subsystems.len();
+    let time = if structure.autonomous { "does not depend" } else { "depends" };
+    let mut lines = vec![
+        format!("the mass matrix is {mass}"),
+        format!("{constant} of {all} Jacobian entries depend on parameters only"),
+        format!("the rate {time} on time by itself"),
+        format!("subsystems that do not depend on each other: {parts}"),
+    ];
+    if structure.is_linear() {
+        lines.push("the equations are linear with constant coefficients".to_owned());
+    }
+    for (name, frequency) in [("rate", structure.rate), ("Jacobian", structure.jacobian)] {
+        let Frequency { once, by_time, by_state } = frequency;
+        lines.push(format!(
+            "of the operations of the {name}, {once} could be done once a run, {by_time} once for \
+             each time, {by_state} at each evaluation"
+        ));
+    }
+    lines
+}
+
+/// A sentence on run times.
+pub fn run_times(times: &Times) -> String {
+    format!(
+        "Run of the scene, evaluated from its tapes: {} ms whole ({} steps), {} ms reduced ({} \
+         steps), ratio {}; outputs differ by {} of their largest value at rtol 1e-12",
+        number(times.whole, 3),
+        times.whole_steps,
+        number(times.needed, 3),
+        times.needed_steps,
+        number(times.ratio(), 3),
+        number(times.difference, 2),
+    )
+}
+
+fn as_json(explanation: &Explanation) -> Value {
+    let left_out = explanation.reduction.left_out.iter().map(|thing| {
+        json!({
+            "name": thing.name,
+            "what": thing.what.name(),
+            "why": thing.why.name(),
+            "instead": thing.instead,
+        })
+    });
+    let stages = explanation.stages.iter();
+    let stages = stages.map(|stage| json!({ "done": stage.done, "size": stage.size }));
+    let structure = &explanation.structure;
+    let frequency =
+        |f: Frequency| json!({ "once": f.once, "by_time": f.by_time, "by_state": f.by_state });
+    let times = explanation.times.as_ref().map(|times| match times {
+        Ok(times) => json!({ "milliseconds": times, "ratio": times.ratio() }),
+        Err(error) => json!({ "failure": error.to_string() }),
+    });
+    json!({
+        "scene": explanation.scene,
+        "title": explanation.title,
+        "left_out": left_out.collect::<Value>(),
+        "stages": stages.collect::<Value>(),
+        "states": explanation.states,
+        "structure": {
+            "constant_mass": structure.constant_mass,
+            "diagonal_mass": structure.diagonal_mass,
+            "constant_jacobian_entries": structure.constant_jacobian.0,
+            "jacobian_entries": structure.constant_jacobian.1,
+            "linear": structure.is_linear(),
+            "autonomous": structure.autonomous,
+            "subsystems": structure.subsystems,
+            "rate_operations": frequency(structure.rate),
+            "jacobian_operations": frequency(structure.jacobian),
+        },
+        "run": times,
+    })
+}

@@ -1,0 +1,211 @@
+//! Friction winding pair: growth of the package, adhesion, and the pressures between
+//! which winding is stable; and the mobility of its bobbin holder.
+//!
+//! A package of radius R wound at constant thread speed, density and width takes up the
+//! volume V' a second: R^2 = Rmin^2 + V' t/(pi H).
+//!
+//! The drum, pressed on with N, turns the package by friction as long as
+//!
+//! ```text
+//! N f R >= |Pn R + N fa r + N k + JA e|
+//! ```
+//!
+//! with thread tension Pn, friction fa in supports of radius r, rolling friction k and
+//! angular acceleration e; at steady speed Pn <= N (f - (fa r + k)/R). Practice also
+//! asks Pn <= 0.9 N f. Vibration takes dN = B c~ (1 + delta) off the pressure at worst
+//! (amplitude B, dynamic stiffness c~ at the line of contact), so that
+//! \[Nmin\] + dN <= N <= \[Nmax\] - dN, with \[Nmin\] from both conditions and \[Nmax\] what
+//! the yarn bears.
+//!
+//! Source: winder study, by hand.
+
+use std::f64::consts::PI;
+
+/// Share of N f that practice lets the thread's tension take.
+pub const DESIGN_SHARE: f64 = 0.9;
+
+/// Frictions between drum, package and support.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WindingPair {
+    /// f, between drum and package: 0.15 to 0.22.
+    pub friction: f64,
+    /// fa r, friction of the support times its radius \[m\]: 0.2e-3 to 0.6e-3.
+    pub support_arm: f64,
+    /// k, arm of rolling friction \[m\]: 0.2e-3 to 1e-3.
+    pub rolling_arm: f64,
+}
+
+/// Pressures between which winding is stable \[N\]; empty if `least` exceeds `most`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PressureBand {
+    /// \[Nmin\] + dN.
+    pub least: f64,
+    /// \[Nmax\] - dN.
+    pub most: f64,
+}
+
+impl WindingPair {
+    /// N f R - |Pn R + N fa r + N k + JA e| \[N m\]: adhesion holds where it is not
+    /// negative. Tension Pn and pressure N in N, radius R in m, inertia JA in kg m^2,
+    /// acceleration e in rad/s^2, negative when braking.
+    #[must_use]
+    pub fn adhesion_margin(
+        &self,
+        pressure: f64,
+        tension: f64,
+        radius: f64,
+        inertia: f64,
+        acceleration: f64,
+    ) -> f64 {
+        let resistance = pressure * (self.support_arm + self.rolling_arm);
+        pressure * self.friction * radius
+            - (tension * radius + resistance + inertia * acceleration).abs()
+    }
+
+    /// \[Nmin\], least pressure \[N\] that turns a package of radius R \[m\] at steady speed
+    /// against tension Pn \[N\], by both conditions; infinite where f R does not exceed
+    /// fa r + k.
+    #[must_use]
+    pub fn least_pressure(&self, tension: f64, radius: f64) -> f64 {
+        let grip = self.friction - (self.support_arm + self.rolling_arm) / radius;
+        if grip <= 0.0 {
+            return f64::INFINITY;
+        }
+        tension / grip.min(DESIGN_SHARE * self.friction)
+    }
+
+    /// The band for every radius between two \[m\], given \[Nmax\] and dN \[N\]. The least
+    /// pressure falls as the package grows, so the smaller radius decides.
+    #[must_use]
+    pub fn pressure_band(
+        &self,
+        tension: f64,
+        radii: (f64, f64),
+        most: f64,
+        variation: f64,
+    ) -> PressureBand {
+        let least = self.least_pressure(tension, radii.0.min(radii.1));
+        PressureBand { least: least + variation, most: most - variation }
+    }
+}
+
+/// dN = B c~ (1 + delta) \[N\] of an amplitude B \[m\] and a dynamic stiffness c~ \[N/m\]
+/// known to the share delta.
+#[must_use]
+pub fn pressure_variation(amplitude: f64, dynamic_stiffness: f64, spread: f64) -> f64 {
+    amplitude * dynamic_stiffness * (1.0 + spread)
+}
+
+/// Radius \[m\] of a package after t \[s\]: sqrt(Rmin^2 + V' t/(pi H)), from Rmin \[m\],
+/// width H \[m\] and volume V' of thread a second \[m^3/s\].
+#[must_use]
+pub fn package_radius(t: f64, least: f64, width: f64, volume_rate: f64) -> f64 {
+    (least * least + volume_rate * t / (PI * width)).sqrt()
+}
+
+/// Angular speed \[rad/s\] of a package of radius R, w = w0 (R0/R) (1 - nu), turned by a
+/// drum of radius R0 at w0 with slip nu.
+#[must_use]
+pub fn package_speed(drum_speed: f64, drum_radius: f64, radius: f64, slip: f64) -> f64 {
+    drum_speed * drum_radius / radius * (1.0 - slip)
+}
+
+/// A position of the four-link bobbin holder, by its links and pairs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct HolderPosition {
+    /// What the machine does in it.
+    pub name: &'static str,
+    /// n, moving links.
+    pub links: i32,
+    /// p5, pairs of one freedom (pivots, slides).
+    pub lower_pairs: i32,
+    /// p4, pairs of two freedoms (contacts that roll and slide).
+    pub higher_pairs: i32,
+}
+
+impl HolderPosition {
+    /// Degrees of freedom by Gruebler's count in the plane, W = 3 n - 2 p5 - p4.
+    #[must_use]
+    pub fn mobility(&self) -> i32 {
+        3 * self.links - 2 * self.lower_pairs - self.higher_pairs
+    }
+}
+
+/// The study's five positions of the holder.
+pub const HOLDER_POSITIONS: [HolderPosition; 5] = [
+    position("working, stable", 6, 7, 2),
+    position("not winding, from working", 5, 6, 1),
+    position("filling", 5, 6, 0),
+    position("working, unstable", 6, 7, 1),
+    position("not winding, from unstable", 5, 6, 0),
+];
+
+const fn position(
+    name: &'static str,
+    links: i32,
+    lower_pairs: i32,
+    higher_pairs: i32,
+) -> HolderPosition {
+    HolderPosition { name, links, lower_pairs, higher_pairs }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAIR: WindingPair =
+        WindingPair { friction: 0.18, support_arm: 0.4e-3, rolling_arm: 0.6e-3 };
+
+    #[test]
+    fn adhesion_is_lost_at_the_least_pressure_and_held_above() {
+        // At 20 mm friction in the supports decides: f - 0.05 < 0.9 f.
+        let (tension, radius) = (0.5, 0.02);
+        let least = PAIR.least_pressure(tension, radius);
+        assert!((least - 0.5 / 0.13).abs() < 1e-12);
+        let margin = |pressure| PAIR.adhesion_margin(pressure, tension, radius, 0.0, 0.0);
+        assert!(margin(least).abs() < 1e-15);
+        assert!(margin(1.01 * least) > 0.0 && margin(0.99 * least) < 0.0);
+    }
+
+    #[test]
+    fn a_large_package_is_held_by_the_rule_of_practice() {
+        assert!((PAIR.least_pressure(0.5, 0.1) - 0.5 / 0.162).abs() < 1e-12);
+    }
+
+    #[test]
+    fn acceleration_costs_adhesion_and_braking_beyond_resistance_too() {
+        let margin = |e| PAIR.adhesion_margin(10.0, 0.5, 0.05, 1e-3, e);
+        assert!(margin(50.0) < margin(0.0));
+        // Pn R + N (fa r + k) = 0.035 N m: half of it is gained, then lost again.
+        assert!(margin(-35.0) > margin(0.0) && margin(-200.0) < margin(-35.0));
+        assert!((margin(-35.0) - 0.09).abs() < 1e-15);
+    }
+
+    #[test]
+    fn no_pressure_grips_a_package_that_friction_cannot_turn() {
+        assert!(PAIR.least_pressure(0.5, 5e-3).is_infinite());
+    }
+
+    #[test]
+    fn vibration_narrows_the_band_from_both_sides() {
+        let variation = pressure_variation(1e-4, 42_000.0, 0.1);
+        assert!((variation - 4.62).abs() < 1e-12);
+        let band = PAIR.pressure_band(0.5, (0.02, 0.06), 25.0, variation);
+        assert!((band.least - (0.5 / 0.13 + 4.62)).abs() < 1e-12);
+        assert!((band.most - 20.38).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_package_takes_up_the_thread_s_volume() {
+        let (width, rate) = (0.15, 2e-8);
+        let radius = package_radius(3600.0, 0.02, width, rate);
+        let wound = PI * width * (radius * radius - 0.02 * 0.02);
+        assert!((wound - 7.2e-5).abs() < 1e-18);
+        assert!((package_speed(110.0, 0.05, 0.025, 0.04) - 211.2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_five_positions_have_the_mobility_of_the_study() {
+        assert_eq!(HOLDER_POSITIONS.map(|position| position.mobility()), [2, 2, 3, 3, 3]);
+    }
+}

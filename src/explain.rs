@@ -1,0 +1,202 @@
+//! What is left out of a scene, why, and what that saves, measured.
+
+use std::path::Path;
+use std::time::Instant;
+
+use machinist::interpreted::InterpretedSimulator;
+use machinist::{SimulateError, Simulation, Trajectory};
+use machinist_codegen::diagnostic::Diagnostics;
+use machinist_codegen::emit::rust::emit;
+use machinist_codegen::emit::{EmitOptions, tape_operations};
+use machinist_codegen::pipeline;
+use machinist_codegen::program::Program;
+use machinist_codegen::reduce::{Keep, Reduction};
+use machinist_codegen::structure::Structure;
+use machinist_scenes::Describe as _;
+use serde::Serialize;
+
+/// Runs of each, of which the median counts.
+const RUNS: usize = 5;
+/// Tolerance at which outputs are compared.
+const FINE: f64 = 1e-12;
+
+/// A scene, whole and reduced.
+pub struct Explanation {
+    /// The scene.
+    pub scene: String,
+    /// One line for people.
+    pub title: String,
+    /// Each thing left out.
+    pub reduction: Reduction,
+    /// The scene after each step of reduction that changed it, the whole one first.
+    pub stages: Vec<Stage>,
+    /// Names of the states that are left.
+    pub states: Vec<String>,
+    /// What the structure of what is left allows.
+    pub structure: Structure,
+    /// Run times, if they were measured.
+    pub times: Option<Result<Times, SimulateError>>,
+}
+
+/// The scene after a step of reduction.
+pub struct Stage {
+    /// What has been done up to here.
+    pub done: &'static str,
+    /// What is left.
+    pub size: Size,
+}
+
+/// How large a scene is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Size {
+    /// Entries of the state.
+    pub states: usize,
+    /// How many of them are only integrated for an output.
+    pub quadratures: usize,
+    /// Parameters.
+    pub parameters: usize,
+    /// Operations of y'.
+    pub rate_operations: usize,
+    /// Operations of dy'/dy.
+    pub jacobian_operations: usize,
+    /// Nonzeros of dy'/dy.
+    pub jacobian_nonzeros: usize,
+    /// Nonzeros of dy'/dp.
+    pub parameter_jacobian_nonzeros: usize,
+    /// Lines of the emitted module.
+    pub lines: usize,
+}
+
+/// Times of the scene's own run, whole and reduced, by one method at one tolerance,
+/// both evaluated from their tapes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Times {
+    /// Median of the whole scene \[ms\].
+    pub whole: f64,
+    /// Median of the reduced scene \[ms\].
+    pub needed: f64,
+    /// Steps of the whole scene.
+    pub whole_steps: u64,
+    /// Steps of the reduced scene.
+    pub needed_steps: u64,
+    /// Largest difference of an output at relative tolerance 1e-12, relative to its
+    /// largest value.
+    pub difference: f64,
+}
+
+impl Explanation {
+    /// Derives a scene step by step up to `keep`, and times it if asked to.
+    pub fn new(scene: &Path, keep: Keep, with_times: bool) -> Result<Self, Diagnostics> {
+        let whole = pipeline::generate(scene, Keep::All)?;
+        let needed = pipeline::generate(scene, keep)?;
+        let mut stages = vec![Stage { done: "the whole scene", size: Size::of(&whole) }];
+        let steps = [
+            (Keep::Tunable, "parameters fixed"),
+            (Keep::Reachable, "unreachable left out"),
+            (Keep::Needed, "cyclic left out"),
+        ];
+        for (step, done) in steps.into_iter().filter(|(step, _)| *step <= keep) {
+            let size = Size::of(&pipeline::generate(scene, step)?);
+            if stages.last().is_none_or(|stage| stage.size != size) {
+                stages.push(Stage { done, size });
+            }
+        }
+        Ok(Self {
+            scene: needed.system.name.clone(),
+            title: needed.system.title.clone(),
+            reduction: needed.reduction.clone(),
+            stages,
+            states: needed.layout.quantities().map(|q| q.name.path.clone()).collect(),
+            structure: Structure::of(&needed),
+            times: with_times.then(|| Times::measure(whole, needed)),
+        })
+    }
+}
+
+impl Size {
+    fn of(program: &Program) -> Self {
+        let text = emit(program, &EmitOptions::within_contract()).unwrap_or_default();
+        Self {
+            states: program.layout.len(),
+            quadratures: program.layout.quadratures,
+            parameters: program.system.parameters.len(),
+            rate_operations: tape_operations(&program.rate),
+            jacobian_operations: tape_operations(&program.rate_jacobian.tape),
+            jacobian_nonzeros: program.rate_jacobian.pattern.entries.len(),
+            parameter_jacobian_nonzeros: program.parameter_jacobian.pattern.entries.len(),
+            lines: text.lines().count(),
+        }
+    }
+
+    /// The figures with their names.
+    pub fn figures(&self) -> [(&'static str, usize); 7] {
+        [
+            ("states", self.states),
+            ("parameters", self.parameters),
+            ("rate, operations", self.rate_operations),
+            ("Jacobian, operations", self.jacobian_operations),
+            ("Jacobian, nonzeros", self.jacobian_nonzeros),
+            ("by parameters, nonzeros", self.parameter_jacobian_nonzeros),
+            ("emitted lines", self.lines),
+        ]
+    }
+}
+
+impl Times {
+    fn measure(whole: Program, needed: Program) -> Result<Self, SimulateError> {
+        let [whole, needed] = [whole, needed].map(InterpretedSimulator::new);
+        let (mut whole_times, mut needed_times) = (Vec::new(), Vec::new());
+        let mut steps = (0, 0);
+        // In turns, so that what slows the machine down slows both.
+        for _ in 0..RUNS {
+            let (time, run) = timed(&whole)?;
+            whole_times.push(time);
+            steps.0 = run.work.steps;
+            let (time, run) = timed(&needed)?;
+            needed_times.push(time);
+            steps.1 = run.work.steps;
+        }
+        Ok(Self {
+            whole: median(whole_times),
+            needed: median(needed_times),
+            whole_steps: steps.0,
+            needed_steps: steps.1,
+            difference: difference(&fine(&whole)?, &fine(&needed)?),
+        })
+    }
+
+    /// Time of the reduced scene for that of the whole one.
+    pub fn ratio(&self) -> f64 {
+        self.needed / self.whole
+    }
+}
+
+fn timed(simulator: &InterpretedSimulator) -> Result<(f64, Trajectory), SimulateError> {
+    let start = Instant::now();
+    let run = Simulation::new(simulator).run()?;
+    Ok((start.elapsed().as_secs_f64() * 1e3, run))
+}
+
+fn fine(simulator: &InterpretedSimulator) -> Result<Trajectory, SimulateError> {
+    let atol = vec![1e-13; simulator.shape().states()];
+    Simulation::new(simulator).rtol(FINE).atol(&atol).points(101).run()
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+fn difference(whole: &Trajectory, needed: &Trajectory) -> f64 {
+    let mut largest: f64 = 0.0;
+    for column in whole.of_kind(machinist::trajectory::ColumnKind::Output) {
+        let Some(ours) = needed.column(&column.name) else { return f64::NAN };
+        let size = column.values.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        for (a, b) in ours.iter().zip(&column.values) {
+            if a != b {
+                largest = largest.max((a - b).abs() / size);
+            }
+        }
+    }
+    largest
+}

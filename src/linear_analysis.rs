@@ -1,0 +1,204 @@
+//! Linear analysis of any scene: where it runs steadily, how it vibrates there,
+//! and how it answers to harmonic disturbances.
+//!
+//! At a [`Point`] (t, y, p) with y = \[q, q', z\], small deviations follow
+//!
+//! ```text
+//! dy' = A dy + b dp          A = dy'/dy, b = dy'/dp, as emitted
+//! do  = C dy + d dp          C = do/dy, d = do/dp of the scene's outputs o
+//! ```
+//!
+//! [`operating_point`] finds such a point, [`Linearization`] holds A and answers
+//! with [`Linearization::modes`], [`Linearization::second_order`] and
+//! [`Linearization::response`]. Time is held still: a force that depends on t
+//! counts with its value at the point's time.
+//!
+//! All is dense algebra, for scenes of up to [`MAX_STATES`] states.
+
+mod differences;
+mod equilibrium;
+mod error;
+mod modes;
+mod operating_point;
+mod response;
+
+use machinist_scenes::{Quantity, Simulator};
+use nalgebra::{DMatrix, DVector};
+
+pub use equilibrium::equilibrium;
+pub use error::{LinearError, Residual};
+pub use modes::{Mode, ModeKind};
+pub use operating_point::{Place, operating_point};
+pub use response::{Response, logarithmic_range};
+
+/// Largest number of states; beyond, dense matrices take too much time.
+pub const MAX_STATES: usize = 2000;
+
+/// Time \[s\], state \[q, q', z\] and parameters at which a scene is looked at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Time \[s\].
+    pub time: f64,
+    /// State, `states` long.
+    pub state: Vec<f64>,
+    /// Parameters.
+    pub parameters: Vec<f64>,
+}
+
+/// dy' = A dy about one point.
+#[derive(Clone)]
+pub struct Linearization<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    point: Point,
+    matrix: DMatrix<f64>,
+}
+
+/// The mechanical part, M dq'' + D dq' + K dq = df, in the units of the scene's
+/// coordinates. It leaves out what first-order states feed back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SecondOrder {
+    /// M, as emitted.
+    pub mass: DMatrix<f64>,
+    /// D = -M dq''/dq'.
+    pub damping: DMatrix<f64>,
+    /// K = -M dq''/dq.
+    pub stiffness: DMatrix<f64>,
+}
+
+impl<'a> Linearization<'a> {
+    /// Linearizes a scene about a point, by its emitted Jacobian.
+    ///
+    /// # Errors
+    /// [`LinearError`] if the scene has more than [`MAX_STATES`] states, if the
+    /// point has other lengths than the scene, or if something is not finite.
+    pub fn at(simulator: &'a dyn Simulator<f64>, point: Point) -> Result<Self, LinearError> {
+        let matrix = jacobian(simulator, &point)?;
+        Ok(Self { simulator, point, matrix })
+    }
+
+    /// Where it was linearized.
+    #[must_use]
+    pub fn point(&self) -> &Point {
+        &self.point
+    }
+
+    /// A = dy'/dy, `states` by `states`.
+    #[must_use]
+    pub fn matrix(&self) -> &DMatrix<f64> {
+        &self.matrix
+    }
+
+    /// The simulator.
+    #[must_use]
+    pub fn simulator(&self) -> &'a dyn Simulator<f64> {
+        self.simulator
+    }
+
+    /// M, D and K. Exact as derivatives of f where accelerations are zero;
+    /// elsewhere K holds the change of M times acceleration too.
+    #[must_use]
+    pub fn second_order(&self) -> SecondOrder {
+        let n = self.simulator.shape().coordinates;
+        let mass = self.mass_matrix();
+        let block = |column: usize| -&mass * self.matrix.view((n, column), (n, n));
+        SecondOrder { damping: block(n), stiffness: block(0), mass }
+    }
+
+    /// M at the point.
+    fn mass_matrix(&self) -> DMatrix<f64> {
+        let pattern = self.simulator.mass_matrix_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        let Point { time, state, parameters } = &self.point;
+        self.simulator.mass_matrix(*time, state, parameters, &mut values);
+        crate::complex_step::dense(pattern, &values)
+    }
+}
+
+impl SecondOrder {
+    /// Natural frequencies without damping, ascending \[rad/s\]: w of
+    /// (K - w^2 M) x = 0, with the symmetric part of K. A free motion has 0, and a
+    /// direction in which the machine is unstable, w^2 < 0, has NaN.
+    ///
+    /// # Errors
+    /// [`LinearError::Singular`] if M is not positive definite.
+    pub fn undamped_frequencies(&self) -> Result<Vec<f64>, LinearError> {
+        let singular = LinearError::Singular { what: "the mass matrix" };
+        let inverse = self.mass.clone().cholesky().ok_or(singular.clone())?.l();
+        let inverse = inverse.try_inverse().ok_or(singular)?;
+        let symmetric = (&self.stiffness + self.stiffness.transpose()) / 2.0;
+        let squares = (&inverse * symmetric * inverse.transpose()).symmetric_eigenvalues();
+        let largest = squares.amax();
+        let frequency = |square: &f64| {
+            if square.abs() <= 1e-13 * largest { 0.0 } else { square.sqrt() }
+        };
+        let mut frequencies: Vec<f64> = squares.iter().map(frequency).collect();
+        frequencies.sort_by(f64::total_cmp);
+        Ok(frequencies)
+    }
+}
+
+/// y' at a point.
+fn rate(simulator: &dyn Simulator<f64>, point: &Point) -> DVector<f64> {
+    let mut rate = DVector::zeros(point.state.len());
+    simulator.rate(point.time, &point.state, &point.parameters, rate.as_mut_slice());
+    rate
+}
+
+/// The emitted dy'/dy at a point, once the point is found to fit the scene.
+fn jacobian(simulator: &dyn Simulator<f64>, point: &Point) -> Result<DMatrix<f64>, LinearError> {
+    check_point(simulator, point)?;
+    let pattern = simulator.rate_jacobian_pattern();
+    let mut values = vec![0.0; pattern.entries.len()];
+    simulator.rate_jacobian(point.time, &point.state, &point.parameters, &mut values);
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(crate::complex_step::dense(pattern, &values)),
+        Some(index) => {
+            let name = |state: u32| simulator.state(state as usize).name.to_owned();
+            let (row, column) = pattern.entries[index];
+            let what =
+                format!("the derivative of the rate of `{}` by `{}`", name(row), name(column));
+            Err(LinearError::NotFinite { what, value: values[index] })
+        }
+    }
+}
+
+fn check_point(simulator: &dyn Simulator<f64>, point: &Point) -> Result<(), LinearError> {
+    let shape = simulator.shape();
+    let states = shape.states();
+    if states > MAX_STATES {
+        return Err(LinearError::TooLarge { scene: simulator.name().to_owned(), states });
+    }
+    let lengths = [
+        ("states", states, point.state.len()),
+        ("parameters", shape.parameters, point.parameters.len()),
+    ];
+    for (what, expected, found) in lengths {
+        if expected != found {
+            let scene = simulator.name().to_owned();
+            return Err(LinearError::WrongLength { scene, what, expected, found });
+        }
+    }
+    Ok(())
+}
+
+/// Typical sizes of all states; 1 for a scale that is no positive number.
+fn scales(simulator: &dyn Simulator<f64>) -> DVector<f64> {
+    let scale = |index: usize| {
+        let scale = simulator.state_scale(index);
+        if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
+    };
+    DVector::from_fn(simulator.shape().states(), |index, _| scale(index))
+}
+
+/// Position of a name among `count` quantities.
+fn position<'q>(
+    name: &str,
+    count: usize,
+    quantity: impl Fn(usize) -> Quantity<'q>,
+) -> Option<usize> {
+    (0..count).find(|index| quantity(*index).name == name)
+}
+
+#[cfg(test)]
+#[path = "linear_analysis/tests.rs"]
+mod tests;

@@ -1,0 +1,118 @@
+//! What can go wrong in a linear analysis.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use crate::error::SimulateError;
+
+/// Why there is no linear analysis.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum LinearError {
+    /// The run that leads to the point was refused or stopped.
+    #[error(transparent)]
+    Simulate(#[from] SimulateError),
+    /// The scene is too large for dense matrices.
+    #[error(
+        "scene `{scene}` has {states} states, but a linear analysis takes at most {max}",
+        max = super::MAX_STATES
+    )]
+    TooLarge {
+        /// The scene.
+        scene: String,
+        /// Its number of states.
+        states: usize,
+    },
+    /// A list is as long as the scene does not ask for.
+    #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
+    WrongLength {
+        /// The scene.
+        scene: String,
+        /// What was given: `states`, `parameters`.
+        what: &'static str,
+        /// How many there are.
+        expected: usize,
+        /// How many were given.
+        found: usize,
+    },
+    /// A rate or a derivative is NaN or infinite.
+    #[error("{what} is {value}, but must be a finite number")]
+    NotFinite {
+        /// Which number.
+        what: String,
+        /// What it is.
+        value: f64,
+    },
+    /// No state at constant speed was found.
+    #[error(
+        "scene `{scene}` has no equilibrium near the guess, with time held at {time} s; what \
+         remains nearest to one: {}",
+        listed(residuals)
+    )]
+    NoEquilibrium {
+        /// The scene.
+        scene: String,
+        /// Time that was held \[s\].
+        time: f64,
+        /// Rates that should be zero, the worst first.
+        residuals: Vec<Residual>,
+    },
+    /// A matrix has no inverse.
+    #[error("{what} is singular")]
+    Singular {
+        /// Which matrix.
+        what: &'static str,
+    },
+    /// The eigenvalues were not found.
+    #[error("the eigenvalues of dy'/dy were not found: the iteration does not converge")]
+    Eigenvalues,
+    /// No such quantity.
+    #[error("scene `{scene}` has no {kind} `{name}`{hint}")]
+    Unknown {
+        /// The scene.
+        scene: String,
+        /// What was looked for.
+        kind: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The nearest known name, as a question, or nothing.
+        hint: String,
+    },
+    /// A range of frequencies makes no sense.
+    #[error(
+        "{points} frequencies from {from} to {until} rad/s were asked for; a range goes from a \
+         finite number above 0 up to a larger one and has 2 to {max} points",
+        max = super::response::MAX_POINTS
+    )]
+    BadRange {
+        /// Lowest frequency \[rad/s\].
+        from: f64,
+        /// Highest \[rad/s\].
+        until: f64,
+        /// How many.
+        points: usize,
+    },
+}
+
+/// A rate that is zero in equilibrium and is not zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Residual {
+    /// The state.
+    pub state: String,
+    /// Its unit.
+    pub unit: String,
+    /// Its rate, in that unit per second.
+    pub rate: f64,
+}
+
+impl fmt::Display for Residual {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` changes by {:.3e} {} a second", self.state, self.rate, self.unit)
+    }
+}
+
+fn listed(residuals: &[Residual]) -> String {
+    const SHOWN: usize = 3;
+    let shown: Vec<String> = residuals.iter().take(SHOWN).map(ToString::to_string).collect();
+    shown.join(", ")
+}

@@ -1,0 +1,272 @@
+//! Eigenvalues of dy'/dy and how the machine moves at each.
+
+use nalgebra::linalg::Schur;
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+use nalgebra::{DMatrix, DVector};
+use num_complex::Complex64;
+use serde::Serialize;
+
+use super::equilibrium::drift_and_rest;
+use super::{LinearError, Linearization, scales};
+
+/// Beside the norm of the matrix, an eigenvalue below this is zero.
+const ZERO: f64 = 1e-11;
+/// Eigenvalues closer than this, likewise, share a space of shapes.
+const CLUSTER: f64 = 1e-7;
+const MAX_ITERATIONS: usize = 100_000;
+const INVERSE_ITERATIONS: usize = 4;
+
+/// One natural motion: dy = Re(shape e^(eigenvalue t)).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mode {
+    /// What kind of motion it is.
+    pub kind: ModeKind,
+    /// Real part, \[1/s\].
+    pub real: f64,
+    /// Imaginary part \[rad/s\], not negative: the frequency of the damped motion.
+    pub imaginary: f64,
+    /// Values of all states in SI units, in the order \[q, q', z\], as real and
+    /// imaginary part. The coordinate or first-order state with the largest share is
+    /// 1; if it stands still, the largest state.
+    pub shape: Vec<[f64; 2]>,
+    /// What share of the motion each coordinate, with its velocity, and then each
+    /// first-order state has: participation factors |w_i x_i| of right and left
+    /// eigenvectors, which do not depend on units; together 1.
+    pub shares: Vec<f64>,
+    /// |A x - eigenvalue x|/(|A| |x|) with states measured by their scales: how far
+    /// the shape is from being one. Far above 1e-10, the matrix is defective.
+    pub residual: f64,
+}
+
+/// Kinds of natural motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModeKind {
+    /// Eigenvalue zero: nothing restores this motion, such as common rotation.
+    Free,
+    /// A real eigenvalue: decay, or growth, without oscillation.
+    Aperiodic,
+    /// A conjugate pair of eigenvalues.
+    Oscillation,
+}
+
+impl Mode {
+    /// The eigenvalue with imaginary part not negative \[1/s\].
+    #[must_use]
+    pub fn eigenvalue(&self) -> Complex64 {
+        Complex64::new(self.real, self.imaginary)
+    }
+
+    /// |eigenvalue| \[rad/s\]: of a single oscillator, the frequency it has without
+    /// damping.
+    #[must_use]
+    pub fn natural_frequency(&self) -> f64 {
+        self.eigenvalue().norm()
+    }
+
+    /// -Re/|eigenvalue|: 0 undamped, 1 and -1 aperiodic, negative if it grows; NaN
+    /// for a free motion.
+    #[must_use]
+    pub fn damping_ratio(&self) -> f64 {
+        -self.real / self.natural_frequency()
+    }
+
+    /// -1/Re \[s\]: the time in which it fades to 1/e; negative if it grows.
+    #[must_use]
+    pub fn decay_time(&self) -> f64 {
+        -1.0 / self.real
+    }
+}
+
+impl Linearization<'_> {
+    /// All natural motions, free ones first, then by |eigenvalue|; of each conjugate
+    /// pair the one with positive imaginary part.
+    ///
+    /// States are measured by their scales. Directions of drift, in which nothing
+    /// depends on the coordinates, are eigenvectors to eigenvalue zero and are
+    /// split off first; left in, they would form a defective double zero with the
+    /// velocity along them, which rounding turns into eigenvalues of size 1e-8. The
+    /// rest is balanced and brought to Schur form. Shapes come by inverse iteration
+    /// with the whole matrix, and eigenvalues are improved by the quotient of left
+    /// and right eigenvector, w A x/(w x).
+    ///
+    /// # Errors
+    /// [`LinearError::Eigenvalues`] if the iteration does not converge.
+    pub fn modes(&self) -> Result<Vec<Mode>, LinearError> {
+        let problem = Problem::new(self);
+        let (drift, rest) = drift_and_rest(&self.matrix, &problem.scales, problem.coordinates);
+        let mut modes: Vec<Mode> =
+            (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
+        let mut values = problem.eigenvalues(&rest)?;
+        values.retain(|value| value.im >= 0.0);
+        values.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.re.total_cmp(&b.re)));
+        let mut found: Vec<(Complex64, DVector<Complex64>)> = Vec::new();
+        for (number, value) in values.into_iter().enumerate() {
+            let (mode, vector) = problem.mode(value, number, &found);
+            found.push((value, vector));
+            modes.push(mode);
+        }
+        Ok(modes)
+    }
+}
+
+/// A with states measured by their scales.
+struct Problem {
+    coordinates: usize,
+    first_order: usize,
+    scales: DVector<f64>,
+    matrix: DMatrix<f64>,
+    complex: DMatrix<Complex64>,
+    transposed: DMatrix<Complex64>,
+    norm: f64,
+}
+
+impl Problem {
+    fn new(linearization: &Linearization<'_>) -> Self {
+        let shape = linearization.simulator.shape();
+        let scales = scales(linearization.simulator);
+        let matrix = DMatrix::from_fn(scales.len(), scales.len(), |row, column| {
+            linearization.matrix[(row, column)] * scales[column] / scales[row]
+        });
+        let complex = matrix.map(Complex64::from);
+        Self {
+            coordinates: shape.coordinates,
+            first_order: shape.first_order,
+            norm: matrix.norm(),
+            transposed: complex.transpose(),
+            scales,
+            matrix,
+            complex,
+        }
+    }
+
+    /// Eigenvalues but those of drift: A between the states whose coordinates lie
+    /// across the drift, `rest` being orthonormal columns.
+    fn eigenvalues(&self, rest: &DMatrix<f64>) -> Result<Vec<Complex64>, LinearError> {
+        let (n, size) = (self.coordinates, self.matrix.nrows());
+        let kept = rest.ncols();
+        let mut basis = DMatrix::zeros(size, kept + size - n);
+        basis.view_mut((0, 0), (n, kept)).copy_from(rest);
+        basis.view_mut((n, kept), (size - n, size - n)).fill_with_identity();
+        let mut reduced = basis.transpose() * &self.matrix * basis;
+        if reduced.is_empty() {
+            return Ok(Vec::new());
+        }
+        balance_parlett_reinsch(&mut reduced);
+        let norm = reduced.norm();
+        let schur = Schur::try_new(reduced, f64::EPSILON, MAX_ITERATIONS)
+            .ok_or(LinearError::Eigenvalues)?;
+        let cleaned = |value: &Complex64| {
+            if value.norm() <= ZERO * norm { Complex64::ZERO } else { *value }
+        };
+        Ok(schur.complex_eigenvalues().iter().map(cleaned).collect())
+    }
+
+    fn drift_mode(&self, drift: &DMatrix<f64>, column: usize) -> Mode {
+        let mut vector = DVector::zeros(self.matrix.nrows());
+        for index in 0..self.coordinates {
+            vector[index] = Complex64::from(drift[(index, column)]);
+        }
+        let shares = self.shares(&vector, &vector.conjugate());
+        self.described(Complex64::ZERO, &vector, shares)
+    }
+
+    /// The mode of an eigenvalue, and its vector; `found` are those before it.
+    fn mode(
+        &self,
+        value: Complex64,
+        number: usize,
+        found: &[(Complex64, DVector<Complex64>)],
+    ) -> (Mode, DVector<Complex64>) {
+        let near = |other: &Complex64| (other - value).norm() <= CLUSTER * self.norm;
+        let same: Vec<&DVector<Complex64>> =
+            found.iter().filter(|(other, _)| near(other)).map(|(_, vector)| vector).collect();
+        let right = self.eigenvector(&self.complex, value, number, &same);
+        let left = self.eigenvector(&self.transposed, value, number, &[]);
+        let overlap = left.dot(&right);
+        let is_simple = value != Complex64::ZERO && same.is_empty() && overlap.norm() > CLUSTER;
+        if is_simple {
+            let better = left.dot(&(&self.complex * &right)) / overlap;
+            let value = if value.im == 0.0 { Complex64::from(better.re) } else { better };
+            let shares = self.shares(&right, &left);
+            return (self.described(value, &right, shares), right);
+        }
+        // Of several motions with one eigenvalue, left vectors do not pair up.
+        let shares = self.shares(&right, &right.conjugate());
+        (self.described(value, &right, shares), right)
+    }
+
+    /// A vector of length 1 with matrix x = value x, by inverse iteration, across
+    /// the ones already found for the same value.
+    fn eigenvector(
+        &self,
+        matrix: &DMatrix<Complex64>,
+        value: Complex64,
+        number: usize,
+        found: &[&DVector<Complex64>],
+    ) -> DVector<Complex64> {
+        let size = matrix.nrows();
+        // Slightly off the eigenvalue, so that the matrix can be inverted.
+        let shift = value + Complex64::from(8.0 * f64::EPSILON * self.norm);
+        let shifted = matrix - DMatrix::identity(size, size) * shift;
+        let lu = shifted.lu();
+        let start = |index: usize| (1.0 + (index + 1) as f64 * (number + 2) as f64).cos();
+        let mut vector = DVector::from_fn(size, |index, _| Complex64::from(start(index)));
+        for _ in 0..INVERSE_ITERATIONS {
+            let Some(mut next) = lu.solve(&vector) else { break };
+            for other in found {
+                let along = other.dotc(&next);
+                next.axpy(-along, other, Complex64::ONE);
+            }
+            let norm = next.norm();
+            if !(norm.is_finite() && norm > 0.0) {
+                break;
+            }
+            vector = next.unscale(norm);
+        }
+        vector
+    }
+
+    /// |w_i x_i| of coordinates with their velocities, then of first-order states.
+    fn shares(&self, right: &DVector<Complex64>, left: &DVector<Complex64>) -> Vec<f64> {
+        let n = self.coordinates;
+        let part = |index: usize| (left[index] * right[index]).norm();
+        let of_coordinates = (0..n).map(|index| part(index) + part(n + index));
+        let of_first_order = (0..self.first_order).map(|index| part(2 * n + index));
+        let parts: Vec<f64> = of_coordinates.chain(of_first_order).collect();
+        let total: f64 = parts.iter().sum();
+        if total > 0.0 { parts.iter().map(|part| part / total).collect() } else { parts }
+    }
+
+    fn described(&self, value: Complex64, vector: &DVector<Complex64>, shares: Vec<f64>) -> Mode {
+        let kind = if value == Complex64::ZERO {
+            ModeKind::Free
+        } else if value.im == 0.0 {
+            ModeKind::Aperiodic
+        } else {
+            ModeKind::Oscillation
+        };
+        let distance = &self.complex * vector - vector * value;
+        let size = self.norm * vector.norm();
+        let residual = if size > 0.0 { distance.norm() / size } else { 0.0 };
+        let in_units =
+            DVector::from_fn(vector.len(), |index, _| vector[index] * self.scales[index]);
+        // A constant speed has none of its own in the coordinates.
+        let leading = self.leading(&shares);
+        let is_still =
+            in_units[leading].norm() <= f64::EPSILON * in_units[in_units.icamax()].norm();
+        let unit = in_units[if is_still { in_units.icamax() } else { leading }];
+        let shape = in_units.iter().map(|component| {
+            let component = component / unit;
+            [component.re, component.im]
+        });
+        Mode { kind, real: value.re, imaginary: value.im, shape: shape.collect(), shares, residual }
+    }
+
+    /// The coordinate or first-order state with the largest share.
+    fn leading(&self, shares: &[f64]) -> usize {
+        let largest = (0..shares.len()).rev().max_by(|a, b| shares[*a].total_cmp(&shares[*b]));
+        let index = largest.unwrap_or(0);
+        if index < self.coordinates { index } else { index + self.coordinates }
+    }
+}

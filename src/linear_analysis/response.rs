@@ -1,0 +1,334 @@
+//! Answers to harmonic disturbances.
+
+use std::io;
+
+use machinist_scenes::Simulator;
+use nalgebra::{DMatrix, DVector};
+use num_complex::Complex64;
+use serde::Serialize;
+
+use super::differences::derivative;
+use super::{LinearError, Linearization, ModeKind, Point, position, scales};
+use crate::error::did_you_mean;
+
+/// Largest number of frequencies.
+pub const MAX_POINTS: usize = 1_000_000;
+/// How far beyond the slowest and the fastest motion frequencies are looked at.
+const BEYOND: f64 = 10.0;
+
+/// An output's answer to a harmonic input, by frequency.
+///
+/// An input p + a Re(e^(j w t)) makes, once transients have faded, an output
+/// o + a Re(H(w) e^(j w t)).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Response {
+    /// The parameter that varies, or the coordinate on which a force acts.
+    pub from: String,
+    /// Its unit.
+    pub from_unit: String,
+    /// The output or state that answers.
+    pub to: String,
+    /// Its unit.
+    pub to_unit: String,
+    /// Angular frequencies w \[rad/s\].
+    pub frequencies: Vec<f64>,
+    /// |H| \[unit of `to` over unit of `from`\].
+    pub amplitudes: Vec<f64>,
+    /// arg H \[rad\], continuous over frequency; negative lags.
+    pub phases: Vec<f64>,
+}
+
+impl Response {
+    /// Unit of the amplitudes: of the output over that of the input.
+    #[must_use]
+    pub fn amplitude_unit(&self) -> String {
+        match self.from_unit.as_str() {
+            "1" => self.to_unit.clone(),
+            unit if unit.contains([' ', '/', '*']) => format!("{}/({unit})", self.to_unit),
+            unit => format!("{}/{unit}", self.to_unit),
+        }
+    }
+
+    /// Frequency \[rad/s\] and size of the largest amplitude.
+    #[must_use]
+    pub fn peak(&self) -> Option<(f64, f64)> {
+        let points = self.frequencies.iter().copied().zip(self.amplitudes.iter().copied());
+        points.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Writes a table: a header with units, then one line a frequency.
+    ///
+    /// # Errors
+    /// Whatever `writer` reports.
+    pub fn write_csv(&self, writer: impl io::Write) -> io::Result<()> {
+        let mut csv = csv::Writer::from_writer(writer);
+        let amplitude = format!("amplitude [{}]", self.amplitude_unit());
+        csv.write_record(["frequency [rad/s]", &amplitude, "phase [rad]"])?;
+        for index in 0..self.frequencies.len() {
+            let line = [self.frequencies[index], self.amplitudes[index], self.phases[index]];
+            csv.serialize(line)?;
+        }
+        csv.flush()
+    }
+}
+
+/// The input of a response.
+struct Input {
+    name: String,
+    unit: String,
+    /// Change of y' with the input.
+    rate: DVector<f64>,
+    /// The parameter that it is; none for a force.
+    parameter: Option<usize>,
+}
+
+/// The output of a response: its change with the states and with the input.
+struct Output {
+    name: String,
+    unit: String,
+    by_state: DVector<f64>,
+    by_input: f64,
+}
+
+impl Linearization<'_> {
+    /// H(w) = C (j w - A)^-1 b + d at given frequencies w.
+    ///
+    /// `from` names a parameter, b = dy'/dp, or a coordinate, for a generalized force
+    /// on it, b = \[0, M^-1 e, 0\]. `to` names an output or a state. Derivatives C and
+    /// d of outputs are extrapolated differences, good to about 1e-12.
+    ///
+    /// # Errors
+    /// [`LinearError::Unknown`] for names, [`LinearError::NotFinite`] for derivatives,
+    /// [`LinearError::Singular`] at an undamped resonance.
+    pub fn response(
+        &self,
+        from: &str,
+        to: &str,
+        frequencies: &[f64],
+    ) -> Result<Response, LinearError> {
+        let input = self.input(from)?;
+        let output = self.output(to, &input)?;
+        let values = self.transfer(&input, &output, frequencies)?;
+        Ok(Response {
+            from: input.name,
+            from_unit: input.unit,
+            to: output.name,
+            to_unit: output.unit,
+            frequencies: frequencies.to_vec(),
+            amplitudes: values.iter().map(|value| value.norm()).collect(),
+            phases: continuous(values.iter().map(|value| value.arg())),
+        })
+    }
+
+    /// Frequencies \[rad/s\] from a tenth of the slowest to ten times the fastest
+    /// motion of the machine; 0.1 to 10 if it has none.
+    ///
+    /// # Errors
+    /// As [`Linearization::modes`].
+    pub fn range_of_interest(&self) -> Result<(f64, f64), LinearError> {
+        let modes = self.modes()?;
+        let sizes = modes.iter().filter(|mode| mode.kind != ModeKind::Free);
+        let (low, high) = sizes
+            .map(super::Mode::natural_frequency)
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), size| (low.min(size), high.max(size)));
+        Ok(if high > 0.0 { (low / BEYOND, high * BEYOND) } else { (1.0 / BEYOND, BEYOND) })
+    }
+
+    fn input(&self, name: &str) -> Result<Input, LinearError> {
+        let shape = self.simulator.shape();
+        if let Some(index) = position(name, shape.parameters, |i| self.simulator.parameter(i)) {
+            let unit = self.simulator.parameter(index).unit.to_owned();
+            let rate = self.parameter_column(index)?;
+            return Ok(Input { name: name.to_owned(), unit, rate, parameter: Some(index) });
+        }
+        if let Some(index) = position(name, shape.coordinates, |i| self.simulator.state(i)) {
+            let rate = self.force_column(index)?;
+            let unit = force_unit(self.simulator.state(index).unit);
+            let name = format!("force on {name}");
+            return Ok(Input { name, unit, rate, parameter: None });
+        }
+        let parameters = (0..shape.parameters).map(|index| self.simulator.parameter(index).name);
+        let coordinates = (0..shape.coordinates).map(|index| self.simulator.state(index).name);
+        Err(LinearError::Unknown {
+            scene: self.simulator.name().to_owned(),
+            kind: "parameter or coordinate",
+            name: name.to_owned(),
+            hint: did_you_mean(name, parameters.chain(coordinates)),
+        })
+    }
+
+    /// dy'/dp of one parameter.
+    fn parameter_column(&self, index: usize) -> Result<DVector<f64>, LinearError> {
+        let pattern = self.simulator.parameter_jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        let Point { time, state, parameters } = &self.point;
+        self.simulator.parameter_jacobian(*time, state, parameters, &mut values);
+        let mut column = DVector::zeros(pattern.rows);
+        for ((row, entry), value) in pattern.entries.iter().zip(&values) {
+            if *entry as usize == index {
+                column[*row as usize] = *value;
+            }
+        }
+        let what = "the derivative of a rate by the parameter";
+        finite(what, column.as_slice())?;
+        Ok(column)
+    }
+
+    /// y' of a unit force on one coordinate.
+    fn force_column(&self, index: usize) -> Result<DVector<f64>, LinearError> {
+        let n = self.simulator.shape().coordinates;
+        let mut force = DVector::zeros(n);
+        force[index] = 1.0;
+        let acceleration = self
+            .mass_matrix()
+            .lu()
+            .solve(&force)
+            .ok_or(LinearError::Singular { what: "the mass matrix" })?;
+        let mut column = DVector::zeros(self.matrix.nrows());
+        column.rows_mut(n, n).copy_from(&acceleration);
+        Ok(column)
+    }
+
+    fn output(&self, name: &str, input: &Input) -> Result<Output, LinearError> {
+        let (shape, states) = (self.simulator.shape(), self.matrix.nrows());
+        if let Some(index) = position(name, shape.outputs, |i| self.simulator.output(i)) {
+            let unit = self.simulator.output(index).unit.to_owned();
+            let by_state = DVector::from_vec(self.output_derivatives(index));
+            let by_input =
+                input.parameter.map_or(0.0, |parameter| self.output_by_parameter(index, parameter));
+            let what = "the derivative of the output";
+            finite(what, by_state.as_slice())?;
+            finite(what, &[by_input])?;
+            return Ok(Output { name: name.to_owned(), unit, by_state, by_input });
+        }
+        if let Some(index) = position(name, states, |i| self.simulator.state(i)) {
+            let unit = self.simulator.state(index).unit.to_owned();
+            let by_state = DVector::from_fn(states, |i, _| if i == index { 1.0 } else { 0.0 });
+            return Ok(Output { name: name.to_owned(), unit, by_state, by_input: 0.0 });
+        }
+        let outputs = (0..shape.outputs).map(|index| self.simulator.output(index).name);
+        let states = (0..states).map(|index| self.simulator.state(index).name);
+        Err(LinearError::Unknown {
+            scene: self.simulator.name().to_owned(),
+            kind: "output or state",
+            name: name.to_owned(),
+            hint: did_you_mean(name, outputs.chain(states)),
+        })
+    }
+
+    /// C of one output.
+    pub(super) fn output_derivatives(&self, output: usize) -> Vec<f64> {
+        let scales = scales(self.simulator);
+        let mut state = self.point.state.clone();
+        let by = |index: usize| {
+            let value = state[index];
+            let found = derivative(scales[index], 1, |shift| {
+                state[index] = value + shift;
+                vec![
+                    outputs(self.simulator, self.point.time, &state, &self.point.parameters)
+                        [output],
+                ]
+            });
+            state[index] = value;
+            found[0]
+        };
+        (0..scales.len()).map(by).collect()
+    }
+
+    fn output_by_parameter(&self, output: usize, parameter: usize) -> f64 {
+        let mut parameters = self.point.parameters.clone();
+        let value = parameters[parameter];
+        let size = if value == 0.0 { 1.0 } else { value.abs() };
+        let found = derivative(size, 1, |shift| {
+            parameters[parameter] = value + shift;
+            vec![outputs(self.simulator, self.point.time, &self.point.state, &parameters)[output]]
+        });
+        found[0]
+    }
+
+    fn transfer(
+        &self,
+        input: &Input,
+        output: &Output,
+        frequencies: &[f64],
+    ) -> Result<Vec<Complex64>, LinearError> {
+        let size = self.matrix.nrows();
+        let scales = scales(self.simulator);
+        let scaled = DMatrix::from_fn(size, size, |row, column| {
+            Complex64::from(-self.matrix[(row, column)] * scales[column] / scales[row])
+        });
+        let rate = DVector::from_fn(size, |i, _| Complex64::from(input.rate[i] / scales[i]));
+        let at = |frequency: &f64| {
+            let mut matrix = scaled.clone();
+            for index in 0..size {
+                matrix[(index, index)] += Complex64::new(0.0, *frequency);
+            }
+            let what = "j w - A, at an undamped resonance,";
+            let state = matrix.lu().solve(&rate).ok_or(LinearError::Singular { what })?;
+            let parts = (0..size).map(|i| state[i] * scales[i] * output.by_state[i]);
+            Ok(parts.sum::<Complex64>() + output.by_input)
+        };
+        frequencies.iter().map(at).collect()
+    }
+}
+
+/// Angular frequencies spaced evenly in their logarithm, both ends included.
+///
+/// # Errors
+/// [`LinearError::BadRange`] unless 0 < from < until, finite, and 2 to
+/// [`MAX_POINTS`] points.
+pub fn logarithmic_range(from: f64, until: f64, points: usize) -> Result<Vec<f64>, LinearError> {
+    let is_range = from > 0.0 && from < until && until.is_finite();
+    if !(is_range && (2..=MAX_POINTS).contains(&points)) {
+        return Err(LinearError::BadRange { from, until, points });
+    }
+    let last = points - 1;
+    let (low, span) = (from.ln(), (until / from).ln());
+    let frequency = |index: usize| match index {
+        0 => from,
+        _ if index == last => until,
+        _ => (low + span * index as f64 / last as f64).exp(),
+    };
+    Ok((0..points).map(frequency).collect())
+}
+
+fn outputs(
+    simulator: &dyn Simulator<f64>,
+    time: f64,
+    state: &[f64],
+    parameters: &[f64],
+) -> Vec<f64> {
+    let mut outputs = vec![0.0; simulator.shape().outputs];
+    simulator.outputs(time, state, parameters, &mut outputs);
+    outputs
+}
+
+fn finite(what: &str, values: &[f64]) -> Result<(), LinearError> {
+    match values.iter().find(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(value) => Err(LinearError::NotFinite { what: what.to_owned(), value: *value }),
+    }
+}
+
+/// The unit of a generalized force on a coordinate: work over coordinate.
+fn force_unit(coordinate: &str) -> String {
+    match coordinate {
+        "rad" | "1" => "N m".to_owned(),
+        "m" => "N".to_owned(),
+        "C" => "V".to_owned(),
+        other => format!("J/({other})"),
+    }
+}
+
+/// Angles without jumps of a whole turn; the first lies above -pi and up to pi.
+fn continuous(angles: impl Iterator<Item = f64>) -> Vec<f64> {
+    use std::f64::consts::TAU;
+    let mut before = f64::NAN;
+    let mut unwrapped = |angle: f64| {
+        let turns = ((before - angle) / TAU).round();
+        let angle = if turns.is_finite() { angle + turns * TAU } else { angle };
+        before = angle;
+        angle
+    };
+    angles.map(&mut unwrapped).collect()
+}

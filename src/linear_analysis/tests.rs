@@ -1,0 +1,200 @@
+use machinist_scenes::Describe as _;
+use machinist_scenes::scenes::motor_run_up::MotorRunUp;
+use machinist_scenes::scenes::saw_gin::SawGin;
+use machinist_scenes::scenes::two_mass::TwoMass;
+use num_complex::Complex64;
+
+use super::*;
+use crate::Simulation;
+use crate::closed_form::induction_motor::MOTOR_4A280M8;
+use crate::closed_form::two_mass::SAW_GIN;
+use crate::complex_step;
+
+/// Two masses under torques that are in balance.
+fn two_mass() -> Simulation<'static> {
+    let run = Simulation::new(&TwoMass).parameter("drive_torque", 843.72);
+    run.expect("the scene has it")
+}
+
+fn at_equilibrium<'a>(run: &Simulation<'a>) -> Linearization<'a> {
+    let point = operating_point(run, Place::Equilibrium).expect("there is an equilibrium");
+    Linearization::at(run.simulator(), point).expect("it is regular")
+}
+
+#[test]
+fn a_machine_at_constant_speed_is_in_equilibrium_while_its_angle_grows() {
+    let point = operating_point(&two_mass(), Place::Equilibrium).expect("in balance");
+    let [driver, cylinder, driver_speed, cylinder_speed] = point.state[..] else { panic!() };
+    let twist = SAW_GIN.static_twist(843.72, 843.72);
+    assert!((driver - cylinder - twist).abs() < 1e-15 + 1e-12 * twist);
+    assert!((driver_speed - cylinder_speed).abs() <= 1e-12 * driver_speed.abs());
+    assert!(rate(&TwoMass, &point)[2].abs() < 1e-9);
+}
+
+#[test]
+fn a_machine_that_accelerates_has_no_equilibrium_and_the_rates_left_are_named() {
+    let error = operating_point(&Simulation::new(&TwoMass), Place::Equilibrium).unwrap_err();
+    let LinearError::NoEquilibrium { residuals, .. } = &error else { panic!("{error}") };
+    assert_eq!(residuals.len(), 2);
+    assert!(residuals.iter().any(|residual| residual.state == "driver.omega"));
+    assert!(error.to_string().contains("driver.omega"), "{error}");
+}
+
+#[test]
+fn two_masses_swing_as_one_damped_oscillator_and_turn_freely() {
+    let modes = at_equilibrium(&two_mass()).modes().expect("eigenvalues");
+    let kinds: Vec<ModeKind> = modes.iter().map(|mode| mode.kind).collect();
+    assert_eq!(kinds, [ModeKind::Free, ModeKind::Free, ModeKind::Oscillation]);
+    let swing = &modes[2];
+    let (w, d) = (SAW_GIN.natural_frequency(), SAW_GIN.damping_ratio());
+    assert!((swing.natural_frequency() / w - 1.0).abs() < 1e-13);
+    assert!((swing.damping_ratio() / d - 1.0).abs() < 1e-13);
+    assert!(swing.residual < 1e-14);
+    // No momentum: J_d phi_d + J_2 phi_2 = 0; shares as the opposite inertias.
+    let ratio = -SAW_GIN.driven_inertia / SAW_GIN.driver_inertia;
+    assert!((swing.shape[0][0] - ratio).abs() < 1e-12 && swing.shape[0][1].abs() < 1e-12);
+    assert_eq!(swing.shape[1], [1.0, 0.0]);
+    assert!((swing.shares[1] - 4.2 / (4.2 + 1.244)).abs() < 1e-12);
+    // Velocities are eigenvalue times angle.
+    let velocity = Complex64::new(swing.shape[3][0], swing.shape[3][1]);
+    assert!((velocity - swing.eigenvalue()).norm() < 1e-10);
+}
+
+#[test]
+fn motions_account_for_every_state_and_for_the_trace() {
+    let run = Simulation::new(&SawGin);
+    let gin = at_equilibrium(&run);
+    let modes = gin.modes().expect("eigenvalues");
+    let count = |mode: &Mode| if mode.kind == ModeKind::Oscillation { 2 } else { 1 };
+    assert_eq!(modes.iter().map(count).sum::<usize>(), SawGin.shape().states());
+    let sum: f64 = modes.iter().map(|mode| mode.real * count(mode) as f64).sum();
+    assert!((sum / gin.matrix().trace() - 1.0).abs() < 1e-12);
+    for mode in &modes {
+        assert!(mode.residual < 1e-12, "{mode:?}");
+        assert!((mode.shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_motor_settles_at_the_speed_where_its_torque_is_the_load() {
+    let run = Simulation::new(&MotorRunUp);
+    let point = operating_point(&run, Place::Equilibrium).expect("it runs empty");
+    let speed = point.state[1];
+    assert!((speed / MOTOR_4A280M8.synchronous_speed() - 1.0).abs() < 1e-12, "{speed}");
+}
+
+#[test]
+fn mechanics_have_the_matrices_written_by_hand() {
+    let SecondOrder { mass, damping, stiffness } = at_equilibrium(&two_mass()).second_order();
+    let coupled = |value: f64| DMatrix::from_row_slice(2, 2, &[value, -value, -value, value]);
+    assert!((mass - DMatrix::from_row_slice(2, 2, &[4.2, 0.0, 0.0, 1.244])).amax() < 1e-15);
+    assert!((damping - coupled(128.5346)).amax() < 1e-12);
+    assert!((&stiffness - coupled(23_065.2)).amax() < 1e-9);
+    let second_order = at_equilibrium(&two_mass()).second_order();
+    let frequencies = second_order.undamped_frequencies().expect("M is positive");
+    assert_eq!(frequencies[0], 0.0);
+    assert!((frequencies[1] / SAW_GIN.natural_frequency() - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn the_twist_answers_a_harmonic_load_as_the_closed_form_says() {
+    let linear = at_equilibrium(&two_mass());
+    let frequencies = logarithmic_range(1.0, 1e4, 41).expect("a range");
+    let by_parameter = linear.response("load_torque", "twist", &frequencies).expect("known");
+    let by_force = linear.response("cylinder.phi", "twist", &frequencies).expect("known");
+    for (index, frequency) in frequencies.iter().enumerate() {
+        let exact = SAW_GIN.harmonic_response(1.0, *frequency);
+        for response in [&by_parameter, &by_force] {
+            assert!((response.amplitudes[index] / exact.amplitude - 1.0).abs() < 1e-11);
+        }
+        assert!((by_parameter.phases[index] + exact.phase_lag).abs() < 1e-11);
+    }
+    assert_eq!((by_force.from_unit.as_str(), by_force.to_unit.as_str()), ("N m", "rad"));
+}
+
+#[test]
+fn a_slow_variation_moves_outputs_as_the_equilibrium_moves() {
+    let run = |voltage: f64| {
+        let run = Simulation::new(&SawGin).parameter("motor.phase_voltage", voltage);
+        run.expect("the scene has it")
+    };
+    let speed = |voltage: f64| {
+        let point = operating_point(&run(voltage), Place::Equilibrium).expect("it runs");
+        point.state[SawGin.shape().coordinates]
+    };
+    let slope = (speed(220.1) - speed(219.9)) / 0.2;
+    let nominal = run(220.0);
+    let response = at_equilibrium(&nominal).response("motor.phase_voltage", "motor.omega", &[1e-4]);
+    let response = response.expect("known");
+    let found = response.amplitudes[0] * response.phases[0].cos();
+    assert!((found / slope - 1.0).abs() < 1e-4, "{found} is not {slope}");
+}
+
+#[test]
+fn derivatives_of_outputs_agree_with_the_complex_step() {
+    let run = Simulation::new(&SawGin);
+    let gin = at_equilibrium(&run);
+    let Point { time, state, parameters } = gin.point().clone();
+    for output in 0..SawGin.shape().outputs {
+        let found = gin.output_derivatives(output);
+        for (index, found) in found.iter().enumerate() {
+            let lifted = |values: &[f64], at: Option<usize>| -> Vec<complex_step::ComplexStep> {
+                let number = |i: usize| {
+                    Complex64::new(values[i], if at == Some(i) { complex_step::STEP } else { 0.0 })
+                };
+                (0..values.len()).map(|i| complex_step::ComplexStep(number(i))).collect()
+            };
+            let mut outputs = lifted(&vec![0.0; SawGin.shape().outputs], None);
+            let time = complex_step::ComplexStep(Complex64::from(time));
+            let (state, parameters) = (lifted(&state, Some(index)), lifted(&parameters, None));
+            machinist_scenes::Simulator::outputs(&SawGin, time, &state, &parameters, &mut outputs);
+            let exact = outputs[output].derivative();
+            assert!(
+                (found - exact).abs() <= 1e-10 * exact.abs().max(1e-3),
+                "output {output}, state {index}: {found} is not {exact}"
+            );
+        }
+    }
+}
+
+#[test]
+fn unknown_names_and_bad_ranges_are_refused_with_what_may_be_meant() {
+    let linear = at_equilibrium(&two_mass());
+    let refused = |from, to| linear.response(from, to, &[1.0]).unwrap_err().to_string();
+    let text = refused("load_torqe", "twist");
+    assert!(text.contains("load_torqe") && text.contains("did you mean `load_torque`?"), "{text}");
+    assert!(refused("load_torque", "twits").contains("did you mean `twist`?"));
+    for (from, until, points) in [
+        (0.0, 1.0, 10),
+        (-1.0, 1.0, 10),
+        (2.0, 1.0, 10),
+        (1.0, f64::INFINITY, 10),
+        (f64::NAN, 1.0, 10),
+        (1.0, 2.0, 1),
+        (1.0, 2.0, usize::MAX),
+    ] {
+        let refused = logarithmic_range(from, until, points);
+        assert!(matches!(refused, Err(LinearError::BadRange { .. })), "{from} {until} {points}");
+    }
+}
+
+#[test]
+fn a_point_that_does_not_fit_the_scene_is_refused() {
+    let point = Point { time: 0.0, state: vec![0.0; 3], parameters: vec![0.0; 9] };
+    let refused = Linearization::at(&TwoMass, point).err();
+    assert!(matches!(refused, Some(LinearError::WrongLength { what: "states", .. })));
+    let massless = Simulation::new(&TwoMass).parameter("driver.inertia", 0.0).expect("known");
+    let point = operating_point(&massless, Place::Initial).expect("nothing is computed");
+    let refused = Linearization::at(&TwoMass, point).err();
+    assert!(matches!(refused, Some(LinearError::NotFinite { .. })), "{refused:?}");
+}
+
+#[test]
+fn places_are_read_from_text() {
+    assert_eq!("initial".parse(), Ok(Place::Initial));
+    assert_eq!("equilibrium".parse(), Ok(Place::Equilibrium));
+    assert_eq!("t=0.25".parse(), Ok(Place::Time(0.25)));
+    for bad in ["", "t=", "t=x", "t=inf", "0.25", "Initial"] {
+        assert!(bad.parse::<Place>().is_err(), "{bad}");
+    }
+}

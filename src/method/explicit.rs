@@ -1,0 +1,263 @@
+//! Explicit Runge-Kutta pairs.
+//!
+//! Small machines are as fast as their rates only if the rest of a step costs
+//! next to nothing: work arrays are made once, stages lie in lanes of four, and
+//! no zero coefficient is ever multiplied.
+
+use super::lanes::{LANES, Sum, combine, sum};
+use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
+use super::tableau::{DOP853, Pair, Row, TSIT5};
+use super::{Integrator, Samples, Stopped, Stretch};
+
+/// [`TSIT5`].
+pub(super) struct Tsit5;
+/// [`DOP853`].
+pub(super) struct Dop853;
+
+impl Integrator for Tsit5 {
+    fn integrate(
+        &self,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped> {
+        drive_all(&mut ExplicitSteps::new(&TSIT5, stretch), stretch, state, samples)
+    }
+}
+
+impl Integrator for Dop853 {
+    fn integrate(
+        &self,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped> {
+        drive_all(&mut ExplicitSteps::new(&DOP853, stretch), stretch, state, samples)
+    }
+}
+
+/// Steps of an explicit pair.
+pub(super) struct ExplicitSteps<'a> {
+    pair: &'static Pair,
+    stretch: &'a Stretch<'a>,
+    size: usize,
+    /// `size` and padding of zeros.
+    width: usize,
+    time: f64,
+    step: f64,
+    start: Vec<f64>,
+    end: Vec<f64>,
+    /// Argument of the last stage but one, which is at the end of the step too.
+    argument: Vec<f64>,
+    /// k_i, one after another, the extra ones last.
+    stages: Vec<f64>,
+    error: Vec<f64>,
+    /// Rows of a, with offsets into `stages` for stages.
+    sums: Vec<Sum>,
+    estimates: Vec<Sum>,
+    weights: Vec<f64>,
+    has_extra_stages: bool,
+}
+
+impl<'a> ExplicitSteps<'a> {
+    pub(super) fn new(pair: &'static Pair, stretch: &'a Stretch<'a>) -> Self {
+        let size = stretch.system.len();
+        let width = size.next_multiple_of(LANES);
+        let count = pair.nodes.len();
+        let offsets = |row: &Row| sum(row, width);
+        let zeros = || vec![0.0; width];
+        Self {
+            pair,
+            stretch,
+            size,
+            width,
+            time: stretch.from,
+            step: 0.0,
+            start: zeros(),
+            end: zeros(),
+            argument: zeros(),
+            stages: vec![0.0; width * count],
+            error: zeros(),
+            sums: pair.rows.iter().chain(pair.dense.extra).map(offsets).collect(),
+            estimates: pair.estimates.iter().map(offsets).collect(),
+            weights: vec![0.0; count],
+            has_extra_stages: false,
+        }
+    }
+
+    /// |h lambda| of the fastest motion that the last two stages show, both at
+    /// the end of the step: h |f(Y_s) - f(Y_(s-1))| / |Y_s - Y_(s-1)|; 0 if they
+    /// are equal (Hairer, Wanner, section IV.2).
+    pub(super) fn stiffness(&self) -> f64 {
+        let last = (self.pair.rows.len() - 1) * self.width;
+        let (before, last) = self.stages[last - self.width..].split_at(self.width);
+        let distance = |a: &[f64], b: &[f64]| {
+            a.iter()
+                .zip(b)
+                .zip(self.stretch.atol)
+                .zip(&self.end)
+                .map(|(((a, b), atol), size)| {
+                    let ratio = (a - b) / (atol + self.stretch.rtol * size.abs());
+                    ratio * ratio
+                })
+                .sum::<f64>()
+        };
+        let states = distance(&self.end, &self.argument);
+        let ratio = (distance(last, before) / states).sqrt();
+        if ratio.is_finite() { self.step.abs() * ratio } else { 0.0 }
+    }
+
+    fn rate(&mut self, stage: usize, at: At) {
+        let time = self.time + self.pair.nodes[stage] * self.step;
+        let state = match at {
+            At::Argument => &self.argument,
+            At::End => &self.end,
+        };
+        let rate = &mut self.stages[stage * self.width..][..self.size];
+        self.stretch.rate(time, &state[..self.size], rate);
+    }
+
+    /// The error of the step over what the tolerances allow.
+    fn error(&mut self) -> f64 {
+        let mut norm = |row: &Sum| {
+            combine(row, &self.stages, self.step, None, &mut self.error);
+            super::one_step::weighted_norm(
+                self.stretch,
+                &self.error[..self.size],
+                &self.start,
+                &self.end,
+            )
+        };
+        let error = norm(&self.estimates[0]);
+        match self.estimates.get(1) {
+            Some(lower) if error > 0.0 => {
+                let lower = norm(lower);
+                error * (error / (error * error + 0.01 * lower * lower).sqrt())
+            }
+            _ => error,
+        }
+    }
+
+    /// What is not finite of an attempt that is to be refused for it.
+    fn trouble(&self) -> Trial {
+        let is_bad = |value: &f64| !value.is_finite();
+        let of_rates = self.stages.iter().position(is_bad);
+        match of_rates {
+            Some(position) => {
+                Trial::NotFinite { what: "the rate of", index: position % self.width }
+            }
+            None => match self.end.iter().position(is_bad) {
+                Some(index) => Trial::NotFinite { what: "the state", index },
+                None => Trial::Error(f64::INFINITY),
+            },
+        }
+    }
+
+    /// Evaluates the stages that only the dense output needs.
+    fn add_extra_stages(&mut self) {
+        for stage in self.pair.rows.len()..self.pair.nodes.len() {
+            let start = Some(&self.start[..]);
+            // The error has served; the argument of the last stage but one has not.
+            combine(&self.sums[stage], &self.stages, self.step, start, &mut self.error);
+            let time = self.time + self.pair.nodes[stage] * self.step;
+            let rate = &mut self.stages[stage * self.width..][..self.size];
+            self.stretch.rate(time, &self.error[..self.size], rate);
+        }
+        self.has_extra_stages = true;
+    }
+}
+
+#[derive(Clone, Copy)]
+enum At {
+    Argument,
+    End,
+}
+
+impl OneStep for ExplicitSteps<'_> {
+    fn begin(&mut self, time: f64, state: &[f64]) {
+        self.time = time;
+        self.step = 0.0;
+        self.end[..self.size].copy_from_slice(state);
+        self.start[..self.size].copy_from_slice(state);
+        self.stages.fill(0.0);
+        self.rate(0, At::End);
+    }
+
+    fn first_step(&mut self) -> f64 {
+        let states = self.stretch.system.states();
+        let (state, rate) = (&self.start[..states], &self.stages[..states]);
+        let trial = &mut self.argument[..states];
+        let trial_rate = &mut self.error[..states];
+        first_step(self.stretch, self.pair.order, self.time, (state, rate), (trial, trial_rate))
+    }
+
+    fn attempt(&mut self, step: f64) -> Trial {
+        self.step = step;
+        self.has_extra_stages = false;
+        let last = self.pair.rows.len() - 1;
+        for stage in 1..last {
+            let start = Some(&self.start[..]);
+            combine(&self.sums[stage], &self.stages, step, start, &mut self.argument);
+            self.rate(stage, At::Argument);
+        }
+        combine(&self.sums[last], &self.stages, step, Some(&self.start), &mut self.end);
+        let last_is_in_the_estimate =
+            self.pair.estimates[0].last().is_some_and(|&(stage, _)| stage == last);
+        if last_is_in_the_estimate {
+            self.rate(last, At::End);
+        }
+        let error = self.error();
+        if error <= 1.0 && !last_is_in_the_estimate {
+            self.rate(last, At::End);
+        }
+        let is_finite = || {
+            let rate = &self.stages[last * self.width..][..self.width];
+            self.end.iter().chain(rate).all(|value| value.is_finite())
+        };
+        if error <= 1.0 && is_finite() || error > 1.0 && error < f64::INFINITY {
+            Trial::Error(error)
+        } else {
+            self.trouble()
+        }
+    }
+
+    fn end(&self) -> &[f64] {
+        &self.end[..self.size]
+    }
+
+    fn interpolate(&mut self, time: f64, state: &mut [f64]) {
+        if !self.has_extra_stages {
+            self.add_extra_stages();
+        }
+        let theta = (time - self.time) / self.step;
+        (self.pair.dense.weights)(theta, &mut self.weights);
+        state.copy_from_slice(&self.start[..self.size]);
+        for (weight, rate) in self.weights.iter().zip(self.stages.chunks_exact(self.width)) {
+            let weight = self.step * weight;
+            for (state, rate) in state.iter_mut().zip(rate) {
+                *state += weight * rate;
+            }
+        }
+    }
+
+    fn accept(&mut self) {
+        self.time += self.step;
+        self.start.copy_from_slice(&self.end);
+        let last = (self.pair.rows.len() - 1) * self.width;
+        self.stages.copy_within(last..last + self.width, 0);
+    }
+
+    fn pace(&self) -> Pace {
+        let exponent = 1.0 / f64::from(self.pair.estimate_order + 1);
+        // The eighth order changes its step less often, and needs no memory.
+        let memory = if self.pair.order > 5 { 0.0 } else { 0.04 };
+        Pace {
+            exponent: exponent - 0.75 * memory,
+            memory,
+            safety: 0.9,
+            smallest: 0.2,
+            largest: 8.0,
+            hold: 1.0,
+        }
+    }
+}

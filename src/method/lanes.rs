@@ -1,0 +1,45 @@
+//! Weighted sums of stages, in lanes.
+
+/// Stages are padded to a multiple of so many states, and summed so many at once.
+pub(super) const LANES: usize = 4;
+
+/// Weights of stages, as (offset of the stage, weight).
+pub(super) type Sum = Vec<(usize, f64)>;
+
+/// The sum of a row of coefficients over stages of `width` padded states each.
+pub(super) fn sum(row: &[(usize, f64)], width: usize) -> Sum {
+    row.iter().map(|&(stage, weight)| (stage * width, weight)).collect()
+}
+
+/// `into` = start + step sum of weight times stage; start 0 if there is none.
+/// All in lanes, so that the compiler needs no tail.
+pub(super) fn combine(
+    sum: &[(usize, f64)],
+    stages: &[f64],
+    step: f64,
+    start: Option<&[f64]>,
+    into: &mut [f64],
+) {
+    for (block, into) in into.chunks_exact_mut(LANES).enumerate() {
+        let at = block * LANES;
+        let mut total = [0.0; LANES];
+        for &(offset, weight) in sum {
+            let stage = &stages[offset + at..][..LANES];
+            for (total, stage) in total.iter_mut().zip(stage) {
+                *total += weight * stage;
+            }
+        }
+        match start {
+            Some(start) => {
+                for ((into, total), start) in into.iter_mut().zip(total).zip(&start[at..]) {
+                    *into = start + step * total;
+                }
+            }
+            None => {
+                for (into, total) in into.iter_mut().zip(total) {
+                    *into = step * total;
+                }
+            }
+        }
+    }
+}

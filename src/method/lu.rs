@@ -1,0 +1,213 @@
+//! Factorization of small square matrices, real and complex, in place.
+
+use nalgebra::ComplexField;
+
+/// The matrix has a column without a pivot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Singular;
+
+/// P A = L U by partial pivoting, stored over A.
+///
+/// Columns beyond the last nonzero of a row are left alone, so that a banded
+/// matrix costs what its band costs.
+pub(super) struct Lu<S> {
+    size: usize,
+    /// Row after row.
+    entries: Vec<S>,
+    /// One past the last column of each row that may not be zero.
+    row_ends: Vec<usize>,
+    /// One past the last row of each column that may not be zero, below the
+    /// diagonal.
+    column_ends: Vec<usize>,
+    /// Row exchanged with the k-th before its elimination.
+    pivots: Vec<usize>,
+}
+
+impl<S: ComplexField<RealField = f64> + Copy> Lu<S> {
+    pub(super) fn new(size: usize) -> Self {
+        Self {
+            size,
+            entries: vec![S::zero(); size * size],
+            row_ends: vec![0; size],
+            column_ends: vec![0; size],
+            pivots: vec![0; size],
+        }
+    }
+
+    /// Number of rows.
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Makes the matrix zero, for [`Lu::add`].
+    pub(super) fn clear(&mut self) {
+        self.entries.fill(S::zero());
+        self.row_ends.fill(0);
+        self.column_ends.fill(0);
+    }
+
+    /// Adds to an entry of a matrix that is not factored.
+    pub(super) fn add(&mut self, row: usize, column: usize, value: S) {
+        self.entries[row * self.size + column] += value;
+        self.row_ends[row] = self.row_ends[row].max(column + 1);
+        self.column_ends[column] = self.column_ends[column].max(row + 1);
+    }
+
+    /// Factors the matrix.
+    ///
+    /// # Errors
+    /// [`Singular`], also where entries are not finite.
+    pub(super) fn factor(&mut self) -> Result<(), Singular> {
+        for k in 0..self.size {
+            let bottom = self.column_ends[k].max(k + 1);
+            let pivot = self.largest_below(k, bottom);
+            self.pivots[k] = pivot;
+            if pivot != k {
+                self.exchange(k, pivot);
+            }
+            let (above, below) = self.entries.split_at_mut((k + 1) * self.size);
+            let end = self.row_ends[k].max(k + 1);
+            let pivot_row = &above[k * self.size..][k..end];
+            let size = pivot_row[0].norm1();
+            if !(size > 0.0 && size.is_finite()) {
+                return Err(Singular);
+            }
+            let inverse = pivot_row[0].recip();
+            for (row, row_end) in below
+                .chunks_exact_mut(self.size)
+                .zip(&mut self.row_ends[k + 1..])
+                .take(bottom - k - 1)
+            {
+                if row[k].is_zero() {
+                    continue;
+                }
+                let factor = row[k] * inverse;
+                row[k] = factor;
+                for (entry, above) in row[k + 1..end].iter_mut().zip(&pivot_row[1..]) {
+                    *entry -= factor * *above;
+                }
+                *row_end = (*row_end).max(end);
+            }
+            for column_end in &mut self.column_ends[k + 1..end] {
+                *column_end = (*column_end).max(bottom);
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves A x = b; b becomes x.
+    pub(super) fn solve(&self, b: &mut [S]) {
+        for (k, &pivot) in self.pivots.iter().enumerate() {
+            b.swap(k, pivot);
+        }
+        for (row, entries) in self.entries.chunks_exact(self.size.max(1)).enumerate() {
+            let (known, rest) = b.split_at_mut(row);
+            let mut sum = rest[0];
+            for (entry, value) in entries.iter().zip(known) {
+                sum -= *entry * *value;
+            }
+            rest[0] = sum;
+        }
+        for row in (0..self.size).rev() {
+            let entries = &self.entries[row * self.size..][row..self.row_ends[row].max(row + 1)];
+            let (unknown, known) = b[row..].split_at_mut(1);
+            let mut sum = unknown[0];
+            for (entry, value) in entries[1..].iter().zip(known) {
+                sum -= *entry * *value;
+            }
+            unknown[0] = sum / entries[0];
+        }
+    }
+
+    fn largest_below(&self, k: usize, bottom: usize) -> usize {
+        let size_of = |row: usize| self.entries[row * self.size + k].norm1();
+        let mut best = (k, size_of(k));
+        for row in k + 1..bottom {
+            let size = size_of(row);
+            if size > best.1 {
+                best = (row, size);
+            }
+        }
+        best.0
+    }
+
+    /// Exchanges whole rows, with the multipliers to their left, so that all
+    /// exchanges can be made on the right-hand side beforehand.
+    fn exchange(&mut self, upper: usize, lower: usize) {
+        let (above, below) = self.entries.split_at_mut(lower * self.size);
+        above[upper * self.size..][..self.size].swap_with_slice(&mut below[..self.size]);
+        self.row_ends.swap(upper, lower);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_complex::Complex64;
+
+    use super::*;
+
+    /// Entries that look random and are the same every time, a quarter of them 0.
+    fn entry(row: usize, column: usize) -> f64 {
+        let value = ((row * 7 + column * 13 + 3) as f64 * 12.9898).sin() * 43758.5453;
+        let value = value - value.floor();
+        if value < 0.25 { 0.0 } else { value - 0.6 }
+    }
+
+    #[test]
+    fn a_solution_satisfies_its_equations_dense_and_banded_real_and_complex() {
+        for size in [1, 2, 3, 8, 40] {
+            for band in [1, 2, size] {
+                let mut real = Lu::<f64>::new(size);
+                let mut complex = Lu::<Complex64>::new(size);
+                // Twice, to see that clearing leaves nothing behind.
+                for shift in [0, 5] {
+                    let value = |row: usize, column: usize| {
+                        let near = row.abs_diff(column) <= band;
+                        if near { entry(row + shift, column) + 0.01 } else { 0.0 }
+                    };
+                    let turned =
+                        |r: usize, c: usize| Complex64::new(value(r, c), value(c, r) + 0.3);
+                    real.clear();
+                    complex.clear();
+                    for row in 0..size {
+                        for column in 0..size {
+                            if row.abs_diff(column) <= band {
+                                real.add(row, column, value(row, column));
+                                complex.add(row, column, turned(row, column));
+                            }
+                        }
+                    }
+                    real.factor().unwrap();
+                    complex.factor().unwrap();
+                    let mut x: Vec<f64> = (0..size).map(|i| entry(i, 99) + 1.0).collect();
+                    let b = x.clone();
+                    real.solve(&mut x);
+                    let mut z: Vec<Complex64> = b.iter().map(|b| Complex64::new(*b, 1.0)).collect();
+                    complex.solve(&mut z);
+                    let norm = x.iter().fold(1.0f64, |max, x| max.max(x.abs()));
+                    let znorm = z.iter().fold(1.0f64, |max, z| max.max(z.norm()));
+                    for (row, &known) in b.iter().enumerate() {
+                        let sum: f64 = (0..size).map(|c| value(row, c) * x[c]).sum();
+                        assert!((sum - known).abs() < 1e-13 * norm * size as f64);
+                        let near = (0..size).filter(|c| row.abs_diff(*c) <= band);
+                        let sum: Complex64 = near.map(|c| turned(row, c) * z[c]).sum();
+                        let error = (sum - Complex64::new(known, 1.0)).norm();
+                        assert!(error < 1e-13 * znorm * size as f64, "{error:e}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_matrix_without_pivot_is_singular() {
+        for entries in [[0.0, 0.0, 0.0, 0.0], [1.0, 2.0, 2.0, 4.0], [f64::NAN, 1.0, 1.0, 0.0]] {
+            let mut matrix = Lu::<f64>::new(2);
+            matrix.clear();
+            for (index, entry) in entries.iter().enumerate() {
+                matrix.add(index / 2, index % 2, *entry);
+            }
+            assert_eq!(matrix.factor(), Err(Singular));
+        }
+    }
+}

@@ -1,0 +1,303 @@
+//! The driver of all one-step methods: step sizes, samples, limits and failures.
+//! A method itself only tries steps.
+
+use super::{Samples, Stopped, Stretch};
+use crate::error::StopCause;
+
+/// A method that needs nothing but the state at the start of a step.
+pub(super) trait OneStep {
+    /// Makes `state` at `time` the start of the next step.
+    fn begin(&mut self, time: f64, state: &[f64]);
+
+    /// A first step for [`OneStep::begin`]'s start.
+    fn first_step(&mut self) -> f64;
+
+    /// Tries a step from the start; it becomes the current step.
+    fn attempt(&mut self, step: f64) -> Trial;
+
+    /// State at the end of the current step.
+    fn end(&self) -> &[f64];
+
+    /// State at `time` within the current step.
+    fn interpolate(&mut self, time: f64, state: &mut [f64]);
+
+    /// Takes the current step: its end is the start of the next one.
+    fn accept(&mut self);
+
+    /// How the error grows with the step.
+    fn pace(&self) -> Pace;
+}
+
+/// What came of a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Trial {
+    /// The error over what the tolerances allow; the step is good if that is at
+    /// most 1.
+    Error(f64),
+    /// Something of the `index`-th state is not finite.
+    NotFinite { what: &'static str, index: usize },
+    /// The step's equations could not be solved; `shrink` times the step may do.
+    Unsolved { shrink: f64 },
+}
+
+/// How a step size follows from errors: after error e of step h and error e' of
+/// the one before, the next is `safety` h e^-exponent e'^memory, within limits
+/// (a PI controller, Hairer, Norsett, Wanner, section II.4 and IV.2).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pace {
+    pub(super) exponent: f64,
+    pub(super) memory: f64,
+    pub(super) safety: f64,
+    pub(super) smallest: f64,
+    pub(super) largest: f64,
+    /// A step that would grow by less than this stays, and so do the factors of its
+    /// matrix; 1 if there are none to keep.
+    pub(super) hold: f64,
+}
+
+/// Where [`drive`] ended before the end of the stretch because it was told to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Left {
+    /// Time reached \[s\].
+    pub(super) time: f64,
+    /// The step it would have tried next \[s\].
+    pub(super) step: f64,
+}
+
+/// Carries `state` from `from` to the end of the stretch by steps of `method`;
+/// `leave` is asked after every step with the step taken whether to stop there.
+pub(super) fn drive<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    from: Left,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+    mut leave: impl FnMut(&M, f64) -> bool,
+) -> Result<Option<Left>, Stopped> {
+    require_possible_tolerance(stretch, state)?;
+    let (mut time, mut step) = (from.time, from.step);
+    let mut last_error = 1e-4;
+    let mut rejected = false;
+    loop {
+        let remaining = stretch.until - time;
+        let (now, arrives) = end_of_step(time, step, stretch.until);
+        let tried = if arrives { remaining } else { now - time };
+        let trial = method.attempt(tried);
+        let pace = method.pace();
+        if let Trial::Error(error) = trial
+            && error <= 1.0
+        {
+            stretch.system.count(|work| work.steps += 1);
+            sample(method, stretch, now, state, samples)?;
+            let mut factor = pace.factor(error, last_error);
+            if rejected {
+                factor = factor.min(1.0);
+            }
+            last_error = error.max(1e-4);
+            rejected = false;
+            method.accept();
+            (time, step) = (now, tried * factor);
+            if arrives || leave(method, tried) {
+                state.copy_from_slice(method.end());
+                return Ok((!arrives).then_some(Left { time, step }));
+            }
+            if stretch.system.work().steps >= stretch.max_steps as u64 {
+                let cause = StopCause::TooManySteps { limit: stretch.max_steps };
+                return Err(Stopped { time, cause });
+            }
+        } else {
+            stretch.system.count(|work| work.rejected += 1);
+            step = tried * shrink(trial, pace);
+            rejected = true;
+            if is_too_small(step, time) {
+                return Err(explain(stretch, trial, time));
+            }
+        }
+    }
+}
+
+/// The whole stretch at once, from its start.
+pub(super) fn drive_all<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<(), Stopped> {
+    method.begin(stretch.from, state);
+    let start = Left { time: stretch.from, step: method.first_step() };
+    drive(method, stretch, start, state, samples, |_, _| false).map(|_| ())
+}
+
+impl Pace {
+    fn factor(&self, error: f64, last_error: f64) -> f64 {
+        let wanted = self.safety * error.powf(-self.exponent) * last_error.powf(self.memory);
+        // An error of zero wants an infinite step; a NaN cannot be.
+        let factor = wanted.min(self.largest).max(self.smallest);
+        if (1.0..=self.hold).contains(&factor) { 1.0 } else { factor }
+    }
+}
+
+/// The end of a step from `time`, and whether that is `until`. What is left of
+/// the stretch is halved rather than cut into a step and a sliver.
+fn end_of_step(time: f64, step: f64, until: f64) -> (f64, bool) {
+    let remaining = until - time;
+    if step >= 0.99 * remaining {
+        (until, true)
+    } else if 2.0 * step > remaining {
+        (time + 0.5 * remaining, false)
+    } else {
+        (time + step, false)
+    }
+}
+
+fn shrink(trial: Trial, pace: Pace) -> f64 {
+    match trial {
+        Trial::Error(error) if error.is_finite() => {
+            (pace.safety * error.powf(-pace.exponent)).clamp(pace.smallest, 0.9)
+        }
+        Trial::Error(_) | Trial::NotFinite { .. } => 0.2,
+        Trial::Unsolved { shrink } => shrink,
+    }
+}
+
+/// Pushes what is wanted until the end of the current step, `now`.
+fn sample<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    now: f64,
+    scratch: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<(), Stopped> {
+    while let Some(time) = samples.next_until(now) {
+        if time >= now {
+            samples.push(method.end());
+        } else {
+            method.interpolate(time, scratch);
+            if let Some(index) = scratch.iter().position(|value| !value.is_finite()) {
+                return Err(stretch.not_finite("the state", index, time));
+            }
+            samples.push(scratch);
+        }
+    }
+    Ok(())
+}
+
+/// Whether time would hardly move, or the step is below all sense at time zero.
+fn is_too_small(step: f64, time: f64) -> bool {
+    const ROUNDINGS: f64 = 10.0;
+    step.is_nan() || step <= ROUNDINGS * f64::EPSILON * time.abs() || step < 1e-100
+}
+
+/// The cause behind steps that shrank to nothing.
+fn explain(stretch: &Stretch<'_>, trial: Trial, time: f64) -> Stopped {
+    match trial {
+        Trial::NotFinite { what, index } => stretch.not_finite(what, index, time),
+        Trial::Unsolved { .. } => Stopped { time, cause: StopCause::Newton },
+        Trial::Error(_) => Stopped { time, cause: StopCause::StepTooSmall },
+    }
+}
+
+/// Refuses tolerances that rounding alone exceeds: error estimates would be
+/// noise, and steps accepted and rejected by chance.
+fn require_possible_tolerance(stretch: &Stretch<'_>, state: &[f64]) -> Result<(), Stopped> {
+    const ROUNDINGS: f64 = 4.0;
+    let simulator = stretch.system.simulator();
+    let impossible = (0..stretch.system.states()).any(|index| {
+        let size = state[index].abs().max(simulator.state_scale(index));
+        stretch.rtol * size + stretch.atol[index] < ROUNDINGS * f64::EPSILON * size
+    });
+    if impossible {
+        let cause = StopCause::ToleranceBelowRounding { rtol: stretch.rtol };
+        return Err(Stopped { time: stretch.from, cause });
+    }
+    Ok(())
+}
+
+/// A first step by the size of the rate and of its change over a trial step
+/// (Hairer, Norsett, Wanner, section II.4); `order` is the method's.
+///
+/// `rate` is f(t, y) at the start; `trial` and `trial_rate` are scratch; all of them
+/// without quadratures.
+pub(super) fn first_step(
+    stretch: &Stretch<'_>,
+    order: u32,
+    time: f64,
+    (state, rate): (&[f64], &[f64]),
+    (trial, trial_rate): (&mut [f64], &mut [f64]),
+) -> f64 {
+    let size = |values: &mut dyn Iterator<Item = f64>| {
+        let weighted = values.zip(state).zip(stretch.atol).map(|((value, state), atol)| {
+            let ratio = value / (atol + stretch.rtol * state.abs());
+            ratio * ratio
+        });
+        (weighted.sum::<f64>() / state.len() as f64).sqrt()
+    };
+    let span = stretch.until - time;
+    let of_state = size(&mut state.iter().copied());
+    let of_rate = size(&mut rate.iter().copied());
+    let guess = if of_state < 1e-5 || of_rate < 1e-5 { 1e-6 } else { 0.01 * of_state / of_rate };
+    let guess = if guess.is_finite() { guess.min(span) } else { 1e-6 * span };
+    for ((trial, state), rate) in trial.iter_mut().zip(state).zip(rate) {
+        *trial = state + guess * rate;
+    }
+    stretch.state_rate(time + guess, trial, trial_rate);
+    let change = size(&mut trial_rate.iter().zip(rate).map(|(ahead, rate)| ahead - rate)) / guess;
+    let largest = of_rate.max(change);
+    let step = if largest.is_nan() {
+        1e-3 * guess
+    } else if largest <= 1e-15 {
+        (guess * 1e-3).max(1e-6)
+    } else {
+        (0.01 / largest).powf(1.0 / f64::from(order))
+    };
+    let step = step.min(100.0 * guess).min(span);
+    if step > 0.0 && step.is_finite() { step } else { 1e-6 * span }
+}
+
+/// Root mean square of `error` over what the tolerances allow between the states
+/// `before` and `after`.
+pub(super) fn weighted_norm(
+    stretch: &Stretch<'_>,
+    error: &[f64],
+    before: &[f64],
+    after: &[f64],
+) -> f64 {
+    let mut sum = 0.0;
+    for (((error, before), after), atol) in error.iter().zip(before).zip(after).zip(stretch.atol) {
+        let ratio = error / (atol + stretch.rtol * before.abs().max(after.abs()));
+        sum += ratio * ratio;
+    }
+    (sum / error.len() as f64).sqrt()
+}
+
+/// df/dy at a state, in pattern order.
+///
+/// # Errors
+/// [`Trial::NotFinite`] if an entry is not finite.
+pub(super) fn finite_jacobian(
+    stretch: &Stretch<'_>,
+    time: f64,
+    state: &[f64],
+    jacobian: &mut [f64],
+) -> Result<(), Trial> {
+    stretch.jacobian(time, state, jacobian);
+    match jacobian.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(entry) => {
+            let (row, _) = stretch.system.jacobian_pattern().entries[entry];
+            let what = "the Jacobian of the rate of";
+            Err(Trial::NotFinite { what, index: row as usize })
+        }
+    }
+}
+
+/// Refuses values that are not finite.
+///
+/// # Errors
+/// [`Trial::NotFinite`] with the first of them.
+pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), Trial> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(Trial::NotFinite { what, index }),
+    }
+}

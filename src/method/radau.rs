@@ -1,0 +1,412 @@
+//! Radau IIA collocation of orders 5, 9 and 13, for stiff machines and tight
+//! tolerances.
+//!
+//! E. Hairer, G. Wanner: Solving Ordinary Differential Equations II, section
+//! IV.8, and J. Comput. Appl. Math. 111 (1999) 93-111 for the choice of order.
+
+mod collocation;
+mod newton;
+
+use self::collocation::Collocation;
+use self::newton::{Newton, Outcome};
+use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
+use super::tableau::RADAU;
+use super::{Integrator, Samples, Stopped, Stretch};
+
+/// Radau IIA of variable order.
+pub(super) struct Radau;
+
+impl Integrator for Radau {
+    fn integrate(
+        &self,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped> {
+        drive_all(&mut RadauSteps::new(stretch), stretch, state, samples)
+    }
+}
+
+/// Steps of Radau methods. The energy quadratures feed back to nothing, so their
+/// stages follow from those of the states without equations to solve.
+pub(super) struct RadauSteps<'a> {
+    stretch: &'a Stretch<'a>,
+    size: usize,
+    len: usize,
+    time: f64,
+    step: f64,
+    start: Vec<f64>,
+    end: Vec<f64>,
+    /// f at the start, quadratures last.
+    rate: Vec<f64>,
+    rate_at_end: Vec<f64>,
+    /// Allowed errors at the start: what the tolerances are for this order.
+    scale: Vec<f64>,
+    /// Stages less the start, one after another, of `len` each.
+    stages: Vec<f64>,
+    /// The last accepted step, from which the next one's stages are guessed.
+    previous: Previous,
+    methods: Vec<Collocation>,
+    /// Index into `methods`, and whether it may change.
+    current: usize,
+    is_fixed: bool,
+    newton: Newton<'a>,
+    error: Vec<f64>,
+    scratch: Vec<f64>,
+    /// Outcome of the last attempt.
+    was_rejected: bool,
+    last_error: f64,
+    accepted: Option<Accepted>,
+    order_choice: OrderChoice,
+}
+
+/// A polynomial of the last accepted step, in divided differences.
+struct Previous {
+    differences: Vec<f64>,
+    method: usize,
+    step: f64,
+    is_known: bool,
+}
+
+/// Step and error of the last accepted step, for predicting the next one.
+#[derive(Clone, Copy)]
+struct Accepted {
+    step: f64,
+    error: f64,
+}
+
+/// What the choice of order looks at.
+#[derive(Default)]
+struct OrderChoice {
+    steps_since_change: usize,
+    contraction: f64,
+    newton_failed: bool,
+}
+
+impl<'a> RadauSteps<'a> {
+    pub(super) fn new(stretch: &'a Stretch<'a>) -> Self {
+        let (size, len) = (stretch.system.states(), stretch.system.len());
+        let methods: Vec<_> = RADAU.iter().map(Collocation::new).collect();
+        let most = RADAU.iter().map(|method| method.nodes.len()).max().unwrap_or(0);
+        let zeros = || vec![0.0; len];
+        Self {
+            stretch,
+            size,
+            len,
+            time: stretch.from,
+            step: 0.0,
+            start: zeros(),
+            end: zeros(),
+            rate: zeros(),
+            rate_at_end: zeros(),
+            scale: zeros(),
+            stages: vec![0.0; len * most],
+            previous: Previous {
+                differences: vec![0.0; len * (most + 1)],
+                method: 0,
+                step: 0.0,
+                is_known: false,
+            },
+            methods,
+            current: 0,
+            is_fixed: false,
+            newton: Newton::new(stretch, most),
+            error: zeros(),
+            scratch: zeros(),
+            was_rejected: false,
+            last_error: 1.0,
+            accepted: None,
+            order_choice: OrderChoice::default(),
+        }
+    }
+
+    /// The last Jacobian evaluated, in pattern order.
+    pub(super) fn jacobian(&self) -> &[f64] {
+        self.newton.jacobian()
+    }
+
+    /// Keeps to the method of so many stages, and solves for them to rounding.
+    #[cfg(test)]
+    pub(super) fn of_stages(mut self, stages: usize) -> Self {
+        self.current = (stages - 3) / 2;
+        self.is_fixed = true;
+        self
+    }
+
+    /// The error's estimate is of order s, the end of a step of order 2 s - 1: it is
+    /// held to a tolerance that is looser by as much, within limits, for states
+    /// between the ends are of order s only.
+    fn set_scale(&mut self) {
+        const LOOSEST: f64 = 10.0;
+        let stages = self.methods[self.current].stages() as f64;
+        let rtol = self.stretch.rtol;
+        let estimated = 0.1 * rtol.powf((stages + 1.0) / (2.0 * stages));
+        let looser = (estimated / rtol).clamp(1.0, LOOSEST);
+        for ((scale, state), atol) in self.scale.iter_mut().zip(&self.start).zip(self.stretch.atol)
+        {
+            *scale = looser * (atol + rtol * state.abs());
+        }
+        self.newton.set_tolerance(rtol * looser);
+        if self.is_fixed {
+            self.newton.demand(1e-9);
+        }
+    }
+
+    fn try_step(&mut self) -> Result<f64, Trial> {
+        self.guess_stages();
+        let method = &self.methods[self.current];
+        let size = self.size;
+        self.newton.linearize(self.time, &self.start[..size])?;
+        let mut outcome = Outcome::Failed { shrink: 0.5 };
+        // Once more with a new Jacobian, if the one it failed with was old.
+        for _ in 0..2 {
+            outcome = self.newton.solve(
+                method,
+                (self.time, self.step),
+                &self.start,
+                &self.scale,
+                &mut self.stages,
+            )?;
+            match outcome {
+                Outcome::Failed { .. } if self.newton.renew(self.time, &self.start[..size])? => {
+                    self.order_choice.newton_failed = true;
+                    self.stages.fill(0.0);
+                }
+                _ => break,
+            }
+        }
+        if let Outcome::Failed { shrink } = outcome {
+            self.order_choice.newton_failed = true;
+            return Err(Trial::Unsolved { shrink });
+        }
+        self.sum_up_flows();
+        let last = (self.methods[self.current].stages() - 1) * self.len;
+        for ((end, start), stage) in self.end.iter_mut().zip(&self.start).zip(&self.stages[last..])
+        {
+            *end = start + stage;
+        }
+        let error = self.estimate(false)?;
+        if error > 1.0 && (self.was_rejected || self.accepted.is_none()) {
+            return self.estimate_again();
+        }
+        Ok(error)
+    }
+
+    /// Norm of (gamma/h I - J)^-1 (f - u'(t)), u the polynomial through start and
+    /// stages; it is the difference to an embedded method of order s. f is the
+    /// rate at the start, or what stands in `rate_at_end`.
+    fn estimate(&mut self, is_again: bool) -> Result<f64, Trial> {
+        let rate = if is_again { &self.rate_at_end } else { &self.rate };
+        let method = &self.methods[self.current];
+        let real = method.coefficients.real / self.step;
+        for (index, error) in self.error.iter_mut().enumerate() {
+            let stages = self.stages[index..].iter().step_by(self.len);
+            let slope: f64 = method.slope.iter().zip(stages).map(|(weight, z)| weight * z).sum();
+            *error = rate[index] - slope / self.step;
+        }
+        let (states, flows) = self.error.split_at_mut(self.size);
+        self.newton.solve_real(states);
+        for flow in flows {
+            *flow /= real;
+        }
+        let sum: f64 =
+            self.error.iter().zip(&self.scale).map(|(e, scale)| (e / scale).powi(2)).sum();
+        let norm = (sum / self.len as f64).sqrt();
+        if norm.is_nan() {
+            return Err(Trial::NotFinite { what: "the error of", index: 0 });
+        }
+        Ok(norm.max(1e-10))
+    }
+
+    /// The estimate filtered once more, which is better for very stiff states.
+    fn estimate_again(&mut self) -> Result<f64, Trial> {
+        for ((scratch, start), error) in self.scratch.iter_mut().zip(&self.start).zip(&self.error) {
+            *scratch = start + error;
+        }
+        self.stretch.rate(self.time, &self.scratch, &mut self.rate_at_end);
+        self.estimate(true)
+    }
+
+    /// Stages of the quadratures, Z_w = h A P.
+    fn sum_up_flows(&mut self) {
+        if self.len == self.size {
+            return;
+        }
+        let method = &self.methods[self.current];
+        let count = method.stages();
+        for stage in 0..count {
+            for flow in self.size..self.len {
+                self.stages[stage * self.len + flow] = 0.0;
+            }
+        }
+        for (stage, node) in method.coefficients.nodes.iter().enumerate() {
+            for ((state, start), z) in
+                self.scratch.iter_mut().zip(&self.start).zip(&self.stages[stage * self.len..])
+            {
+                *state = start + z;
+            }
+            let time = self.time + node * self.step;
+            let flows = self.stretch.flow_rates(time, &self.scratch[..self.size]);
+            for row in 0..count {
+                let weight = self.step * method.integrals[row * count + stage];
+                for (flow, rate) in flows.iter().enumerate() {
+                    self.stages[row * self.len + self.size + flow] += weight * rate;
+                }
+            }
+        }
+    }
+
+    /// Stages by continuing the polynomial of the last step.
+    fn guess_stages(&mut self) {
+        if !self.previous.is_known {
+            self.stages.fill(0.0);
+            return;
+        }
+        let ratio = self.step / self.previous.step;
+        let method = &self.methods[self.previous.method];
+        for (stage, node) in self.methods[self.current].coefficients.nodes.iter().enumerate() {
+            let into = &mut self.stages[stage * self.len..][..self.len];
+            method.evaluate(&self.previous.differences, 1.0 + node * ratio, into);
+            for (stage, start) in into.iter_mut().zip(&self.start) {
+                *stage -= start;
+            }
+        }
+    }
+
+    /// A higher order where Newton's iteration converges fast and steps are even,
+    /// a lower one where it struggles.
+    fn choose_order(&mut self) {
+        const STEPS_BEFORE_A_RISE: usize = 10;
+        let choice = &mut self.order_choice;
+        choice.steps_since_change += 1;
+        choice.contraction = self.newton.contraction().max(0.5 * choice.contraction).min(10.0);
+        let ratio = self.accepted.map_or(1.0, |before| self.step / before.step);
+        let is_even = ratio > 0.8 && ratio < 1.2;
+        let struggles = choice.newton_failed || choice.contraction >= 0.8;
+        let highest = highest_useful(self.stretch.rtol);
+        let next = if struggles {
+            self.current.saturating_sub(1)
+        } else if choice.contraction <= 0.002
+            && is_even
+            && choice.steps_since_change > STEPS_BEFORE_A_RISE
+        {
+            (self.current + 1).min(highest)
+        } else {
+            self.current
+        };
+        choice.newton_failed = false;
+        if next != self.current && !self.is_fixed {
+            self.current = next;
+            self.accepted = None;
+            *choice = OrderChoice::default();
+        }
+    }
+}
+
+/// The order that pays for a tolerance, as an index: a method of s stages costs
+/// about s evaluations and (s + 1) / 2 solutions an iteration.
+fn highest_useful(rtol: f64) -> usize {
+    if rtol > 1e-5 {
+        0
+    } else if rtol > 1e-8 {
+        1
+    } else {
+        2
+    }
+}
+
+impl OneStep for RadauSteps<'_> {
+    fn begin(&mut self, time: f64, state: &[f64]) {
+        self.time = time;
+        self.step = 0.0;
+        self.start.copy_from_slice(state);
+        self.end.copy_from_slice(state);
+        self.stretch.rate(time, &self.start, &mut self.rate);
+        self.previous.is_known = false;
+        self.accepted = None;
+        self.newton.forget();
+        self.set_scale();
+    }
+
+    fn first_step(&mut self) -> f64 {
+        let size = self.size;
+        let scratch = (&mut self.scratch[..size], &mut self.error[..size]);
+        let given = (&self.start[..size], &self.rate[..size]);
+        first_step(self.stretch, 3, self.time, given, scratch)
+    }
+
+    fn attempt(&mut self, step: f64) -> Trial {
+        self.step = step;
+        match self.try_step() {
+            Ok(error) if error <= 1.0 => {
+                let now = self.time + step;
+                self.stretch.rate(now, &self.end, &mut self.rate_at_end);
+                let ends = self.end.iter().chain(&self.rate_at_end);
+                match ends.clone().position(|value| !value.is_finite()) {
+                    None => {
+                        self.last_error = error;
+                        Trial::Error(error)
+                    }
+                    Some(index) => {
+                        self.was_rejected = true;
+                        Trial::NotFinite { what: "the rate of", index: index % self.len }
+                    }
+                }
+            }
+            Ok(error) => {
+                self.was_rejected = true;
+                self.last_error = error;
+                Trial::Error(error)
+            }
+            Err(trial) => {
+                self.was_rejected = true;
+                trial
+            }
+        }
+    }
+
+    fn end(&self) -> &[f64] {
+        &self.end
+    }
+
+    fn interpolate(&mut self, time: f64, state: &mut [f64]) {
+        let method = &self.methods[self.current];
+        method.differences(&self.start, &self.stages, &mut self.previous.differences);
+        let theta = (time - self.time) / self.step;
+        method.evaluate(&self.previous.differences, theta, state);
+    }
+
+    fn accept(&mut self) {
+        let method = &self.methods[self.current];
+        method.differences(&self.start, &self.stages, &mut self.previous.differences);
+        self.previous = Previous {
+            differences: std::mem::take(&mut self.previous.differences),
+            method: self.current,
+            step: self.step,
+            is_known: true,
+        };
+        self.time += self.step;
+        self.start.copy_from_slice(&self.end);
+        self.rate.copy_from_slice(&self.rate_at_end);
+        self.choose_order();
+        self.accepted = Some(Accepted { step: self.step, error: self.last_error.max(1e-2) });
+        self.was_rejected = false;
+        self.newton.start_anew();
+        self.set_scale();
+    }
+
+    fn pace(&self) -> Pace {
+        let exponent = 1.0 / (self.methods[self.current].stages() as f64 + 1.0);
+        let safety = 0.9 * self.newton.ease();
+        // The controller of Gustafsson: as far as the trend of the error allows.
+        let largest = match self.accepted {
+            Some(before) if !self.was_rejected => {
+                let trend = before.error / (self.last_error * self.last_error);
+                (0.9 * self.step / before.step * trend.powf(exponent)).clamp(0.2, 8.0)
+            }
+            _ => 8.0,
+        };
+        let hold = if self.newton.is_reusable() { 1.2 } else { 1.0 };
+        Pace { exponent, memory: 0.0, safety, smallest: 0.2, largest, hold }
+    }
+}

@@ -1,0 +1,136 @@
+//! What follows from the nodes of a collocation method.
+
+use crate::method::tableau::Radau;
+
+/// A Radau method and the polynomials through its nodes.
+pub(super) struct Collocation {
+    pub(super) coefficients: &'static Radau,
+    /// u'(0) of the polynomial through 0 at 0 and z_i at c_i is the sum of these
+    /// times z_i.
+    pub(super) slope: Vec<f64>,
+    /// A, row after row: integrals of Lagrange's polynomials.
+    pub(super) integrals: Vec<f64>,
+    /// Nodes of the divided differences: c from the last to the first, then 0.
+    nodes: Vec<f64>,
+}
+
+impl Collocation {
+    pub(super) fn new(coefficients: &'static Radau) -> Self {
+        let c = coefficients.nodes;
+        let slope = c.iter().enumerate().map(|(index, at)| {
+            let others = c.iter().enumerate().filter(|(other, _)| *other != index);
+            others.fold(1.0 / at, |product, (_, other)| product * other / (other - at))
+        });
+        Self {
+            coefficients,
+            slope: slope.collect(),
+            integrals: integrals(coefficients),
+            nodes: c.iter().rev().copied().chain([0.0]).collect(),
+        }
+    }
+
+    pub(super) fn stages(&self) -> usize {
+        self.coefficients.nodes.len()
+    }
+
+    /// Divided differences of the polynomial u(theta) through the start and the
+    /// stages, given less the start.
+    pub(super) fn differences(&self, start: &[f64], stages: &[f64], into: &mut [f64]) {
+        let (len, count) = (start.len(), self.stages());
+        for (node, stage) in (0..count).rev().enumerate() {
+            let into = &mut into[node * len..][..len];
+            for ((into, start), z) in into.iter_mut().zip(start).zip(&stages[stage * len..]) {
+                *into = start + z;
+            }
+        }
+        into[count * len..][..len].copy_from_slice(start);
+        for order in 1..=count {
+            for node in (order..=count).rev() {
+                let span = self.nodes[node] - self.nodes[node - order];
+                let (before, this) = into.split_at_mut(node * len);
+                for (this, before) in this[..len].iter_mut().zip(&before[(node - 1) * len..]) {
+                    *this = (*this - before) / span;
+                }
+            }
+        }
+    }
+
+    /// u(theta) from its divided differences.
+    pub(super) fn evaluate(&self, differences: &[f64], theta: f64, into: &mut [f64]) {
+        let (len, count) = (into.len(), self.stages());
+        into.copy_from_slice(&differences[count * len..][..len]);
+        for (node, at) in self.nodes[..count].iter().enumerate().rev() {
+            for (into, difference) in into.iter_mut().zip(&differences[node * len..]) {
+                *into = difference + (theta - at) * *into;
+            }
+        }
+    }
+}
+
+/// A = T D^-1 T^-1, D the block diagonal.
+fn integrals(coefficients: &Radau) -> Vec<f64> {
+    let count = coefficients.nodes.len();
+    let mut integrals = vec![0.0; count * count];
+    for column in 0..count {
+        let of = |row: usize| coefficients.inverse[row * count + column];
+        let mut inner = vec![of(0) / coefficients.real];
+        for (pair, &(a, b)) in coefficients.pairs.iter().enumerate() {
+            let (upper, lower) = (of(1 + 2 * pair), of(2 + 2 * pair));
+            let size = a * a + b * b;
+            inner.push((a * upper + b * lower) / size);
+            inner.push((a * lower - b * upper) / size);
+        }
+        for row in 0..count {
+            let transform = &coefficients.transform[row * count..][..count];
+            integrals[row * count + column] =
+                transform.iter().zip(&inner).map(|(t, inner)| t * inner).sum();
+        }
+    }
+    integrals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::tableau::RADAU;
+
+    #[test]
+    fn the_methods_integrate_polynomials_exactly_and_their_last_stage_twice_as_high() {
+        for coefficients in &RADAU {
+            let method = Collocation::new(coefficients);
+            let count = method.stages();
+            let c = coefficients.nodes;
+            for power in 0..2 * count as i32 - 1 {
+                for row in 0..count {
+                    let exact = c[row].powi(power + 1) / f64::from(power + 1);
+                    let weights = &method.integrals[row * count..][..count];
+                    let sum: f64 = weights.iter().zip(c).map(|(a, c)| a * c.powi(power)).sum();
+                    let is_exact = (sum - exact).abs() < 1e-13;
+                    if power < count as i32 || row + 1 == count {
+                        assert!(is_exact, "{count} stages, row {row}, {power}: {sum} {exact}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_polynomial_is_met_everywhere_and_so_is_its_slope_at_the_start() {
+        for coefficients in &RADAU {
+            let method = Collocation::new(coefficients);
+            let count = method.stages();
+            let value = |theta: f64| 3.0 - 2.0 * theta + theta.powi(count as i32);
+            let stages: Vec<f64> =
+                coefficients.nodes.iter().map(|c| value(*c) - value(0.0)).collect();
+            let mut differences = vec![0.0; count + 1];
+            method.differences(&[value(0.0)], &stages, &mut differences);
+            for theta in [0.0, 0.17, 0.9, 1.0, 2.5] {
+                let mut found = [0.0];
+                method.evaluate(&differences, theta, &mut found);
+                assert!((found[0] / value(theta) - 1.0).abs() < 1e-11, "{theta}: {found:?}");
+            }
+            let slope: f64 = method.slope.iter().zip(&stages).map(|(w, z)| w * z).sum();
+            assert!((slope + 2.0).abs() < 1e-12, "{slope}");
+        }
+    }
+}

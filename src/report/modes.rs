@@ -1,0 +1,82 @@
+//! Natural motions of a scene about its operating point.
+
+use machinist::Simulation;
+use machinist::linear_analysis::{LinearError, Linearization, Place, operating_point};
+use machinist_scenes::Simulator;
+use maud::{Markup, html};
+
+use crate::cli::modes::{HEADING, row};
+
+/// Scenes with more states are left to the command.
+const MAX_STATES: usize = 200;
+/// Motions shown of a scene at most.
+const MAX_ROWS: usize = 24;
+
+/// The table and where it holds.
+pub struct Modes {
+    place: String,
+    rows: Vec<[String; 7]>,
+    left_out: usize,
+}
+
+/// The motions about the equilibrium near the end of the run; where there is none,
+/// about the state at the end. Nothing for large scenes.
+pub fn modes(simulator: &dyn Simulator<f64>) -> Option<Result<Modes, LinearError>> {
+    (simulator.shape().states() <= MAX_STATES).then(|| about_the_end(simulator))
+}
+
+fn about_the_end(simulator: &dyn Simulator<f64>) -> Result<Modes, LinearError> {
+    let run = Simulation::new(simulator);
+    let until = simulator.run_defaults().until;
+    let (point, steady) = match operating_point(&run, Place::Equilibrium) {
+        Err(LinearError::NoEquilibrium { .. }) => {
+            (operating_point(&run, Place::Time(until))?, "the state in which the run ends")
+        }
+        point => (point?, "the equilibrium near the end of the run"),
+    };
+    let place = format!("{steady}, time being held at {} s", point.time);
+    let modes = Linearization::at(simulator, point)?.modes()?;
+    let rows = modes.iter().take(MAX_ROWS).map(|mode| row(simulator, mode)).collect();
+    Ok(Modes { place, rows, left_out: modes.len().saturating_sub(MAX_ROWS) })
+}
+
+/// The part of a scene's section.
+pub fn section(scene: &str, modes: Option<&Result<Modes, LinearError>>) -> Markup {
+    let command = format!("machinist modes {scene}");
+    html! {
+        h3 { "Modes at the operating point" }
+        @match modes {
+            None => p { "The scene is large; see " code { (command) } },
+            Some(Err(error)) => p.warning { "There is no linear analysis: " (error) },
+            Some(Ok(modes)) => (table(modes, &command)),
+        }
+    }
+}
+
+fn table(modes: &Modes, command: &str) -> Markup {
+    html! {
+        p {
+            "Natural motions about " (modes.place) ". What moves is given by participation
+             factors, which do not depend on units. " code { (command) }
+        }
+        div.scroll {
+            table {
+                thead { tr {
+                    @for (index, heading) in HEADING.iter().enumerate() {
+                        @if index < 2 { th { (heading) } } @else { th.number { (heading) } }
+                    }
+                } }
+                tbody {
+                    @for row in &modes.rows {
+                        tr {
+                            @for (index, cell) in row.iter().enumerate() {
+                                @if index < 2 { td { (cell) } } @else { td.number { (cell) } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        @if modes.left_out > 0 { p.muted { (modes.left_out) " faster motions are left out." } }
+    }
+}

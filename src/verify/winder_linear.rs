@@ -1,0 +1,146 @@
+//! Checks of the bobbin on a linear layer against its exact motion, and of the
+//! mobility of its holder.
+
+use std::f64::consts::PI;
+
+use num_complex::Complex64;
+
+use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
+use crate::closed_form::winder::{BENCH_M5, Deflection, FORCE_M5, Harmonic, MASS_M5, SHAPE_M5};
+use crate::closed_form::winding_pair::HOLDER_POSITIONS;
+
+const NEAR_ROUNDING: &str = "the run is held to 1e-12 a step; some thousand steps add up";
+const TRANSIENT: &str = "closed form of deflection and velocity, each relative to its largest";
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        name: "free decay from 1 mm",
+        reference: TRANSIENT,
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: free_decay,
+    },
+    Check {
+        name: "transient under force and drum shape",
+        reference: TRANSIENT,
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: transient,
+    },
+    Check {
+        name: "amplitude of the steady answer to force",
+        reference: "closed form, relative",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: |machine| amplitude(machine, &BENCH_M5.answer_to_force(&FORCE_M5)),
+    },
+    Check {
+        name: "phase of the steady answer to force",
+        reference: "closed form, rad",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: |machine| phase(machine, &BENCH_M5.answer_to_force(&FORCE_M5)),
+    },
+    Check {
+        name: "amplitude of the steady answer to drum shape",
+        reference: "closed form, relative",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: |machine| amplitude(machine, &BENCH_M5.answer_to_shape(&SHAPE_M5)),
+    },
+    Check {
+        name: "phase of the steady answer to drum shape",
+        reference: "closed form, rad",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: |machine| phase(machine, &BENCH_M5.answer_to_shape(&SHAPE_M5)),
+    },
+    Check {
+        name: "reduced mass of a package of 50 mm",
+        reference: "m0 + mn lbc/lab + pi (R^2 - Rmin^2) H rho, relative",
+        tolerance: 1e-14,
+        reason: "both are algebra",
+        measure: reduced_mass,
+    },
+    Check {
+        name: "mobility of the bobbin holder in five positions",
+        reference: "the study's table 2, 2, 3, 3, 3: positions that differ",
+        tolerance: 0.0,
+        reason: "integers",
+        measure: |_| Ok(Measured::error(positions_that_differ())),
+    },
+];
+
+/// The study's table of W, in the order of [`HOLDER_POSITIONS`].
+pub(crate) const PRINTED_MOBILITY: [i32; 5] = [2, 2, 3, 3, 3];
+
+fn free_decay(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let settings = [("force_amplitude", 0.0), ("ovality", 0.0), ("initial_deflection", 1e-3)];
+    let start = Deflection { value: 1e-3, rate: 0.0 };
+    distance(machine, &settings, start, &[], &[])
+}
+
+fn transient(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let settings = [
+        ("initial_velocity", 0.05),
+        ("force_phase", 0.4),
+        ("package_force", 10.0),
+        ("ovality_phase", -1.1),
+        ("eccentricity", 1e-4),
+    ];
+    let start = Deflection { value: 0.0, rate: 0.05 };
+    // The empty bobbin turns with 5.5 m/s over 30 mm, the drum with 110 rad/s.
+    let package = Harmonic { amplitude: 10.0, frequency: 5.5 / 0.03, phase: 0.0 };
+    let forces = [Harmonic { phase: 0.4, ..FORCE_M5 }, package];
+    let eccentric = Harmonic { amplitude: 1e-4, frequency: 110.0, phase: 0.0 };
+    distance(machine, &settings, start, &forces, &[Harmonic { phase: -1.1, ..SHAPE_M5 }, eccentric])
+}
+
+/// Largest distance over 0.2 s of both states from the closed form.
+fn distance(
+    machine: &Machine,
+    settings: &[(&str, f64)],
+    start: Deflection,
+    forces: &[Harmonic],
+    shapes: &[Harmonic],
+) -> Result<Measured, CheckFailure> {
+    let run = machine.simulation(settings)?.until(0.2).points(401).rtol(1e-12).run()?;
+    let exact = run.times.iter().map(|time| BENCH_M5.motion(*time, start, forces, shapes));
+    let (values, rates): (Vec<f64>, Vec<f64>) = exact.map(|q| (q.value, q.rate)).unzip();
+    let deflection = relative_distance(machine.column(&run, "holder.x")?, &values);
+    let velocity = relative_distance(machine.column(&run, "holder.v")?, &rates);
+    Ok(Measured::error(worse(deflection, velocity)))
+}
+
+fn amplitude(machine: &Machine, answer: &Harmonic) -> Result<Measured, CheckFailure> {
+    Ok(Measured::relative(steady(machine, answer.frequency)?.norm(), answer.amplitude))
+}
+
+fn phase(machine: &Machine, answer: &Harmonic) -> Result<Measured, CheckFailure> {
+    Ok(Measured::absolute(steady(machine, answer.frequency)?.arg(), answer.phase))
+}
+
+/// A e^(j phase) of the part A cos(p t + phase) of the deflection, by the Fourier sum
+/// over one turn of the drum after 1.5 s, when the transient has faded to e^-33.
+fn steady(machine: &Machine, frequency: f64) -> Result<Complex64, CheckFailure> {
+    const SAMPLES: u32 = 64;
+    let turn = 2.0 * PI / FORCE_M5.frequency;
+    let times: Vec<f64> =
+        (0..SAMPLES).map(|k| 1.5 + turn * f64::from(k) / f64::from(SAMPLES)).collect();
+    let run = machine.simulation(&[])?.until(1.5 + turn).times(&times).rtol(1e-12).run()?;
+    let deflection = machine.column(&run, "deflection")?;
+    let terms = times.iter().zip(deflection);
+    let sum: Complex64 =
+        terms.map(|(time, value)| Complex64::from_polar(*value, -frequency * time)).sum();
+    Ok(sum * 2.0 / f64::from(SAMPLES))
+}
+
+fn reduced_mass(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let point = machine.point(&[("holder.package_radius", 0.05)], &[])?;
+    Ok(Measured::relative(machine.output(&point, "mass")?, MASS_M5.at(0.05)))
+}
+
+fn positions_that_differ() -> f64 {
+    let pairs = HOLDER_POSITIONS.iter().zip(PRINTED_MOBILITY);
+    pairs.filter(|(position, printed)| position.mobility() != *printed).count() as f64
+}

@@ -1,0 +1,64 @@
+//! Checks of the bobbin on a stiffening layer: free of viscosity and disturbances it is
+//! the Duffing oscillator, without its cubic term the linear bobbin.
+
+use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
+use crate::closed_form::duffing::Duffing;
+use crate::closed_form::winder::{BENCH_M5, Deflection, FORCE_M5, SHAPE_M5};
+
+const HELD: &str = "the run is held to 1e-12 a step; some thousand steps add up";
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        name: "free vibration from 2 mm",
+        reference: "Jacobi elliptic functions, deflection and velocity relative to the largest",
+        tolerance: 1e-9,
+        reason: HELD,
+        measure: |machine| free_vibration(machine, 2e-3),
+    },
+    Check {
+        name: "free vibration from 8 mm, the cubic term leading",
+        reference: "Jacobi elliptic functions, deflection and velocity relative to the largest",
+        tolerance: 1e-9,
+        reason: HELD,
+        measure: |machine| free_vibration(machine, 8e-3),
+    },
+    Check {
+        name: "transient without the cubic term",
+        reference: "closed form of the linear bobbin, relative to the largest",
+        tolerance: 1e-9,
+        reason: HELD,
+        measure: linear_limit,
+    },
+];
+
+const LAYER: Duffing = Duffing { mass: 2.1, stiffness: 45_800.0, cubic_stiffness: 2e9 };
+
+fn free_vibration(machine: &Machine, amplitude: f64) -> Result<Measured, CheckFailure> {
+    let settings = [
+        ("layer.viscosity", 0.0),
+        ("force_amplitude", 0.0),
+        ("ovality", 0.0),
+        ("initial_deflection", amplitude),
+    ];
+    distance(machine, &settings, |time| LAYER.motion(time, amplitude))
+}
+
+fn linear_limit(machine: &Machine) -> Result<Measured, CheckFailure> {
+    distance(machine, &[("layer.cubic_stiffness", 0.0)], |time| {
+        let now = BENCH_M5.motion(time, Deflection::default(), &[FORCE_M5], &[SHAPE_M5]);
+        (now.value, now.rate)
+    })
+}
+
+/// Largest distance over 0.2 s of both states from an exact motion.
+fn distance(
+    machine: &Machine,
+    settings: &[(&str, f64)],
+    exact: impl Fn(f64) -> (f64, f64),
+) -> Result<Measured, CheckFailure> {
+    let run = machine.simulation(settings)?.until(0.2).points(401).rtol(1e-12).run()?;
+    let (values, rates): (Vec<f64>, Vec<f64>) = run.times.iter().map(|time| exact(*time)).unzip();
+    let deflection = relative_distance(machine.column(&run, "holder.x")?, &values);
+    let velocity = relative_distance(machine.column(&run, "holder.v")?, &rates);
+    Ok(Measured::error(worse(deflection, velocity)))
+}

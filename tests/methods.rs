@@ -1,0 +1,190 @@
+//! What the methods of this crate do that none other need do: stiff machines
+//! against each other, tolerances that are kept, choices that are told.
+
+mod common;
+
+use common::{HardSpring, Scalar, Stiff};
+use machinist::error::StopCause;
+use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_scenes::{Simulator, scenes};
+
+const OWN: [Method; 5] =
+    [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto];
+
+/// Largest error of the states over all output times, each over its size.
+fn error(simulator: &dyn Simulator<f64>, run: &Trajectory, reference: &Trajectory) -> f64 {
+    let mut largest: f64 = 0.0;
+    for state in 0..simulator.shape().states() {
+        let size = simulator.state_scale(state);
+        let values = run.columns[state].values.iter().zip(&reference.columns[state].values);
+        largest = values.fold(largest, |largest, (a, b)| largest.max((a - b).abs() / size));
+    }
+    largest
+}
+
+#[test]
+fn errors_keep_to_the_tolerance_from_loose_to_tight() {
+    let base = Simulation::new(&HardSpring);
+    let reference = base.clone().method(Method::Dop853).rtol(1e-14).run().unwrap();
+    for method in OWN {
+        let (mut least, mut most) = (f64::INFINITY, 0.0);
+        let mut rtol = 1e-3;
+        while rtol > 0.9e-12 {
+            let run = base.clone().method(method).rtol(rtol).run().unwrap();
+            let found = error(&HardSpring, &run, &reference) / rtol;
+            println!("{method} {rtol:.0e}: {found:.2} rtol, {} steps", run.work.steps);
+            assert!(found < 15.0, "{method} at {rtol:e} errs by {found} times the tolerance");
+            (least, most) = (found.min(least), found.max(most));
+            rtol /= 10.0;
+        }
+        assert!(most < 10.0 * least, "{method} errs by {least} to {most} times the tolerance");
+    }
+}
+
+#[test]
+fn two_unrelated_methods_agree_on_van_der_pol() {
+    // y'' = mu (1 - y^2) y' - y, mu = 1e6, in time over mu until 2.
+    let simulation = Simulation::new(&Stiff::VanDerPol).points(21);
+    let radau = simulation.clone().method(Method::Radau).rtol(1e-12).run().unwrap();
+    // Hairer, Wanner, test set of stiff problems: y(2), y'(2).
+    let published = [1.706_167_732_170_483, -8.928_097_010_248_25e-1];
+    for (state, value) in published.iter().enumerate() {
+        let found = radau.columns[state].values[20];
+        assert!((found / value - 1.0).abs() < 1e-8, "state {state} is {found}");
+    }
+    for method in [Method::Rodas5p, Method::Auto] {
+        for rtol in [1e-5, 1e-8] {
+            let run = simulation.clone().method(method).rtol(rtol).run().unwrap();
+            let at_end = (run.columns[0].values[20] / published[0] - 1.0).abs();
+            println!("{method} {rtol:e}: {at_end:e} {:?}", run.work);
+            assert!(at_end < 100.0 * rtol, "{method} at {rtol:e} errs by {at_end:e}");
+            assert!(run.work.steps < 5000, "{method}: {:?}", run.work);
+        }
+    }
+}
+
+#[test]
+fn two_unrelated_methods_agree_on_robertson() {
+    let simulation = Simulation::new(&Stiff::Robertson).times(&[0.0, 40.0, 4e5, 1e11]);
+    let radau = simulation.clone().method(Method::Radau).rtol(1e-11).run().unwrap();
+    // The same test set: y at 1e11.
+    let published = [2.083_340_149_701_253e-8, 8.333_360_770_334_716e-14, 9.999_999_791_665_05e-1];
+    for (state, value) in published.iter().enumerate() {
+        let found = radau.columns[state].values[3];
+        assert!((found / value - 1.0).abs() < 1e-6, "state {state} is {found}");
+    }
+    for method in [Method::Rodas5p, Method::Auto] {
+        let run = simulation.clone().method(method).rtol(1e-7).run().unwrap();
+        for time in 1..3 {
+            for state in 0..3 {
+                let exact = radau.columns[state].values[time];
+                let found = run.columns[state].values[time] / exact - 1.0;
+                assert!(found.abs() < 1e-5, "{method}, {time}, {state}: {found:e}");
+            }
+        }
+        assert!(run.work.steps < 3000, "{method}: {:?}", run.work);
+    }
+}
+
+#[test]
+fn rosenbrock_keeps_its_order_near_a_stiff_equilibrium() {
+    // Prothero and Robinson: y' = -L (y - cos t) - sin t, from y = cos t. Methods
+    // that are not made for it lose all orders but one or two.
+    let scalar = Scalar::new(|t, y| -1e5 * (y - t.cos()) - t.sin(), |_, _| -1e5, 1.0);
+    for (method, most) in [(Method::Rodas5p, 100), (Method::Radau, 60)] {
+        let run = Simulation::new(&scalar).method(method).rtol(1e-6).until(3.0).run().unwrap();
+        let error = (run.last("y").unwrap() - 3.0f64.cos()).abs();
+        println!("{method}: {error:e} {:?}", run.work);
+        assert!(error < 1e-6 && run.work.steps < most, "{method}: {error:e}, {:?}", run.work);
+    }
+}
+
+#[test]
+fn auto_says_what_it_chose_and_why() {
+    let run = |simulator: &dyn Simulator<f64>, rtol| {
+        Simulation::new(simulator).method(Method::Auto).rtol(rtol).run().unwrap().notes
+    };
+    assert_eq!(run(&HardSpring, 1e-3), ["starts with tsit5, for a relative tolerance of 1e-3"]);
+    assert_eq!(run(&HardSpring, 1e-6), ["starts with dop853, for a relative tolerance of 1e-6"]);
+    for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
+        let notes = run(&Stiff::VanDerPol, rtol);
+        assert!(notes[1].starts_with(implicit), "{notes:?}");
+        assert!(notes[1].contains("held by stability"), "{notes:?}");
+    }
+    let plain = Simulation::new(&HardSpring).method(Method::Radau).run().unwrap();
+    assert!(plain.notes.is_empty());
+}
+
+#[test]
+fn auto_returns_to_the_explicit_method_when_stiffness_ends() {
+    // Decays at 1e5 until about t = 1, at 1 from then on, and is driven all along.
+    let scalar = Scalar::new(
+        |t, y| (1.0 + 1e5 / (1.0 + (40.0 * (t - 1.0)).exp())) * ((5.0 * t).sin() - y),
+        |t, _| -(1.0 + 1e5 / (1.0 + (40.0 * (t - 1.0)).exp())),
+        0.0,
+    );
+    let run = Simulation::new(&scalar).method(Method::Auto).until(20.0).run().unwrap();
+    println!("{:?} {:?}", run.notes, run.work);
+    assert_eq!(run.notes.len(), 3, "{:?}", run.notes);
+    assert!(run.notes[2].starts_with("dop853 instead of rodas5p"), "{:?}", run.notes);
+    let exact = Simulation::new(&scalar).method(Method::Radau).rtol(1e-11).until(20.0).run();
+    let difference = run.last("y").unwrap() - exact.unwrap().last("y").unwrap();
+    assert!(difference.abs() < 1e-5, "{difference:e}");
+}
+
+#[test]
+fn auto_is_about_as_cheap_as_the_explicit_method_where_nothing_is_stiff() {
+    let simulation = Simulation::new(&HardSpring).rtol(1e-6).points(2);
+    let explicit = simulation.clone().method(Method::Dop853).run().unwrap();
+    let auto = simulation.method(Method::Auto).run().unwrap();
+    assert_eq!(explicit.work, auto.work);
+}
+
+#[test]
+fn all_methods_agree_on_the_saw_gin() {
+    let simulator = scenes::find::<f64>("saw_gin").unwrap();
+    let simulation = Simulation::new(simulator).points(41);
+    let reference = simulation.clone().method(Method::Radau).rtol(1e-12).run().unwrap();
+    for method in OWN {
+        let run = simulation.clone().method(method).rtol(1e-7).run().unwrap();
+        let found = error(simulator, &run, &reference);
+        println!("{method}: {found:e}, {:?}", run.work);
+        assert!(found < 1e-5, "{method} errs by {found:e}");
+    }
+}
+
+#[test]
+fn a_tolerance_finer_than_rounding_is_named() {
+    for method in OWN {
+        let refused = Simulation::new(&HardSpring).method(method).rtol(1e-17).run();
+        let Err(SimulateError::Stopped { cause, .. }) = refused else { panic!("{method} runs") };
+        assert_eq!(cause, StopCause::ToleranceBelowRounding { rtol: 1e-17 }, "{method}");
+    }
+}
+
+#[test]
+fn a_jacobian_that_is_not_finite_is_named() {
+    // From 0.5 s on; in the other method, which keeps a good Jacobian, from the start.
+    let late: fn(f64, f64) -> f64 = |t, _| if t < 0.5 { -1.0 } else { f64::NAN };
+    for (method, slope, from) in
+        [(Method::Rodas5p, late, 0.5), (Method::Radau, |_, _| f64::NAN, 0.0)]
+    {
+        let scalar = Scalar::new(|_, y| -y, slope, 1.0);
+        match Simulation::new(&scalar).method(method).run() {
+            Err(SimulateError::Stopped { cause: StopCause::NotFinite { what }, time, .. }) => {
+                assert_eq!(what, "the Jacobian of the rate of `y`", "{method}");
+                assert!(time >= from && time < from + 0.2, "{method} stops at {time}");
+            }
+            other => panic!("{method}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_limit_on_steps_stops_every_method() {
+    for method in OWN {
+        let stopped = Simulation::new(&HardSpring).method(method).max_steps(3).run();
+        let Err(SimulateError::Stopped { cause, .. }) = stopped else { panic!("{method} runs") };
+        assert_eq!(cause, StopCause::TooManySteps { limit: 3 }, "{method}");
+    }
+}

@@ -17,6 +17,7 @@ fn main() -> Result<(), SimulateError> {
         return Ok(());
     };
     let reference = Simulation::new(scene).points(2).method(Method::Dop853).rtol(1e-13).run()?;
+    println!("one rate: {:.0} ns", rate_time(scene));
     println!("method     rtol   error    ms       steps rejected  rates  ns a step");
     for rtol in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
         for &method in Method::ALL {
@@ -24,6 +25,26 @@ fn main() -> Result<(), SimulateError> {
         }
     }
     Ok(())
+}
+
+/// Nanoseconds of one evaluation of the rate, by many at states that differ.
+fn rate_time(scene: &dyn Simulator<f64>) -> f64 {
+    const TIMES: u32 = 200_000;
+    let shape = scene.shape();
+    let parameters: Vec<f64> =
+        (0..shape.parameters).map(|index| scene.parameter_default(index)).collect();
+    let mut state = vec![0.0; shape.states()];
+    scene.initial_state(&parameters, &mut state);
+    let mut rate = state.clone();
+    let start = Instant::now();
+    for step in 0..TIMES {
+        scene.rate(f64::from(step) * 1e-6, &state, &parameters, &mut rate);
+        for (state, rate) in state.iter_mut().zip(&rate) {
+            *state += 1e-7 * rate;
+        }
+    }
+    assert!(state.iter().all(|value| value.is_finite()));
+    1e9 * start.elapsed().as_secs_f64() / f64::from(TIMES)
 }
 
 fn time(scene: &dyn Simulator<f64>, method: Method, rtol: f64, reference: &Trajectory) {

@@ -1,3 +1,5 @@
+#![expect(clippy::float_cmp, reason = "numbers that must come out exactly")]
+
 use super::*;
 
 const SHAFT: Shaft = SAW_GIN_SHAFT;

@@ -66,7 +66,7 @@ mod tests {
         let at = |x: f64| vec![(1.0 + x).sin(), (2.0 * x).exp(), 3.0 * x + 1e6, x.powi(3), 7.0];
         let found = derivative(1.0, 5, at);
         for (found, exact) in found.iter().zip([1.0f64.cos(), 2.0, 3.0, 0.0, 0.0]) {
-            let tolerance = if exact == 3.0 { 1e-8 } else { 1e-11 };
+            let tolerance = if exact > 2.5 { 1e-8 } else { 1e-11 };
             assert!((found - exact).abs() <= tolerance, "{found} is not {exact}");
         }
     }

@@ -276,7 +276,7 @@ impl Linearization<'_> {
 ///
 /// # Errors
 /// [`LinearError::BadRange`] unless 0 < from < until, finite, and 2 to
-/// [`MAX_POINTS`] points.
+/// `MAX_POINTS` points.
 pub fn logarithmic_range(from: f64, until: f64, points: usize) -> Result<Vec<f64>, LinearError> {
     let is_range = from > 0.0 && from < until && until.is_finite();
     if !(is_range && (2..=MAX_POINTS).contains(&points)) {

@@ -1,3 +1,5 @@
+#![expect(clippy::float_cmp, reason = "numbers that must come out exactly")]
+
 use machinist_scenes::Describe as _;
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::saw_gin::SawGin;

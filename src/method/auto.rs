@@ -84,8 +84,8 @@ struct Choice {
 impl Choice {
     fn new(rtol: f64) -> Self {
         let (explicit, explicit_name) =
-            if rtol > 1e-4 { (&TSIT5, "tsit5") } else { (&DOP853, "dop853") };
-        let is_tight = rtol < 1e-7;
+            if rtol > 1e-3 { (&TSIT5, "tsit5") } else { (&DOP853, "dop853") };
+        let is_tight = rtol <= 1e-7;
         let implicit_name = if is_tight { "radau" } else { "rodas5p" };
         Self { explicit, explicit_name, implicit_name, is_tight }
     }

@@ -104,7 +104,7 @@ impl Ruler {
             let placed = ticks.map(|(digit, power)| {
                 (f64::from(digit).log10() + f64::from(power), power_label(digit, power))
             });
-            placed.filter(|(place, _)| range.contains(place) || *place == range.end).collect()
+            placed.filter(|(place, _)| range.start <= *place && *place <= range.end).collect()
         };
         let few = |ticks: &Vec<(f64, String)>| ticks.len() <= count;
         let chosen = Some(within(&[1, 2, 5], 1))

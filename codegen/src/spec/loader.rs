@@ -17,11 +17,16 @@ macro_rules! builtin {
 
 /// The units that come with Machinist, by name; the one list of them.
 const BUILTIN_UNITS: &[(&str, &str)] = &[
+    builtin!("bobbin_holder"),
     builtin!("coupling"),
     builtin!("induction_motor"),
     builtin!("induction_motor_as_printed"),
+    builtin!("induction_motor_stationary"),
     builtin!("rotor"),
     builtin!("technological_load"),
+    builtin!("three_pendulums"),
+    builtin!("yarn_layer"),
+    builtin!("yarn_layer_cubic"),
 ];
 
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {

@@ -23,6 +23,7 @@ mod taylor;
 use std::fmt;
 use std::str::FromStr;
 
+use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
 use crate::error::{StopCause, UnknownMethod, did_you_mean};
@@ -48,8 +49,8 @@ methods! {
     Radau { name: "radau", order: 13, implicit: true, integrator: radau::Radau },
     /// Explicit where it can be, implicit where the machine is stiff, by the tolerance.
     Auto { name: "auto", order: 13, implicit: true, integrator: auto::Auto },
-    /// Taylor series of an order that follows the tolerance; the fastest for smooth machines that are not stiff.
-    Taylor { name: "taylor", order: 30, implicit: false, integrator: taylor::Taylor },
+    /// Taylor series of an order that follows the tolerance; smooth machines that are not stiff.
+    Taylor { name: "taylor", order: 32, implicit: false, integrator: taylor::Taylor },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.
@@ -161,6 +162,13 @@ impl Method {
     #[must_use]
     pub fn is_implicit(self) -> bool {
         self.row().implicit
+    }
+
+    /// Whether the method can run this simulator: `taylor` needs the series that
+    /// emitted simulators have and simulators written by hand may lack.
+    #[must_use]
+    pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
+        self != Self::Taylor || simulator.taylor().is_some()
     }
 
     /// One line for people.

@@ -39,12 +39,17 @@ pub enum Recurrence {
     Time,
     /// Entry of the state: `y_k = rate_(k-1)/k`.
     State(u32),
+    /// `-a`.
     Neg(NodeId),
+    /// `a + b`.
     Add(NodeId, NodeId),
+    /// `a - b`.
     Sub(NodeId, NodeId),
     /// Series times constant.
     Scaled {
+        /// The factor that varies.
         series: NodeId,
+        /// The constant.
         factor: NodeId,
     },
     /// Product of two series.
@@ -59,45 +64,66 @@ pub enum Recurrence {
     /// `function(argument)` with derivative `integrand`, or minus that; the
     /// integrand may come later or be this very node.
     Integral {
+        /// Gives the zeroth coefficient.
         function: Function,
+        /// What the function is of.
         argument: NodeId,
+        /// The derivative by the argument.
         integrand: NodeId,
+        /// Whether the derivative has a minus.
         minus: bool,
     },
     /// `function(argument)` with derivative 1/`divisor`, or minus that.
     IntegralOver {
+        /// Gives the zeroth coefficient.
         function: Function,
+        /// What the function is of.
         argument: NodeId,
+        /// One over the derivative by the argument.
         divisor: NodeId,
+        /// Whether the derivative has a minus.
         minus: bool,
     },
     /// Constant real power of a positive series.
     Power {
+        /// The positive series.
         base: NodeId,
+        /// The constant.
         exponent: NodeId,
     },
     /// All coefficients of `then` or of `otherwise`, as the zeroth ones of `lhs`
     /// and `rhs` say.
     Select {
+        /// Compared for less.
         lhs: NodeId,
+        /// What it is compared with.
         rhs: NodeId,
+        /// Where less.
         then: NodeId,
+        /// Where not.
         otherwise: NodeId,
     },
     /// The cubic that holds at the zeroth coefficient of the argument; `square`
     /// and `cube` are the powers of the argument less its zeroth coefficient.
     Table {
+        /// Which table.
         table: TableId,
+        /// Derivative of the table.
         order: u32,
+        /// What the function is of.
         argument: NodeId,
+        /// `(x - x_0)^2`.
         square: NodeId,
+        /// `(x - x_0)^3`.
         cube: NodeId,
     },
     /// The part of entry times acceleration that is known before the
     /// acceleration: `y_k = entry_k acceleration_0 + S(entry, acceleration)`,
     /// zeroth coefficient 0.
     Lagged {
+        /// Of the mass matrix.
         entry: NodeId,
+        /// The unknown it is multiplied with.
         acceleration: NodeId,
     },
     /// Entry of the accelerations, solved for after all other nodes of an order.
@@ -118,7 +144,9 @@ pub enum Extent {
 /// One node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeriesNode {
+    /// How its coefficients follow.
     pub recurrence: Recurrence,
+    /// How many of them there are.
     pub extent: Extent,
     /// The spec's name, if it has one.
     pub name: Option<String>,
@@ -138,15 +166,18 @@ pub struct MassMatrix {
 /// `S(left, right)`, the left one perhaps with every coefficient times its order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Convolution {
+    /// The first factor.
     pub left: NodeId,
     /// Whether the left factor is `j left_j`.
     pub weighted: bool,
+    /// The second factor.
     pub right: NodeId,
 }
 
 /// Recurrences of all that the rate depends on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TaylorTape {
+    /// Zeroth coefficients in order of evaluation.
     pub nodes: Vec<SeriesNode>,
     /// The rate of every state.
     pub rate: Vec<NodeId>,

@@ -8,19 +8,17 @@ use machinist_codegen::program::Program;
 use machinist_codegen::taylor::{Recurrence, SeriesEvaluator, recurrences};
 use machinist_scenes::Simulator;
 
-#[deny(warnings)]
-#[allow(dead_code, reason = "tests need not use all")]
+#[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod every_recurrence {
     include!("emitted/recurrences.rs");
 }
 
-#[deny(warnings)]
-#[allow(dead_code, reason = "tests need not use all")]
+#[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod coupled {
     include!("emitted/coupled.rs");
 }
 
-#[allow(dead_code, reason = "tests need not use all")]
+#[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod pendulum {
     include!("emitted/pendulum.rs");
 }

@@ -75,18 +75,35 @@ impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
     }
 
     /// `sum_(j=1..order-1) left_j right_(order-j)` in every lane.
+    ///
+    /// The newest coefficients come last, so that all the rest of the sum can be
+    /// formed while they are still on their way.
     #[must_use]
     #[inline(always)]
     pub fn sums(&self, order: usize) -> [R; N] {
         let mut sums = [R::literal(0.0); N];
-        let left = &self.left[1..order];
-        let right = &self.right[1..order];
-        for (left, right) in left.iter().zip(right.iter().rev()) {
-            for lane in 0..N {
-                sums[lane] = sums[lane] + left[lane] * right[lane];
+        if order < 2 {
+            return sums;
+        }
+        if order > 3 {
+            let (left, right) = (&self.left[2..order - 1], &self.right[2..order - 1]);
+            for (left, right) in left.iter().zip(right.iter().rev()) {
+                add_products(&mut sums, left, right);
             }
         }
+        let newest = order - 1;
+        add_products(&mut sums, &self.left[1], &self.right[newest]);
+        if newest > 1 {
+            add_products(&mut sums, &self.left[newest], &self.right[1]);
+        }
         sums
+    }
+}
+
+#[inline(always)]
+fn add_products<R: Real, const N: usize>(sums: &mut [R; N], left: &[R; N], right: &[R; N]) {
+    for lane in 0..N {
+        sums[lane] = sums[lane] + left[lane] * right[lane];
     }
 }
 
@@ -107,6 +124,7 @@ pub struct Factored<R, const N: usize> {
     factors: [[R; N]; N],
 }
 
+#[allow(clippy::needless_range_loop, reason = "rows and columns of one matrix")]
 impl<R: Real, const N: usize> Factored<R, N> {
     /// Factors a matrix, of which the lower triangle is read.
     #[must_use]

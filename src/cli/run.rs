@@ -36,7 +36,7 @@ pub struct Run {
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE")]
     rtol: Option<f64>,
-    /// bdf, tr_bdf2, esdirk34 or tsit45
+    /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto or taylor
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
     /// Write all values to a file that ends in .csv or .json; - for CSV on

@@ -26,6 +26,9 @@ impl Integrator for Taylor {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
+        if stretch.rtol < 4.0 * f64::EPSILON {
+            return Err(Stopped { time: stretch.from, cause: StopCause::StepTooSmall });
+        }
         let series = stretch.system.simulator().taylor().ok_or_else(|| Stopped {
             time: stretch.from,
             cause: StopCause::Solver(

@@ -1,6 +1,7 @@
 // A rotor on a spring and a damper under a torque that steps, written by hand:
 //
 //     J q'' + d q' + c q = M step(t, t0)
+use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
 };
@@ -119,6 +120,27 @@ impl<R: Real> Simulator<R> for Oscillator {
         let supplied = drive_torque(time, p) * y[1];
         let dissipated = p[1] * y[1] * y[1];
         PowerBalance { stored_rate: supplied - dissipated, supplied, dissipated }
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for Oscillator {
+    fn series_workspace(&self, _order: usize) -> usize {
+        0
+    }
+    fn series(&self, time: R, y: &[R], p: &[R], coefficients: &mut [R], _workspace: &mut [R]) {
+        coefficients[..2].copy_from_slice(y);
+        let mut order = R::literal(1.0);
+        let mut torque = drive_torque(time, p);
+        for k in 1..coefficients.len() / 2 {
+            let [angle, speed] = [coefficients[2 * k - 2], coefficients[2 * k - 1]];
+            coefficients[2 * k] = speed / order;
+            coefficients[2 * k + 1] = (torque - p[1] * speed - p[2] * angle) / p[0] / order;
+            order = order + R::literal(1.0);
+            torque = R::literal(0.0);
+        }
     }
 }
 

@@ -384,10 +384,11 @@ impl Recurrence {
     #[must_use]
     pub fn reads(&self) -> Vec<NodeId> {
         let mut reads = Vec::new();
-        self.with_reads(|id| {
+        let note = |id| {
             reads.push(id);
             id
-        });
+        };
+        let _ = self.with_reads(note);
         reads
     }
 

@@ -359,8 +359,8 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_1, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 6>::new(workspace, coefficients.len());
+    let (mut lanes_1, _) = Lanes::<R, 6>::new(workspace, coefficients.len());
     let [q_0, q_1, q_0_dot, q_1_dot] = *state;
     let t0 = q_0 - q_1;
     let t1 = t0.sin();
@@ -387,11 +387,14 @@ pub fn series<R: Real>(
     let [q_0_dot_dot, q_1_dot_dot] = factored.solve([t8, t13]);
     let mut rates = [q_0_dot, q_1_dot, q_0_dot_dot, q_1_dot_dot];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (k, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
-        let [q_0_k, q_1_k, q_0_dot_k, q_1_dot_k] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [q_0_k, q_1_k, q_0_dot_k, q_1_dot_k] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
         let t0_k = q_0_k - q_1_k;
@@ -404,37 +407,28 @@ pub fn series<R: Real>(
         let cos_q_0_k = -(inverse * sums[5] + q_0_k * sin_q_0);
         let t7_k = sin_q_0_k * t6;
         let t8_k = t5_k - t7_k;
-        let t9_k = sums[6] + q_0_dot * q_0_dot_k + q_0_dot_k * q_0_dot;
-        let t10_k = sums[7] + t1 * t9_k + t1_k * t9;
-        let sin_q_1_k = inverse * sums_1[0] + q_1_k * cos_q_1;
-        let cos_q_1_k = -(inverse * sums_1[1] + q_1_k * sin_q_1);
+        let t9_k = sums_1[0] + q_0_dot * q_0_dot_k + q_0_dot_k * q_0_dot;
+        let t10_k = sums_1[1] + t1 * t9_k + t1_k * t9;
+        let sin_q_1_k = inverse * sums_1[2] + q_1_k * cos_q_1;
+        let cos_q_1_k = -(inverse * sums_1[3] + q_1_k * sin_q_1);
         let t12_k = sin_q_1_k * t11;
         let t13_k = t10_k - t12_k;
-        let n27_k = sums_1[2] + t2_k * q_1_dot_dot;
-        let n28_k = sums_1[3] + t2_k * q_0_dot_dot;
+        let n27_k = sums_1[4] + t2_k * q_1_dot_dot;
+        let n28_k = sums_1[5] + t2_k * q_0_dot_dot;
         let t8_k_2 = t8_k - n27_k;
         let t13_k_2 = t13_k - n28_k;
         let [q_0_dot_dot_k, q_1_dot_dot_k] = factored.solve([t8_k_2, t13_k_2]);
         lanes
             .set(
                 order,
-                [
-                    k * t0_k,
-                    k * t0_k,
-                    q_1_dot_k,
-                    t3_k,
-                    k * q_0_k,
-                    k * q_0_k,
-                    q_0_dot_k,
-                    t1_k,
-                ],
-                [t2_k, t1_k, q_1_dot_k, t4_k, cos_q_0_k, sin_q_0_k, q_0_dot_k, t9_k],
+                [k * t0_k, k * t0_k, q_1_dot_k, t3_k, k * q_0_k, k * q_0_k],
+                [t2_k, t1_k, q_1_dot_k, t4_k, cos_q_0_k, sin_q_0_k],
             );
         lanes_1
             .set(
                 order,
-                [k * q_1_k, k * q_1_k, t2_k, t2_k],
-                [cos_q_1_k, sin_q_1_k, q_1_dot_dot_k, q_0_dot_dot_k],
+                [q_0_dot_k, t1_k, k * q_1_k, k * q_1_k, t2_k, t2_k],
+                [q_0_dot_k, t9_k, cos_q_1_k, sin_q_1_k, q_1_dot_dot_k, q_0_dot_dot_k],
             );
         rates = [q_0_dot_k, q_1_dot_k, q_0_dot_dot_k, q_1_dot_dot_k];
     }
@@ -442,7 +436,7 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for Coupled {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+        Lanes::<R, 6>::workspace(order + 1) + Lanes::<R, 6>::workspace(order + 1)
     }
     fn series(
         &self,

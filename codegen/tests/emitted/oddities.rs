@@ -631,11 +631,14 @@ pub fn series<R: Real>(
     let t9_third = R::literal(1.0 / 6.0) * R::interpolate(&DRIVE_LOAD_TABLE, 3, time);
     let mut rates = [STATES_2, t8, t12];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (k, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
-        let [state_2_k, STATES_2_k, p_2_k] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [state_2_k, STATES_2_k, p_2_k] = *state_k;
         let sums = lanes.sums(order);
         let t0_k = STATES_2_k * p.arm_damping;
         let t1_k = p_2_k - t0_k;

@@ -794,12 +794,11 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_3, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_4, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_5, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_4, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
     let [arm_phi, arm_phi_dot, ..] = *state;
     let t0 = -arm_phi;
     let t1 = R::literal(2.0) + arm_phi;
@@ -991,17 +990,19 @@ pub fn series<R: Real>(
         t81,
     ];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (k, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
-        let [arm_phi_k, arm_phi_dot_k, ..] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [arm_phi_k, arm_phi_dot_k, ..] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
         let sums_2 = lanes_2.sums(order);
         let sums_3 = lanes_3.sums(order);
         let sums_4 = lanes_4.sums(order);
-        let sums_5 = lanes_5.sums(order);
         let t0_k = -arm_phi_k;
         let t2_k = (arm_phi_k - sums[0]) * inverse_t2;
         let t3_k = (arm_phi_k - inverse * sums[1]) * inverse_t1;
@@ -1016,53 +1017,53 @@ pub fn series<R: Real>(
         let t12_k = inverse * sums[6] + t4_k * t14;
         let t13_k = sums[7] + t12 * t12_k + t12_k * t12;
         let t15_k = -t12_k;
-        let t16_k = sums_1[0] + t4 * t4_k + t4_k * t4;
+        let t16_k = sums[8] + t4 * t4_k + t4_k * t4;
         let t17_k = -t16_k;
-        let t18_k = (t17_k - sums_1[1]) * inverse_t18;
-        let t19_k = (t4_k - inverse * sums_1[2]) * inverse_t18_2;
+        let t18_k = (t17_k - sums[9]) * inverse_t18;
+        let t19_k = (t4_k - inverse * sums_1[0]) * inverse_t18_2;
         let t20_k = -t19_k;
-        let t21_k = (-t4_k - inverse * sums_1[3]) * inverse_t18_3;
-        let t22_k = sums_1[4] + t5 * t5_k + t5_k * t5;
+        let t21_k = (-t4_k - inverse * sums_1[1]) * inverse_t18_3;
+        let t22_k = sums_1[2] + t5 * t5_k + t5_k * t5;
         let t23_k = -t22_k;
-        let t24_k = (t23_k - sums_1[5]) * inverse_t24;
-        let t25_k = (-t5_k - inverse * sums_1[6]) * inverse_t24_2;
-        let t27_k = (t4_k - inverse * sums_1[7]) * inverse_t26;
+        let t24_k = (t23_k - sums_1[3]) * inverse_t24;
+        let t25_k = (-t5_k - inverse * sums_1[4]) * inverse_t24_2;
+        let t27_k = (t4_k - inverse * sums_1[5]) * inverse_t26;
         let t28_k = -t27_k;
-        let t29_k = inverse * sums_2[0] + t4_k * t30;
-        let t30_k = inverse * sums_2[1] + t4_k * t29;
+        let t29_k = inverse * sums_1[6] + t4_k * t30;
+        let t30_k = inverse * sums_1[7] + t4_k * t29;
         let t31_k = -t29_k;
-        let t32_k = inverse * sums_2[2] + t4_k * t34;
-        let t33_k = sums_2[3] + t32 * t32_k + t32_k * t32;
+        let t32_k = inverse * sums_1[8] + t4_k * t34;
+        let t33_k = sums_1[9] + t32 * t32_k + t32_k * t32;
         let t34_k = -t33_k;
         let t35_k = -t32_k;
-        let t36_k = t36_first * arm_phi_k + t36_second * sums_2[4]
-            + t36_third * sums_2[5];
-        let t37_k = t37_first * arm_phi_k + t37_second * sums_2[4]
-            + t37_third * sums_2[5];
-        let t38_k = t38_first * arm_phi_k + t38_second * sums_2[4]
-            + t38_third * sums_2[5];
-        let t39_k = t39_first * arm_phi_k + t39_second * sums_2[4]
-            + t39_third * sums_2[5];
-        let t41_k = sums_2[6] + arm_phi * arm_phi_dot_k + arm_phi_k * arm_phi_dot;
+        let t36_k = t36_first * arm_phi_k + t36_second * sums_2[0]
+            + t36_third * sums_2[1];
+        let t37_k = t37_first * arm_phi_k + t37_second * sums_2[0]
+            + t37_third * sums_2[1];
+        let t38_k = t38_first * arm_phi_k + t38_second * sums_2[0]
+            + t38_third * sums_2[1];
+        let t39_k = t39_first * arm_phi_k + t39_second * sums_2[0]
+            + t39_third * sums_2[1];
+        let t41_k = sums_2[2] + arm_phi * arm_phi_dot_k + arm_phi_k * arm_phi_dot;
         let t42_k = arm_phi_dot_k * p.arm_length;
         let t44_k = arm_phi_k * t43;
         let t45_k = arm_phi_k * R::literal(0.5);
-        let t46_k = (arm_phi_dot_k - sums_2[7] - arm_phi_k * t46) * inverse_t40;
-        let t47_k = -(sums_3[0] + arm_phi_k * t47) * inverse_t40_2;
+        let t46_k = (arm_phi_dot_k - sums_2[3] - arm_phi_k * t46) * inverse_t40;
+        let t47_k = -(sums_2[4] + arm_phi_k * t47) * inverse_t40_2;
         let t48_k = -arm_phi_k;
-        let t50_k = sums_3[1] + t40 * arm_phi_k + arm_phi_k * t40;
-        let t51_k = sums_3[2] + t40 * t50_k + arm_phi_k * t50;
-        let t52_k = -(sums_3[3] + t51_k * t52) * inverse_t51;
-        let t53_k = -(sums_3[4] + arm_phi_k * t53) * inverse_t40_3;
-        let t54_k = sums_3[5] + t50 * t50_k + t50_k * t50;
-        let t55_k = sums_3[6] + t51 * t54_k + t51_k * t54;
-        let t56_k = (p.arm_length * (arm_phi_k * t56 + inverse * sums_3[7])
-            - inverse * sums_4[0]) * inverse_t40_4;
-        let t57_k = (R::literal(-2.5) * (arm_phi_k * t57 + inverse * sums_4[1])
-            - inverse * sums_4[2]) * inverse_t40_5;
-        let t58_k = (arm_phi_k - inverse * sums_4[3]) * inverse_t40_6;
-        let t59_k = sums_4[4] + arm_phi_dot * t58_k + arm_phi_dot_k * t58;
-        let t60_k = inverse * sums_4[5] + t59_k * t60;
+        let t50_k = sums_2[5] + t40 * arm_phi_k + arm_phi_k * t40;
+        let t51_k = sums_2[6] + t40 * t50_k + arm_phi_k * t50;
+        let t52_k = -(sums_2[7] + t51_k * t52) * inverse_t51;
+        let t53_k = -(sums_2[8] + arm_phi_k * t53) * inverse_t40_3;
+        let t54_k = sums_2[9] + t50 * t50_k + t50_k * t50;
+        let t55_k = sums_3[0] + t51 * t54_k + t51_k * t54;
+        let t56_k = (p.arm_length * (arm_phi_k * t56 + inverse * sums_3[1])
+            - inverse * sums_3[2]) * inverse_t40_4;
+        let t57_k = (R::literal(-2.5) * (arm_phi_k * t57 + inverse * sums_3[3])
+            - inverse * sums_3[4]) * inverse_t40_5;
+        let t58_k = (arm_phi_k - inverse * sums_3[5]) * inverse_t40_6;
+        let t59_k = sums_3[6] + arm_phi_dot * t58_k + arm_phi_dot_k * t58;
+        let t60_k = inverse * sums_3[7] + t59_k * t60;
         let t61_k = R::select_less(arm_phi, arm_phi_dot, arm_phi_k, arm_phi_k);
         let t62_k = R::select_less(arm_phi_dot, arm_phi, R::literal(0.0), arm_phi_k);
         let time_k = R::literal(if order == 1 { 1.0 } else { 0.0 });
@@ -1071,7 +1072,7 @@ pub fn series<R: Real>(
         let t66_k = R::literal(1.0) * arm_phi_before + time * arm_phi_k;
         let t67_k = p.arm_length * t65_before + t64 * t65_k;
         let t68_k = t63_k + arm_phi_k;
-        let t69_k = t69_first * t63_k + t69_second * sums_4[6] + t69_third * sums_4[7];
+        let t69_k = t69_first * t63_k + t69_second * sums_3[8] + t69_third * sums_3[9];
         let t70_k = inverse * p.arm_length * t71_before;
         let t71_k = -inverse * p.arm_length * t70_before;
         let t72_k = -t70_k;
@@ -1081,7 +1082,7 @@ pub fn series<R: Real>(
         let t76_k = inverse * p.arm_length * t75_before;
         let t77_k = -t75_k;
         let t78_k = inverse * p.arm_length * t80_before;
-        let t79_k = sums_5[0] + t78 * t78_k + t78_k * t78;
+        let t79_k = sums_4[0] + t78 * t78_k + t78_k * t78;
         let t80_k = -t79_k;
         let t81_k = -t78_k;
         lanes
@@ -1096,49 +1097,62 @@ pub fn series<R: Real>(
                     k * t4_k,
                     k * t4_k,
                     t12_k,
+                    t4_k,
+                    t18_k,
                 ],
-                [t2_k, arm_phi_k, t7_k, t8_k, t10_k, t9_k, t13_k, t12_k],
+                [t2_k, arm_phi_k, t7_k, t8_k, t10_k, t9_k, t13_k, t12_k, t4_k, t18_k],
             );
         lanes_1
             .set(
                 order,
-                [t4_k, t18_k, k * t19_k, k * t21_k, t5_k, t24_k, k * t25_k, k * t27_k],
-                [t4_k, t18_k, t18_k, t18_k, t5_k, t24_k, t24_k, t16_k],
+                [
+                    k * t19_k,
+                    k * t21_k,
+                    t5_k,
+                    t24_k,
+                    k * t25_k,
+                    k * t27_k,
+                    k * t4_k,
+                    k * t4_k,
+                    k * t4_k,
+                    t32_k,
+                ],
+                [t18_k, t18_k, t5_k, t24_k, t24_k, t16_k, t30_k, t29_k, t34_k, t32_k],
             );
         lanes_2
             .set(
                 order,
                 [
-                    k * t4_k,
-                    k * t4_k,
-                    k * t4_k,
-                    t32_k,
                     arm_phi_k,
                     arm_phi_k,
                     arm_phi_k,
                     arm_phi_k,
-                ],
-                [t30_k, t29_k, t34_k, t32_k, arm_phi_k, sums_2[4], arm_phi_dot_k, t46_k],
-            );
-        lanes_3
-            .set(
-                order,
-                [
                     arm_phi_k,
                     arm_phi_k,
                     arm_phi_k,
                     t51_k,
                     arm_phi_k,
                     t50_k,
-                    t51_k,
-                    k * arm_phi_k,
                 ],
-                [t47_k, arm_phi_k, t50_k, t52_k, t53_k, t50_k, t54_k, t56_k],
+                [
+                    arm_phi_k,
+                    sums_2[0],
+                    arm_phi_dot_k,
+                    t46_k,
+                    t47_k,
+                    arm_phi_k,
+                    t50_k,
+                    t52_k,
+                    t53_k,
+                    t50_k,
+                ],
             );
-        lanes_4
+        lanes_3
             .set(
                 order,
                 [
+                    t51_k,
+                    k * arm_phi_k,
                     k * t56_k,
                     k * arm_phi_k,
                     k * t57_k,
@@ -1148,9 +1162,20 @@ pub fn series<R: Real>(
                     t63_k,
                     t63_k,
                 ],
-                [arm_phi_k, t57_k, arm_phi_k, arm_phi_k, t58_k, t60_k, t63_k, sums_4[6]],
+                [
+                    t54_k,
+                    t56_k,
+                    arm_phi_k,
+                    t57_k,
+                    arm_phi_k,
+                    arm_phi_k,
+                    t58_k,
+                    t60_k,
+                    t63_k,
+                    sums_3[8],
+                ],
             );
-        lanes_5.set(order, [t78_k], [t78_k]);
+        lanes_4.set(order, [t78_k], [t78_k]);
         arm_phi_before = arm_phi_k;
         t65_before = t65_k;
         t70_before = t70_k;
@@ -1232,9 +1257,9 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for Recurrences {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
-            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
-            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 1>::workspace(order + 1)
+        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 1>::workspace(order + 1)
     }
     fn series(
         &self,

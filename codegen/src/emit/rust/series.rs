@@ -10,7 +10,7 @@ use quote::{format_ident, quote};
 use super::Scene;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::taylor::{MassMatrix, TaylorTape, recurrences};
+use crate::taylor::{Convolution, MassMatrix, TaylorTape, recurrences};
 use coefficients::Writer;
 use needs::{Needs, needs};
 
@@ -18,8 +18,8 @@ use needs::{Needs, needs};
 /// scenes have no series.
 const MOST_NODES: usize = 4000;
 
-/// Sums formed in one loop: what registers hold.
-const LANES: usize = 8;
+/// Most sums formed in one loop: what registers hold.
+const MOST_LANES: usize = 10;
 
 /// Recurrences of a scene and what of them is written down.
 pub(super) struct Series {
@@ -42,9 +42,9 @@ impl Series {
         quote!(taylor::{#factored #lanes TaylorSeries, order_and_inverse},)
     }
 
-    /// Numbers of lanes of each group.
-    fn groups(&self) -> Vec<usize> {
-        self.needs.convolutions.chunks(LANES).map(<[_]>::len).collect()
+    /// Sums in groups of about one size.
+    fn groups(&self) -> Vec<&[Convolution]> {
+        self.needs.convolutions.chunks(group_size(&self.needs)).collect()
     }
 
     /// The function and its implementation of the contract.
@@ -56,8 +56,8 @@ impl Series {
 
     fn implementation(&self, scene: &Scene<'_>) -> TokenStream {
         let machine = &scene.machine;
-        let sizes = self.groups().into_iter().map(|lanes| {
-            let lanes = Literal::usize_unsuffixed(lanes);
+        let sizes = self.groups().into_iter().map(|group| {
+            let lanes = Literal::usize_unsuffixed(group.len());
             quote!(Lanes::<R, #lanes>::workspace(order + 1))
         });
         let sizes = sizes.reduce(|sum, size| quote!(#sum + #size));
@@ -112,7 +112,8 @@ impl Series {
         let workspace =
             if self.needs.convolutions.is_empty() { quote!(_workspace) } else { quote!(workspace) };
         let states = writer.states();
-        let Names { order, k, inverse, rates: all_rates, newest, coefficients, .. } = &names;
+        let Names { order, highest, k, inverse, rates: all_rates, newest, coefficients, .. } =
+            &names;
         let k = if writer.reads.order { quote!(#k) } else { quote!(_) };
         let docs = self.docs();
         Ok(quote! {
@@ -132,10 +133,13 @@ impl Series {
                 #(#befores)*
                 let mut #all_rates = [#(#rates),*];
                 #coefficients[0] = *state;
-                for #order in 1..#coefficients.len() {
+                let #highest = #coefficients.len() - 1;
+                for (#order, #newest) in #coefficients.iter_mut().enumerate().skip(1) {
                     let (#k, #inverse) = order_and_inverse::<R>(#order);
-                    let #newest = #all_rates.map(|rate| rate * #inverse);
-                    #coefficients[#order] = #newest;
+                    *#newest = #all_rates.map(|rate| rate * #inverse);
+                    if #order == #highest {
+                        break;
+                    }
                     #newest_states
                     #sums
                     #(#higher)*
@@ -172,8 +176,8 @@ impl Series {
     fn lanes(&self, names: &Names) -> TokenStream {
         let groups = self.groups();
         let (last, coefficients) = (groups.len().saturating_sub(1), &names.coefficients);
-        let statements = groups.iter().enumerate().map(|(index, &lanes)| {
-            let (lane, lanes) = (names.lanes(index), Literal::usize_unsuffixed(lanes));
+        let statements = groups.iter().enumerate().map(|(index, group)| {
+            let (lane, lanes) = (names.lanes(index), Literal::usize_unsuffixed(group.len()));
             let rest = if index == last { quote!(_) } else { quote!(workspace) };
             quote! {
                 let (mut #lane, #rest) = Lanes::<R, #lanes>::new(workspace, #coefficients.len());
@@ -192,7 +196,7 @@ impl Series {
     }
 
     fn set_lanes(&self, writer: &Writer<'_>, names: &Names) -> TokenStream {
-        let groups = self.needs.convolutions.chunks(LANES).enumerate();
+        let groups = self.groups().into_iter().enumerate();
         let order = &names.order;
         let statements = groups.map(|(index, group)| {
             let lane = names.lanes(index);
@@ -202,6 +206,12 @@ impl Series {
         });
         statements.collect()
     }
+}
+
+/// Lanes of a group, an even number: registers hold two.
+fn group_size(needs: &Needs) -> usize {
+    let count = needs.convolutions.len().max(1);
+    count.div_ceil(count.div_ceil(MOST_LANES)).next_multiple_of(2)
 }
 
 /// The factored mass matrix and the zeroth accelerations.
@@ -226,6 +236,7 @@ fn solve(mass: &MassMatrix, writer: &mut Writer<'_>, names: &Names) -> (TokenStr
 pub(super) struct Names {
     namer: super::names::Namer,
     order: Ident,
+    highest: Ident,
     k: Ident,
     inverse: Ident,
     rates: Ident,
@@ -240,8 +251,9 @@ impl Names {
     fn new(scene: &Scene<'_>) -> Self {
         let mut namer = scene.locals.clone();
         namer.reserve("workspace");
-        let [order, k, inverse, rates, newest, factored, coefficients, lanes, sums] = [
+        let [order, highest, k, inverse, rates, newest, factored, coefficients, lanes, sums] = [
             "order",
+            "highest",
             "k",
             "inverse",
             "rates",
@@ -252,7 +264,19 @@ impl Names {
             "sums",
         ]
         .map(|name| namer.claim(name));
-        Self { namer, order, k, inverse, rates, newest, factored, coefficients, lanes, sums }
+        Self {
+            namer,
+            order,
+            highest,
+            k,
+            inverse,
+            rates,
+            newest,
+            factored,
+            coefficients,
+            lanes,
+            sums,
+        }
     }
 
     fn lanes(&self, group: usize) -> Ident {

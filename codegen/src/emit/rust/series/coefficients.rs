@@ -361,8 +361,9 @@ impl<'a> Writer<'a> {
         let lane = self.needs.convolutions.iter().position(|known| *known == convolution);
         let lane = lane.unwrap_or_default();
         self.reads.order |= convolution.weighted;
-        let sums = self.names.sums(lane / super::LANES);
-        let lane = Literal::usize_unsuffixed(lane % super::LANES);
+        let size = super::group_size(self.needs);
+        let sums = self.names.sums(lane / size);
+        let lane = Literal::usize_unsuffixed(lane % size);
         quote!(#sums[#lane])
     }
 
@@ -513,7 +514,7 @@ impl<'a> Writer<'a> {
     pub(super) fn newest_states(&self) -> Option<TokenStream> {
         let newest = &self.names.newest;
         pattern(&self.newest_states, &self.reads.newest_states)
-            .map(|pattern| quote!(let #pattern = #newest;))
+            .map(|pattern| quote!(let #pattern = *#newest;))
     }
 
     /// A new name for a node.

@@ -1,6 +1,8 @@
 //! One run of every emitted scene by every method that suits it, from loose to
 //! tight tolerances: `cargo bench --no-default-features`.
 
+#![allow(missing_docs, reason = "what the macro of benchmarks makes")]
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use machinist::{Method, Simulation};
 use machinist_scenes::scenes;

@@ -4,11 +4,13 @@ use std::cell::RefCell;
 
 use machinist_codegen::evaluate::Evaluator;
 use machinist_codegen::program::{Program, SparsityPattern as Pattern};
+use machinist_codegen::state::Motion;
 use machinist_codegen::system;
 use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
 use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
+    StateKind,
 };
 
 /// A program as a simulator: the numbers of the emitted code, to the last bit, at
@@ -110,6 +112,16 @@ impl Describe for InterpretedSimulator {
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         described(&self.program.layout.states[index].quantity)
+    }
+    fn state_kind(&self, index: usize) -> StateKind {
+        match self.program.layout.states[index].motion {
+            Motion::Position { .. } => StateKind::Position,
+            Motion::Velocity(_) => StateKind::Velocity,
+            Motion::FirstOrder(_) => StateKind::FirstOrder,
+        }
+    }
+    fn coordinate(&self, index: usize) -> Quantity<'_> {
+        described(&self.program.system.coordinates[index].position)
     }
     fn state_scale(&self, index: usize) -> f64 {
         self.program.layout.states[index].scale

@@ -1,7 +1,7 @@
 //! Linear analysis of any scene: where it runs steadily, how it vibrates there,
 //! and how it answers to harmonic disturbances.
 //!
-//! At a [`Point`] (t, y, p) with y = \[q, q', z\], small deviations follow
+//! At a [`Point`] (t, y, p), small deviations follow
 //!
 //! ```text
 //! dy' = A dy + b dp          A = dy'/dy, b = dy'/dp, as emitted
@@ -10,7 +10,9 @@
 //!
 //! [`operating_point`] finds such a point, [`Linearization`] holds A and answers
 //! with [`Linearization::modes`], [`Linearization::second_order`] and
-//! [`Linearization::response`]. Time is held still: a force that depends on t
+//! [`Linearization::response`]. Modes and matrices M, D, K are those of all
+//! generalized coordinates \[q, q', z\], of the positions left out of y too, see
+//! [`Linearization::motion_names`]. Time is held still: a force that depends on t
 //! counts with its value at the point's time.
 //!
 //! All is dense algebra, for scenes of up to [`MAX_STATES`] states.
@@ -19,10 +21,12 @@ mod differences;
 mod equilibrium;
 mod error;
 mod modes;
+mod motions;
 mod operating_point;
 mod response;
 
 use machinist_scenes::{Quantity, Simulator};
+use motions::Motions;
 use nalgebra::{DMatrix, DVector};
 
 pub use equilibrium::equilibrium;
@@ -34,7 +38,7 @@ pub use response::{Response, logarithmic_range};
 /// Largest number of states; beyond, dense matrices take too much time.
 pub const MAX_STATES: usize = 2000;
 
-/// Time \[s\], state \[q, q', z\] and parameters at which a scene is looked at.
+/// Time \[s\], state y and parameters at which a scene is looked at.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Time \[s\].
@@ -98,10 +102,17 @@ impl<'a> Linearization<'a> {
     /// elsewhere K holds the change of M times acceleration too.
     #[must_use]
     pub fn second_order(&self) -> SecondOrder {
-        let n = self.simulator.shape().coordinates;
-        let mass = self.mass_matrix();
-        let block = |column: usize| -&mass * self.matrix.view((n, column), (n, n));
+        let motions = Motions::new(self.simulator, &self.matrix);
+        let (n, mass) = (motions.coordinates, self.mass_matrix());
+        let block = |column: usize| -&mass * motions.matrix.view((n, column), (n, n));
         SecondOrder { damping: block(n), stiffness: block(0), mass }
+    }
+
+    /// Names of \[q, q', z\]: what shapes of modes are made of. All generalized
+    /// coordinates are among them, whether or not the state holds their positions.
+    #[must_use]
+    pub fn motion_names(&self) -> Vec<String> {
+        motions::names(self.simulator)
     }
 
     /// M at the point.

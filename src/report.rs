@@ -36,8 +36,8 @@ use crate::cli::Failure;
 use crate::cli::progress::during;
 use crate::cli::specs::{self, Derived};
 use crate::explain::Explanation;
-use modes::Modes;
 use crate::freeze::admit;
+use modes::Modes;
 use work_precision::WorkPrecision;
 
 /// Everything the page shows.

@@ -87,7 +87,7 @@ fn distance(needed: &Program, all: &Program, until: Option<f64>) -> f64 {
         let (ours, theirs) = (column(&needed_run), column(&all_run));
         let size = theirs.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
         for (a, b) in ours.iter().zip(&theirs) {
-            let distance = if a == b { 0.0 } else { (a - b).abs() / size };
+            let distance = (a - b).abs() / size.max(f64::MIN_POSITIVE);
             assert!(distance <= 1e-9, "{}: {name}: {a} for {b}", all.system.name);
             largest = largest.max(distance);
         }
@@ -496,7 +496,7 @@ fn a_rigid_coupling_makes_two_rotors_one() {
     let (ours, theirs) = (run(&needed, Some(1.0)), run(&exact, Some(1.0)));
     let (ours, theirs) = (ours.last("speed").unwrap(), theirs.last("speed").unwrap());
     assert!((ours - theirs).abs() < 1e-2 * theirs, "{ours} for {theirs}");
-    assert!(ours != theirs);
+    assert!((ours - theirs).abs() > 1e-12 * theirs, "freezing changes something");
 }
 
 #[test]

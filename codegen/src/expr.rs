@@ -120,7 +120,9 @@ impl Expr {
         match self {
             Expr::Number(_) | Expr::Symbol(_) => {}
             Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
-                parts.iter().for_each(|part| part.visit(see));
+                for part in parts {
+                    part.visit(see);
+                }
             }
             Expr::Power(base, exponent) => {
                 base.visit(see);

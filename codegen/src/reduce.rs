@@ -1,10 +1,10 @@
 //! Leaves out what a scene's outputs do not need, and says what was left out.
 //!
-//! In this order: parameters that the scene fixes become numbers ([`fixed`]);
-//! states that no output reaches go ([`reach`]); positions that nothing depends
-//! on, but for their differences, go ([`cyclic`]); what is then not mentioned any
-//! more goes ([`unused`]). None of it changes what the outputs are. Before all that,
-//! and only where the scene asks for it, springs are taken for rigid ([`frozen`]).
+//! In this order: parameters that the scene fixes become numbers;
+//! states that no output reaches go; positions that nothing depends
+//! on, but for their differences, go; what is then not mentioned any
+//! more goes. None of it changes what the outputs are. Before all that,
+//! and only where the scene asks for it, springs are taken for rigid.
 //!
 //! Energy and power balance are those of the part that is kept; what is left out
 //! acts on it as an outside force, whose power is among the power supplied.

@@ -124,6 +124,12 @@ impl Layout {
         self.states.iter().filter(is_position).count()
     }
 
+    /// Whether the entries are \[q, q', z\] of a system, all coordinates in order.
+    #[must_use]
+    pub fn is_of_all(&self, system: &LagrangianSystem) -> bool {
+        self.quantities().eq(Layout::of_all(system).quantities())
+    }
+
     /// What expressions call the entries, in order.
     pub fn symbols(&self) -> impl Iterator<Item = Symbol> {
         self.states.iter().map(|state| state.motion.symbol())

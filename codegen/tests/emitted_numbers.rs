@@ -13,9 +13,10 @@ use proptest::prelude::*;
 #[deny(warnings, clippy::pedantic, missing_docs)]
 #[allow(
     clippy::doc_markdown,
+    clippy::similar_names,
     clippy::struct_field_names,
     dead_code,
-    reason = "docs state equations; tests need not use all"
+    reason = "docs state equations; names are the spec's; tests need not use all"
 )]
 mod pendulum {
     include!("emitted/pendulum.rs");
@@ -24,6 +25,7 @@ mod pendulum {
 #[deny(warnings)]
 #[allow(
     non_snake_case,
+    clippy::similar_names,
     clippy::struct_field_names,
     dead_code,
     reason = "the spec's own names; tests need not use all"

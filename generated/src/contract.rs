@@ -45,6 +45,17 @@ impl Shape {
     }
 }
 
+/// What an entry of the state is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StateKind {
+    /// A generalized coordinate, or the difference of two.
+    Position,
+    /// A generalized velocity; velocities stand in the order of the coordinates.
+    Velocity,
+    /// A first-order state.
+    FirstOrder,
+}
+
 /// Structural nonzeros of a matrix, sorted by row, then by column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SparsityPattern<'a> {
@@ -122,6 +133,21 @@ pub trait Describe {
     /// # Panics
     /// If `index` is not below `shape().states()`; likewise below.
     fn state(&self, index: usize) -> Quantity<'_>;
+    /// What the `index`-th state is. Positions come first, then velocities, then
+    /// first-order states, unless a simulator says otherwise.
+    fn state_kind(&self, index: usize) -> StateKind {
+        let Shape { positions, coordinates, .. } = self.shape();
+        match index {
+            index if index < positions => StateKind::Position,
+            index if index < positions + coordinates => StateKind::Velocity,
+            _ => StateKind::FirstOrder,
+        }
+    }
+    /// The `index`-th generalized coordinate, in the state or not. The `index`-th
+    /// state unless a simulator, whose positions are fewer, says otherwise.
+    fn coordinate(&self, index: usize) -> Quantity<'_> {
+        self.state(index)
+    }
     /// Typical size of the `index`-th state, which scales its absolute tolerance.
     fn state_scale(&self, index: usize) -> f64;
     /// The `index`-th parameter.

@@ -35,6 +35,7 @@ pub mod taylor;
 
 pub use contract::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
+    StateKind,
 };
 pub use real::Real;
 pub use table::CubicTable;

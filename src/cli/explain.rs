@@ -50,15 +50,15 @@ fn as_text(explanation: &Explanation) -> String {
     let mut text = format!("{}: {}\n\n", explanation.scene, explanation.title);
     text.push_str(&left_out(explanation));
     text.push_str(&sizes(explanation));
-    text.push_str(&format!("\nStates: {}\n", explanation.states.join(", ")));
+    text.extend(["\nStates: ", &explanation.states.join(", "), "\n"]);
     text.push_str("\nStructure\n");
     for line in structure(&explanation.structure) {
-        text.push_str(&format!("  {line}\n"));
+        text.extend(["  ", &line, "\n"]);
     }
     text.push_str(&candidates(&explanation.candidates));
     match &explanation.times {
-        Some(Ok(times)) => text.push_str(&format!("\n{}\n", run_times(times))),
-        Some(Err(error)) => text.push_str(&format!("\nNo run times: {error}\n")),
+        Some(Ok(times)) => text.extend(["\n", &run_times(times), "\n"]),
+        Some(Err(error)) => text.extend(["\nNo run times: ", &error.to_string(), "\n"]),
         None => {}
     }
     text

@@ -13,6 +13,9 @@ use super::{Failure, assignment};
 pub struct Where {
     /// Name of a scene built in, or a scene file
     scene: String,
+    /// Leave nothing out, whether the outputs need it or not
+    #[arg(long)]
+    keep_all: bool,
     /// Give a parameter another value, in its SI unit
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, f64)>,
@@ -25,7 +28,7 @@ pub struct Where {
 impl Where {
     /// The scene asked for.
     pub fn load(&self) -> Result<Scene, Failure> {
-        Scene::load(&self.scene)
+        Scene::load(&self.scene, self.keep_all)
     }
 
     /// The scene, linearized where asked for.

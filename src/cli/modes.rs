@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use clap::Args;
 use machinist::linear_analysis::{Linearization, Mode, ModeKind, SecondOrder};
 use machinist::plot::plot_modes;
-use machinist_scenes::Simulator;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
@@ -39,6 +38,8 @@ struct Answer<'a> {
     time: f64,
     states: Vec<&'a str>,
     state: &'a [f64],
+    /// What the shapes of modes are made of.
+    motions: Vec<String>,
     modes: &'a [Mode],
     mass: Vec<Vec<f64>>,
     damping: Vec<Vec<f64>>,
@@ -71,7 +72,7 @@ impl Modes {
             simulator.title(),
             self.at.described(&linearization)
         );
-        text.push_str(&columns(&table(simulator, &modes), 2));
+        text.push_str(&columns(&table(&linearization, &modes), 2));
         if let Some(file) = &self.plot {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
@@ -89,6 +90,7 @@ impl Modes {
             time: linearization.point().time,
             states: (0..simulator.shape().states()).map(|i| simulator.state(i).name).collect(),
             state: &linearization.point().state,
+            motions: linearization.motion_names(),
             modes,
             mass: rows(&mass),
             damping: rows(&damping),
@@ -113,16 +115,16 @@ pub const HEADING: [&str; 7] = [
     "decay time [s]",
 ];
 
-fn table(simulator: &dyn Simulator<f64>, modes: &[Mode]) -> Vec<[String; 7]> {
+fn table(linearization: &Linearization<'_>, modes: &[Mode]) -> Vec<[String; 7]> {
     let heading = HEADING.map(str::to_owned);
-    std::iter::once(heading).chain(modes.iter().map(|mode| row(simulator, mode))).collect()
+    std::iter::once(heading).chain(modes.iter().map(|mode| row(linearization, mode))).collect()
 }
 
 /// One motion for people; what does not apply is empty.
-pub fn row(simulator: &dyn Simulator<f64>, mode: &Mode) -> [String; 7] {
+pub fn row(linearization: &Linearization<'_>, mode: &Mode) -> [String; 7] {
     let shown = |value: f64| number(value, 6);
     let none = String::new;
-    let moves = moving(simulator, mode);
+    let moves = moving(linearization, mode);
     let (natural, ratio) = (shown(mode.natural_frequency()), shown(mode.damping_ratio()));
     let decay = if mode.real == 0.0 { none() } else { shown(mode.decay_time()) };
     match mode.kind {
@@ -140,15 +142,16 @@ pub fn row(simulator: &dyn Simulator<f64>, mode: &Mode) -> [String; 7] {
 }
 
 /// `cylinder.phi 77 %, driver.phi 23 %`: the largest shares.
-fn moving(simulator: &dyn Simulator<f64>, mode: &Mode) -> String {
-    let n = simulator.shape().coordinates;
-    let state = |index: usize| if index < n { index } else { index + n };
+fn moving(linearization: &Linearization<'_>, mode: &Mode) -> String {
+    let n = linearization.simulator().shape().coordinates;
+    let names = linearization.motion_names();
+    let motion = |index: usize| if index < n { index } else { index + n };
     let mut order: Vec<usize> = (0..mode.shares.len()).collect();
     order.sort_by(|a, b| mode.shares[*b].total_cmp(&mode.shares[*a]));
     let largest = order.first().map_or(0.0, |index| mode.shares[*index]);
     let major = order.into_iter().filter(|index| mode.shares[*index] >= MINOR * largest);
-    let named = major.take(MOVING).map(|index| {
-        format!("{} {:.0} %", simulator.state(state(index)).name, 100.0 * mode.shares[index])
-    });
+    let named = major
+        .take(MOVING)
+        .map(|index| format!("{} {:.0} %", names[motion(index)], 100.0 * mode.shares[index]));
     named.collect::<Vec<_>>().join(", ")
 }

@@ -3,7 +3,8 @@
 use machinist_scenes::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::{LinearError, Point, Residual, jacobian, rate, scales};
+use super::motions::{Motions, Places};
+use super::{LinearError, Point, Residual, jacobian, rate};
 
 const MAX_ITERATIONS: usize = 100;
 const MAX_HALVINGS: usize = 40;
@@ -36,7 +37,7 @@ const RANK: f64 = 1e-10;
 /// [`super::Linearization::at`].
 pub fn equilibrium(simulator: &dyn Simulator<f64>, guess: &Point) -> Result<Point, LinearError> {
     let solver = Solver::new(simulator, guess)?;
-    let mut point = solver.with_drift_only(guess);
+    let mut point = solver.with_drift_only(guess)?;
     for _ in 0..MAX_ITERATIONS {
         let equations = solver.equations(&point)?;
         if equations.residual.amax() <= ROUNDING {
@@ -55,14 +56,16 @@ struct Solver<'a> {
     /// n and m.
     coordinates: usize,
     first_order: usize,
-    /// Typical sizes of all states.
-    scales: DVector<f64>,
+    /// Where the state holds q', and where \[q', z\].
+    velocities: Vec<usize>,
+    dynamic: Vec<usize>,
     /// Directions of drift, n by k, orthonormal once q is divided by its scales.
     drift: DMatrix<f64>,
 }
 
 /// [q'', z'] at a point, each divided by the size of its row.
 struct Equations {
+    motions: Motions,
     residual: DVector<f64>,
     jacobian: DMatrix<f64>,
     row_sizes: DVector<f64>,
@@ -70,13 +73,15 @@ struct Equations {
 
 impl<'a> Solver<'a> {
     fn new(simulator: &'a dyn Simulator<f64>, guess: &Point) -> Result<Self, LinearError> {
-        let shape = simulator.shape();
+        let places = Places::of(simulator);
+        let coordinates = places.velocities.len();
         let mut solver = Self {
             simulator,
-            coordinates: shape.coordinates,
-            first_order: shape.first_order,
-            scales: scales(simulator),
-            drift: DMatrix::zeros(shape.coordinates, 0),
+            coordinates,
+            first_order: places.first_order.len(),
+            dynamic: places.dynamic(),
+            velocities: places.velocities,
+            drift: DMatrix::zeros(coordinates, 0),
         };
         solver.drift = solver.drift_directions(guess)?;
         Ok(solver)
@@ -86,55 +91,72 @@ impl<'a> Solver<'a> {
     /// two places nearby, so that a slope that happens to be level is not one.
     fn drift_directions(&self, guess: &Point) -> Result<DMatrix<f64>, LinearError> {
         let (n, rows) = (self.coordinates, self.coordinates + self.first_order);
+        let at_guess = self.motions(guess)?;
         let mut stacked = DMatrix::zeros(3 * rows, n);
         for (place, shift) in [0.0, 0.0137, -0.0071].into_iter().enumerate() {
             let mut point = guess.clone();
-            for index in 0..n {
-                point.state[index] += shift * self.scales[index] * (1.0 + index as f64).sqrt();
-            }
-            let slopes = slopes(&jacobian(self.simulator, &point)?, &self.scales, n);
+            let size = |index: usize| at_guess.scales[index] * (1.0 + index as f64).sqrt();
+            let change =
+                DVector::from_fn(
+                    n + rows,
+                    |index, _| {
+                        if index < n { shift * size(index) } else { 0.0 }
+                    },
+                );
+            at_guess.add(&mut point.state, &change);
+            let slopes = slopes(&self.motions(&point)?);
             stacked.view_mut((place * rows, 0), (rows, n)).copy_from(&slopes.columns(0, n));
         }
         Ok(split(stacked).0)
     }
 
+    fn motions(&self, point: &Point) -> Result<Motions, LinearError> {
+        Ok(Motions::new(self.simulator, &jacobian(self.simulator, point)?))
+    }
+
+    /// q' divided by the scales of q.
+    fn velocity(&self, point: &Point, motions: &Motions) -> DVector<f64> {
+        let scaled = |i: usize| point.state[self.velocities[i]] / motions.scales[i];
+        DVector::from_fn(self.coordinates, |i, _| scaled(i))
+    }
+
     /// The guess without velocities that are no drift.
-    fn with_drift_only(&self, guess: &Point) -> Point {
-        let n = self.coordinates;
+    fn with_drift_only(&self, guess: &Point) -> Result<Point, LinearError> {
+        let motions = self.motions(guess)?;
         let mut point = guess.clone();
-        let velocity = DVector::from_fn(n, |i, _| guess.state[n + i] / self.scales[i]);
-        let drift = &self.drift * (self.drift.transpose() * velocity);
-        for index in 0..n {
-            point.state[n + index] = drift[index] * self.scales[index];
+        let drift = &self.drift * (self.drift.transpose() * self.velocity(guess, &motions));
+        for (index, place) in self.velocities.iter().enumerate() {
+            point.state[*place] = drift[index] * motions.scales[index];
         }
-        point
+        Ok(point)
     }
 
     fn equations(&self, point: &Point) -> Result<Equations, LinearError> {
         let n = self.coordinates;
-        let matrix = jacobian(self.simulator, point)?;
-        let row_sizes = row_sizes(&matrix, &self.scales, n);
+        let motions = self.motions(point)?;
+        let row_sizes = row_sizes(&motions);
         let residual = self.residual(point, &row_sizes);
         if let Some(index) = residual.iter().position(|value| !value.is_finite()) {
-            let what = format!("the rate of `{}`", self.simulator.state(n + index).name);
+            let what = format!("the rate of `{}`", self.simulator.state(self.dynamic[index]).name);
             return Err(LinearError::NotFinite { what, value: residual[index] });
         }
-        let slopes = slopes(&matrix, &self.scales, n);
+        let slopes = slopes(&motions);
+        let scales = &motions.scales;
         // Velocities move along the drift only: q' = scale * drift * s.
         let by_velocity = DMatrix::from_fn(slopes.nrows(), n, |row, column| {
-            slopes[(row, n + column)] / self.scales[n + column] * self.scales[column]
+            slopes[(row, n + column)] / scales[n + column] * scales[column]
         });
         let (k, m) = (self.drift.ncols(), self.first_order);
         let mut jacobian = DMatrix::zeros(n + m, n + k + m);
         jacobian.columns_mut(0, n).copy_from(&slopes.columns(0, n));
         jacobian.columns_mut(n, k).copy_from(&(by_velocity * &self.drift));
         jacobian.columns_mut(n + k, m).copy_from(&slopes.columns(2 * n, m));
-        Ok(Equations { residual, jacobian, row_sizes })
+        Ok(Equations { motions, residual, jacobian, row_sizes })
     }
 
     fn residual(&self, point: &Point, row_sizes: &DVector<f64>) -> DVector<f64> {
         let rates = rate(self.simulator, point);
-        rates.rows(self.coordinates, row_sizes.len()).component_div(row_sizes)
+        rates.select_rows(&self.dynamic).component_div(row_sizes)
     }
 
     /// The point after the longest of the steps 1, 1/2, 1/4, ... that shrinks the
@@ -151,7 +173,7 @@ impl<'a> Solver<'a> {
         let size = equations.residual.norm();
         let mut share = 1.0;
         for _ in 0..MAX_HALVINGS {
-            let next = self.moved(point, &(&step * share));
+            let next = self.moved(point, &equations.motions, &(&step * share));
             // NaN is no less.
             if self.residual(&next, &equations.row_sizes).norm() < size {
                 return Ok(Some(next));
@@ -161,17 +183,16 @@ impl<'a> Solver<'a> {
         Ok(None)
     }
 
-    fn moved(&self, point: &Point, step: &DVector<f64>) -> Point {
-        let (n, k) = (self.coordinates, self.drift.ncols());
-        let mut next = point.clone();
+    fn moved(&self, point: &Point, motions: &Motions, step: &DVector<f64>) -> Point {
+        let (n, k, m) = (self.coordinates, self.drift.ncols(), self.first_order);
         let velocity = &self.drift * step.rows(n, k);
-        for index in 0..n {
-            next.state[index] += self.scales[index] * step[index];
-            next.state[n + index] += self.scales[index] * velocity[index];
-        }
-        for index in 0..self.first_order {
-            next.state[2 * n + index] += self.scales[2 * n + index] * step[n + k + index];
-        }
+        let change = DVector::from_fn(2 * n + m, |index, _| match index {
+            index if index < n => motions.scales[index] * step[index],
+            index if index < 2 * n => motions.scales[index - n] * velocity[index - n],
+            index => motions.scales[index] * step[index + k - n],
+        });
+        let mut next = point.clone();
+        motions.add(&mut next.state, &change);
         next
     }
 
@@ -179,7 +200,7 @@ impl<'a> Solver<'a> {
     fn accepted(&self, point: Point) -> Result<Point, LinearError> {
         let n = self.coordinates;
         let equations = self.equations(&point)?;
-        let drift = DVector::from_fn(n, |i, _| point.state[n + i] / self.scales[i]);
+        let drift = self.velocity(&point, &equations.motions);
         let change = equations.jacobian.columns(0, n) * drift;
         if equations.residual.amax() <= ACCEPTED && change.amax() <= ACCEPTED {
             return Ok(point);
@@ -188,7 +209,7 @@ impl<'a> Solver<'a> {
         let mut order: Vec<usize> = (0..equations.residual.len()).collect();
         order.sort_by(|a, b| worst(b).total_cmp(&worst(a)));
         let residual = |index: usize| {
-            let state = self.simulator.state(n + index);
+            let state = self.simulator.state(self.dynamic[index]);
             let rate = equations.residual[index] * equations.row_sizes[index];
             Residual { state: state.name.to_owned(), unit: state.unit.to_owned(), rate }
         };
@@ -202,7 +223,8 @@ impl<'a> Solver<'a> {
 
 /// Sizes of the rows of [q'', z']: what the rate changes by when every state moves
 /// by its scale; where nothing moves it, the scale of its state a second.
-fn row_sizes(matrix: &DMatrix<f64>, scales: &DVector<f64>, from: usize) -> DVector<f64> {
+fn row_sizes(motions: &Motions) -> DVector<f64> {
+    let Motions { matrix, scales, coordinates: from, .. } = motions;
     let size = |row: usize| {
         let moved = matrix.row(row).transpose().component_mul(scales).norm();
         if moved > 0.0 { moved } else { scales[row] }
@@ -210,9 +232,10 @@ fn row_sizes(matrix: &DMatrix<f64>, scales: &DVector<f64>, from: usize) -> DVect
     DVector::from_fn(matrix.nrows() - from, |row, _| size(from + row))
 }
 
-/// Rows of [q'', z'] of dy'/dy with states measured by scales and rows by sizes.
-fn slopes(matrix: &DMatrix<f64>, scales: &DVector<f64>, from: usize) -> DMatrix<f64> {
-    let sizes = row_sizes(matrix, scales, from);
+/// Rows of [q'', z'] of A with motions measured by scales and rows by sizes.
+fn slopes(motions: &Motions) -> DMatrix<f64> {
+    let Motions { matrix, scales, coordinates: from, .. } = motions;
+    let sizes = row_sizes(motions);
     DMatrix::from_fn(matrix.nrows() - from, matrix.ncols(), |row, column| {
         matrix[(from + row, column)] * scales[column] / sizes[row]
     })
@@ -220,12 +243,8 @@ fn slopes(matrix: &DMatrix<f64>, scales: &DVector<f64>, from: usize) -> DMatrix<
 
 /// Drift directions at one point, and those across, both orthonormal in q divided
 /// by its scales.
-pub(super) fn drift_and_rest(
-    matrix: &DMatrix<f64>,
-    scales: &DVector<f64>,
-    coordinates: usize,
-) -> (DMatrix<f64>, DMatrix<f64>) {
-    split(slopes(matrix, scales, coordinates).columns(0, coordinates).into_owned())
+pub(super) fn drift_and_rest(motions: &Motions) -> (DMatrix<f64>, DMatrix<f64>) {
+    split(slopes(motions).columns(0, motions.coordinates).into_owned())
 }
 
 /// The null space of a matrix and its orthogonal complement, as columns.

@@ -7,7 +7,8 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 use super::equilibrium::drift_and_rest;
-use super::{LinearError, Linearization, scales};
+use super::motions::Motions;
+use super::{LinearError, Linearization};
 
 /// Beside the norm of the matrix, an eigenvalue below this is zero.
 const ZERO: f64 = 1e-11;
@@ -25,8 +26,8 @@ pub struct Mode {
     pub real: f64,
     /// Imaginary part \[rad/s\], not negative: the frequency of the damped motion.
     pub imaginary: f64,
-    /// Values of all states in SI units, in the order \[q, q', z\], as real and
-    /// imaginary part. The coordinate or first-order state with the largest share is
+    /// Values of \[q, q', z\] in SI units, in the order of
+    /// [`Linearization::motion_names`], as real and imaginary part. The coordinate or first-order state with the largest share is
     /// 1; if it stands still, the largest state.
     pub shape: Vec<[f64; 2]>,
     /// What share of the motion each coordinate, with its velocity, and then each
@@ -93,8 +94,9 @@ impl Linearization<'_> {
     /// # Errors
     /// [`LinearError::Eigenvalues`] if the iteration does not converge.
     pub fn modes(&self) -> Result<Vec<Mode>, LinearError> {
-        let problem = Problem::new(self);
-        let (drift, rest) = drift_and_rest(&self.matrix, &problem.scales, problem.coordinates);
+        let motions = Motions::new(self.simulator, &self.matrix);
+        let (drift, rest) = drift_and_rest(&motions);
+        let problem = Problem::new(motions);
         let mut modes: Vec<Mode> =
             (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
         let mut values = problem.eigenvalues(&rest)?;
@@ -122,16 +124,15 @@ struct Problem {
 }
 
 impl Problem {
-    fn new(linearization: &Linearization<'_>) -> Self {
-        let shape = linearization.simulator.shape();
-        let scales = scales(linearization.simulator);
+    fn new(motions: Motions) -> Self {
+        let Motions { coordinates, first_order, matrix, scales, .. } = motions;
         let matrix = DMatrix::from_fn(scales.len(), scales.len(), |row, column| {
-            linearization.matrix[(row, column)] * scales[column] / scales[row]
+            matrix[(row, column)] * scales[column] / scales[row]
         });
         let complex = matrix.map(Complex64::from);
         Self {
-            coordinates: shape.coordinates,
-            first_order: shape.first_order,
+            coordinates,
+            first_order,
             norm: matrix.norm(),
             transposed: complex.transpose(),
             scales,

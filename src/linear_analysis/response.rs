@@ -8,6 +8,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 use super::differences::derivative;
+use super::motions::Places;
 use super::{LinearError, Linearization, ModeKind, Point, position, scales};
 use crate::error::did_you_mean;
 
@@ -94,7 +95,7 @@ impl Linearization<'_> {
     /// H(w) = C (j w - A)^-1 b + d at given frequencies w.
     ///
     /// `from` names a parameter, b = dy'/dp, or a coordinate, for a generalized force
-    /// on it, b = \[0, M^-1 e, 0\]. `to` names an output or a state. Derivatives C and
+    /// on it, b = M^-1 e in the rows of q'. `to` names an output or a state. Derivatives C and
     /// d of outputs are extrapolated differences, good to about 1e-12.
     ///
     /// # Errors
@@ -141,14 +142,14 @@ impl Linearization<'_> {
             let rate = self.parameter_column(index)?;
             return Ok(Input { name: name.to_owned(), unit, rate, parameter: Some(index) });
         }
-        if let Some(index) = position(name, shape.coordinates, |i| self.simulator.state(i)) {
+        if let Some(index) = position(name, shape.coordinates, |i| self.simulator.coordinate(i)) {
             let rate = self.force_column(index)?;
-            let unit = force_unit(self.simulator.state(index).unit);
+            let unit = force_unit(self.simulator.coordinate(index).unit);
             let name = format!("force on {name}");
             return Ok(Input { name, unit, rate, parameter: None });
         }
         let parameters = (0..shape.parameters).map(|index| self.simulator.parameter(index).name);
-        let coordinates = (0..shape.coordinates).map(|index| self.simulator.state(index).name);
+        let coordinates = (0..shape.coordinates).map(|index| self.simulator.coordinate(index).name);
         Err(LinearError::Unknown {
             scene: self.simulator.name().to_owned(),
             kind: "parameter or coordinate",
@@ -185,7 +186,9 @@ impl Linearization<'_> {
             .solve(&force)
             .ok_or(LinearError::Singular { what: "the mass matrix" })?;
         let mut column = DVector::zeros(self.matrix.nrows());
-        column.rows_mut(n, n).copy_from(&acceleration);
+        for (place, value) in Places::of(self.simulator).velocities.iter().zip(&acceleration) {
+            column[*place] = *value;
+        }
         Ok(column)
     }
 

@@ -45,24 +45,24 @@ pub fn plot_modes(
     path: &Path,
 ) -> Result<(), PlotError> {
     let simulator = linearization.simulator();
-    let shape = simulator.shape();
-    let n = shape.coordinates;
-    let states: Vec<usize> = (0..n).chain(2 * n..shape.states()).collect();
-    let places: Vec<f64> = (0..states.len()).map(|place| place as f64).collect();
-    let names = states.iter().map(|state| simulator.state(*state).name.to_owned()).collect();
+    let n = simulator.shape().coordinates;
+    let all = linearization.motion_names();
+    let motions: Vec<usize> = (0..n).chain(2 * n..all.len()).collect();
+    let places: Vec<f64> = (0..motions.len()).map(|place| place as f64).collect();
+    let names = motions.iter().map(|motion| all[*motion].clone()).collect();
     let axes = [Axis::Names(names), Axis::Linear("")];
     let columns: Vec<[Column; 2]> = drawn(modes)
         .into_iter()
         .map(|mode| {
             let largest = mode.shares.iter().copied().fold(0.0, f64::max);
             let part = |which: usize| {
-                let value = |(state, share): (&usize, &f64)| {
-                    let [re, im] = mode.shape[*state];
+                let value = |(motion, share): (&usize, &f64)| {
+                    let [re, im] = mode.shape[*motion];
                     let size = re.hypot(im);
                     let direction = if size > 0.0 { [re, im][which] / size } else { 0.0 };
                     (share / largest).sqrt() * direction
                 };
-                states.iter().zip(&mode.shares).map(value).collect::<Vec<f64>>()
+                motions.iter().zip(&mode.shares).map(value).collect::<Vec<f64>>()
             };
             let later = part(1).iter().map(|value| -value).collect();
             [column(&described(mode), "1", part(0)), column("a quarter later", "1", later)]

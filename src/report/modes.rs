@@ -35,8 +35,9 @@ fn about_the_end(simulator: &dyn Simulator<f64>) -> Result<Modes, LinearError> {
         point => (point?, "the equilibrium near the end of the run"),
     };
     let place = format!("{steady}, time being held at {} s", point.time);
-    let modes = Linearization::at(simulator, point)?.modes()?;
-    let rows = modes.iter().take(MAX_ROWS).map(|mode| row(simulator, mode)).collect();
+    let linearization = Linearization::at(simulator, point)?;
+    let modes = linearization.modes()?;
+    let rows = modes.iter().take(MAX_ROWS).map(|mode| row(&linearization, mode)).collect();
     Ok(Modes { place, rows, left_out: modes.len().saturating_sub(MAX_ROWS) })
 }
 

@@ -156,10 +156,11 @@ fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) ->
     let series = series.map(Series::imports);
     let contract = &options.contract;
     let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
+    let kinds = (!program.layout.is_of_all(&program.system)).then(|| quote!(StateKind,));
     quote! {
         use #contract::{
             #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-            SparsityPattern, #series
+            SparsityPattern, #kinds #series
         };
     }
 }

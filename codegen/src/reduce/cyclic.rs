@@ -169,7 +169,8 @@ fn rename(equations: &mut EquationsOfMotion, id: CoordinateId) {
         quantity.name.path.push_str("_relative");
         quantity.name.ident.push_str("_relative");
         quantity.name.latex = format!("\\Delta {}", quantity.name.latex);
-        quantity.doc = format!("{}, relative", quantity.doc).trim_start_matches(", ").to_owned();
+        let doc = format!("{}, relative", quantity.doc);
+        doc.trim_start_matches(", ").clone_into(&mut quantity.doc);
     }
     let states = &mut equations.layout.states;
     let taken = |states: &[State], ident: &str| {

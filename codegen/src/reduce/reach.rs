@@ -183,8 +183,9 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
             continue;
         }
         match symbol {
-            Symbol::Coordinate(id) => found.push(Symbol::Velocity(id)),
-            Symbol::Acceleration(id) => found.push(Symbol::Velocity(id)),
+            Symbol::Coordinate(id) | Symbol::Acceleration(id) => {
+                found.push(Symbol::Velocity(id));
+            }
             Symbol::Velocity(id) => {
                 let block = blocks[id.0 as usize];
                 for row in (0..blocks.len()).filter(|row| blocks[*row] == block) {

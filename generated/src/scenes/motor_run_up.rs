@@ -48,7 +48,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+    SparsityPattern, StateKind, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -706,12 +706,15 @@ pub fn series<R: Real>(
         motor_psi_ry_dot,
     ];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (_, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
         let [motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
-        motor_psi_ry_k] = state_k;
+        motor_psi_ry_k] = *state_k;
         let sums = lanes.sums(order);
         let t4_k = motor_omega_k * p.motor_pole_pairs;
         let motor_slip_speed_k = -t4_k;
@@ -800,6 +803,12 @@ impl Describe for MotorRunUp {
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         STATE_QUANTITIES[index]
+    }
+    fn state_kind(&self, index: usize) -> StateKind {
+        STATE_KINDS[index]
+    }
+    fn coordinate(&self, index: usize) -> Quantity<'_> {
+        COORDINATE_QUANTITIES[index]
     }
     fn state_scale(&self, index: usize) -> f64 {
         STATE_SCALES[index]
@@ -895,6 +904,22 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
         .expect("there are PARAMETERS parameters");
     Parameters::from_array(*values)
 }
+
+static STATE_KINDS: [StateKind; STATES] = [
+    StateKind::Velocity,
+    StateKind::FirstOrder,
+    StateKind::FirstOrder,
+    StateKind::FirstOrder,
+    StateKind::FirstOrder,
+];
+
+static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [
+    Quantity {
+        name: "motor.phi",
+        unit: "rad",
+        doc: "rotor angle",
+    },
+];
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     Quantity {

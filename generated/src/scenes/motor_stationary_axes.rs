@@ -49,7 +49,8 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
+    SparsityPattern, StateKind,
+    taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -1227,10 +1228,9 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_3, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_2, _) = Lanes::<R, 8>::new(workspace, coefficients.len());
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = motor_phi * p.motor_pole_pairs;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
@@ -1337,16 +1337,18 @@ pub fn series<R: Real>(
         motor_omega_dot,
     ];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (k, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
         let [motor_phi_k, motor_i_sa_k, motor_i_sb_k, motor_i_ra_k, motor_i_rb_k,
-        motor_omega_k] = state_k;
+        motor_omega_k] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
         let sums_2 = lanes_2.sums(order);
-        let sums_3 = lanes_3.sums(order);
         let motor_theta_k = motor_phi_k * p.motor_pole_pairs;
         let sin_motor_theta_k = inverse * sums[0] + motor_theta_k * cos_motor_theta;
         let cos_motor_theta_k = -(inverse * sums[1] + motor_theta_k * sin_motor_theta);
@@ -1371,49 +1373,49 @@ pub fn series<R: Real>(
         let t26_k = -t23_k;
         let t27_k = t26_k - t25_k;
         let t28_k = motor_omega_k * t1;
-        let t29_k = sums_1[0] + t28 * t27_k + t28_k * t27;
+        let t29_k = sums[8] + t28 * t27_k + t28_k * t27;
         let t30_k = motor_u_a_k * R::literal(1.5);
         let t31_k = t30_k - t21_k;
         let t32_k = t31_k - t29_k;
         let t33_k = motor_i_sb_k * t20;
-        let t34_k = sums_1[1] + t24 * sin_motor_theta_k + t24_k * sin_motor_theta;
-        let t35_k = sums_1[2] + t22 * cos_motor_theta_k + t22_k * cos_motor_theta;
+        let t34_k = sums[9] + t24 * sin_motor_theta_k + t24_k * sin_motor_theta;
+        let t35_k = sums_1[0] + t22 * cos_motor_theta_k + t22_k * cos_motor_theta;
         let t36_k = t35_k - t34_k;
-        let t37_k = sums_1[3] + t28 * t36_k + t28_k * t36;
+        let t37_k = sums_1[1] + t28 * t36_k + t28_k * t36;
         let t38_k = motor_u_b_k * R::literal(1.5);
         let t39_k = t38_k - t33_k;
         let t40_k = t39_k - t37_k;
         let t42_k = motor_i_ra_k * t41;
         let t43_k = motor_i_sa_k * p.motor_pole_pairs;
-        let t44_k = sums_1[4] + t43 * sin_motor_theta_k + t43_k * sin_motor_theta;
+        let t44_k = sums_1[2] + t43 * sin_motor_theta_k + t43_k * sin_motor_theta;
         let t45_k = motor_i_sb_k * p.motor_pole_pairs;
-        let t46_k = sums_1[5] + t45 * cos_motor_theta_k + t45_k * cos_motor_theta;
+        let t46_k = sums_1[3] + t45 * cos_motor_theta_k + t45_k * cos_motor_theta;
         let t47_k = t46_k - t44_k;
-        let t48_k = sums_1[6] + t28 * t47_k + t28_k * t47;
+        let t48_k = sums_1[4] + t28 * t47_k + t28_k * t47;
         let t49_k = -t42_k;
         let t50_k = t49_k - t48_k;
         let t51_k = motor_i_rb_k * t41;
-        let t52_k = sums_1[7] + t43 * cos_motor_theta_k + t43_k * cos_motor_theta;
-        let t53_k = sums_2[0] + t45 * sin_motor_theta_k + t45_k * sin_motor_theta;
+        let t52_k = sums_1[5] + t43 * cos_motor_theta_k + t43_k * cos_motor_theta;
+        let t53_k = sums_1[6] + t45 * sin_motor_theta_k + t45_k * sin_motor_theta;
         let t54_k = -t52_k;
         let t55_k = t54_k - t53_k;
-        let t56_k = sums_2[1] + t28 * t55_k + t28_k * t55;
+        let t56_k = sums_1[7] + t28 * t55_k + t28_k * t55;
         let t57_k = -t51_k;
         let t58_k = t57_k - t56_k;
         let t59_k = motor_along_k * p.motor_pole_pairs;
-        let t60_k = sums_2[2] + t59 * sin_motor_theta_k + t59_k * sin_motor_theta;
+        let t60_k = sums_1[8] + t59 * sin_motor_theta_k + t59_k * sin_motor_theta;
         let t61_k = motor_across_k * p.motor_pole_pairs;
-        let t62_k = sums_2[3] + t61 * cos_motor_theta_k + t61_k * cos_motor_theta;
+        let t62_k = sums_1[9] + t61 * cos_motor_theta_k + t61_k * cos_motor_theta;
         let t63_k = t62_k - t60_k;
         let t64_k = t63_k * t1;
-        let n105_k = sums_2[4] + t2_k * motor_i_ra_dot;
-        let n106_k = sums_2[5] + t4_k * motor_i_rb_dot;
-        let n107_k = sums_2[6] + t3_k * motor_i_ra_dot;
-        let n108_k = sums_2[7] + t2_k * motor_i_rb_dot;
-        let n109_k = sums_3[0] + t2_k * motor_i_sa_dot;
-        let n110_k = sums_3[1] + t3_k * motor_i_sb_dot;
-        let n111_k = sums_3[2] + t4_k * motor_i_sa_dot;
-        let n112_k = sums_3[3] + t2_k * motor_i_sb_dot;
+        let n105_k = sums_2[0] + t2_k * motor_i_ra_dot;
+        let n106_k = sums_2[1] + t4_k * motor_i_rb_dot;
+        let n107_k = sums_2[2] + t3_k * motor_i_ra_dot;
+        let n108_k = sums_2[3] + t2_k * motor_i_rb_dot;
+        let n109_k = sums_2[4] + t2_k * motor_i_sa_dot;
+        let n110_k = sums_2[5] + t3_k * motor_i_sb_dot;
+        let n111_k = sums_2[6] + t4_k * motor_i_sa_dot;
+        let n112_k = sums_2[7] + t2_k * motor_i_sb_dot;
         let n113_k = n105_k + n106_k;
         let t32_k_2 = t32_k - n113_k;
         let n115_k = n107_k + n108_k;
@@ -1436,6 +1438,8 @@ pub fn series<R: Real>(
                     motor_i_ra_k,
                     sin_motor_theta_k,
                     cos_motor_theta_k,
+                    t27_k,
+                    sin_motor_theta_k,
                 ],
                 [
                     cos_motor_theta_k,
@@ -1446,52 +1450,41 @@ pub fn series<R: Real>(
                     motor_i_sb_k,
                     t22_k,
                     t24_k,
+                    t28_k,
+                    t24_k,
                 ],
             );
         lanes_1
             .set(
                 order,
                 [
-                    t27_k,
-                    sin_motor_theta_k,
                     cos_motor_theta_k,
                     t28_k,
                     sin_motor_theta_k,
                     cos_motor_theta_k,
                     t28_k,
+                    cos_motor_theta_k,
+                    sin_motor_theta_k,
+                    t28_k,
+                    sin_motor_theta_k,
                     cos_motor_theta_k,
                 ],
-                [t28_k, t24_k, t22_k, t36_k, t43_k, t45_k, t47_k, t43_k],
+                [t22_k, t36_k, t43_k, t45_k, t47_k, t43_k, t45_k, t55_k, t59_k, t61_k],
             );
         lanes_2
             .set(
                 order,
+                [t2_k, t4_k, t3_k, t2_k, t2_k, t3_k, t4_k, t2_k],
                 [
-                    sin_motor_theta_k,
-                    t28_k,
-                    sin_motor_theta_k,
-                    cos_motor_theta_k,
-                    t2_k,
-                    t4_k,
-                    t3_k,
-                    t2_k,
-                ],
-                [
-                    t45_k,
-                    t55_k,
-                    t59_k,
-                    t61_k,
                     motor_i_ra_dot_k,
                     motor_i_rb_dot_k,
                     motor_i_ra_dot_k,
                     motor_i_rb_dot_k,
+                    motor_i_sa_dot_k,
+                    motor_i_sb_dot_k,
+                    motor_i_sa_dot_k,
+                    motor_i_sb_dot_k,
                 ],
-            );
-        lanes_3
-            .set(
-                order,
-                [t2_k, t3_k, t4_k, t2_k],
-                [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_sa_dot_k, motor_i_sb_dot_k],
             );
         t14_before = t14_k;
         t15_before = t15_k;
@@ -1508,8 +1501,8 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for MotorStationaryAxes {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
-            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1)
     }
     fn series(
         &self,
@@ -1546,6 +1539,12 @@ impl Describe for MotorStationaryAxes {
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         STATE_QUANTITIES[index]
+    }
+    fn state_kind(&self, index: usize) -> StateKind {
+        STATE_KINDS[index]
+    }
+    fn coordinate(&self, index: usize) -> Quantity<'_> {
+        COORDINATE_QUANTITIES[index]
     }
     fn state_scale(&self, index: usize) -> f64 {
         STATE_SCALES[index]
@@ -1641,6 +1640,43 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
         .expect("there are PARAMETERS parameters");
     Parameters::from_array(*values)
 }
+
+static STATE_KINDS: [StateKind; STATES] = [
+    StateKind::Position,
+    StateKind::Velocity,
+    StateKind::Velocity,
+    StateKind::Velocity,
+    StateKind::Velocity,
+    StateKind::Velocity,
+];
+
+static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [
+    Quantity {
+        name: "motor.q_sa",
+        unit: "C",
+        doc: "charge passed by the stator winding along alpha",
+    },
+    Quantity {
+        name: "motor.q_sb",
+        unit: "C",
+        doc: "charge passed by the stator winding along beta",
+    },
+    Quantity {
+        name: "motor.q_ra",
+        unit: "C",
+        doc: "charge passed by the rotor's first winding",
+    },
+    Quantity {
+        name: "motor.q_rb",
+        unit: "C",
+        doc: "charge passed by the rotor's second winding",
+    },
+    Quantity {
+        name: "motor.phi",
+        unit: "rad",
+        doc: "rotor angle",
+    },
+];
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     Quantity {

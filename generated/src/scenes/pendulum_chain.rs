@@ -972,10 +972,9 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_2, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_3, _) = Lanes::<R, 5>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_2, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let t0 = p.chain_m_1 + p.chain_m_2;
     let t1 = t0 + p.chain_m_3;
@@ -1075,16 +1074,18 @@ pub fn series<R: Real>(
         chain_w_3_dot,
     ];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (k, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
         let [chain_th_1_k, chain_th_2_k, chain_th_3_k, chain_w_1_k, chain_w_2_k,
-        chain_w_3_k] = state_k;
+        chain_w_3_k] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
         let sums_2 = lanes_2.sums(order);
-        let sums_3 = lanes_3.sums(order);
         let t5_k = chain_th_1_k - chain_th_2_k;
         let t6_k = inverse * sums[0] + t5_k * t7;
         let t7_k = -(inverse * sums[1] + t5_k * t6);
@@ -1099,20 +1100,20 @@ pub fn series<R: Real>(
         let t24_k = t21_k * t23;
         let sin_chain_th_1_k = inverse * sums[6] + chain_th_1_k * cos_chain_th_1;
         let cos_chain_th_1_k = -(inverse * sums[7] + chain_th_1_k * sin_chain_th_1);
-        let sin_chain_th_2_k = inverse * sums_1[0] + chain_th_2_k * cos_chain_th_2;
-        let cos_chain_th_2_k = -(inverse * sums_1[1] + chain_th_2_k * sin_chain_th_2);
-        let sin_chain_th_3_k = inverse * sums_1[2] + chain_th_3_k * cos_chain_th_3;
-        let cos_chain_th_3_k = -(inverse * sums_1[3] + chain_th_3_k * sin_chain_th_3);
+        let sin_chain_th_2_k = inverse * sums[8] + chain_th_2_k * cos_chain_th_2;
+        let cos_chain_th_2_k = -(inverse * sums[9] + chain_th_2_k * sin_chain_th_2);
+        let sin_chain_th_3_k = inverse * sums_1[0] + chain_th_3_k * cos_chain_th_3;
+        let cos_chain_th_3_k = -(inverse * sums_1[1] + chain_th_3_k * sin_chain_th_3);
         let t28_k = sin_chain_th_1_k * t27;
-        let t29_k = sums_1[4] + chain_w_2 * chain_w_2_k + chain_w_2_k * chain_w_2;
+        let t29_k = sums_1[2] + chain_w_2 * chain_w_2_k + chain_w_2_k * chain_w_2;
         let t31_k = t29_k * t30;
-        let t32_k = sums_1[5] + t31 * t6_k + t31_k * t6;
+        let t32_k = sums_1[3] + t31 * t6_k + t31_k * t6;
         let t34_k = sin_chain_th_1_k * t33;
         let t35_k = t29_k * t22;
-        let t36_k = sums_1[6] + t35 * t6_k + t35_k * t6;
-        let t37_k = sums_1[7] + chain_w_3 * chain_w_3_k + chain_w_3_k * chain_w_3;
+        let t36_k = sums_1[4] + t35 * t6_k + t35_k * t6;
+        let t37_k = sums_1[5] + chain_w_3 * chain_w_3_k + chain_w_3_k * chain_w_3;
         let t39_k = t37_k * t38;
-        let t40_k = sums_2[0] + t39 * t12_k + t39_k * t12;
+        let t40_k = sums_1[6] + t39 * t12_k + t39_k * t12;
         let t42_k = sin_chain_th_1_k * t41;
         let t43_k = t28_k + t32_k;
         let t44_k = t43_k + t34_k;
@@ -1121,14 +1122,14 @@ pub fn series<R: Real>(
         let t47_k = t46_k + t42_k;
         let t48_k = t47_k * p.chain_l_1;
         let t49_k = -t48_k;
-        let t50_k = sums_2[1] + chain_w_1 * chain_w_1_k + chain_w_1_k * chain_w_1;
+        let t50_k = sums_1[7] + chain_w_1 * chain_w_1_k + chain_w_1_k * chain_w_1;
         let t51_k = -t6_k;
         let t53_k = t50_k * t52;
-        let t54_k = sums_2[2] + t53 * t51_k + t53_k * t51;
+        let t54_k = sums_1[8] + t53 * t51_k + t53_k * t51;
         let t55_k = sin_chain_th_2_k * t33;
         let t56_k = t50_k * t14;
-        let t57_k = sums_2[3] + t56 * t51_k + t56_k * t51;
-        let t58_k = sums_2[4] + t39 * t20_k + t39_k * t20;
+        let t57_k = sums_1[9] + t56 * t51_k + t56_k * t51;
+        let t58_k = sums_2[0] + t39 * t20_k + t39_k * t20;
         let t59_k = sin_chain_th_2_k * t41;
         let t60_k = t54_k + t55_k;
         let t61_k = t60_k + t57_k;
@@ -1138,21 +1139,21 @@ pub fn series<R: Real>(
         let t65_k = -t64_k;
         let t66_k = -t12_k;
         let t67_k = t50_k * p.chain_l_1;
-        let t68_k = sums_2[5] + t67 * t66_k + t67_k * t66;
+        let t68_k = sums_2[1] + t67 * t66_k + t67_k * t66;
         let t69_k = -t20_k;
         let t70_k = t29_k * p.chain_l_2;
-        let t71_k = sums_2[6] + t70 * t69_k + t70_k * t69;
+        let t71_k = sums_2[2] + t70 * t69_k + t70_k * t69;
         let t72_k = sin_chain_th_3_k * p.chain_gravity;
         let t73_k = t68_k + t71_k;
         let t74_k = t73_k + t72_k;
         let t75_k = t74_k * t38;
         let t76_k = -t75_k;
-        let n99_k = sums_2[7] + t10_k * chain_w_2_dot;
-        let n100_k = sums_3[0] + t16_k * chain_w_3_dot;
-        let n101_k = sums_3[1] + t10_k * chain_w_1_dot;
-        let n102_k = sums_3[2] + t24_k * chain_w_3_dot;
-        let n103_k = sums_3[3] + t16_k * chain_w_1_dot;
-        let n104_k = sums_3[4] + t24_k * chain_w_2_dot;
+        let n99_k = sums_2[3] + t10_k * chain_w_2_dot;
+        let n100_k = sums_2[4] + t16_k * chain_w_3_dot;
+        let n101_k = sums_2[5] + t10_k * chain_w_1_dot;
+        let n102_k = sums_2[6] + t24_k * chain_w_3_dot;
+        let n103_k = sums_2[7] + t16_k * chain_w_1_dot;
+        let n104_k = sums_2[8] + t24_k * chain_w_2_dot;
         let n105_k = n99_k + n100_k;
         let t49_k_2 = t49_k - n105_k;
         let n107_k = n101_k + n102_k;
@@ -1173,6 +1174,8 @@ pub fn series<R: Real>(
                     k * t19_k,
                     k * chain_th_1_k,
                     k * chain_th_1_k,
+                    k * chain_th_2_k,
+                    k * chain_th_2_k,
                 ],
                 [
                     t7_k,
@@ -1183,43 +1186,47 @@ pub fn series<R: Real>(
                     t20_k,
                     cos_chain_th_1_k,
                     sin_chain_th_1_k,
+                    cos_chain_th_2_k,
+                    sin_chain_th_2_k,
                 ],
             );
         lanes_1
             .set(
                 order,
                 [
-                    k * chain_th_2_k,
-                    k * chain_th_2_k,
                     k * chain_th_3_k,
                     k * chain_th_3_k,
                     chain_w_2_k,
                     t6_k,
                     t6_k,
                     chain_w_3_k,
+                    t12_k,
+                    chain_w_1_k,
+                    t51_k,
+                    t51_k,
                 ],
                 [
-                    cos_chain_th_2_k,
-                    sin_chain_th_2_k,
                     cos_chain_th_3_k,
                     sin_chain_th_3_k,
                     chain_w_2_k,
                     t31_k,
                     t35_k,
                     chain_w_3_k,
+                    t39_k,
+                    chain_w_1_k,
+                    t53_k,
+                    t56_k,
                 ],
             );
         lanes_2
             .set(
                 order,
-                [t12_k, chain_w_1_k, t51_k, t51_k, t20_k, t66_k, t69_k, t10_k],
-                [t39_k, chain_w_1_k, t53_k, t56_k, t39_k, t67_k, t70_k, chain_w_2_dot_k],
-            );
-        lanes_3
-            .set(
-                order,
-                [t16_k, t10_k, t24_k, t16_k, t24_k],
+                [t20_k, t66_k, t69_k, t10_k, t16_k, t10_k, t24_k, t16_k, t24_k],
                 [
+                    t39_k,
+                    t67_k,
+                    t70_k,
+                    chain_w_2_dot_k,
                     chain_w_3_dot_k,
                     chain_w_1_dot_k,
                     chain_w_3_dot_k,
@@ -1240,8 +1247,8 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for PendulumChain {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 8>::workspace(order + 1)
-            + Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 5>::workspace(order + 1)
+        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 9>::workspace(order + 1)
     }
     fn series(
         &self,

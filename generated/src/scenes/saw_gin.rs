@@ -54,7 +54,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+    SparsityPattern, StateKind, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -986,8 +986,7 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_1, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
+    let (mut lanes, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
@@ -1087,14 +1086,16 @@ pub fn series<R: Real>(
         motor_psi_ry_dot,
     ];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (k, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
         let [coupling_twist_k, motor_omega_k, cylinder_omega_k, motor_psi_sx_k,
-        motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = state_k;
+        motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = *state_k;
         let sums = lanes.sums(order);
-        let sums_1 = lanes_1.sums(order);
         let t4_k = cylinder_omega_k * p.coupling_ratio;
         let coupling_twist_rate_k = motor_omega_k - t4_k;
         let t5_k = motor_omega_k * p.motor_pole_pairs;
@@ -1144,7 +1145,7 @@ pub fn series<R: Real>(
         let t58_k = t19_k - motor_psi_rx_k;
         let t60_k = t58_k * t59;
         let motor_psi_rx_dot_k = t57_k + t60_k;
-        let t61_k = sums_1[0] + motor_psi_rx * motor_slip_speed_k
+        let t61_k = sums[8] + motor_psi_rx * motor_slip_speed_k
             + motor_psi_rx_k * motor_slip_speed;
         let t62_k = t20_k - motor_psi_ry_k;
         let t63_k = t62_k * t59;
@@ -1161,6 +1162,7 @@ pub fn series<R: Real>(
                     load_engagement_k,
                     t37_k,
                     motor_slip_speed_k,
+                    motor_slip_speed_k,
                 ],
                 [
                     load_engagement_k,
@@ -1171,9 +1173,9 @@ pub fn series<R: Real>(
                     t33_k,
                     t40_k,
                     motor_psi_ry_k,
+                    motor_psi_rx_k,
                 ],
             );
-        lanes_1.set(order, [motor_slip_speed_k], [motor_psi_rx_k]);
         t12_before = t12_k;
         t31_before = t31_k;
         t32_before = t32_k;
@@ -1191,7 +1193,7 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for SawGin {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 1>::workspace(order + 1)
+        Lanes::<R, 9>::workspace(order + 1)
     }
     fn series(
         &self,
@@ -1228,6 +1230,12 @@ impl Describe for SawGin {
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         STATE_QUANTITIES[index]
+    }
+    fn state_kind(&self, index: usize) -> StateKind {
+        STATE_KINDS[index]
+    }
+    fn coordinate(&self, index: usize) -> Quantity<'_> {
+        COORDINATE_QUANTITIES[index]
     }
     fn state_scale(&self, index: usize) -> f64 {
         STATE_SCALES[index]
@@ -1323,6 +1331,29 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
         .expect("there are PARAMETERS parameters");
     Parameters::from_array(*values)
 }
+
+static STATE_KINDS: [StateKind; STATES] = [
+    StateKind::Position,
+    StateKind::Velocity,
+    StateKind::Velocity,
+    StateKind::FirstOrder,
+    StateKind::FirstOrder,
+    StateKind::FirstOrder,
+    StateKind::FirstOrder,
+];
+
+static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [
+    Quantity {
+        name: "motor.phi",
+        unit: "rad",
+        doc: "rotor angle",
+    },
+    Quantity {
+        name: "cylinder.phi",
+        unit: "rad",
+        doc: "angle",
+    },
+];
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     Quantity {

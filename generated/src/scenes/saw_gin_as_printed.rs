@@ -924,8 +924,7 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 8>::new(workspace, coefficients.len());
-    let (mut lanes_1, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
+    let (mut lanes, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
@@ -1034,14 +1033,16 @@ pub fn series<R: Real>(
         motor_psi_y2_dot,
     ];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (k, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
         let [motor_phi_k, cylinder_phi_k, motor_omega_k, cylinder_omega_k,
-        motor_psi_x1_k, motor_psi_y1_k, motor_psi_x2_k, motor_psi_y2_k] = state_k;
+        motor_psi_x1_k, motor_psi_y1_k, motor_psi_x2_k, motor_psi_y2_k] = *state_k;
         let sums = lanes.sums(order);
-        let sums_1 = lanes_1.sums(order);
         let t0_k = cylinder_phi_k * p.coupling_ratio;
         let coupling_twist_k = motor_phi_k - t0_k;
         let t1_k = cylinder_omega_k * p.coupling_ratio;
@@ -1097,7 +1098,7 @@ pub fn series<R: Real>(
         let t69_k = motor_psi_x2_k * p.motor_omega_0;
         let t70_k = motor_psi_y2_k * t60;
         let t71_k = motor_psi_y1_k * t64;
-        let t72_k = sums_1[0] + motor_psi_x2 * motor_rotor_term_k
+        let t72_k = sums[8] + motor_psi_x2 * motor_rotor_term_k
             + motor_psi_x2_k * motor_rotor_term;
         let t73_k = t71_k + t72_k;
         let t74_k = t73_k - t69_k;
@@ -1114,6 +1115,7 @@ pub fn series<R: Real>(
                     load_engagement_k,
                     t30_k,
                     motor_rotor_term_k,
+                    motor_rotor_term_k,
                 ],
                 [
                     load_engagement_k,
@@ -1124,9 +1126,9 @@ pub fn series<R: Real>(
                     t26_k,
                     t33_k,
                     motor_psi_y2_k,
+                    motor_psi_x2_k,
                 ],
             );
-        lanes_1.set(order, [motor_rotor_term_k], [motor_psi_x2_k]);
         t9_before = t9_k;
         t24_before = t24_k;
         t25_before = t25_k;
@@ -1145,7 +1147,7 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for SawGinAsPrinted {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 8>::workspace(order + 1) + Lanes::<R, 1>::workspace(order + 1)
+        Lanes::<R, 9>::workspace(order + 1)
     }
     fn series(
         &self,

@@ -47,7 +47,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{TaylorSeries, order_and_inverse},
+    SparsityPattern, StateKind, taylor::{TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -518,11 +518,14 @@ pub fn series<R: Real>(
     let mut t3_before = t3;
     let mut rates = [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (_, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
-        let [coupling_twist_k, driver_omega_k, cylinder_omega_k] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [coupling_twist_k, driver_omega_k, cylinder_omega_k] = *state_k;
         let t0_k = cylinder_omega_k * p.coupling_ratio;
         let coupling_twist_rate_k = driver_omega_k - t0_k;
         let t2_k = inverse * p.load_frequency * t3_before;
@@ -583,6 +586,12 @@ impl Describe for TwoMass {
     }
     fn state(&self, index: usize) -> Quantity<'_> {
         STATE_QUANTITIES[index]
+    }
+    fn state_kind(&self, index: usize) -> StateKind {
+        STATE_KINDS[index]
+    }
+    fn coordinate(&self, index: usize) -> Quantity<'_> {
+        COORDINATE_QUANTITIES[index]
     }
     fn state_scale(&self, index: usize) -> f64 {
         STATE_SCALES[index]
@@ -678,6 +687,25 @@ fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
         .expect("there are PARAMETERS parameters");
     Parameters::from_array(*values)
 }
+
+static STATE_KINDS: [StateKind; STATES] = [
+    StateKind::Position,
+    StateKind::Velocity,
+    StateKind::Velocity,
+];
+
+static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [
+    Quantity {
+        name: "driver.phi",
+        unit: "rad",
+        doc: "angle",
+    },
+    Quantity {
+        name: "cylinder.phi",
+        unit: "rad",
+        doc: "angle",
+    },
+];
 
 static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
     Quantity {

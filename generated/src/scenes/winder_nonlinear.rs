@@ -789,11 +789,14 @@ pub fn series<R: Real>(
     let mut t26_before = t26;
     let mut rates = [holder_v, holder_v_dot];
     coefficients[0] = *state;
-    for order in 1..coefficients.len() {
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
         let (_, inverse) = order_and_inverse::<R>(order);
-        let state_k = rates.map(|rate| rate * inverse);
-        coefficients[order] = state_k;
-        let [holder_x_k, holder_v_k] = state_k;
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [holder_x_k, holder_v_k] = *state_k;
         let sums = lanes.sums(order);
         let t12_k = inverse * t9 * t13_before;
         let t13_k = -inverse * t9 * t12_before;

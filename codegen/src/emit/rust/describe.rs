@@ -7,6 +7,7 @@ use super::Scene;
 use crate::emit::EmitError;
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
+use crate::state::Motion;
 use crate::system::Quantity;
 
 /// Both implementations and the statics they read.
@@ -29,6 +30,16 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
     let positions = count(layout.positions());
     let first_order = count(system.first_order.len());
     let quadratures = count(layout.quadratures);
+    let layout_methods = (!layout.is_of_all(system)).then(|| {
+        quote!(
+            fn state_kind(&self, index: usize) -> StateKind {
+                STATE_KINDS[index]
+            }
+            fn coordinate(&self, index: usize) -> Quantity<'_> {
+                COORDINATE_QUANTITIES[index]
+            }
+        )
+    });
     quote! {
         impl Describe for #machine {
             fn name(&self) -> &'static str { #name }
@@ -45,6 +56,7 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
                 }
             }
             fn state(&self, index: usize) -> Quantity<'_> { STATE_QUANTITIES[index] }
+            #layout_methods
             fn state_scale(&self, index: usize) -> f64 { STATE_SCALES[index] }
             fn parameter(&self, index: usize) -> Quantity<'_> { PARAMETER_QUANTITIES[index] }
             fn parameter_default(&self, index: usize) -> f64 { PARAMETER_DEFAULTS[index] }
@@ -134,13 +146,33 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         numbers("scale of a state", scene.program.layout.states.iter().map(|state| state.scale))?;
     let defaults = numbers("parameter", system.parameters.iter().map(|p| p.value))?;
     let run = run_defaults(scene)?;
+    let layout = layout_statics(scene);
     Ok(quote! {
+        #layout
         static STATE_QUANTITIES: [Quantity<'static>; STATES] = [#(#states),*];
         static STATE_SCALES: [f64; STATES] = [#(#scales),*];
         static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [#(#parameters),*];
         static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [#(#defaults),*];
         static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [#(#outputs),*];
         #run
+    })
+}
+
+/// What only a simulator says whose state is not \[q, q', z\].
+fn layout_statics(scene: &Scene<'_>) -> Option<TokenStream> {
+    let (system, layout) = (&scene.program.system, &scene.program.layout);
+    if layout.is_of_all(system) {
+        return None;
+    }
+    let kinds = layout.states.iter().map(|state| match state.motion {
+        Motion::Position { .. } => quote!(StateKind::Position),
+        Motion::Velocity(_) => quote!(StateKind::Velocity),
+        Motion::FirstOrder(_) => quote!(StateKind::FirstOrder),
+    });
+    let coordinates = quantities(system.coordinates.iter().map(|c| &c.position));
+    Some(quote! {
+        static STATE_KINDS: [StateKind; STATES] = [#(#kinds),*];
+        static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [#(#coordinates),*];
     })
 }
 

@@ -1,0 +1,111 @@
+//! Small motions of all coordinates, of the positions left out of the state too.
+
+use machinist_scenes::{Simulator, StateKind};
+use nalgebra::{DMatrix, DVector};
+
+/// dx' = A dx of x = \[q, q', z\], all n coordinates, all velocities and all
+/// first-order states, from dy' = A_y dy of the state y.
+///
+/// The state holds positions s that are coordinates, differences of some, or fewer
+/// than there are: s' = S q', where S are rows of A_y. What depends on q does so
+/// through s alone, so that its derivative by q is that by s times S.
+pub(super) struct Motions {
+    /// n.
+    pub coordinates: usize,
+    /// m.
+    pub first_order: usize,
+    /// A, 2 n + m square.
+    pub matrix: DMatrix<f64>,
+    /// Typical sizes of x.
+    pub scales: DVector<f64>,
+    /// S, as many rows as there are positions.
+    positions_by_coordinates: DMatrix<f64>,
+    places: Places,
+}
+
+/// Where the state holds what.
+pub(super) struct Places {
+    pub positions: Vec<usize>,
+    pub velocities: Vec<usize>,
+    pub first_order: Vec<usize>,
+}
+
+impl Places {
+    pub fn of(simulator: &dyn Simulator<f64>) -> Self {
+        let of_kind = |kind: StateKind| {
+            let states = 0..simulator.shape().states();
+            states.filter(|index| simulator.state_kind(*index) == kind).collect()
+        };
+        Self {
+            positions: of_kind(StateKind::Position),
+            velocities: of_kind(StateKind::Velocity),
+            first_order: of_kind(StateKind::FirstOrder),
+        }
+    }
+
+    /// Places of \[q', z\].
+    pub fn dynamic(&self) -> Vec<usize> {
+        [&self.velocities[..], &self.first_order[..]].concat()
+    }
+}
+
+impl Motions {
+    pub fn new(simulator: &dyn Simulator<f64>, of_state: &DMatrix<f64>) -> Self {
+        let places = Places::of(simulator);
+        let dynamic = places.dynamic();
+        let (n, m) = (places.velocities.len(), places.first_order.len());
+        let rates = of_state.select_rows(&dynamic);
+        let by_coordinates =
+            of_state.select_rows(&places.positions).select_columns(&places.velocities);
+        let mut matrix = DMatrix::zeros(2 * n + m, 2 * n + m);
+        matrix.view_mut((0, n), (n, n)).fill_with_identity();
+        let by_q = rates.select_columns(&places.positions) * &by_coordinates;
+        matrix.view_mut((n, 0), (n + m, n)).copy_from(&by_q);
+        matrix.view_mut((n, n), (n + m, n + m)).copy_from(&rates.select_columns(&dynamic));
+        let scales = scales(&super::scales(simulator), &places, &by_coordinates);
+        let positions_by_coordinates = by_coordinates;
+        Self { coordinates: n, first_order: m, matrix, scales, positions_by_coordinates, places }
+    }
+
+    /// Adds a change dx to a state.
+    pub fn add(&self, state: &mut [f64], change: &DVector<f64>) {
+        let n = self.coordinates;
+        let of_positions = &self.positions_by_coordinates * change.rows(0, n);
+        for (place, change) in self.places.positions.iter().zip(&of_positions) {
+            state[*place] += change;
+        }
+        for (place, change) in self.places.dynamic().iter().zip(&change.as_slice()[n..]) {
+            state[*place] += change;
+        }
+    }
+}
+
+/// Names of x.
+pub(super) fn names(simulator: &dyn Simulator<f64>) -> Vec<String> {
+    let places = Places::of(simulator);
+    let coordinates = (0..places.velocities.len()).map(|index| simulator.coordinate(index));
+    let dynamic = places.dynamic().into_iter().map(|place| simulator.state(place));
+    coordinates.chain(dynamic).map(|quantity| quantity.name.to_owned()).collect()
+}
+
+/// Typical sizes of x. A coordinate is measured by the least position that it
+/// moves; one that moves none, by what its velocity covers in a second.
+fn scales(
+    of_state: &DVector<f64>,
+    places: &Places,
+    positions_by_coordinates: &DMatrix<f64>,
+) -> DVector<f64> {
+    let coordinate = |index: usize| {
+        let column = positions_by_coordinates.column(index);
+        let sizes = places.positions.iter().zip(column.iter());
+        let moved = sizes.filter(|(_, share)| **share != 0.0);
+        let least = moved.map(|(place, share)| of_state[*place] / share.abs());
+        let least = least.fold(f64::INFINITY, f64::min);
+        if least.is_finite() { least } else { of_state[places.velocities[index]] }
+    };
+    let n = places.velocities.len();
+    let dynamic = places.dynamic();
+    DVector::from_fn(n + dynamic.len(), |index, _| {
+        if index < n { coordinate(index) } else { of_state[dynamic[index - n]] }
+    })
+}

@@ -12,6 +12,7 @@ pub mod emit;
 pub mod evaluate;
 pub mod expr;
 pub mod factor;
+mod features;
 pub mod fold;
 pub mod lagrange;
 pub mod linearize;

@@ -19,6 +19,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::{EmitError, EmitOptions};
+use crate::features::TAKEN;
 use crate::program::Program;
 pub(crate) use header::MARK;
 use names::Namer;
@@ -68,15 +69,20 @@ pub fn type_name(scene: &str) -> String {
 }
 
 /// The module that lists emitted scenes: one `pub mod` for each, their names,
-/// and a look-up.
+/// and a look-up; each only if the Cargo feature of its name is on.
 ///
 /// # Errors
-/// [`EmitError`] if a scene's name is no identifier or given twice.
+/// [`EmitError`] if a scene's name is no identifier, given twice, or taken by another
+/// feature of the contract crate.
 pub fn emit_index(programs: &[&Program], options: &EmitOptions) -> Result<String, EmitError> {
     let mut programs = programs.to_vec();
     programs.sort_by(|a, b| a.system.name.cmp(&b.system.name));
     let names: Vec<&str> = programs.iter().map(|program| program.system.name.as_str()).collect();
     let modules = names::distinct(names.iter().copied(), "scenes")?;
+    if let Some(name) = names.iter().find(|name| TAKEN.contains(name)) {
+        let name = (*name).to_owned();
+        return Err(EmitError::NamedTwice { name, kind: "features of the crate of scenes" });
+    }
     let tokens = items::index(&programs, &modules, &options.contract);
     Ok(format!("{}\n{}", header::index_header(options), pretty(tokens)?))
 }

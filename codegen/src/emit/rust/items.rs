@@ -240,8 +240,10 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
     let declarations = programs.iter().zip(modules).map(|(program, module)| {
         let title = markdown_line(&program.system.title);
         let docs = doc([if title.is_empty() { format!("The machine `{module}`.") } else { title }]);
+        let feature = &program.system.name;
         quote! {
             #docs
+            #[cfg(feature = #feature)]
             #[rustfmt::skip]
             #[allow(
                 non_snake_case,
@@ -253,15 +255,18 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
             pub mod #module;
         }
     });
-    let names = programs.iter().map(|program| program.system.name.as_str());
+    let names = programs.iter().map(|program| {
+        let name = program.system.name.as_str();
+        quote!(#[cfg(feature = #name)] #name)
+    });
     let arms = programs.iter().zip(modules).map(|(program, module)| {
         let name = &program.system.name;
         let machine = format_ident!("{}", super::names::type_name(name));
-        quote!(#name => Some(&#module::#machine),)
+        quote!(#[cfg(feature = #name)] #name => Some(&#module::#machine),)
     });
-    let inner = "Simulators emitted from the specs, one module a scene.";
-    let (names_doc, find_doc) =
-        (doc(["Names of all scenes, sorted."]), doc(["The scene of a name."]));
+    let inner = "Simulators emitted from the specs, one module and one feature a scene.";
+    let names_doc = doc(["Names of all scenes whose feature is on, sorted."]);
+    let find_doc = doc(["The scene of a name, if its feature is on."]);
     let inner = format!(" {inner}");
     let find = if programs.is_empty() {
         quote!(
@@ -288,6 +293,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
         pub const NAMES: &[&str] = &[#(#names),*];
         #find_doc
         #[must_use]
+        #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
         #find
     }
 }

@@ -22,6 +22,8 @@ pub mod ledger;
 #[cfg(feature = "linear")]
 pub mod linear_analysis;
 pub mod method;
+#[cfg(feature = "cli")]
+pub mod object;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod simulate;

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use machinist::interpreted::InterpretedSimulator;
+use machinist::object::object;
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
@@ -250,10 +251,40 @@ fn a_unit_that_no_output_reaches_leaves_no_trace() {
     // Without its comments, which name the files and tell what the scene is.
     let text = emit(&needed, &EmitOptions::within_contract()).expect("emitted");
     assert!(!text.contains("reed"), "{text}");
+    assert!(!holds(&compiled(&needed), "reed"), "the object file has a name of the reed");
+    assert!(holds(&compiled(&all), "reed"), "and has none where the reed is kept");
     let without = Spec::new(GIN).needed();
     assert_eq!(needed.rate, without.rate);
     assert_eq!(needed.energy, without.energy);
     assert_eq!(needed.power_balance, without.power_balance);
+}
+
+fn compiled(program: &Program) -> Vec<u8> {
+    object(program).expect("compiled")
+}
+
+fn holds(object: &[u8], name: &str) -> bool {
+    object.windows(name.len()).any(|bytes| bytes.eq_ignore_ascii_case(name.as_bytes()))
+}
+
+#[test]
+fn a_scene_holds_no_name_of_units_it_is_not_made_of() {
+    for (name, absent, present) in [
+        ("two_mass", ["motor", "reed", "holder"], "coupling"),
+        ("motor_run_up", ["twist", "cylinder", "shaft"], "motor"),
+        ("winder_linear", ["motor", "twist", "reed"], "holder"),
+    ] {
+        let program = scene(name);
+        let text = emit(&program, &EmitOptions::within_contract()).expect("emitted");
+        // Comments name the sources and tell what the machine is.
+        let code: String = text.lines().filter(|line| !line.trim().starts_with("//")).collect();
+        let object = compiled(&program);
+        for absent in absent {
+            assert!(!code.contains(absent), "{name}: {absent} is in the emitted text");
+            assert!(!holds(&object, absent), "{name}: {absent} is in the object file");
+        }
+        assert!(code.contains(present) && holds(&object, present), "{name} lacks {present}");
+    }
 }
 
 #[test]

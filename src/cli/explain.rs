@@ -24,7 +24,7 @@ pub struct Explain {
     /// Leave nothing out
     #[arg(long)]
     keep_all: bool,
-    /// Do not run the scene to compare times
+    /// Do not run the scene to compare times, nor compile it to compare sizes
     #[arg(long)]
     without_times: bool,
 }
@@ -60,6 +60,9 @@ fn as_text(explanation: &Explanation) -> String {
         Some(Ok(times)) => text.extend(["\n", &run_times(times), "\n"]),
         Some(Err(error)) => text.extend(["\nNo run times: ", &error.to_string(), "\n"]),
         None => {}
+    }
+    if let Some(error) = &explanation.no_object {
+        text.extend(["\nNo sizes of object files: ", &error.to_string(), "\n"]);
     }
     text
 }
@@ -210,6 +213,7 @@ fn as_json(explanation: &Explanation) -> Value {
             "rate_operations": frequency(structure.rate),
             "jacobian_operations": frequency(structure.jacobian),
         },
+        "no_object_files": explanation.no_object.as_ref().map(ToString::to_string),
         "freeze_candidates": explanation.candidates,
         "run": times,
     })

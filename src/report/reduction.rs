@@ -71,13 +71,13 @@ fn left_out(explanation: &Explanation) -> Markup {
 }
 
 fn sizes(explanation: &Explanation) -> Markup {
-    let names = explanation.stages.first().map(|stage| stage.size.figures().map(|(name, _)| name));
+    let names = explanation.stages.first().map(|stage| stage.size.figures());
     html! {
         div.scroll {
             table {
                 thead { tr {
                     th { "" }
-                    @for name in names.into_iter().flatten() { th.number { (name) } }
+                    @for (name, _) in names.into_iter().flatten() { th.number { (name) } }
                 } }
                 tbody {
                     @for stage in &explanation.stages {

@@ -14,6 +14,7 @@ pub mod expr;
 pub mod factor;
 mod features;
 pub mod fold;
+pub mod hoist;
 pub mod lagrange;
 pub mod linearize;
 pub mod lower;

@@ -83,10 +83,10 @@ impl Frequency {
 }
 
 /// For each node, whether it depends on time and whether on the state.
-struct Dependence(Vec<(bool, bool)>);
+pub(crate) struct Dependence(Vec<(bool, bool)>);
 
 impl Dependence {
-    fn of(tape: &Tape) -> Self {
+    pub(crate) fn of(tape: &Tape) -> Self {
         let mut known: Vec<(bool, bool)> = Vec::with_capacity(tape.nodes.len());
         for node in &tape.nodes {
             known.push(match node.op {
@@ -105,7 +105,7 @@ impl Dependence {
         self.0[id.0 as usize].0
     }
 
-    fn on_anything(&self, id: NodeId) -> bool {
+    pub(crate) fn on_anything(&self, id: NodeId) -> bool {
         self.0[id.0 as usize] != (false, false)
     }
 }

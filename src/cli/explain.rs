@@ -157,8 +157,8 @@ pub fn structure(structure: &Structure) -> Vec<String> {
     for (name, frequency) in [("rate", structure.rate), ("Jacobian", structure.jacobian)] {
         let Frequency { once, by_time, by_state } = frequency;
         lines.push(format!(
-            "of the operations of the {name}, {once} could be done once a run, {by_time} once for \
-             each time, {by_state} at each evaluation"
+            "of the operations of the {name}, {once} are done once a run, {by_time} are of time and \
+             parameters alone, {by_state} of the state"
         ));
     }
     lines

@@ -13,6 +13,7 @@ mod header;
 mod items;
 mod names;
 mod plan;
+mod prepare;
 mod series;
 
 use proc_macro2::{Ident, TokenStream};
@@ -23,6 +24,7 @@ use crate::features::TAKEN;
 use crate::program::Program;
 pub(crate) use header::MARK;
 use names::Namer;
+use prepare::Prepare;
 use series::Series;
 
 /// The text of a scene's module: constants, `Parameters`, `Outputs`, one
@@ -42,6 +44,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
     let parameters = items::parameters(&scene)?;
     let outputs = items::outputs(&scene);
     let state_indices = items::state_indices(&scene);
+    let prepare = scene.prepare.items();
     let functions = functions::functions(&scene)?;
     let implementations = describe::implementations(&scene, series.is_some())?;
     let series = series.map(|series| series.items(&scene)).transpose()?;
@@ -53,6 +56,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
         #parameters
         #outputs
         #state_indices
+        #prepare
         #functions
         #series
         #implementations
@@ -121,6 +125,8 @@ struct Scene<'a> {
     tables: Vec<Ident>,
     /// Namer for local variables; states, parameters and constants are taken.
     locals: Namer,
+    /// What is done once a run.
+    prepare: Prepare,
 }
 
 impl<'a> Scene<'a> {
@@ -149,11 +155,13 @@ impl<'a> Scene<'a> {
         for constant in &tables {
             locals.reserve(&constant.to_string());
         }
-        let states = states.iter().map(|state| locals.claim(&state.to_string())).collect();
+        let states: Vec<Ident> =
+            states.iter().map(|state| locals.claim(&state.to_string())).collect();
         for parameter in &parameters {
             locals.reserve(&parameter.to_string());
         }
-        Ok(Self { program, machine, states, parameters, outputs, tables, locals })
+        let prepare = Prepare::new(program, &states, &parameters, &tables, &locals)?;
+        Ok(Self { program, machine, states, parameters, outputs, tables, locals, prepare })
     }
 }
 

@@ -136,13 +136,13 @@ pub(super) fn outputs(scene: &Scene<'_>) -> TokenStream {
     )
 }
 
-struct RecordNames {
-    record: &'static str,
-    length: &'static str,
+pub(super) struct RecordNames {
+    pub(super) record: &'static str,
+    pub(super) length: &'static str,
 }
 
 /// A struct of numbers that converts from and to an array.
-fn record(
+pub(super) fn record(
     names: &RecordNames,
     meaning: &str,
     fields: &[Ident],

@@ -11,6 +11,7 @@ use machinist_codegen::emit::rust::emit;
 use machinist_codegen::pipeline;
 use machinist_codegen::program::Program;
 use machinist_codegen::reduce::{Keep, What, Why};
+use machinist_codegen::structure::Structure;
 use machinist_scenes::{Describe as _, Simulator as _};
 
 /// A scene file with the given text, in a folder that lasts as long as it.
@@ -73,7 +74,7 @@ fn run(program: &Program, until: Option<f64>) -> Trajectory {
     let states = simulator.shape().states();
     let until = until.unwrap_or(simulator.run_defaults().until);
     let run = Simulation::new(&simulator).until(until).points(41).rtol(1e-13);
-    run.atol(&vec![1e-14; states]).method(Method::Tsit45).run().expect("the run")
+    run.atol(&vec![1e-14; states]).method(Method::Dop853).run().expect("the run")
 }
 
 /// Largest distance of any output from the unreduced scene's, relative to the
@@ -369,6 +370,49 @@ fn two_chains_apart_lose_a_position_each_and_both_angles_come_back() {
     assert_eq!((needed.layout.len(), needed.layout.quadratures), (10, 2));
     distance(&needed, &spec.program(Keep::All), Some(1.0));
     assert_sound(&needed);
+}
+
+#[test]
+fn structure_tells_what_is_constant_linear_and_apart() {
+    let chain = Structure::of(&Spec::new(CHAIN).needed());
+    assert!(chain.constant_mass && chain.diagonal_mass && chain.is_linear() && !chain.autonomous);
+    assert_eq!(chain.subsystems.len(), 1);
+    assert_eq!(chain.constant_jacobian.0, chain.constant_jacobian.1);
+
+    // A motor and a swing of its own beside it: two parts, one of them linear.
+    let beside = GIN.replace(
+        "[run]",
+        "[units.a]\nunit = \"rotor\"\n[units.b]\nunit = \"rotor\"\n\
+         [units.spring]\nunit = \"coupling\"\n\
+         [[joints]]\nconnect = [\"a.shaft\", \"spring.driving\"]\n\
+         [[joints]]\nconnect = [\"b.shaft\", \"spring.driven\"]\n[run]",
+    );
+    let spec = Spec::new(&format!("{beside}other = \"spring.torque\"\n"));
+    let program = spec.needed();
+    let names = states(&program);
+    let structure = Structure::of(&program);
+    let named = |part: &[u32]| part.iter().map(|at| names[*at as usize]).collect::<Vec<_>>();
+    assert_eq!(structure.subsystems.len(), 2, "{names:?}");
+    assert_eq!(named(&structure.linear_part), ["spring.twist", "a.omega", "b.omega"]);
+    assert!(structure.subsystems.contains(&structure.linear_part));
+    // The twist of the gin is linear in its speeds, whose rates are not.
+    assert!(named(&structure.linear_rows).contains(&"coupling.twist"));
+    assert!(!structure.is_linear());
+
+    let chain = Structure::of(&scene("pendulum_chain"));
+    assert!(!chain.constant_mass && !chain.diagonal_mass && chain.autonomous);
+    assert_eq!(chain.linear_part, [0_u32; 0]);
+}
+
+#[test]
+fn a_rate_that_jumps_at_a_state_is_not_linear_though_its_slopes_are_constant() {
+    let structure = |force| Structure::of(&pair(force).needed());
+    assert!(structure("-2 [N m/rad]*(a.phi - b.phi)").is_linear());
+    for force in ["-2 [N m]*sign(a.phi - b.phi)", "-2 [N m/rad]*max(a.phi - b.phi, 0)"] {
+        assert!(!structure(force).is_linear(), "{force}");
+    }
+    let dry = structure("-2 [N m]*sign(a.phi - b.phi)");
+    assert_eq!(dry.constant_jacobian.0, dry.constant_jacobian.1);
 }
 
 /// Two rotors with a force on the first, and that output.

@@ -52,7 +52,7 @@ fn as_text(explanation: &Explanation) -> String {
     text.push_str(&sizes(explanation));
     text.extend(["\nStates: ", &explanation.states.join(", "), "\n"]);
     text.push_str("\nStructure\n");
-    for line in structure(&explanation.structure) {
+    for line in structure(&explanation.structure, &explanation.states) {
         text.extend(["  ", &line, "\n"]);
     }
     text.push_str(&candidates(&explanation.candidates));
@@ -135,7 +135,11 @@ pub fn price(candidate: &Candidate) -> String {
 }
 
 /// Sentences on what the structure allows.
-pub fn structure(structure: &Structure) -> Vec<String> {
+pub fn structure(structure: &Structure, states: &[String]) -> Vec<String> {
+    let named = |entries: &[u32]| {
+        let names = entries.iter().filter_map(|entry| states.get(*entry as usize));
+        names.map(String::as_str).collect::<Vec<_>>().join(", ")
+    };
     let mass = match (structure.constant_mass, structure.diagonal_mass) {
         (true, true) => "constant and diagonal",
         (true, false) => "constant",
@@ -143,16 +147,28 @@ pub fn structure(structure: &Structure) -> Vec<String> {
         (false, false) => "neither constant nor diagonal",
     };
     let (constant, all) = structure.constant_jacobian;
-    let parts = structure.subsystems.len();
     let time = if structure.autonomous { "does not depend" } else { "depends" };
     let mut lines = vec![
         format!("the mass matrix is {mass}"),
         format!("{constant} of {all} Jacobian entries depend on parameters only"),
         format!("the rate {time} on time by itself"),
-        format!("subsystems that do not depend on each other: {parts}"),
     ];
+    match &structure.subsystems[..] {
+        [] | [_] => lines.push("no part of the state is independent of the rest".to_owned()),
+        parts => {
+            let parts: Vec<String> = parts.iter().map(|part| named(part)).collect();
+            lines.push(format!("parts that do not depend on each other: {}", parts.join("; ")));
+        }
+    }
     if structure.is_linear() {
         lines.push("the equations are linear with constant coefficients".to_owned());
+    } else if !structure.linear_rows.is_empty() {
+        let rows = named(&structure.linear_rows);
+        lines.push(format!("linear with constant coefficients are the rates of {rows}"));
+        if !structure.linear_part.is_empty() {
+            let part = named(&structure.linear_part);
+            lines.push(format!("which alone make a linear time-invariant part: {part}"));
+        }
     }
     for (name, frequency) in [("rate", structure.rate), ("Jacobian", structure.jacobian)] {
         let Frequency { once, by_time, by_state } = frequency;
@@ -208,6 +224,8 @@ fn as_json(explanation: &Explanation) -> Value {
             "constant_jacobian_entries": structure.constant_jacobian.0,
             "jacobian_entries": structure.constant_jacobian.1,
             "linear": structure.is_linear(),
+            "linear_rows": structure.linear_rows,
+            "linear_part": structure.linear_part,
             "autonomous": structure.autonomous,
             "subsystems": structure.subsystems,
             "rate_operations": frequency(structure.rate),

@@ -212,17 +212,15 @@ impl Writer<'_> {
                 let name = &self.scope.states[entry as usize];
                 Ok(Written::call(quote!(#name)))
             }
-            Op::Parameter(entry) => match self.scope.parameters.get(entry as usize) {
-                Some(name) => {
+            Op::Parameter(entry) => {
+                if let Some(name) = self.scope.parameters.get(entry as usize) {
                     self.reads.parameters = true;
-                    Ok(Written::call(quote!(p.#name)))
+                    return Ok(Written::call(quote!(p.#name)));
                 }
-                None => {
-                    self.reads.constants = true;
-                    let name = self.scope.constant(entry);
-                    Ok(Written::call(quote!(c.#name)))
-                }
-            },
+                self.reads.constants = true;
+                let name = self.scope.constant(entry);
+                Ok(Written::call(quote!(c.#name)))
+            }
             Op::Neg(a) => {
                 let a = self.operand_at_least(a, Strength::Call)?;
                 Ok(Written { tokens: quote!(-#a), strength: Strength::Minus })

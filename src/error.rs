@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::method::Method;
+
 /// Why a run was refused or stopped.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SimulateError {
@@ -18,6 +20,9 @@ pub enum SimulateError {
     /// No method has this name.
     #[error(transparent)]
     UnknownMethod(#[from] UnknownMethod),
+    /// The method is of a family that this program was compiled without.
+    #[error(transparent)]
+    NotCompiledIn(#[from] NotCompiledIn),
     /// A list is as long as the scene does not ask for.
     #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
     WrongLength {
@@ -149,6 +154,29 @@ pub struct UnknownMethod {
     pub hint: String,
     /// The names of all methods.
     pub known: String,
+}
+
+/// A method of a family that this program was compiled without.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error(
+    "method `{name}` is not compiled in. \
+     Hint: turn on the feature `{feature}` of the crate machinist, or use one of {compiled_in}"
+)]
+pub struct NotCompiledIn {
+    /// The method's name.
+    pub name: &'static str,
+    /// The Cargo feature of its family.
+    pub feature: &'static str,
+    /// The names of the methods that are there.
+    pub compiled_in: String,
+}
+
+impl NotCompiledIn {
+    pub(crate) fn of(method: Method) -> Self {
+        let compiled_in: Vec<_> = Method::compiled_in().map(Method::name).collect();
+        let feature = method.feature().unwrap_or_default();
+        Self { name: method.name(), feature, compiled_in: compiled_in.join(", ") }
+    }
 }
 
 /// ` (did you mean ...?)` if one of `known` resembles `name` or ends in it after

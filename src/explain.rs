@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use machinist::interpreted::InterpretedSimulator;
+use machinist::object::{ObjectError, object};
 use machinist::{SimulateError, Simulation, Trajectory};
 use machinist_codegen::diagnostic::Diagnostics;
 use machinist_codegen::emit::rust::emit;
@@ -36,6 +37,8 @@ pub struct Explanation {
     pub states: Vec<String>,
     /// What the structure of what is left allows.
     pub structure: Structure,
+    /// Why there are no object files, where they were wanted.
+    pub no_object: Option<ObjectError>,
     /// What could be taken for rigid, and at what price, if runs were wanted.
     pub candidates: Vec<Candidate>,
     /// Run times, if they were measured.
@@ -69,6 +72,8 @@ pub struct Size {
     pub parameter_jacobian_nonzeros: usize,
     /// Lines of the emitted module.
     pub lines: usize,
+    /// Bytes of its object file, if it was compiled.
+    pub object_bytes: Option<usize>,
 }
 
 /// Times of the scene's own run, whole and reduced, by one method at one tolerance,
@@ -93,6 +98,7 @@ impl Explanation {
     pub fn new(scene: &Path, keep: Keep, with_times: bool) -> Result<Self, Diagnostics> {
         let whole = pipeline::generate(scene, Keep::All)?;
         let needed = pipeline::generate(scene, keep)?;
+        let mut programs = vec![whole.clone()];
         let mut stages = vec![Stage { done: "the whole scene", size: Size::of(&whole) }];
         let steps = [
             (Keep::Tunable, "parameters fixed"),
@@ -101,11 +107,15 @@ impl Explanation {
             (Keep::Needed, "frozen as wanted"),
         ];
         for (step, done) in steps.into_iter().filter(|(step, _)| *step <= keep) {
-            let size = Size::of(&pipeline::generate(scene, step)?);
+            let program = pipeline::generate(scene, step)?;
+            let size = Size::of(&program);
             if stages.last().is_none_or(|stage| stage.size != size) {
                 stages.push(Stage { done, size });
+                programs.push(program);
             }
         }
+        let no_object =
+            if with_times { measure_objects(&mut stages, &programs).err() } else { None };
         Ok(Self {
             scene: needed.system.name.clone(),
             title: needed.system.title.clone(),
@@ -113,6 +123,7 @@ impl Explanation {
             stages,
             states: needed.layout.quantities().map(|q| q.name.path.clone()).collect(),
             structure: Structure::of(&needed),
+            no_object,
             candidates: if with_times { freeze::candidates(scene)? } else { Vec::new() },
             times: with_times.then(|| Times::measure(whole, needed)),
         })
@@ -131,12 +142,13 @@ impl Size {
             jacobian_nonzeros: program.rate_jacobian.pattern.entries.len(),
             parameter_jacobian_nonzeros: program.parameter_jacobian.pattern.entries.len(),
             lines: text.lines().count(),
+            object_bytes: None,
         }
     }
 
     /// The figures with their names.
-    pub fn figures(&self) -> [(&'static str, usize); 7] {
-        [
+    pub fn figures(&self) -> Vec<(&'static str, usize)> {
+        let mut figures = vec![
             ("states", self.states),
             ("parameters", self.parameters),
             ("rate, operations", self.rate_operations),
@@ -144,8 +156,18 @@ impl Size {
             ("Jacobian, nonzeros", self.jacobian_nonzeros),
             ("by parameters, nonzeros", self.parameter_jacobian_nonzeros),
             ("emitted lines", self.lines),
-        ]
+        ];
+        figures.extend(self.object_bytes.map(|bytes| ("object, bytes", bytes)));
+        figures
     }
+}
+
+/// Compiles what each stage emits.
+fn measure_objects(stages: &mut [Stage], programs: &[Program]) -> Result<(), ObjectError> {
+    for (stage, program) in stages.iter_mut().zip(programs) {
+        stage.size.object_bytes = Some(object(program)?.len());
+    }
+    Ok(())
 }
 
 impl Times {

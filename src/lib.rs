@@ -2,22 +2,35 @@
 //!
 //! Start with [`Simulation`]; the scenes are in [`machinist_scenes`]. The README
 //! shows the whole of it:
-#![doc = include_str!("../README.md")]
+#![cfg_attr(all(feature = "diffsol", feature = "scenes"), doc = include_str!("../README.md"))]
+//!
+//! Features leave out what a program does not need: methods by family (`diffsol`,
+//! `implicit`), built-in scenes (`scenes`), linear analysis (`linear`), the checks
+//! against closed forms (`verify`), plots (`plot`) and the command line (`cli`).
+//! Without any of them, what remains runs any simulator by explicit methods.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "verify")]
 pub mod closed_form;
+#[cfg(feature = "linear")]
 pub mod complex_step;
 pub mod error;
 #[cfg(feature = "cli")]
 pub mod interpreted;
+#[cfg(feature = "verify")]
 pub mod ledger;
+#[cfg(feature = "linear")]
 pub mod linear_analysis;
 pub mod method;
+#[cfg(feature = "cli")]
+pub mod object;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod simulate;
 pub mod trajectory;
+#[cfg(feature = "verify")]
 pub mod verify;
+#[cfg(feature = "verify")]
 pub mod winder_walk;
 pub mod work_precision;
 

@@ -210,6 +210,6 @@ fn position<'q>(
     (0..count).find(|index| quantity(*index).name == name)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "verify"))]
 #[path = "linear_analysis/tests.rs"]
 mod tests;

@@ -1,19 +1,27 @@
 //! The table of integration methods, and the one function that runs any of them.
 //!
 //! To add a method: write one file in `src/method/` with a type that is an
-//! [`Integrator`], and add one row to the table below.
+//! [`Integrator`], and add one row to the table below. `of` is the Cargo feature
+//! of its family, or `always`.
 
+#[cfg(feature = "implicit")]
 mod auto;
+#[cfg(feature = "diffsol")]
 mod diffsol;
 mod explicit;
 mod lanes;
+#[cfg(feature = "implicit")]
 mod lu;
 mod one_step;
-#[cfg(test)]
+#[cfg(all(test, feature = "implicit"))]
 mod order;
+#[cfg(feature = "implicit")]
 mod quadrature;
+#[cfg(feature = "implicit")]
 mod radau;
+#[cfg(feature = "implicit")]
 mod rosenbrock;
+#[cfg(feature = "implicit")]
 mod step_matrix;
 mod stretch;
 mod system;
@@ -26,31 +34,31 @@ use std::str::FromStr;
 use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
-use crate::error::{StopCause, UnknownMethod, did_you_mean};
+use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
 
 methods! {
     /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
-    Bdf { name: "bdf", order: 5, implicit: true, integrator: diffsol::Bdf },
+    Bdf { name: "bdf", order: 5, implicit: true, of: diffsol, integrator: diffsol::Bdf },
     /// Trapezoidal rule and second-order BDF in one step; for stiff machines and loose tolerances.
-    TrBdf2 { name: "tr_bdf2", order: 2, implicit: true, integrator: diffsol::TrBdf2 },
+    TrBdf2 { name: "tr_bdf2", order: 2, implicit: true, of: diffsol, integrator: diffsol::TrBdf2 },
     /// Singly diagonally implicit Runge-Kutta of order 3, explicit first stage; for stiff machines.
-    Esdirk34 { name: "esdirk34", order: 3, implicit: true, integrator: diffsol::Esdirk34 },
+    Esdirk34 { name: "esdirk34", order: 3, implicit: true, of: diffsol, integrator: diffsol::Esdirk34 },
     /// Explicit Runge-Kutta of order 5 by Tsitouras, diffsol's; for machines that are not stiff.
-    Tsit45 { name: "tsit45", order: 5, implicit: false, integrator: diffsol::Tsit45 },
+    Tsit45 { name: "tsit45", order: 5, implicit: false, of: diffsol, integrator: diffsol::Tsit45 },
     /// Explicit Runge-Kutta of order 5 by Tsitouras; for machines that are not stiff.
-    Tsit5 { name: "tsit5", order: 5, implicit: false, integrator: explicit::Tsit5 },
+    Tsit5 { name: "tsit5", order: 5, implicit: false, of: always, integrator: explicit::Tsit5 },
     /// Explicit Runge-Kutta of order 8 by Dormand and Prince; not stiff, tight tolerances.
-    Dop853 { name: "dop853", order: 8, implicit: false, integrator: explicit::Dop853 },
+    Dop853 { name: "dop853", order: 8, implicit: false, of: always, integrator: explicit::Dop853 },
     /// Rosenbrock method of order 5 by Steinebach; for stiff machines.
-    Rodas5p { name: "rodas5p", order: 5, implicit: true, integrator: rosenbrock::Rodas5p },
+    Rodas5p { name: "rodas5p", order: 5, implicit: true, of: implicit, integrator: rosenbrock::Rodas5p },
     /// Radau IIA of orders 5, 9 and 13, whichever pays; stiff machines, tight tolerances.
-    Radau { name: "radau", order: 13, implicit: true, integrator: radau::Radau },
+    Radau { name: "radau", order: 13, implicit: true, of: implicit, integrator: radau::Radau },
     /// Explicit where it can be, implicit where the machine is stiff, by the tolerance.
-    Auto { name: "auto", order: 13, implicit: true, integrator: auto::Auto },
+    Auto { name: "auto", order: 13, implicit: true, of: implicit, integrator: auto::Auto },
     /// Taylor series of an order that follows the tolerance; smooth machines that are not stiff.
-    Taylor { name: "taylor", order: 32, implicit: false, integrator: taylor::Taylor },
+    Taylor { name: "taylor", order: 32, implicit: false, of: always, integrator: taylor::Taylor },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.
@@ -109,6 +117,10 @@ impl Problem<'_> {
     /// # Errors
     /// [`Stopped`] where the method cannot go on.
     pub fn integrate(&self, method: Method) -> Result<Vec<f64>, Stopped> {
+        let Some(integrator) = method.row().integrator else {
+            let cause = StopCause::Solver(NotCompiledIn::of(method).to_string());
+            return Err(Stopped { time: self.from, cause });
+        };
         let mut samples = Samples::new(self.times, self.initial.len());
         let mut state = self.initial.clone();
         while samples.next_until(self.from).is_some() {
@@ -120,7 +132,7 @@ impl Problem<'_> {
             if stretch.is_trivial() {
                 stretch.leap(&mut state, &mut samples);
             } else {
-                method.row().integrator.integrate(&stretch, &mut state, &mut samples)?;
+                integrator.integrate(&stretch, &mut state, &mut samples)?;
             }
         }
         Ok(samples.into_rows())
@@ -142,7 +154,10 @@ struct Row {
     order: u32,
     implicit: bool,
     doc: &'static str,
-    integrator: &'static (dyn Integrator + Sync),
+    /// The Cargo feature that it takes.
+    feature: Option<&'static str>,
+    /// Nothing without that feature.
+    integrator: Option<&'static (dyn Integrator + Sync)>,
 }
 
 impl Method {
@@ -169,6 +184,23 @@ impl Method {
     #[must_use]
     pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
         self != Self::Taylor || simulator.taylor().is_some()
+    }
+
+    /// Whether the Cargo feature of the method's family is on.
+    #[must_use]
+    pub fn is_compiled_in(self) -> bool {
+        self.row().integrator.is_some()
+    }
+
+    /// The Cargo feature that the method takes; nothing if it is always there.
+    #[must_use]
+    pub fn feature(self) -> Option<&'static str> {
+        self.row().feature
+    }
+
+    /// Every method that is compiled in, in the order of the table.
+    pub fn compiled_in() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().copied().filter(|method| method.is_compiled_in())
     }
 
     /// One line for people.
@@ -217,7 +249,7 @@ impl Serialize for Method {
 macro_rules! methods {
     ($(#[doc = $doc:literal] $variant:ident {
         name: $name:literal, order: $order:literal, implicit: $implicit:literal,
-        integrator: $integrator:expr
+        of: $feature:tt, integrator: $integrator:expr
     },)*) => {
         /// An integration method.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -226,21 +258,59 @@ macro_rules! methods {
         }
 
         impl Method {
-            /// Every method, in the order of the table.
+            /// Every method, compiled in or not, in the order of the table.
             pub const ALL: &'static [Self] = &[$(Self::$variant),*];
 
             fn row(self) -> &'static Row {
                 match self {
-                    $(Self::$variant => &Row {
-                        name: $name,
-                        order: $order,
-                        implicit: $implicit,
-                        doc: $doc,
-                        integrator: &$integrator,
-                    },)*
+                    $(Self::$variant => {
+                        const ROW: Row = Row {
+                            name: $name,
+                            order: $order,
+                            implicit: $implicit,
+                            doc: $doc,
+                            feature: feature_of!($feature),
+                            integrator: integrator_of!($feature, $integrator),
+                        };
+                        &ROW
+                    })*
                 }
             }
         }
     };
 }
 use methods;
+
+/// The Cargo feature of a row.
+macro_rules! feature_of {
+    (always) => {
+        None
+    };
+    ($feature:ident) => {
+        Some(stringify!($feature))
+    };
+}
+use feature_of;
+
+/// The integrator of a row, if its feature is on. One arm a feature, for `cfg` takes
+/// a literal only.
+macro_rules! integrator_of {
+    (always, $integrator:expr) => {
+        Some(&$integrator)
+    };
+    (diffsol, $integrator:expr) => {{
+        #[cfg(feature = "diffsol")]
+        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = Some(&$integrator);
+        #[cfg(not(feature = "diffsol"))]
+        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = None;
+        INTEGRATOR
+    }};
+    (implicit, $integrator:expr) => {{
+        #[cfg(feature = "implicit")]
+        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = Some(&$integrator);
+        #[cfg(not(feature = "implicit"))]
+        const INTEGRATOR: Option<&(dyn Integrator + Sync)> = None;
+        INTEGRATOR
+    }};
+}
+use integrator_of;

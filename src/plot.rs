@@ -1,6 +1,7 @@
 //! Plots of trajectories, mode shapes and frequency responses as SVG and PNG, with
 //! a font of their own.
 
+#[cfg(feature = "linear")]
 mod linear;
 mod panel;
 mod ruler;
@@ -16,6 +17,7 @@ use thiserror::Error;
 
 use crate::error::did_you_mean;
 use crate::trajectory::{Column, ColumnKind, Trajectory};
+#[cfg(feature = "linear")]
 pub use linear::{plot_modes, plot_response};
 use panel::Panel;
 use ruler::Axis;

@@ -3,7 +3,7 @@
 
 use machinist_scenes::Simulator;
 
-use crate::error::{SimulateError, did_you_mean};
+use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
 use crate::method::{Method, Problem, System};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
 
@@ -26,7 +26,7 @@ pub const MAX_STEPS: usize = 10_000_000;
 ///     .parameter("rotor.damping", 0.3)?
 ///     .until(2.0)
 ///     .rtol(1e-8)
-///     .method(Method::Bdf)
+///     .method(Method::Dop853)
 ///     .points(1001)
 ///     .run()?;
 ///
@@ -166,16 +166,19 @@ impl<'a> Simulation<'a> {
     }
 
     /// The simulator.
+    #[cfg(feature = "linear")]
     pub(crate) fn simulator(&self) -> &'a dyn Simulator<f64> {
         self.simulator
     }
 
     /// Where the run starts \[s\].
+    #[cfg(feature = "linear")]
     pub(crate) fn start_time(&self) -> f64 {
         self.from
     }
 
     /// State at the start and parameters, found to make sense.
+    #[cfg(feature = "linear")]
     pub(crate) fn checked_start(&self) -> Result<(Vec<f64>, Vec<f64>), SimulateError> {
         let parameters = self.checked_parameters()?.to_vec();
         Ok((self.checked_initial_state()?, parameters))
@@ -191,6 +194,9 @@ impl<'a> Simulation<'a> {
             Some(method) => method,
             None => Method::from_name(self.simulator.run_defaults().method)?,
         };
+        if !method.is_compiled_in() {
+            return Err(NotCompiledIn::of(method).into());
+        }
         let times = self.checked_times()?;
         let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance);
         let states = system.states();

@@ -1,4 +1,5 @@
 //! Jacobians written by hand against the complex step.
+#![cfg(feature = "linear")]
 
 mod common;
 

@@ -1,5 +1,6 @@
 //! What the methods of this crate do that none other need do: stiff machines
 //! against each other, tolerances that are kept, choices that are told.
+#![cfg(all(feature = "implicit", feature = "scenes"))]
 
 mod common;
 

@@ -4,12 +4,14 @@
 use std::path::{Path, PathBuf};
 
 use machinist::interpreted::InterpretedSimulator;
+use machinist::object::object;
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
 use machinist_codegen::pipeline;
 use machinist_codegen::program::Program;
 use machinist_codegen::reduce::{Keep, What, Why};
+use machinist_codegen::structure::Structure;
 use machinist_scenes::{Describe as _, Simulator as _};
 
 /// A scene file with the given text, in a folder that lasts as long as it.
@@ -72,7 +74,7 @@ fn run(program: &Program, until: Option<f64>) -> Trajectory {
     let states = simulator.shape().states();
     let until = until.unwrap_or(simulator.run_defaults().until);
     let run = Simulation::new(&simulator).until(until).points(41).rtol(1e-13);
-    run.atol(&vec![1e-14; states]).method(Method::Tsit45).run().expect("the run")
+    run.atol(&vec![1e-14; states]).method(Method::Dop853).run().expect("the run")
 }
 
 /// Largest distance of any output from the unreduced scene's, relative to the
@@ -250,10 +252,40 @@ fn a_unit_that_no_output_reaches_leaves_no_trace() {
     // Without its comments, which name the files and tell what the scene is.
     let text = emit(&needed, &EmitOptions::within_contract()).expect("emitted");
     assert!(!text.contains("reed"), "{text}");
+    assert!(!holds(&compiled(&needed), "reed"), "the object file has a name of the reed");
+    assert!(holds(&compiled(&all), "reed"), "and has none where the reed is kept");
     let without = Spec::new(GIN).needed();
     assert_eq!(needed.rate, without.rate);
     assert_eq!(needed.energy, without.energy);
     assert_eq!(needed.power_balance, without.power_balance);
+}
+
+fn compiled(program: &Program) -> Vec<u8> {
+    object(program).expect("compiled")
+}
+
+fn holds(object: &[u8], name: &str) -> bool {
+    object.windows(name.len()).any(|bytes| bytes.eq_ignore_ascii_case(name.as_bytes()))
+}
+
+#[test]
+fn a_scene_holds_no_name_of_units_it_is_not_made_of() {
+    for (name, absent, present) in [
+        ("two_mass", ["motor", "reed", "holder"], "coupling"),
+        ("motor_run_up", ["twist", "cylinder", "shaft"], "motor"),
+        ("winder_linear", ["motor", "twist", "reed"], "holder"),
+    ] {
+        let program = scene(name);
+        let text = emit(&program, &EmitOptions::within_contract()).expect("emitted");
+        // Comments name the sources and tell what the machine is.
+        let code: String = text.lines().filter(|line| !line.trim().starts_with("//")).collect();
+        let object = compiled(&program);
+        for absent in absent {
+            assert!(!code.contains(absent), "{name}: {absent} is in the emitted text");
+            assert!(!holds(&object, absent), "{name}: {absent} is in the object file");
+        }
+        assert!(code.contains(present) && holds(&object, present), "{name} lacks {present}");
+    }
 }
 
 #[test]
@@ -338,6 +370,49 @@ fn two_chains_apart_lose_a_position_each_and_both_angles_come_back() {
     assert_eq!((needed.layout.len(), needed.layout.quadratures), (10, 2));
     distance(&needed, &spec.program(Keep::All), Some(1.0));
     assert_sound(&needed);
+}
+
+#[test]
+fn structure_tells_what_is_constant_linear_and_apart() {
+    let chain = Structure::of(&Spec::new(CHAIN).needed());
+    assert!(chain.constant_mass && chain.diagonal_mass && chain.is_linear() && !chain.autonomous);
+    assert_eq!(chain.subsystems.len(), 1);
+    assert_eq!(chain.constant_jacobian.0, chain.constant_jacobian.1);
+
+    // A motor and a swing of its own beside it: two parts, one of them linear.
+    let beside = GIN.replace(
+        "[run]",
+        "[units.a]\nunit = \"rotor\"\n[units.b]\nunit = \"rotor\"\n\
+         [units.spring]\nunit = \"coupling\"\n\
+         [[joints]]\nconnect = [\"a.shaft\", \"spring.driving\"]\n\
+         [[joints]]\nconnect = [\"b.shaft\", \"spring.driven\"]\n[run]",
+    );
+    let spec = Spec::new(&format!("{beside}other = \"spring.torque\"\n"));
+    let program = spec.needed();
+    let names = states(&program);
+    let structure = Structure::of(&program);
+    let named = |part: &[u32]| part.iter().map(|at| names[*at as usize]).collect::<Vec<_>>();
+    assert_eq!(structure.subsystems.len(), 2, "{names:?}");
+    assert_eq!(named(&structure.linear_part), ["spring.twist", "a.omega", "b.omega"]);
+    assert!(structure.subsystems.contains(&structure.linear_part));
+    // The twist of the gin is linear in its speeds, whose rates are not.
+    assert!(named(&structure.linear_rows).contains(&"coupling.twist"));
+    assert!(!structure.is_linear());
+
+    let chain = Structure::of(&scene("pendulum_chain"));
+    assert!(!chain.constant_mass && !chain.diagonal_mass && chain.autonomous);
+    assert_eq!(chain.linear_part, [0_u32; 0]);
+}
+
+#[test]
+fn a_rate_that_jumps_at_a_state_is_not_linear_though_its_slopes_are_constant() {
+    let structure = |force| Structure::of(&pair(force).needed());
+    assert!(structure("-2 [N m/rad]*(a.phi - b.phi)").is_linear());
+    for force in ["-2 [N m]*sign(a.phi - b.phi)", "-2 [N m/rad]*max(a.phi - b.phi, 0)"] {
+        assert!(!structure(force).is_linear(), "{force}");
+    }
+    let dry = structure("-2 [N m]*sign(a.phi - b.phi)");
+    assert_eq!(dry.constant_jacobian.0, dry.constant_jacobian.1);
 }
 
 /// Two rotors with a force on the first, and that output.

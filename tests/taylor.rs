@@ -1,5 +1,6 @@
 //! Taylor's method on what is hard for it: series whose last coefficients vanish,
 //! branches, tables, jumps, and the energy account.
+#![cfg(all(feature = "diffsol", feature = "scenes"))]
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

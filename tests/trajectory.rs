@@ -1,4 +1,5 @@
 //! What a trajectory writes and draws.
+#![cfg(feature = "diffsol")]
 
 mod common;
 

@@ -26,6 +26,11 @@ pub struct Structure {
     pub diagonal_mass: bool,
     /// Entries of dy'/dy that depend on parameters only, of how many.
     pub constant_jacobian: (usize, usize),
+    /// Entries of the state whose rate is a y + b(t), with a of parameters only.
+    pub linear_rows: Vec<u32>,
+    /// Those among them whose rates need no entry but each other: a linear
+    /// time-invariant part, which could be integrated apart and first.
+    pub linear_part: Vec<u32>,
     /// Whether y' does not depend on time by itself.
     pub autonomous: bool,
     /// Entries of the state in groups that do not depend on each other.
@@ -43,10 +48,13 @@ impl Structure {
         let mass = &program.mass_matrix;
         let jacobian = &program.rate_jacobian;
         let rate = Dependence::of(&program.rate);
+        let linear_rows = linear_rows(program);
         Structure {
             constant_mass: constants(mass) == mass.pattern.entries.len(),
             diagonal_mass: mass.pattern.entries.iter().all(|(row, column)| row == column),
             constant_jacobian: (constants(jacobian), jacobian.pattern.entries.len()),
+            linear_part: closed_part(program, &linear_rows),
+            linear_rows,
             autonomous: program.rate.results.iter().all(|id| !rate.on_time(*id)),
             subsystems: subsystems(program),
             rate: Frequency::of(&program.rate),
@@ -57,7 +65,8 @@ impl Structure {
     /// Whether y' is A y + b(t) with A of parameters only.
     #[must_use]
     pub fn is_linear(&self) -> bool {
-        self.constant_jacobian.0 == self.constant_jacobian.1
+        let states: usize = self.subsystems.iter().map(Vec::len).sum();
+        self.linear_rows.len() == states
     }
 }
 
@@ -83,10 +92,10 @@ impl Frequency {
 }
 
 /// For each node, whether it depends on time and whether on the state.
-struct Dependence(Vec<(bool, bool)>);
+pub(crate) struct Dependence(Vec<(bool, bool)>);
 
 impl Dependence {
-    fn of(tape: &Tape) -> Self {
+    pub(crate) fn of(tape: &Tape) -> Self {
         let mut known: Vec<(bool, bool)> = Vec::with_capacity(tape.nodes.len());
         for node in &tape.nodes {
             known.push(match node.op {
@@ -105,7 +114,7 @@ impl Dependence {
         self.0[id.0 as usize].0
     }
 
-    fn on_anything(&self, id: NodeId) -> bool {
+    pub(crate) fn on_anything(&self, id: NodeId) -> bool {
         self.0[id.0 as usize] != (false, false)
     }
 }
@@ -114,6 +123,52 @@ impl Dependence {
 fn constants(matrix: &MatrixTape) -> usize {
     let dependence = Dependence::of(&matrix.tape);
     matrix.tape.results.iter().filter(|id| !dependence.on_anything(**id)).count()
+}
+
+/// Rows of dy'/dy of parameters only, but for rates that jump at a state: where the
+/// slope of each side is constant, that of the rate is not.
+fn linear_rows(program: &Program) -> Vec<u32> {
+    let jacobian = &program.rate_jacobian;
+    let dependence = Dependence::of(&jacobian.tape);
+    let switched = switched(&program.rate);
+    let is_linear = |row: u32| {
+        let entries = jacobian.pattern.entries.iter().zip(&jacobian.tape.results);
+        let mut entries = entries.filter(|((entry_row, _), _)| *entry_row == row);
+        let result = program.rate.results[row as usize];
+        !switched[result.0 as usize] && entries.all(|(_, id)| !dependence.on_anything(*id))
+    };
+    (0..program.layout.len() as u32).filter(|row| is_linear(*row)).collect()
+}
+
+/// For each node, whether it depends on a comparison or an interval of a table that the
+/// state decides.
+fn switched(tape: &Tape) -> Vec<bool> {
+    let dependence = Dependence::of(tape);
+    let on_state = |id: NodeId| dependence.0[id.0 as usize].1;
+    let mut switched: Vec<bool> = Vec::with_capacity(tape.nodes.len());
+    for node in &tape.nodes {
+        let decides = match node.op {
+            Op::SelectLess { lhs, rhs, .. } => on_state(lhs) || on_state(rhs),
+            Op::Table { argument, .. } => on_state(argument),
+            _ => false,
+        };
+        switched.push(decides || node.op.operands().iter().any(|id| switched[id.0 as usize]));
+    }
+    switched
+}
+
+/// The largest part of `rows` whose rates depend on entries of that part only.
+fn closed_part(program: &Program, rows: &[u32]) -> Vec<u32> {
+    let mut part = rows.to_vec();
+    loop {
+        let entries = &program.rate_jacobian.pattern.entries;
+        let open =
+            entries.iter().find(|(row, column)| part.contains(row) && !part.contains(column));
+        match open {
+            Some((open, _)) => part.retain(|row| row != open),
+            None => return part,
+        }
+    }
 }
 
 /// Connected parts of the state, by the pattern of dy'/dy.

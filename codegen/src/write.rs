@@ -1,7 +1,8 @@
 //! Emitted text to files, or the check that files are what would be emitted.
 //!
 //! Excluded: what the text says. A file is written only if it changes, whole or
-//! not at all, and only within the folder given; nothing is ever deleted.
+//! not at all, and only within the folder given, but for the manifest of the crate
+//! that the folder belongs to; nothing is ever deleted.
 
 use std::ffi::OsStr;
 use std::fmt::Write as _;
@@ -11,6 +12,7 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::emit::rust::{MARK, emit, emit_index};
 use crate::emit::{EmitError, EmitOptions};
+use crate::features;
 use crate::program::Program;
 
 /// The command that mends emitted scenes which are not fresh.
@@ -85,23 +87,32 @@ pub enum WriteError {
     },
 }
 
-/// Emits every program to `<scene>.rs` in `folder`, and `mod.rs` that lists them.
+/// Emits every program to `<scene>.rs` in `folder`, and `mod.rs` that lists them. If
+/// `folder` is `src/scenes` of a crate with a feature `scenes`, its manifest gets one
+/// feature for each.
 ///
 /// # Errors
 /// [`WriteError`]; in [`Mode::Check`], [`WriteError::NotFresh`] names every file
 /// that is not fresh, and the command that mends them.
 pub fn emit_scenes(folder: &Path, programs: &[Program], mode: Mode) -> Result<Summary, WriteError> {
-    let texts = texts(programs)?;
+    let manifest = manifest(folder, programs)?;
+    let texts = texts(programs, manifest.is_some())?;
     let orphans = orphans(folder, &texts)?;
+    let mut files = Vec::with_capacity(texts.len() + 1);
+    for (file, text) in texts {
+        files.push((path_within(folder, &file)?, file, text));
+    }
+    files.extend(manifest);
     match mode {
         Mode::Write => {
-            let files = texts.into_iter().map(|(file, text)| {
-                let written = write_within(folder, &file, &text)?;
-                Ok((file, written))
+            let files = files.into_iter().map(|(path, file, text)| {
+                let failed = |source| WriteError::Io { path: path.clone(), source };
+                fs::create_dir_all(folder).map_err(failed)?;
+                Ok((file, write_if_changed(&path, &text).map_err(failed)?))
             });
             Ok(Summary { files: files.collect::<Result<_, WriteError>>()?, orphans })
         }
-        Mode::Check => check_all(folder, texts, orphans),
+        Mode::Check => check_all(files, orphans),
     }
 }
 
@@ -150,8 +161,8 @@ pub fn check(path: &Path, text: &str) -> io::Result<Freshness> {
 }
 
 /// File names and texts of all scenes and their index, sorted by name.
-fn texts(programs: &[Program]) -> Result<Vec<(String, String)>, WriteError> {
-    let options = EmitOptions::within_contract();
+fn texts(programs: &[Program], has_features: bool) -> Result<Vec<(String, String)>, WriteError> {
+    let options = EmitOptions { has_features, ..EmitOptions::within_contract() };
     let refer = |scene: &str, source| WriteError::Emit { scene: scene.to_owned(), source };
     let mut sorted: Vec<&Program> = programs.iter().collect();
     sorted.sort_by(|a, b| a.system.name.cmp(&b.system.name));
@@ -167,15 +178,27 @@ fn texts(programs: &[Program]) -> Result<Vec<(String, String)>, WriteError> {
     Ok(texts)
 }
 
-fn check_all(
+/// The manifest of the crate that `folder` belongs to, with a feature for each scene.
+fn manifest(
     folder: &Path,
-    texts: Vec<(String, String)>,
+    programs: &[Program],
+) -> Result<Option<(PathBuf, String, String)>, WriteError> {
+    let Some(path) = features::manifest_of(folder) else { return Ok(None) };
+    let scenes: Vec<&str> = programs.iter().map(|program| program.system.name.as_str()).collect();
+    let failed = |source| WriteError::Io { path: path.clone(), source };
+    let text = fs::read_to_string(&path).map_err(failed)?;
+    let text = features::with_scenes(&text, &scenes);
+    let text = text.map_err(|error| failed(io::Error::new(io::ErrorKind::InvalidData, error)))?;
+    Ok(text.map(|text| (path, "Cargo.toml".to_owned(), text)))
+}
+
+fn check_all(
+    files: Vec<(PathBuf, String, String)>,
     orphans: Vec<String>,
 ) -> Result<Summary, WriteError> {
     let mut summary = Summary { files: Vec::new(), orphans };
     let mut not_fresh = Vec::new();
-    for (file, text) in texts {
-        let path = path_within(folder, &file)?;
+    for (path, file, text) in files {
         match check(&path, &text).map_err(|source| WriteError::Io { path, source })? {
             Freshness::Fresh => summary.files.push((file, Written::Unchanged)),
             freshness => not_fresh.push((file, freshness)),

@@ -67,11 +67,20 @@ fn assert_simulator_is_program(
     let energy = s.energy(t, y, p);
     let balance = s.power_balance(t, y, p);
     let n = |tape: &Tape| tape.results.len();
+    let c = simulated(s.constants(), |v| s.prepare(p, v));
     let parts = program;
     let cases = [
         ("initial_state", &parts.initial_state, simulated(3, |v| s.initial_state(p, v))),
         ("discontinuities", &parts.discontinuities, simulated(1, |v| s.discontinuities(p, v))),
         ("rate", &parts.rate, simulated(3, |v| s.rate(t, y, p, v))),
+        ("prepared_rate", &parts.rate, simulated(3, |v| s.prepared_rate(t, y, p, &c, v))),
+        (
+            "prepared_rate_jacobian",
+            &parts.rate_jacobian.tape,
+            simulated(n(&parts.rate_jacobian.tape), |v| {
+                s.prepared_rate_jacobian(t, y, p, &c, v);
+            }),
+        ),
         (
             "rate_jacobian",
             &parts.rate_jacobian.tape,

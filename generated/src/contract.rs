@@ -180,6 +180,37 @@ pub trait Simulator<R: Real>: Describe {
     fn rate(&self, time: R, state: &[R], parameters: &[R], rate: &mut [R]);
     /// dy'/dy, values in the order of `rate_jacobian_pattern`.
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
+    /// How many constants [`Simulator::prepare`] computes; 0 if it has none.
+    fn constants(&self) -> usize {
+        0
+    }
+    /// What rate and Jacobian need of the parameters, `constants` long: once a run, for
+    /// [`Simulator::prepared_rate`] and [`Simulator::prepared_rate_jacobian`].
+    fn prepare(&self, _parameters: &[R], _constants: &mut [R]) {}
+    /// As [`Simulator::rate`], to the last bit, by constants computed from the same
+    /// parameters.
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        _constants: &[R],
+        rate: &mut [R],
+    ) {
+        self.rate(time, state, parameters, rate);
+    }
+    /// As [`Simulator::rate_jacobian`], to the last bit, by constants computed from the
+    /// same parameters.
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        _constants: &[R],
+        values: &mut [R],
+    ) {
+        self.rate_jacobian(time, state, parameters, values);
+    }
     /// dy'/dp, values in the order of `parameter_jacobian_pattern`.
     fn parameter_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
     /// Partial derivative of y' with respect to time, `states` long.

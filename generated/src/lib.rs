@@ -34,6 +34,7 @@ mod contract;
 mod include;
 mod real;
 pub mod scenes;
+mod sources;
 mod table;
 pub mod taylor;
 
@@ -42,4 +43,5 @@ pub use contract::{
     StateKind,
 };
 pub use real::Real;
+pub use sources::SOURCES;
 pub use table::CubicTable;

@@ -24,7 +24,7 @@ pub struct Explain {
     /// Leave nothing out
     #[arg(long)]
     keep_all: bool,
-    /// Do not run the scene to compare times
+    /// Do not run the scene to compare times, nor compile it to compare sizes
     #[arg(long)]
     without_times: bool,
 }
@@ -52,7 +52,7 @@ fn as_text(explanation: &Explanation) -> String {
     text.push_str(&sizes(explanation));
     text.extend(["\nStates: ", &explanation.states.join(", "), "\n"]);
     text.push_str("\nStructure\n");
-    for line in structure(&explanation.structure) {
+    for line in structure(&explanation.structure, &explanation.states) {
         text.extend(["  ", &line, "\n"]);
     }
     text.push_str(&candidates(&explanation.candidates));
@@ -60,6 +60,9 @@ fn as_text(explanation: &Explanation) -> String {
         Some(Ok(times)) => text.extend(["\n", &run_times(times), "\n"]),
         Some(Err(error)) => text.extend(["\nNo run times: ", &error.to_string(), "\n"]),
         None => {}
+    }
+    if let Some(error) = &explanation.no_object {
+        text.extend(["\nNo sizes of object files: ", &error.to_string(), "\n"]);
     }
     text
 }
@@ -132,7 +135,11 @@ pub fn price(candidate: &Candidate) -> String {
 }
 
 /// Sentences on what the structure allows.
-pub fn structure(structure: &Structure) -> Vec<String> {
+pub fn structure(structure: &Structure, states: &[String]) -> Vec<String> {
+    let named = |entries: &[u32]| {
+        let names = entries.iter().filter_map(|entry| states.get(*entry as usize));
+        names.map(String::as_str).collect::<Vec<_>>().join(", ")
+    };
     let mass = match (structure.constant_mass, structure.diagonal_mass) {
         (true, true) => "constant and diagonal",
         (true, false) => "constant",
@@ -140,22 +147,34 @@ pub fn structure(structure: &Structure) -> Vec<String> {
         (false, false) => "neither constant nor diagonal",
     };
     let (constant, all) = structure.constant_jacobian;
-    let parts = structure.subsystems.len();
     let time = if structure.autonomous { "does not depend" } else { "depends" };
     let mut lines = vec![
         format!("the mass matrix is {mass}"),
         format!("{constant} of {all} Jacobian entries depend on parameters only"),
         format!("the rate {time} on time by itself"),
-        format!("subsystems that do not depend on each other: {parts}"),
     ];
+    match &structure.subsystems[..] {
+        [] | [_] => lines.push("no part of the state is independent of the rest".to_owned()),
+        parts => {
+            let parts: Vec<String> = parts.iter().map(|part| named(part)).collect();
+            lines.push(format!("parts that do not depend on each other: {}", parts.join("; ")));
+        }
+    }
     if structure.is_linear() {
         lines.push("the equations are linear with constant coefficients".to_owned());
+    } else if !structure.linear_rows.is_empty() {
+        let rows = named(&structure.linear_rows);
+        lines.push(format!("linear with constant coefficients are the rates of {rows}"));
+        if !structure.linear_part.is_empty() {
+            let part = named(&structure.linear_part);
+            lines.push(format!("which alone make a linear time-invariant part: {part}"));
+        }
     }
     for (name, frequency) in [("rate", structure.rate), ("Jacobian", structure.jacobian)] {
         let Frequency { once, by_time, by_state } = frequency;
         lines.push(format!(
-            "of the operations of the {name}, {once} could be done once a run, {by_time} once for \
-             each time, {by_state} at each evaluation"
+            "of the operations of the {name}, {once} are done once a run, {by_time} are of time and \
+             parameters alone, {by_state} of the state"
         ));
     }
     lines
@@ -205,11 +224,14 @@ fn as_json(explanation: &Explanation) -> Value {
             "constant_jacobian_entries": structure.constant_jacobian.0,
             "jacobian_entries": structure.constant_jacobian.1,
             "linear": structure.is_linear(),
+            "linear_rows": structure.linear_rows,
+            "linear_part": structure.linear_part,
             "autonomous": structure.autonomous,
             "subsystems": structure.subsystems,
             "rate_operations": frequency(structure.rate),
             "jacobian_operations": frequency(structure.jacobian),
         },
+        "no_object_files": explanation.no_object.as_ref().map(ToString::to_string),
         "freeze_candidates": explanation.candidates,
         "run": times,
     })

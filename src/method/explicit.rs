@@ -88,6 +88,7 @@ impl<'a> ExplicitSteps<'a> {
     /// |h lambda| of the fastest motion that the last two stages show, both at
     /// the end of the step: h |f(Y_s) - f(Y_(s-1))| / |Y_s - Y_(s-1)|; 0 if they
     /// are equal (Hairer, Wanner, section IV.2).
+    #[cfg(feature = "implicit")]
     pub(super) fn stiffness(&self) -> f64 {
         let last = (self.pair.rows.len() - 1) * self.width;
         let (before, last) = self.stages[last - self.width..].split_at(self.width);

@@ -37,6 +37,10 @@ pub(super) enum Trial {
     /// Something of the `index`-th state is not finite.
     NotFinite { what: &'static str, index: usize },
     /// The step's equations could not be solved; `shrink` times the step may do.
+    #[cfg_attr(
+        not(feature = "implicit"),
+        expect(dead_code, reason = "only implicit methods solve")
+    )]
     Unsolved { shrink: f64 },
 }
 
@@ -274,6 +278,7 @@ pub(super) fn weighted_norm(
 ///
 /// # Errors
 /// [`Trial::NotFinite`] if an entry is not finite.
+#[cfg(feature = "implicit")]
 pub(super) fn finite_jacobian(
     stretch: &Stretch<'_>,
     time: f64,
@@ -295,6 +300,7 @@ pub(super) fn finite_jacobian(
 ///
 /// # Errors
 /// [`Trial::NotFinite`] with the first of them.
+#[cfg(feature = "implicit")]
 pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), Trial> {
     match values.iter().position(|value| !value.is_finite()) {
         None => Ok(()),

@@ -32,7 +32,7 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    #[cfg(test)]
+    #[cfg(all(test, feature = "implicit"))]
     pub(super) fn for_test(system: &'a System<'a>, from: f64, until: f64, atol: &'a [f64]) -> Self {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX }
     }

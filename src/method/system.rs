@@ -36,6 +36,8 @@ pub struct Work {
 pub struct System<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: &'a [f64],
+    /// What the parameters alone decide, computed once a run.
+    constants: Vec<f64>,
     states: usize,
     with_flows: bool,
     work: Cell<Work>,
@@ -47,9 +49,12 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn new(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64], with_flows: bool) -> Self {
         let states = simulator.shape().states();
+        let mut constants = vec![0.0; simulator.constants()];
+        simulator.prepare(parameters, &mut constants);
         Self {
             simulator,
             parameters,
+            constants,
             states,
             with_flows,
             work: Cell::default(),
@@ -111,7 +116,7 @@ impl<'a> System<'a> {
     /// f(t, y) without the quadratures, `states` long.
     pub fn state_rate(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         self.count(|work| work.rate_evaluations += 1);
-        self.simulator.rate(time, state, self.parameters, rate);
+        self.simulator.prepared_rate(time, state, self.parameters, &self.constants, rate);
     }
 
     /// Nonzeros of df/dy without the rows of the quadratures.
@@ -123,7 +128,9 @@ impl<'a> System<'a> {
     /// df/dy without the rows of the quadratures, values in pattern order.
     pub fn jacobian(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.count(|work| work.jacobian_evaluations += 1);
-        self.simulator.rate_jacobian(time, &state[..self.states()], self.parameters, values);
+        let state = &state[..self.states()];
+        let (parameters, constants) = (self.parameters, &self.constants);
+        self.simulator.prepared_rate_jacobian(time, state, parameters, constants, values);
     }
 
     /// The rows of df/dy that belong to the quadratures, as `(column, entries)`;

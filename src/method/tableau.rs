@@ -1,14 +1,18 @@
 //! Coefficients of explicit Runge-Kutta pairs, each as published.
 
-#[cfg(test)]
+#[cfg(all(test, feature = "implicit"))]
 mod conditions;
 mod dop853;
+#[cfg(feature = "implicit")]
 mod radau;
+#[cfg(feature = "implicit")]
 mod rodas5p;
 mod tsit5;
 
 pub(super) use dop853::DOP853;
+#[cfg(feature = "implicit")]
 pub(super) use radau::{RADAU, Radau};
+#[cfg(feature = "implicit")]
 pub(super) use rodas5p::RODAS5P;
 pub(super) use tsit5::TSIT5;
 
@@ -37,6 +41,7 @@ pub(super) struct Pair {
     pub(super) dense: Dense,
     /// |h lambda| on the negative real axis from which steps are held by
     /// stability.
+    #[cfg_attr(not(feature = "implicit"), expect(dead_code, reason = "only `auto` asks"))]
     pub(super) stability: f64,
 }
 
@@ -57,6 +62,7 @@ pub(super) struct Dense {
 /// ```
 ///
 /// with the last stage as estimate of the error.
+#[cfg(feature = "implicit")]
 pub(super) struct Rosenbrock {
     pub(super) gamma: f64,
     /// c.

@@ -30,7 +30,7 @@ pub fn section(explanation: &Explanation, dependencies: &Dependencies) -> Markup
             (left_out(explanation))
         }
         (sizes(explanation))
-        ul { @for line in explain::structure(&explanation.structure) { li { (line) } } }
+        ul { @for line in explain::structure(&explanation.structure, &explanation.states) { li { (line) } } }
         @match &explanation.times {
             Some(Ok(times)) => p { (explain::run_times(times)) "." },
             Some(Err(error)) => p.warning { "The runs to compare stopped. " (error) },
@@ -71,13 +71,13 @@ fn left_out(explanation: &Explanation) -> Markup {
 }
 
 fn sizes(explanation: &Explanation) -> Markup {
-    let names = explanation.stages.first().map(|stage| stage.size.figures().map(|(name, _)| name));
+    let names = explanation.stages.first().map(|stage| stage.size.figures());
     html! {
         div.scroll {
             table {
                 thead { tr {
                     th { "" }
-                    @for name in names.into_iter().flatten() { th.number { (name) } }
+                    @for (name, _) in names.into_iter().flatten() { th.number { (name) } }
                 } }
                 tbody {
                     @for stage in &explanation.stages {

@@ -13,15 +13,18 @@ mod header;
 mod items;
 mod names;
 mod plan;
+mod prepare;
 mod series;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::{EmitError, EmitOptions};
+use crate::features::TAKEN;
 use crate::program::Program;
 pub(crate) use header::MARK;
 use names::Namer;
+use prepare::Prepare;
 use series::Series;
 
 /// The text of a scene's module: constants, `Parameters`, `Outputs`, one
@@ -41,6 +44,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
     let parameters = items::parameters(&scene)?;
     let outputs = items::outputs(&scene);
     let state_indices = items::state_indices(&scene);
+    let prepare = scene.prepare.items();
     let functions = functions::functions(&scene)?;
     let implementations = describe::implementations(&scene, series.is_some())?;
     let series = series.map(|series| series.items(&scene)).transpose()?;
@@ -52,6 +56,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
         #parameters
         #outputs
         #state_indices
+        #prepare
         #functions
         #series
         #implementations
@@ -68,16 +73,21 @@ pub fn type_name(scene: &str) -> String {
 }
 
 /// The module that lists emitted scenes: one `pub mod` for each, their names,
-/// and a look-up.
+/// and a look-up; each only if the Cargo feature of its name is on.
 ///
 /// # Errors
-/// [`EmitError`] if a scene's name is no identifier or given twice.
+/// [`EmitError`] if a scene's name is no identifier, given twice, or taken by another
+/// feature of the contract crate.
 pub fn emit_index(programs: &[&Program], options: &EmitOptions) -> Result<String, EmitError> {
     let mut programs = programs.to_vec();
     programs.sort_by(|a, b| a.system.name.cmp(&b.system.name));
     let names: Vec<&str> = programs.iter().map(|program| program.system.name.as_str()).collect();
     let modules = names::distinct(names.iter().copied(), "scenes")?;
-    let tokens = items::index(&programs, &modules, &options.contract);
+    if let Some(name) = names.iter().find(|name| TAKEN.contains(name)) {
+        let name = (*name).to_owned();
+        return Err(EmitError::NamedTwice { name, kind: "features of the crate of scenes" });
+    }
+    let tokens = items::index(&programs, &modules, options);
     Ok(format!("{}\n{}", header::index_header(options), pretty(tokens)?))
 }
 
@@ -115,6 +125,8 @@ struct Scene<'a> {
     tables: Vec<Ident>,
     /// Namer for local variables; states, parameters and constants are taken.
     locals: Namer,
+    /// What is done once a run.
+    prepare: Prepare,
 }
 
 impl<'a> Scene<'a> {
@@ -143,11 +155,13 @@ impl<'a> Scene<'a> {
         for constant in &tables {
             locals.reserve(&constant.to_string());
         }
-        let states = states.iter().map(|state| locals.claim(&state.to_string())).collect();
+        let states: Vec<Ident> =
+            states.iter().map(|state| locals.claim(&state.to_string())).collect();
         for parameter in &parameters {
             locals.reserve(&parameter.to_string());
         }
-        Ok(Self { program, machine, states, parameters, outputs, tables, locals })
+        let prepare = Prepare::new(program, &states, &parameters, &tables, &locals)?;
+        Ok(Self { program, machine, states, parameters, outputs, tables, locals, prepare })
     }
 }
 

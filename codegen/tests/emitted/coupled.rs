@@ -45,6 +45,10 @@
 //   outputs                   0
 //   energy                   10
 //   power_balance             4
+// With constants of the parameters, prepared once a run:
+//   prepare                   2
+//   prepared_rate            25
+//   prepared_rate_jacobian    0
 
 use ::machinist_scenes::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
@@ -193,6 +197,46 @@ pub mod state {
     pub const Q_1_DOT: usize = 3;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 2;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub t0: R,
+    pub t1: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            t0: values[0],
+            t1: values[1],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [self.t0, self.t1]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 2 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let t0 = R::literal(2.0) * p.arm_gravity;
+    let t1 = R::literal(1.0) * p.arm_gravity;
+    Constants { t0, t1 }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -214,14 +258,26 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 /// 27 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 25 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [q_0, q_1, q_0_dot, q_1_dot] = *state;
     let q_0_minus_q_1 = q_0 - q_1;
     let cos_q_0_minus_q_1 = q_0_minus_q_1.cos();
-    let t0 = (q_1 - q_0).sin() * q_1_dot.powi(2)
-        - R::literal(2.0) * p.arm_gravity * q_0.sin();
-    let t1 = q_0_minus_q_1.sin() * q_0_dot.powi(2)
-        - R::literal(1.0) * p.arm_gravity * q_1.sin();
+    let t0 = (q_1 - q_0).sin() * q_1_dot.powi(2) - c.t0 * q_0.sin();
+    let t1 = q_0_minus_q_1.sin() * q_0_dot.powi(2) - c.t1 * q_1.sin();
     let t2 = R::literal(2.0) - cos_q_0_minus_q_1 * cos_q_0_minus_q_1;
     let q_0_dot_dot = (R::literal(1.0) * t0 - cos_q_0_minus_q_1 * t1) / t2;
     let q_1_dot_dot = (R::literal(2.0) * t1 - cos_q_0_minus_q_1 * t0) / t2;
@@ -263,10 +319,24 @@ pub fn forcing<R: Real>(
 ///
 /// No operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 0] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
     _state: &[R; STATES],
     _p: &Parameters<R>,
+    _c: &Constants<R>,
 ) -> [R; 0] {
     []
 }
@@ -501,6 +571,34 @@ impl Describe for Coupled {
 }
 
 impl<R: Real> Simulator<R> for Coupled {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -554,6 +652,14 @@ impl<R: Real> Simulator<R> for Coupled {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -50,6 +50,10 @@
 //   outputs                 167
 //   energy                   10
 //   power_balance             4
+// With constants of the parameters, prepared once a run:
+//   prepare                   9
+//   prepared_rate            10
+//   prepared_rate_jacobian    4
 
 use ::machinist_scenes::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
@@ -335,6 +339,67 @@ pub mod state {
     pub const P: usize = 2;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 5;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub STATES_times_arm_gravity_times_time: R,
+    pub inertia: R,
+    pub STATES_2_dot_by_STATES_2: R,
+    pub STATES_2_dot_by_p_2: R,
+    pub p_2_dot_by_p_2: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            STATES_times_arm_gravity_times_time: values[0],
+            inertia: values[1],
+            STATES_2_dot_by_STATES_2: values[2],
+            STATES_2_dot_by_p_2: values[3],
+            p_2_dot_by_p_2: values[4],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.STATES_times_arm_gravity_times_time,
+            self.inertia,
+            self.STATES_2_dot_by_STATES_2,
+            self.STATES_2_dot_by_p_2,
+            self.p_2_dot_by_p_2,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 9 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let STATES_times_arm_gravity_times_time = p.STATES * p.arm_gravity * p.time;
+    let inertia = p.STATES * p.time.powi(2);
+    let STATES_2_dot_by_STATES_2 = -(p.arm_damping / inertia);
+    let STATES_2_dot_by_p_2 = R::literal(1.0) / inertia;
+    let p_2_dot_by_p_2 = -(R::literal(1.0) / p.drive_lag);
+    Constants {
+        STATES_times_arm_gravity_times_time,
+        inertia,
+        STATES_2_dot_by_STATES_2,
+        STATES_2_dot_by_p_2,
+        p_2_dot_by_p_2,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -357,10 +422,23 @@ pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 10 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [state_2, STATES_2, p_2] = *state;
-    let inertia = p.STATES * p.time.powi(2);
     let STATES_2_dot = (p_2 - p.arm_damping * STATES_2
-        - p.STATES * p.arm_gravity * p.time * state_2.sin()) / inertia;
+        - c.STATES_times_arm_gravity_times_time * state_2.sin()) / c.inertia;
     let load = R::select_less(
         time,
         p.start,
@@ -403,24 +481,34 @@ pub fn forcing<R: Real>(
 ///
 /// 13 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 5] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 4 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 5] {
     let [state_2, ..] = *state;
-    let inertia = p.STATES * p.time.powi(2);
-    let STATES_2_dot_by_state_2 = -(p.STATES * p.arm_gravity * p.time * state_2.cos()
-        / inertia);
-    let STATES_2_dot_by_STATES_2 = -(p.arm_damping / inertia);
-    let STATES_2_dot_by_p_2 = R::literal(1.0) / inertia;
-    let p_2_dot_by_p_2 = -(R::literal(1.0) / p.drive_lag);
+    let STATES_2_dot_by_state_2 = -(c.STATES_times_arm_gravity_times_time * state_2.cos()
+        / c.inertia);
     [
         R::literal(1.0),
         STATES_2_dot_by_state_2,
-        STATES_2_dot_by_STATES_2,
-        STATES_2_dot_by_p_2,
-        p_2_dot_by_p_2,
+        c.STATES_2_dot_by_STATES_2,
+        c.STATES_2_dot_by_p_2,
+        c.p_2_dot_by_p_2,
     ]
 }
 
@@ -729,6 +817,34 @@ impl Describe for Oddities {
 }
 
 impl<R: Real> Simulator<R> for Oddities {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -782,6 +898,14 @@ impl<R: Real> Simulator<R> for Oddities {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -44,6 +44,10 @@
 //   outputs                   3
 //   energy                   10
 //   power_balance             4
+// With constants of the parameters, prepared once a run:
+//   prepare                   9
+//   prepared_rate            10
+//   prepared_rate_jacobian    4
 
 use ::machinist_scenes::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
@@ -192,6 +196,67 @@ pub mod state {
     pub const DRIVE_TORQUE: usize = 2;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 5;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub t0: R,
+    pub inertia: R,
+    pub arm_phi_dot_dot_by_arm_phi_dot: R,
+    pub arm_phi_dot_dot_by_drive_torque: R,
+    pub drive_torque_dot_by_drive_torque: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            t0: values[0],
+            inertia: values[1],
+            arm_phi_dot_dot_by_arm_phi_dot: values[2],
+            arm_phi_dot_dot_by_drive_torque: values[3],
+            drive_torque_dot_by_drive_torque: values[4],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.t0,
+            self.inertia,
+            self.arm_phi_dot_dot_by_arm_phi_dot,
+            self.arm_phi_dot_dot_by_drive_torque,
+            self.drive_torque_dot_by_drive_torque,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 9 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let t0 = p.arm_mass * p.arm_gravity * p.arm_length;
+    let inertia = p.arm_mass * p.arm_length.powi(2);
+    let arm_phi_dot_dot_by_arm_phi_dot = -(p.arm_damping / inertia);
+    let arm_phi_dot_dot_by_drive_torque = R::literal(1.0) / inertia;
+    let drive_torque_dot_by_drive_torque = -(R::literal(1.0) / p.drive_lag);
+    Constants {
+        t0,
+        inertia,
+        arm_phi_dot_dot_by_arm_phi_dot,
+        arm_phi_dot_dot_by_drive_torque,
+        drive_torque_dot_by_drive_torque,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -214,10 +279,23 @@ pub fn discontinuities<R: Real>(p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 10 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [arm_phi, arm_phi_dot, drive_torque] = *state;
-    let inertia = p.arm_mass * p.arm_length.powi(2);
     let arm_phi_dot_dot = (drive_torque - p.arm_damping * arm_phi_dot
-        - p.arm_mass * p.arm_gravity * p.arm_length * arm_phi.sin()) / inertia;
+        - c.t0 * arm_phi.sin()) / c.inertia;
     let load = R::select_less(
         time,
         p.start,
@@ -260,24 +338,33 @@ pub fn forcing<R: Real>(
 ///
 /// 13 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 5] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 4 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 5] {
     let [arm_phi, ..] = *state;
-    let inertia = p.arm_mass * p.arm_length.powi(2);
-    let arm_phi_dot_dot_by_arm_phi = -(p.arm_mass * p.arm_gravity * p.arm_length
-        * arm_phi.cos() / inertia);
-    let arm_phi_dot_dot_by_arm_phi_dot = -(p.arm_damping / inertia);
-    let arm_phi_dot_dot_by_drive_torque = R::literal(1.0) / inertia;
-    let drive_torque_dot_by_drive_torque = -(R::literal(1.0) / p.drive_lag);
+    let arm_phi_dot_dot_by_arm_phi = -(c.t0 * arm_phi.cos() / c.inertia);
     [
         R::literal(1.0),
         arm_phi_dot_dot_by_arm_phi,
-        arm_phi_dot_dot_by_arm_phi_dot,
-        arm_phi_dot_dot_by_drive_torque,
-        drive_torque_dot_by_drive_torque,
+        c.arm_phi_dot_dot_by_arm_phi_dot,
+        c.arm_phi_dot_dot_by_drive_torque,
+        c.drive_torque_dot_by_drive_torque,
     ]
 }
 
@@ -499,6 +586,34 @@ impl Describe for Pendulum {
 }
 
 impl<R: Real> Simulator<R> for Pendulum {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -552,6 +667,14 @@ impl<R: Real> Simulator<R> for Pendulum {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -106,6 +106,10 @@
 //   outputs                   0
 //   energy                   10
 //   power_balance             4
+// With constants of the parameters, prepared once a run:
+//   prepare                   1
+//   prepared_rate            69
+//   prepared_rate_jacobian    0
 
 use ::machinist_scenes::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
@@ -375,6 +379,41 @@ pub mod state {
     pub const Z_64: usize = 64;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 1;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub t0: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self { t0: values[0] }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [self.t0]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 1 operation.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let t0 = p.arm_length * R::literal(2.0);
+    Constants { t0 }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -463,6 +502,20 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 69 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [arm_phi, arm_phi_dot, ..] = *state;
     let arm_phi_dot_dot = -arm_phi;
     let t0 = R::literal(2.0) + arm_phi;
@@ -504,7 +557,6 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
     let z_34_dot = arm_phi_dot / t1;
     let z_35_dot = p.arm_length / t1;
     let z_36_dot = p.arm_length - arm_phi;
-    let z_37_dot = p.arm_length * R::literal(2.0);
     let z_38_dot = t1.powi(-3);
     let z_39_dot = t1.powi(-1);
     let z_40_dot = t1.powi(0);
@@ -571,7 +623,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
         z_34_dot,
         z_35_dot,
         z_36_dot,
-        z_37_dot,
+        c.t0,
         z_38_dot,
         z_39_dot,
         z_40_dot,
@@ -632,10 +684,24 @@ pub fn forcing<R: Real>(
 ///
 /// No operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 0] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
     _state: &[R; STATES],
     _p: &Parameters<R>,
+    _c: &Constants<R>,
 ) -> [R; 0] {
     []
 }
@@ -1324,6 +1390,34 @@ impl Describe for Recurrences {
 }
 
 impl<R: Real> Simulator<R> for Recurrences {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -1377,6 +1471,14 @@ impl<R: Real> Simulator<R> for Recurrences {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -45,6 +45,10 @@
 //   outputs                  27
 //   energy                   32
 //   power_balance           106
+// With constants of the parameters, prepared once a run:
+//   prepare                  26
+//   prepared_rate            29
+//   prepared_rate_jacobian   14
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -270,6 +274,111 @@ pub mod state {
     pub const MOTOR_PSI_RY: usize = 4;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 13;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub motor_omega_0: R,
+    pub motor_u_x: R,
+    pub motor_u_y: R,
+    pub t2: R,
+    pub inverse_motor_inertia: R,
+    pub motor_alpha_s_times_motor_omega_0: R,
+    pub motor_alpha_r_times_motor_omega_0: R,
+    pub t3: R,
+    pub motor_psi_sx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sy_dot_by_motor_psi_sx: R,
+    pub motor_psi_rx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sx_dot_by_motor_psi_rx: R,
+    pub motor_psi_rx_dot_by_motor_psi_rx: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            motor_omega_0: values[0],
+            motor_u_x: values[1],
+            motor_u_y: values[2],
+            t2: values[3],
+            inverse_motor_inertia: values[4],
+            motor_alpha_s_times_motor_omega_0: values[5],
+            motor_alpha_r_times_motor_omega_0: values[6],
+            t3: values[7],
+            motor_psi_sx_dot_by_motor_psi_sx: values[8],
+            motor_psi_sy_dot_by_motor_psi_sx: values[9],
+            motor_psi_rx_dot_by_motor_psi_sx: values[10],
+            motor_psi_sx_dot_by_motor_psi_rx: values[11],
+            motor_psi_rx_dot_by_motor_psi_rx: values[12],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.motor_omega_0,
+            self.motor_u_x,
+            self.motor_u_y,
+            self.t2,
+            self.inverse_motor_inertia,
+            self.motor_alpha_s_times_motor_omega_0,
+            self.motor_alpha_r_times_motor_omega_0,
+            self.t3,
+            self.motor_psi_sx_dot_by_motor_psi_sx,
+            self.motor_psi_sy_dot_by_motor_psi_sx,
+            self.motor_psi_rx_dot_by_motor_psi_sx,
+            self.motor_psi_sx_dot_by_motor_psi_rx,
+            self.motor_psi_rx_dot_by_motor_psi_rx,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 26 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let t3 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
+    let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
+    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
+    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
+    Constants {
+        motor_omega_0,
+        motor_u_x,
+        motor_u_y,
+        t2,
+        inverse_motor_inertia,
+        motor_alpha_s_times_motor_omega_0,
+        motor_alpha_r_times_motor_omega_0,
+        t3,
+        motor_psi_sx_dot_by_motor_psi_sx,
+        motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -291,30 +400,36 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 /// 45 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 29 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
-        / (p.motor_x_s * motor_sigma)
+    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let motor_torque = c.t2
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let motor_omega_dot = motor_torque * (R::literal(1.0) / p.motor_inertia);
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0
+    let motor_omega_dot = motor_torque * c.inverse_motor_inertia;
+    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0
+    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
+        + c.motor_alpha_r_times_motor_omega_0
             * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
+    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
         motor_omega_dot,
@@ -359,53 +474,55 @@ pub fn forcing<R: Real>(
 ///
 /// 35 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 18] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 14 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 18] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
-    let motor_slip_speed = motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let t0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t1 = t0 / (p.motor_x_s * motor_sigma);
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let t2 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
-    let motor_omega_dot_by_motor_psi_sx = t2 * motor_psi_ry * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
-    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_psi_sy = t1 * motor_psi_rx * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = t1 * motor_psi_sy * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
+    let motor_omega_dot_by_motor_psi_sx = c.t3 * motor_psi_ry * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
-        - motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = t2 * motor_psi_sx * inverse_motor_inertia;
+        - c.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = c.t3 * motor_psi_sx * c.inverse_motor_inertia;
     [
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx,
         motor_omega_dot_by_motor_psi_ry,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_omega_0,
-        motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_sy_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_omega_0,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sy_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
         motor_slip_speed,
         motor_psi_ry_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
         motor_psi_ry_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
     ]
 }
 
@@ -837,6 +954,34 @@ impl Describe for MotorRunUp {
 }
 
 impl<R: Real> Simulator<R> for MotorRunUp {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -890,6 +1035,14 @@ impl<R: Real> Simulator<R> for MotorRunUp {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -46,6 +46,10 @@
 //   outputs                  25
 //   energy                   33
 //   power_balance           173
+// With constants of the parameters, prepared once a run:
+//   prepare                  35
+//   prepared_rate           101
+//   prepared_rate_jacobian  286
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -342,6 +346,131 @@ pub mod state {
     pub const MOTOR_OMEGA: usize = 5;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 16;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub motor_omega_0: R,
+    pub t0: R,
+    pub t1: R,
+    pub t2: R,
+    pub t3: R,
+    pub inverse_motor_inertia: R,
+    pub t4: R,
+    pub t6: R,
+    pub t7: R,
+    pub motor_pole_pairs_squared: R,
+    pub t8: R,
+    pub t9: R,
+    pub t11: R,
+    pub t12: R,
+    pub t13: R,
+    pub t14: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            motor_omega_0: values[0],
+            t0: values[1],
+            t1: values[2],
+            t2: values[3],
+            t3: values[4],
+            inverse_motor_inertia: values[5],
+            t4: values[6],
+            t6: values[7],
+            t7: values[8],
+            motor_pole_pairs_squared: values[9],
+            t8: values[10],
+            t9: values[11],
+            t11: values[12],
+            t12: values[13],
+            t13: values[14],
+            t14: values[15],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.motor_omega_0,
+            self.t0,
+            self.t1,
+            self.t2,
+            self.t3,
+            self.inverse_motor_inertia,
+            self.t4,
+            self.t6,
+            self.t7,
+            self.motor_pole_pairs_squared,
+            self.t8,
+            self.t9,
+            self.t11,
+            self.t12,
+            self.t13,
+            self.t14,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 35 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_M = p.motor_k_s * motor_L_s;
+    let t1 = R::literal(1.5) * motor_M;
+    let motor_L_r = motor_M / p.motor_k_r;
+    let t2 = R::literal(1.5) * motor_L_r;
+    let t3 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let motor_x_s_times_motor_alpha_s = p.motor_x_s * p.motor_alpha_s;
+    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_R_s = motor_x_s_times_motor_alpha_s * motor_sigma;
+    let t4 = R::literal(1.5) * motor_R_s;
+    let t5 = p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
+    let motor_R_r = t5 * motor_sigma / p.motor_k_r;
+    let t6 = R::literal(1.5) * motor_R_r;
+    let t7 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
+    let motor_pole_pairs_squared = p.motor_pole_pairs * p.motor_pole_pairs;
+    let t8 = t1 * motor_pole_pairs_squared;
+    let t9 = R::literal(2.0) * motor_M * motor_pole_pairs_squared;
+    let t10 = R::literal(1.5) * p.motor_k_s * p.motor_k_r - R::literal(1.5);
+    let t11 = motor_x_s_times_motor_alpha_s * t10;
+    let t12 = t11 * t3;
+    let t13 = t5 * t10 / p.motor_k_r;
+    let t14 = R::literal(2.0) * p.motor_pole_pairs * motor_M;
+    Constants {
+        motor_omega_0,
+        t0,
+        t1,
+        t2,
+        t3,
+        inverse_motor_inertia,
+        t4,
+        t6,
+        t7,
+        motor_pole_pairs_squared,
+        t8,
+        t9,
+        t11,
+        t12,
+        t13,
+        t14,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -371,68 +500,68 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 101 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
     let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
-    let motor_L_s = p.motor_x_s / motor_omega_0;
-    let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
-    let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
-    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t1 * t0.cos();
-    let motor_u_b = t1 * t0.sin();
-    let motor_L_r = motor_M / p.motor_k_r;
-    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma
-        / p.motor_k_r;
+    let t0 = p.motor_supply_phase + c.motor_omega_0 * time;
+    let motor_u_a = c.t0 * t0.cos();
+    let motor_u_b = c.t0 * t0.sin();
     let sin_motor_theta = motor_theta.sin();
     let cos_motor_theta = motor_theta.cos();
-    let t2 = R::literal(1.5) * motor_M;
-    let t3 = t2 * cos_motor_theta;
-    let t4 = t2 * sin_motor_theta;
-    let t5 = R::literal(1.5) * motor_L_r;
-    let t6 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
-    let t7 = t3 * t6;
-    let t8 = t4 * t6;
-    let t9 = t7 * t3;
-    let t10 = t8 * t4;
-    let t11 = R::literal(1.0) / (t5 - t9 - t10);
-    let t12 = t8 * t3 - t7 * t4;
-    let t13 = t12 * t11;
-    let t14 = R::literal(1.5) * motor_R_s;
+    let t1 = c.t1 * cos_motor_theta;
+    let t2 = c.t1 * sin_motor_theta;
+    let t3 = t1 * c.t3;
+    let t4 = t2 * c.t3;
+    let t5 = t3 * t1;
+    let t6 = t4 * t2;
+    let t7 = R::literal(1.0) / (c.t2 - t5 - t6);
+    let t8 = t4 * t1 - t3 * t2;
+    let t9 = t8 * t7;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t15 = t2 * motor_omega;
-    let t16 = R::literal(1.5) * motor_u_a - t14 * motor_i_sa
-        - t15
+    let t10 = c.t1 * motor_omega;
+    let t11 = R::literal(1.5) * motor_u_a - c.t4 * motor_i_sa
+        - t10
             * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
                 - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t17 = R::literal(1.5) * motor_u_b - t14 * motor_i_sb
-        - t15
+    let t12 = R::literal(1.5) * motor_u_b - c.t4 * motor_i_sb
+        - t10
             * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
                 - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
-    let t18 = R::literal(1.5) * motor_R_r;
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t19 = -(t18 * motor_i_ra)
-        - t15
+    let t13 = -(c.t6 * motor_i_ra)
+        - t10
             * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t7 * t16
-        - t8 * t17;
-    let motor_i_rb_dot = (-(t18 * motor_i_rb)
-        - t15
+                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t3 * t11
+        - t4 * t12;
+    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)
+        - t10
             * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t8 * t16
-        - t7 * t17 - t13 * t19) * (R::literal(1.0) / (t5 - t10 - t9 - t13 * t12));
-    let motor_omega_dot = t2
+                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t4 * t11
+        - t3 * t12 - t9 * t13) * (R::literal(1.0) / (c.t2 - t6 - t5 - t9 * t8));
+    let motor_omega_dot = c.t1
         * (p.motor_pole_pairs * motor_across * cos_motor_theta
             - p.motor_pole_pairs * motor_along * sin_motor_theta)
-        * (R::literal(1.0) / p.motor_inertia);
-    let motor_i_ra_dot = t19 * t11 - t13 * motor_i_rb_dot;
-    let motor_i_sb_dot = t17 * t6 - t8 * motor_i_ra_dot - t7 * motor_i_rb_dot;
-    let motor_i_sa_dot = t16 * t6 - t7 * motor_i_ra_dot + t8 * motor_i_rb_dot;
+        * c.inverse_motor_inertia;
+    let motor_i_ra_dot = t13 * t7 - t9 * motor_i_rb_dot;
+    let motor_i_sb_dot = t12 * c.t3 - t4 * motor_i_ra_dot - t3 * motor_i_rb_dot;
+    let motor_i_sa_dot = t11 * c.t3 - t3 * motor_i_ra_dot + t4 * motor_i_rb_dot;
     [
         motor_omega,
         motor_i_sa_dot,
@@ -533,155 +662,146 @@ pub fn forcing<R: Real>(
 ///
 /// 321 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 30] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 286 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 30] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
     let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
     let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
-    let motor_L_s = p.motor_x_s / motor_omega_0;
-    let motor_x_s_times_motor_alpha_s = p.motor_x_s * p.motor_alpha_s;
-    let motor_R_s = motor_x_s_times_motor_alpha_s * motor_sigma;
-    let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
-    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t1 * t0.cos();
-    let motor_u_b = t1 * t0.sin();
-    let motor_L_r = motor_M / p.motor_k_r;
-    let t2 = p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
-    let motor_R_r = t2 * motor_sigma / p.motor_k_r;
+    let t0 = p.motor_supply_phase + c.motor_omega_0 * time;
+    let motor_u_a = c.t0 * t0.cos();
+    let motor_u_b = c.t0 * t0.sin();
     let sin_motor_theta = motor_theta.sin();
     let cos_motor_theta = motor_theta.cos();
-    let t3 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
-    let t4 = R::literal(1.5) * motor_M;
-    let t5 = t4 * cos_motor_theta;
-    let t6 = t4 * sin_motor_theta;
-    let t7 = R::literal(1.5) * motor_L_r;
-    let t8 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
-    let t9 = t5 * t8;
-    let t10 = t6 * t8;
-    let t11 = t9 * t5;
-    let t12 = t10 * t6;
-    let t13 = R::literal(1.0) / (t7 - t11 - t12);
-    let t14 = t10 * t5 - t9 * t6;
-    let t15 = t14 * t13;
-    let t16 = R::literal(1.0) / (t7 - t12 - t11 - t15 * t14);
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let t17 = R::literal(1.5) * motor_R_s;
+    let t1 = c.t1 * cos_motor_theta;
+    let t2 = c.t1 * sin_motor_theta;
+    let t3 = t1 * c.t3;
+    let t4 = t2 * c.t3;
+    let t5 = t3 * t1;
+    let t6 = t4 * t2;
+    let t7 = R::literal(1.0) / (c.t2 - t5 - t6);
+    let t8 = t4 * t1 - t3 * t2;
+    let t9 = t8 * t7;
+    let t10 = R::literal(1.0) / (c.t2 - t6 - t5 - t9 * t8);
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t18 = t4 * motor_omega;
-    let t19 = R::literal(1.5) * motor_u_a - t17 * motor_i_sa
-        - t18
+    let t11 = c.t1 * motor_omega;
+    let t12 = R::literal(1.5) * motor_u_a - c.t4 * motor_i_sa
+        - t11
             * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
                 - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t20 = R::literal(1.5) * motor_u_b - t17 * motor_i_sb
-        - t18
+    let t13 = R::literal(1.5) * motor_u_b - c.t4 * motor_i_sb
+        - t11
             * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
                 - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
-    let t21 = R::literal(1.5) * motor_R_r;
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t22 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
+    let t14 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
         - motor_pole_pairs_times_motor_i_sa * sin_motor_theta;
-    let t23 = -(t21 * motor_i_ra) - t18 * t22 - t9 * t19 - t10 * t20;
-    let motor_i_rb_dot = (-(t21 * motor_i_rb)
-        - t18
+    let t15 = -(c.t6 * motor_i_ra) - t11 * t14 - t3 * t12 - t4 * t13;
+    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)
+        - t11
             * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t10 * t19
-        - t9 * t20 - t15 * t23) * t16;
-    let motor_i_ra_dot = t23 * t13 - t15 * motor_i_rb_dot;
-    let motor_i_sb_dot = t20 * t8 - t10 * motor_i_ra_dot - t9 * motor_i_rb_dot;
-    let motor_i_sa_dot = t19 * t8 - t9 * motor_i_ra_dot + t10 * motor_i_rb_dot;
-    let t24 = motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta;
-    let motor_pole_pairs_squared = p.motor_pole_pairs * p.motor_pole_pairs;
-    let t25 = t4 * motor_pole_pairs_squared * motor_omega;
-    let t26 = motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta;
-    let t27 = motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta;
-    let t28 = t3 * sin_motor_theta;
-    let t29 = t3 * cos_motor_theta;
-    let t30 = t25 * t24 + t28 * motor_i_ra_dot + t29 * motor_i_rb_dot;
-    let t31 = t25 * t26 - t29 * motor_i_ra_dot + t28 * motor_i_rb_dot;
-    let t32 = t25 * t27 + t28 * motor_i_sa_dot - t29 * motor_i_sb_dot - t9 * t30
-        - t10 * t31;
-    let motor_i_rb_dot_by_motor_phi = (R::literal(2.0) * motor_M
-        * motor_pole_pairs_squared * motor_omega
+                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t4 * t12
+        - t3 * t13 - t9 * t15) * t10;
+    let motor_i_ra_dot = t15 * t7 - t9 * motor_i_rb_dot;
+    let motor_i_sb_dot = t13 * c.t3 - t4 * motor_i_ra_dot - t3 * motor_i_rb_dot;
+    let motor_i_sa_dot = t12 * c.t3 - t3 * motor_i_ra_dot + t4 * motor_i_rb_dot;
+    let t16 = motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta;
+    let t17 = c.t8 * motor_omega;
+    let t18 = motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta;
+    let t19 = motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta;
+    let t20 = c.t7 * sin_motor_theta;
+    let t21 = c.t7 * cos_motor_theta;
+    let t22 = t17 * t16 + t20 * motor_i_ra_dot + t21 * motor_i_rb_dot;
+    let t23 = t17 * t18 - t21 * motor_i_ra_dot + t20 * motor_i_rb_dot;
+    let t24 = t17 * t19 + t20 * motor_i_sa_dot - t21 * motor_i_sb_dot - t3 * t22
+        - t4 * t23;
+    let motor_i_rb_dot_by_motor_phi = (c.t9 * motor_omega
         * (R::literal(0.75) * motor_i_sb * cos_motor_theta
-            - R::literal(0.75) * motor_i_sa * sin_motor_theta) + t29 * motor_i_sa_dot
-        + t28 * motor_i_sb_dot + t10 * t30 - t9 * t31 - t15 * t32) * t16;
-    let motor_omega_dot_by_motor_phi = t4
-        * (-(motor_pole_pairs_squared * motor_along * cos_motor_theta)
-            - motor_pole_pairs_squared * motor_across * sin_motor_theta)
-        * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_phi = t32 * t13 - t15 * motor_i_rb_dot_by_motor_phi;
-    let motor_i_sb_dot_by_motor_phi = t31 * t8 - t10 * motor_i_ra_dot_by_motor_phi
-        - t9 * motor_i_rb_dot_by_motor_phi;
-    let motor_i_sa_dot_by_motor_phi = t30 * t8 - t9 * motor_i_ra_dot_by_motor_phi
-        + t10 * motor_i_rb_dot_by_motor_phi;
-    let t33 = R::literal(1.5) * p.motor_k_s * p.motor_k_r - R::literal(1.5);
-    let t34 = motor_x_s_times_motor_alpha_s * t33;
-    let t35 = t3 * motor_omega;
-    let t36 = t35 * sin_motor_theta;
-    let t37 = t35 * cos_motor_theta;
-    let t38 = t3 * t26;
-    let t39 = t36 - t9 * t34;
-    let t40 = t10 * t34;
-    let t41 = t34 * t8;
-    let motor_i_rb_dot_by_motor_i_sa = (t37 + t40 - t15 * t39) * t16;
-    let motor_omega_dot_by_motor_i_sa = -(t38 * inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_i_sa = t39 * t13 - t15 * motor_i_rb_dot_by_motor_i_sa;
-    let motor_i_sb_dot_by_motor_i_sa = -(t10 * motor_i_ra_dot_by_motor_i_sa)
-        - t9 * motor_i_rb_dot_by_motor_i_sa;
-    let motor_i_sa_dot_by_motor_i_sa = t41 - t9 * motor_i_ra_dot_by_motor_i_sa
-        + t10 * motor_i_rb_dot_by_motor_i_sa;
-    let t42 = -t37 - t40;
-    let motor_i_rb_dot_by_motor_i_sb = (t39 - t15 * t42) * t16;
-    let motor_omega_dot_by_motor_i_sb = t3 * t24 * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_i_sb = t42 * t13 - t15 * motor_i_rb_dot_by_motor_i_sb;
-    let motor_i_sb_dot_by_motor_i_sb = t41 - t10 * motor_i_ra_dot_by_motor_i_sb
-        - t9 * motor_i_rb_dot_by_motor_i_sb;
-    let motor_i_sa_dot_by_motor_i_sb = t10 * motor_i_rb_dot_by_motor_i_sb
-        - t9 * motor_i_ra_dot_by_motor_i_sb;
-    let t43 = t2 * t33 / p.motor_k_r;
-    let t44 = t9 * t36;
-    let t45 = t10 * t37;
-    let t46 = t43 - t44 + t45;
-    let t47 = t10 * t36;
-    let t48 = t9 * t37;
-    let t49 = t36 * t8;
-    let t50 = t37 * t8;
-    let motor_i_rb_dot_by_motor_i_ra = (t47 + t48 - t15 * t46) * t16;
-    let motor_omega_dot_by_motor_i_ra = t4 * t22 * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_i_ra = t46 * t13 - t15 * motor_i_rb_dot_by_motor_i_ra;
-    let motor_i_sb_dot_by_motor_i_ra = -t50 - t10 * motor_i_ra_dot_by_motor_i_ra
-        - t9 * motor_i_rb_dot_by_motor_i_ra;
-    let motor_i_sa_dot_by_motor_i_ra = t49 - t9 * motor_i_ra_dot_by_motor_i_ra
-        + t10 * motor_i_rb_dot_by_motor_i_ra;
-    let t51 = t3 * t27;
-    let t52 = -t48 - t47;
-    let motor_i_rb_dot_by_motor_i_rb = (t43 + t45 - t44 - t15 * t52) * t16;
-    let motor_omega_dot_by_motor_i_rb = -(t51 * inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_i_rb = t52 * t13 - t15 * motor_i_rb_dot_by_motor_i_rb;
-    let motor_i_sb_dot_by_motor_i_rb = t49 - t10 * motor_i_ra_dot_by_motor_i_rb
-        - t9 * motor_i_rb_dot_by_motor_i_rb;
-    let motor_i_sa_dot_by_motor_i_rb = t50 - t9 * motor_i_ra_dot_by_motor_i_rb
-        + t10 * motor_i_rb_dot_by_motor_i_rb;
-    let t53 = R::literal(2.0) * p.motor_pole_pairs * motor_M
+            - R::literal(0.75) * motor_i_sa * sin_motor_theta) + t21 * motor_i_sa_dot
+        + t20 * motor_i_sb_dot + t4 * t22 - t3 * t23 - t9 * t24) * t10;
+    let motor_omega_dot_by_motor_phi = c.t1
+        * (-(c.motor_pole_pairs_squared * motor_along * cos_motor_theta)
+            - c.motor_pole_pairs_squared * motor_across * sin_motor_theta)
+        * c.inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_phi = t24 * t7 - t9 * motor_i_rb_dot_by_motor_phi;
+    let motor_i_sb_dot_by_motor_phi = t23 * c.t3 - t4 * motor_i_ra_dot_by_motor_phi
+        - t3 * motor_i_rb_dot_by_motor_phi;
+    let motor_i_sa_dot_by_motor_phi = t22 * c.t3 - t3 * motor_i_ra_dot_by_motor_phi
+        + t4 * motor_i_rb_dot_by_motor_phi;
+    let t25 = c.t7 * motor_omega;
+    let t26 = t25 * sin_motor_theta;
+    let t27 = t25 * cos_motor_theta;
+    let t28 = c.t7 * t18;
+    let t29 = t26 - t3 * c.t11;
+    let t30 = t4 * c.t11;
+    let motor_i_rb_dot_by_motor_i_sa = (t27 + t30 - t9 * t29) * t10;
+    let motor_omega_dot_by_motor_i_sa = -(t28 * c.inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_i_sa = t29 * t7 - t9 * motor_i_rb_dot_by_motor_i_sa;
+    let motor_i_sb_dot_by_motor_i_sa = -(t4 * motor_i_ra_dot_by_motor_i_sa)
+        - t3 * motor_i_rb_dot_by_motor_i_sa;
+    let motor_i_sa_dot_by_motor_i_sa = c.t12 - t3 * motor_i_ra_dot_by_motor_i_sa
+        + t4 * motor_i_rb_dot_by_motor_i_sa;
+    let t31 = -t27 - t30;
+    let motor_i_rb_dot_by_motor_i_sb = (t29 - t9 * t31) * t10;
+    let motor_omega_dot_by_motor_i_sb = c.t7 * t16 * c.inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_i_sb = t31 * t7 - t9 * motor_i_rb_dot_by_motor_i_sb;
+    let motor_i_sb_dot_by_motor_i_sb = c.t12 - t4 * motor_i_ra_dot_by_motor_i_sb
+        - t3 * motor_i_rb_dot_by_motor_i_sb;
+    let motor_i_sa_dot_by_motor_i_sb = t4 * motor_i_rb_dot_by_motor_i_sb
+        - t3 * motor_i_ra_dot_by_motor_i_sb;
+    let t32 = t3 * t26;
+    let t33 = t4 * t27;
+    let t34 = c.t13 - t32 + t33;
+    let t35 = t4 * t26;
+    let t36 = t3 * t27;
+    let t37 = t26 * c.t3;
+    let t38 = t27 * c.t3;
+    let motor_i_rb_dot_by_motor_i_ra = (t35 + t36 - t9 * t34) * t10;
+    let motor_omega_dot_by_motor_i_ra = c.t1 * t14 * c.inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_i_ra = t34 * t7 - t9 * motor_i_rb_dot_by_motor_i_ra;
+    let motor_i_sb_dot_by_motor_i_ra = -t38 - t4 * motor_i_ra_dot_by_motor_i_ra
+        - t3 * motor_i_rb_dot_by_motor_i_ra;
+    let motor_i_sa_dot_by_motor_i_ra = t37 - t3 * motor_i_ra_dot_by_motor_i_ra
+        + t4 * motor_i_rb_dot_by_motor_i_ra;
+    let t39 = c.t7 * t19;
+    let t40 = -t36 - t35;
+    let motor_i_rb_dot_by_motor_i_rb = (c.t13 + t33 - t32 - t9 * t40) * t10;
+    let motor_omega_dot_by_motor_i_rb = -(t39 * c.inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_i_rb = t40 * t7 - t9 * motor_i_rb_dot_by_motor_i_rb;
+    let motor_i_sb_dot_by_motor_i_rb = t37 - t4 * motor_i_ra_dot_by_motor_i_rb
+        - t3 * motor_i_rb_dot_by_motor_i_rb;
+    let motor_i_sa_dot_by_motor_i_rb = t38 - t3 * motor_i_ra_dot_by_motor_i_rb
+        + t4 * motor_i_rb_dot_by_motor_i_rb;
+    let t41 = c.t14
         * (R::literal(0.75) * motor_i_rb * sin_motor_theta
             - R::literal(0.75) * motor_i_ra * cos_motor_theta);
-    let t54 = t3 * (motor_i_sa * sin_motor_theta - motor_i_sb * cos_motor_theta)
-        - t9 * t38 - t10 * t53;
-    let motor_i_rb_dot_by_motor_omega = (t51 + t10 * t38 - t9 * t53 - t15 * t54) * t16;
-    let motor_i_ra_dot_by_motor_omega = t54 * t13 - t15 * motor_i_rb_dot_by_motor_omega;
-    let motor_i_sb_dot_by_motor_omega = t53 * t8 - t10 * motor_i_ra_dot_by_motor_omega
-        - t9 * motor_i_rb_dot_by_motor_omega;
-    let motor_i_sa_dot_by_motor_omega = t38 * t8 - t9 * motor_i_ra_dot_by_motor_omega
-        + t10 * motor_i_rb_dot_by_motor_omega;
+    let t42 = c.t7 * (motor_i_sa * sin_motor_theta - motor_i_sb * cos_motor_theta)
+        - t3 * t28 - t4 * t41;
+    let motor_i_rb_dot_by_motor_omega = (t39 + t4 * t28 - t3 * t41 - t9 * t42) * t10;
+    let motor_i_ra_dot_by_motor_omega = t42 * t7 - t9 * motor_i_rb_dot_by_motor_omega;
+    let motor_i_sb_dot_by_motor_omega = t41 * c.t3 - t4 * motor_i_ra_dot_by_motor_omega
+        - t3 * motor_i_rb_dot_by_motor_omega;
+    let motor_i_sa_dot_by_motor_omega = t28 * c.t3 - t3 * motor_i_ra_dot_by_motor_omega
+        + t4 * motor_i_rb_dot_by_motor_omega;
     [
         R::literal(1.0),
         motor_i_sa_dot_by_motor_phi,
@@ -1573,6 +1693,34 @@ impl Describe for MotorStationaryAxes {
 }
 
 impl<R: Real> Simulator<R> for MotorStationaryAxes {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -1626,6 +1774,14 @@ impl<R: Real> Simulator<R> for MotorStationaryAxes {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

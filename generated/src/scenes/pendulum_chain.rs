@@ -46,6 +46,10 @@
 //   outputs                  17
 //   energy                   48
 //   power_balance           226
+// With constants of the parameters, prepared once a run:
+//   prepare                  30
+//   prepared_rate            88
+//   prepared_rate_jacobian  255
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -247,6 +251,130 @@ pub mod state {
     pub const CHAIN_W_3: usize = 5;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 17;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub t0: R,
+    pub chain_m_3_times_chain_l_1: R,
+    pub t1: R,
+    pub t2: R,
+    pub chain_m_3_times_chain_l_2: R,
+    pub t3: R,
+    pub chain_m_3_times_chain_l_3_squared: R,
+    pub t4: R,
+    pub chain_m_1_times_chain_gravity: R,
+    pub chain_m_2_times_chain_l_2: R,
+    pub chain_m_2_times_chain_gravity: R,
+    pub chain_m_3_times_chain_l_3: R,
+    pub chain_m_3_times_chain_gravity: R,
+    pub chain_m_2_times_chain_l_1: R,
+    pub t5: R,
+    pub t7: R,
+    pub t8: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            t0: values[0],
+            chain_m_3_times_chain_l_1: values[1],
+            t1: values[2],
+            t2: values[3],
+            chain_m_3_times_chain_l_2: values[4],
+            t3: values[5],
+            chain_m_3_times_chain_l_3_squared: values[6],
+            t4: values[7],
+            chain_m_1_times_chain_gravity: values[8],
+            chain_m_2_times_chain_l_2: values[9],
+            chain_m_2_times_chain_gravity: values[10],
+            chain_m_3_times_chain_l_3: values[11],
+            chain_m_3_times_chain_gravity: values[12],
+            chain_m_2_times_chain_l_1: values[13],
+            t5: values[14],
+            t7: values[15],
+            t8: values[16],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.t0,
+            self.chain_m_3_times_chain_l_1,
+            self.t1,
+            self.t2,
+            self.chain_m_3_times_chain_l_2,
+            self.t3,
+            self.chain_m_3_times_chain_l_3_squared,
+            self.t4,
+            self.chain_m_1_times_chain_gravity,
+            self.chain_m_2_times_chain_l_2,
+            self.chain_m_2_times_chain_gravity,
+            self.chain_m_3_times_chain_l_3,
+            self.chain_m_3_times_chain_gravity,
+            self.chain_m_2_times_chain_l_1,
+            self.t5,
+            self.t7,
+            self.t8,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 30 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
+    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t1 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let t2 = chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2);
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t3 = chain_m_3_times_chain_l_2 * p.chain_l_3;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
+    let t4 = R::literal(1.0)
+        / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1));
+    let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
+    let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let chain_m_2_times_chain_l_1 = p.chain_m_2 * p.chain_l_1;
+    let t5 = R::literal(2.0) * p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t6 = R::literal(2.0) * p.chain_m_3;
+    let t7 = t6 * p.chain_l_1 * p.chain_l_3;
+    let t8 = t6 * p.chain_l_2 * p.chain_l_3;
+    Constants {
+        t0,
+        chain_m_3_times_chain_l_1,
+        t1,
+        t2,
+        chain_m_3_times_chain_l_2,
+        t3,
+        chain_m_3_times_chain_l_3_squared,
+        t4,
+        chain_m_1_times_chain_gravity,
+        chain_m_2_times_chain_l_2,
+        chain_m_2_times_chain_gravity,
+        chain_m_3_times_chain_l_3,
+        chain_m_3_times_chain_gravity,
+        chain_m_2_times_chain_l_1,
+        t5,
+        t7,
+        t8,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -275,64 +403,65 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 /// 110 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 88 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let sin_chain_th_1 = chain_th_1.sin();
     let sin_chain_th_2 = chain_th_2.sin();
-    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
     let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
-    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3
-        * chain_th_1_minus_chain_th_2.cos();
+    let t0 = c.t0 * chain_th_1_minus_chain_th_2.cos();
     let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
-    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
-    let t1 = chain_m_3_times_chain_l_1 * p.chain_l_3 * chain_th_1_minus_chain_th_3.cos();
+    let t1 = c.t1 * chain_th_1_minus_chain_th_3.cos();
     let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
-    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
-    let t2 = R::literal(1.0)
-        / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1));
-    let t3 = t0 * t2;
-    let t4 = t1 * t2;
-    let t5 = R::literal(1.0)
-        / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2) - t3 * t0);
-    let t6 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_th_2_minus_chain_th_3.cos()
-        - t4 * t0;
-    let t7 = t6 * t5;
+    let t2 = t0 * c.t4;
+    let t3 = t1 * c.t4;
+    let t4 = R::literal(1.0) / (c.t2 - t2 * t0);
+    let t5 = c.t3 * chain_th_2_minus_chain_th_3.cos() - t3 * t0;
+    let t6 = t5 * t4;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
     let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
-    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
-    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
-    let t8 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
-    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t9 = p.chain_l_1
-        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1
-            + p.chain_m_2 * p.chain_l_2 * chain_w_2_squared
+    let t7 = c.chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
+    let t8 = p.chain_l_1
+        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1
+            + c.chain_m_2_times_chain_l_2 * chain_w_2_squared
                 * sin_chain_th_1_minus_chain_th_2
-            + chain_m_2_times_chain_gravity * sin_chain_th_1
-            + chain_m_3_times_chain_l_2 * chain_w_2_squared
+            + c.chain_m_2_times_chain_gravity * sin_chain_th_1
+            + c.chain_m_3_times_chain_l_2 * chain_w_2_squared
                 * sin_chain_th_1_minus_chain_th_2
-            + t8 * chain_th_1_minus_chain_th_3.sin()
-            + chain_m_3_times_chain_gravity * sin_chain_th_1);
+            + t7 * chain_th_1_minus_chain_th_3.sin()
+            + c.chain_m_3_times_chain_gravity * sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
-    let t10 = t3 * t9
+    let t9 = t2 * t8
         - p.chain_l_2
-            * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+            * (c.chain_m_2_times_chain_l_1 * chain_w_1_squared
                 * sin_chain_th_2_minus_chain_th_1
-                + chain_m_2_times_chain_gravity * sin_chain_th_2
-                + chain_m_3_times_chain_l_1 * chain_w_1_squared
+                + c.chain_m_2_times_chain_gravity * sin_chain_th_2
+                + c.chain_m_3_times_chain_l_1 * chain_w_1_squared
                     * sin_chain_th_2_minus_chain_th_1
-                + t8 * chain_th_2_minus_chain_th_3.sin()
-                + chain_m_3_times_chain_gravity * sin_chain_th_2);
-    let t11 = t4 * t9
-        - chain_m_3_times_chain_l_3
+                + t7 * chain_th_2_minus_chain_th_3.sin()
+                + c.chain_m_3_times_chain_gravity * sin_chain_th_2);
+    let chain_w_3_dot = (t3 * t8
+        - c.chain_m_3_times_chain_l_3
             * (p.chain_l_1 * chain_w_1_squared * (chain_th_3 - chain_th_1).sin()
                 + p.chain_l_2 * chain_w_2_squared * (chain_th_3 - chain_th_2).sin()
-                + p.chain_gravity * chain_th_3.sin()) - t7 * t10;
-    let chain_w_3_dot = t11
-        * (R::literal(1.0)
-            / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t4 * t1 - t7 * t6));
-    let chain_w_2_dot = t10 * t5 - t7 * chain_w_3_dot;
-    let chain_w_1_dot = -(t9 * t2) - t3 * chain_w_2_dot - t4 * chain_w_3_dot;
+                + p.chain_gravity * chain_th_3.sin()) - t6 * t9)
+        * (R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t3 * t1 - t6 * t5));
+    let chain_w_2_dot = t9 * t4 - t6 * chain_w_3_dot;
+    let chain_w_1_dot = -(t8 * c.t4) - t2 * chain_w_2_dot - t3 * chain_w_3_dot;
     [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
 }
 
@@ -406,63 +535,63 @@ pub fn forcing<R: Real>(
 ///
 /// 285 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 21] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 255 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
+    c: &Constants<R>,
 ) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let sin_chain_th_1 = chain_th_1.sin();
     let cos_chain_th_1 = chain_th_1.cos();
     let sin_chain_th_2 = chain_th_2.sin();
     let cos_chain_th_2 = chain_th_2.cos();
-    let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
     let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
     let cos_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.cos();
-    let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
-    let t1 = t0 * cos_chain_th_1_minus_chain_th_2;
+    let t0 = c.t0 * cos_chain_th_1_minus_chain_th_2;
     let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
     let cos_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.cos();
-    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
-    let t2 = chain_m_3_times_chain_l_1 * p.chain_l_3;
-    let t3 = t2 * cos_chain_th_1_minus_chain_th_3;
+    let t1 = c.t1 * cos_chain_th_1_minus_chain_th_3;
     let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
     let cos_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.cos();
-    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
-    let t4 = chain_m_3_times_chain_l_2 * p.chain_l_3;
-    let t5 = R::literal(1.0)
-        / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1));
-    let t6 = t1 * t5;
-    let t7 = t3 * t5;
-    let t8 = R::literal(1.0)
-        / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2) - t6 * t1);
-    let t9 = t4 * cos_chain_th_2_minus_chain_th_3 - t7 * t1;
-    let t10 = t9 * t8;
-    let t11 = R::literal(1.0)
-        / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t7 * t3 - t10 * t9);
-    let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
+    let t2 = t0 * c.t4;
+    let t3 = t1 * c.t4;
+    let t4 = R::literal(1.0) / (c.t2 - t2 * t0);
+    let t5 = c.t3 * cos_chain_th_2_minus_chain_th_3 - t3 * t0;
+    let t6 = t5 * t4;
+    let t7 = R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t3 * t1 - t6 * t5);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
     let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
-    let t12 = p.chain_m_2 * p.chain_l_2 * chain_w_2_squared;
-    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
-    let t13 = chain_m_3_times_chain_l_2 * chain_w_2_squared;
+    let t8 = c.chain_m_2_times_chain_l_2 * chain_w_2_squared;
+    let t9 = c.chain_m_3_times_chain_l_2 * chain_w_2_squared;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
     let sin_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.sin();
-    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
-    let t14 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t15 = p.chain_l_1
-        * (chain_m_1_times_chain_gravity * sin_chain_th_1
-            + t12 * sin_chain_th_1_minus_chain_th_2
-            + chain_m_2_times_chain_gravity * sin_chain_th_1
-            + t13 * sin_chain_th_1_minus_chain_th_2
-            + t14 * sin_chain_th_1_minus_chain_th_3
-            + chain_m_3_times_chain_gravity * sin_chain_th_1);
+    let t10 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let t11 = p.chain_l_1
+        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1
+            + t8 * sin_chain_th_1_minus_chain_th_2
+            + c.chain_m_2_times_chain_gravity * sin_chain_th_1
+            + t9 * sin_chain_th_1_minus_chain_th_2
+            + t10 * sin_chain_th_1_minus_chain_th_3
+            + c.chain_m_3_times_chain_gravity * sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let chain_th_2_minus_chain_th_1 = chain_th_2 - chain_th_1;
     let sin_chain_th_2_minus_chain_th_1 = chain_th_2_minus_chain_th_1.sin();
-    let t16 = p.chain_m_2 * p.chain_l_1 * chain_w_1_squared;
-    let t17 = chain_m_3_times_chain_l_1 * chain_w_1_squared;
+    let t12 = c.chain_m_2_times_chain_l_1 * chain_w_1_squared;
+    let t13 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
     let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
     let chain_th_3_minus_chain_th_1 = chain_th_3 - chain_th_1;
     let sin_chain_th_3_minus_chain_th_1 = chain_th_3_minus_chain_th_1.sin();
@@ -470,91 +599,89 @@ pub fn rate_jacobian<R: Real>(
     let chain_th_3_minus_chain_th_2 = chain_th_3 - chain_th_2;
     let sin_chain_th_3_minus_chain_th_2 = chain_th_3_minus_chain_th_2.sin();
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t18 = t6 * t15
+    let t14 = t2 * t11
         - p.chain_l_2
-            * (t16 * sin_chain_th_2_minus_chain_th_1
-                + chain_m_2_times_chain_gravity * sin_chain_th_2
-                + t17 * sin_chain_th_2_minus_chain_th_1
-                + t14 * sin_chain_th_2_minus_chain_th_3
-                + chain_m_3_times_chain_gravity * sin_chain_th_2);
-    let chain_w_3_dot = (t7 * t15
-        - chain_m_3_times_chain_l_3
+            * (t12 * sin_chain_th_2_minus_chain_th_1
+                + c.chain_m_2_times_chain_gravity * sin_chain_th_2
+                + t13 * sin_chain_th_2_minus_chain_th_1
+                + t10 * sin_chain_th_2_minus_chain_th_3
+                + c.chain_m_3_times_chain_gravity * sin_chain_th_2);
+    let chain_w_3_dot = (t3 * t11
+        - c.chain_m_3_times_chain_l_3
             * (chain_l_1_times_chain_w_1_squared * sin_chain_th_3_minus_chain_th_1
                 + chain_l_2_times_chain_w_2_squared * sin_chain_th_3_minus_chain_th_2
-                + p.chain_gravity * chain_th_3.sin()) - t10 * t18) * t11;
-    let chain_w_2_dot = t18 * t8 - t10 * chain_w_3_dot;
-    let chain_w_1_dot = -(t15 * t5) - t6 * chain_w_2_dot - t7 * chain_w_3_dot;
+                + p.chain_gravity * chain_th_3.sin()) - t6 * t14) * t7;
+    let chain_w_2_dot = t14 * t4 - t6 * chain_w_3_dot;
+    let chain_w_1_dot = -(t11 * c.t4) - t2 * chain_w_2_dot - t3 * chain_w_3_dot;
     let cos_chain_th_2_minus_chain_th_1 = chain_th_2_minus_chain_th_1.cos();
     let cos_chain_th_3_minus_chain_th_1 = chain_th_3_minus_chain_th_1.cos();
-    let t19 = t0 * sin_chain_th_1_minus_chain_th_2;
-    let t20 = t19 * chain_w_2_dot;
-    let t21 = t19 * chain_w_1_dot;
-    let t22 = t2 * sin_chain_th_1_minus_chain_th_3;
-    let t23 = t22 * chain_w_3_dot;
-    let t24 = t20
+    let t15 = c.t0 * sin_chain_th_1_minus_chain_th_2;
+    let t16 = t15 * chain_w_2_dot;
+    let t17 = t15 * chain_w_1_dot;
+    let t18 = c.t1 * sin_chain_th_1_minus_chain_th_3;
+    let t19 = t18 * chain_w_3_dot;
+    let t20 = t16
         - p.chain_l_1
-            * (chain_m_1_times_chain_gravity * cos_chain_th_1
-                + t12 * cos_chain_th_1_minus_chain_th_2
-                + chain_m_2_times_chain_gravity * cos_chain_th_1
-                + t13 * cos_chain_th_1_minus_chain_th_2
-                + t14 * cos_chain_th_1_minus_chain_th_3
-                + chain_m_3_times_chain_gravity * cos_chain_th_1) + t23;
-    let t25 = t22 * chain_w_1_dot;
-    let t26 = t0 * chain_w_1_squared * cos_chain_th_2_minus_chain_th_1 + t21 - t6 * t24;
-    let chain_w_3_dot_by_chain_th_1 = (t2 * chain_w_1_squared
-        * cos_chain_th_3_minus_chain_th_1 + t25 - t7 * t24 - t10 * t26) * t11;
-    let chain_w_2_dot_by_chain_th_1 = t26 * t8 - t10 * chain_w_3_dot_by_chain_th_1;
-    let chain_w_1_dot_by_chain_th_1 = t24 * t5 - t6 * chain_w_2_dot_by_chain_th_1
-        - t7 * chain_w_3_dot_by_chain_th_1;
+            * (c.chain_m_1_times_chain_gravity * cos_chain_th_1
+                + t8 * cos_chain_th_1_minus_chain_th_2
+                + c.chain_m_2_times_chain_gravity * cos_chain_th_1
+                + t9 * cos_chain_th_1_minus_chain_th_2
+                + t10 * cos_chain_th_1_minus_chain_th_3
+                + c.chain_m_3_times_chain_gravity * cos_chain_th_1) + t19;
+    let t21 = t18 * chain_w_1_dot;
+    let t22 = c.t0 * chain_w_1_squared * cos_chain_th_2_minus_chain_th_1 + t17
+        - t2 * t20;
+    let chain_w_3_dot_by_chain_th_1 = (c.t1 * chain_w_1_squared
+        * cos_chain_th_3_minus_chain_th_1 + t21 - t3 * t20 - t6 * t22) * t7;
+    let chain_w_2_dot_by_chain_th_1 = t22 * t4 - t6 * chain_w_3_dot_by_chain_th_1;
+    let chain_w_1_dot_by_chain_th_1 = t20 * c.t4 - t2 * chain_w_2_dot_by_chain_th_1
+        - t3 * chain_w_3_dot_by_chain_th_1;
     let cos_chain_th_3_minus_chain_th_2 = chain_th_3_minus_chain_th_2.cos();
-    let t27 = t0 * chain_w_2_squared * cos_chain_th_1_minus_chain_th_2 - t20;
-    let t28 = t4 * sin_chain_th_2_minus_chain_th_3;
-    let t29 = t28 * chain_w_3_dot;
-    let t30 = t28 * chain_w_2_dot;
-    let t31 = -(p.chain_l_2
-        * (t16 * cos_chain_th_2_minus_chain_th_1
-            + chain_m_2_times_chain_gravity * cos_chain_th_2
-            + t17 * cos_chain_th_2_minus_chain_th_1
-            + t14 * cos_chain_th_2_minus_chain_th_3
-            + chain_m_3_times_chain_gravity * cos_chain_th_2)) - t21 + t29 - t6 * t27;
-    let chain_w_3_dot_by_chain_th_2 = (t4 * chain_w_2_squared
-        * cos_chain_th_3_minus_chain_th_2 + t30 - t7 * t27 - t10 * t31) * t11;
-    let chain_w_2_dot_by_chain_th_2 = t31 * t8 - t10 * chain_w_3_dot_by_chain_th_2;
-    let chain_w_1_dot_by_chain_th_2 = t27 * t5 - t6 * chain_w_2_dot_by_chain_th_2
-        - t7 * chain_w_3_dot_by_chain_th_2;
-    let t32 = t2 * chain_w_3_squared * cos_chain_th_1_minus_chain_th_3 - t23;
-    let t33 = t4 * chain_w_3_squared * cos_chain_th_2_minus_chain_th_3 - t29 - t6 * t32;
-    let chain_w_3_dot_by_chain_th_3 = (-(chain_m_3_times_chain_l_3
+    let t23 = c.t0 * chain_w_2_squared * cos_chain_th_1_minus_chain_th_2 - t16;
+    let t24 = c.t3 * sin_chain_th_2_minus_chain_th_3;
+    let t25 = t24 * chain_w_3_dot;
+    let t26 = t24 * chain_w_2_dot;
+    let t27 = -(p.chain_l_2
+        * (t12 * cos_chain_th_2_minus_chain_th_1
+            + c.chain_m_2_times_chain_gravity * cos_chain_th_2
+            + t13 * cos_chain_th_2_minus_chain_th_1
+            + t10 * cos_chain_th_2_minus_chain_th_3
+            + c.chain_m_3_times_chain_gravity * cos_chain_th_2)) - t17 + t25 - t2 * t23;
+    let chain_w_3_dot_by_chain_th_2 = (c.t3 * chain_w_2_squared
+        * cos_chain_th_3_minus_chain_th_2 + t26 - t3 * t23 - t6 * t27) * t7;
+    let chain_w_2_dot_by_chain_th_2 = t27 * t4 - t6 * chain_w_3_dot_by_chain_th_2;
+    let chain_w_1_dot_by_chain_th_2 = t23 * c.t4 - t2 * chain_w_2_dot_by_chain_th_2
+        - t3 * chain_w_3_dot_by_chain_th_2;
+    let t28 = c.t1 * chain_w_3_squared * cos_chain_th_1_minus_chain_th_3 - t19;
+    let t29 = c.t3 * chain_w_3_squared * cos_chain_th_2_minus_chain_th_3 - t25
+        - t2 * t28;
+    let chain_w_3_dot_by_chain_th_3 = (-(c.chain_m_3_times_chain_l_3
         * (chain_l_1_times_chain_w_1_squared * cos_chain_th_3_minus_chain_th_1
             + chain_l_2_times_chain_w_2_squared * cos_chain_th_3_minus_chain_th_2
-            + p.chain_gravity * chain_th_3.cos())) - t25 - t30 - t7 * t32 - t10 * t33)
-        * t11;
-    let chain_w_2_dot_by_chain_th_3 = t33 * t8 - t10 * chain_w_3_dot_by_chain_th_3;
-    let chain_w_1_dot_by_chain_th_3 = t32 * t5 - t6 * chain_w_2_dot_by_chain_th_3
-        - t7 * chain_w_3_dot_by_chain_th_3;
-    let t34 = R::literal(2.0) * p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3;
-    let t35 = t34 * chain_w_1 * sin_chain_th_2_minus_chain_th_1;
-    let t36 = R::literal(2.0) * p.chain_m_3;
-    let t37 = t36 * p.chain_l_1 * p.chain_l_3;
-    let chain_w_3_dot_by_chain_w_1 = (t10 * t35
-        - t37 * chain_w_1 * sin_chain_th_3_minus_chain_th_1) * t11;
-    let chain_w_2_dot_by_chain_w_1 = -(t35 * t8) - t10 * chain_w_3_dot_by_chain_w_1;
-    let chain_w_1_dot_by_chain_w_1 = -(t6 * chain_w_2_dot_by_chain_w_1)
-        - t7 * chain_w_3_dot_by_chain_w_1;
-    let t38 = t34 * chain_w_2 * sin_chain_th_1_minus_chain_th_2;
-    let t39 = t36 * p.chain_l_2 * p.chain_l_3;
-    let t40 = t6 * t38;
-    let chain_w_3_dot_by_chain_w_2 = (t7 * t38
-        - t39 * chain_w_2 * sin_chain_th_3_minus_chain_th_2 - t10 * t40) * t11;
-    let chain_w_2_dot_by_chain_w_2 = t40 * t8 - t10 * chain_w_3_dot_by_chain_w_2;
-    let chain_w_1_dot_by_chain_w_2 = -(t38 * t5) - t6 * chain_w_2_dot_by_chain_w_2
-        - t7 * chain_w_3_dot_by_chain_w_2;
-    let t41 = t37 * chain_w_3 * sin_chain_th_1_minus_chain_th_3;
-    let t42 = t6 * t41 - t39 * chain_w_3 * sin_chain_th_2_minus_chain_th_3;
-    let chain_w_3_dot_by_chain_w_3 = (t7 * t41 - t10 * t42) * t11;
-    let chain_w_2_dot_by_chain_w_3 = t42 * t8 - t10 * chain_w_3_dot_by_chain_w_3;
-    let chain_w_1_dot_by_chain_w_3 = -(t41 * t5) - t6 * chain_w_2_dot_by_chain_w_3
-        - t7 * chain_w_3_dot_by_chain_w_3;
+            + p.chain_gravity * chain_th_3.cos())) - t21 - t26 - t3 * t28 - t6 * t29)
+        * t7;
+    let chain_w_2_dot_by_chain_th_3 = t29 * t4 - t6 * chain_w_3_dot_by_chain_th_3;
+    let chain_w_1_dot_by_chain_th_3 = t28 * c.t4 - t2 * chain_w_2_dot_by_chain_th_3
+        - t3 * chain_w_3_dot_by_chain_th_3;
+    let t30 = c.t5 * chain_w_1 * sin_chain_th_2_minus_chain_th_1;
+    let chain_w_3_dot_by_chain_w_1 = (t6 * t30
+        - c.t7 * chain_w_1 * sin_chain_th_3_minus_chain_th_1) * t7;
+    let chain_w_2_dot_by_chain_w_1 = -(t30 * t4) - t6 * chain_w_3_dot_by_chain_w_1;
+    let chain_w_1_dot_by_chain_w_1 = -(t2 * chain_w_2_dot_by_chain_w_1)
+        - t3 * chain_w_3_dot_by_chain_w_1;
+    let t31 = c.t5 * chain_w_2 * sin_chain_th_1_minus_chain_th_2;
+    let t32 = t2 * t31;
+    let chain_w_3_dot_by_chain_w_2 = (t3 * t31
+        - c.t8 * chain_w_2 * sin_chain_th_3_minus_chain_th_2 - t6 * t32) * t7;
+    let chain_w_2_dot_by_chain_w_2 = t32 * t4 - t6 * chain_w_3_dot_by_chain_w_2;
+    let chain_w_1_dot_by_chain_w_2 = -(t31 * c.t4) - t2 * chain_w_2_dot_by_chain_w_2
+        - t3 * chain_w_3_dot_by_chain_w_2;
+    let t33 = c.t7 * chain_w_3 * sin_chain_th_1_minus_chain_th_3;
+    let t34 = t2 * t33 - c.t8 * chain_w_3 * sin_chain_th_2_minus_chain_th_3;
+    let chain_w_3_dot_by_chain_w_3 = (t3 * t33 - t6 * t34) * t7;
+    let chain_w_2_dot_by_chain_w_3 = t34 * t4 - t6 * chain_w_3_dot_by_chain_w_3;
+    let chain_w_1_dot_by_chain_w_3 = -(t33 * c.t4) - t2 * chain_w_2_dot_by_chain_w_3
+        - t3 * chain_w_3_dot_by_chain_w_3;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1313,6 +1440,34 @@ impl Describe for PendulumChain {
 }
 
 impl<R: Real> Simulator<R> for PendulumChain {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -1366,6 +1521,14 @@ impl<R: Real> Simulator<R> for PendulumChain {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

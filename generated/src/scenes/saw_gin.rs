@@ -51,6 +51,10 @@
 //   outputs                  55
 //   energy                   39
 //   power_balance           152
+// With constants of the parameters, prepared once a run:
+//   prepare                  44
+//   prepared_rate            55
+//   prepared_rate_jacobian   34
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -375,6 +379,178 @@ pub mod state {
     pub const MOTOR_PSI_RY: usize = 6;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 26;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub motor_omega_0: R,
+    pub motor_u_x: R,
+    pub motor_u_y: R,
+    pub inverse_load_engagement_width: R,
+    pub t2: R,
+    pub t3: R,
+    pub inverse_load_standstill_band: R,
+    pub inverse_motor_inertia: R,
+    pub inverse_cylinder_inertia: R,
+    pub t4: R,
+    pub t5: R,
+    pub motor_alpha_s_times_motor_omega_0: R,
+    pub motor_alpha_r_times_motor_omega_0: R,
+    pub motor_omega_dot_by_coupling_twist: R,
+    pub cylinder_omega_dot_by_coupling_twist: R,
+    pub motor_omega_dot_by_motor_omega: R,
+    pub cylinder_omega_dot_by_motor_omega: R,
+    pub t6: R,
+    pub motor_omega_dot_by_cylinder_omega: R,
+    pub coupling_twist_dot_by_cylinder_omega: R,
+    pub t7: R,
+    pub motor_psi_sx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sy_dot_by_motor_psi_sx: R,
+    pub motor_psi_rx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sx_dot_by_motor_psi_rx: R,
+    pub motor_psi_rx_dot_by_motor_psi_rx: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            motor_omega_0: values[0],
+            motor_u_x: values[1],
+            motor_u_y: values[2],
+            inverse_load_engagement_width: values[3],
+            t2: values[4],
+            t3: values[5],
+            inverse_load_standstill_band: values[6],
+            inverse_motor_inertia: values[7],
+            inverse_cylinder_inertia: values[8],
+            t4: values[9],
+            t5: values[10],
+            motor_alpha_s_times_motor_omega_0: values[11],
+            motor_alpha_r_times_motor_omega_0: values[12],
+            motor_omega_dot_by_coupling_twist: values[13],
+            cylinder_omega_dot_by_coupling_twist: values[14],
+            motor_omega_dot_by_motor_omega: values[15],
+            cylinder_omega_dot_by_motor_omega: values[16],
+            t6: values[17],
+            motor_omega_dot_by_cylinder_omega: values[18],
+            coupling_twist_dot_by_cylinder_omega: values[19],
+            t7: values[20],
+            motor_psi_sx_dot_by_motor_psi_sx: values[21],
+            motor_psi_sy_dot_by_motor_psi_sx: values[22],
+            motor_psi_rx_dot_by_motor_psi_sx: values[23],
+            motor_psi_sx_dot_by_motor_psi_rx: values[24],
+            motor_psi_rx_dot_by_motor_psi_rx: values[25],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.motor_omega_0,
+            self.motor_u_x,
+            self.motor_u_y,
+            self.inverse_load_engagement_width,
+            self.t2,
+            self.t3,
+            self.inverse_load_standstill_band,
+            self.inverse_motor_inertia,
+            self.inverse_cylinder_inertia,
+            self.t4,
+            self.t5,
+            self.motor_alpha_s_times_motor_omega_0,
+            self.motor_alpha_r_times_motor_omega_0,
+            self.motor_omega_dot_by_coupling_twist,
+            self.cylinder_omega_dot_by_coupling_twist,
+            self.motor_omega_dot_by_motor_omega,
+            self.cylinder_omega_dot_by_motor_omega,
+            self.t6,
+            self.motor_omega_dot_by_cylinder_omega,
+            self.coupling_twist_dot_by_cylinder_omega,
+            self.t7,
+            self.motor_psi_sx_dot_by_motor_psi_sx,
+            self.motor_psi_sy_dot_by_motor_psi_sx,
+            self.motor_psi_rx_dot_by_motor_psi_sx,
+            self.motor_psi_sx_dot_by_motor_psi_rx,
+            self.motor_psi_rx_dot_by_motor_psi_rx,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 44 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let t3 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    let t4 = p.coupling_stiffness * p.coupling_ratio;
+    let t5 = p.coupling_damping * p.coupling_ratio;
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
+        * inverse_motor_inertia);
+    let cylinder_omega_dot_by_coupling_twist = t4 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
+    let t6 = -(p.coupling_damping * (p.coupling_ratio * p.coupling_ratio));
+    let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
+    let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
+    let t7 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
+    let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
+    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
+    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
+    Constants {
+        motor_omega_0,
+        motor_u_x,
+        motor_u_y,
+        inverse_load_engagement_width,
+        t2,
+        t3,
+        inverse_load_standstill_band,
+        inverse_motor_inertia,
+        inverse_cylinder_inertia,
+        t4,
+        t5,
+        motor_alpha_s_times_motor_omega_0,
+        motor_alpha_r_times_motor_omega_0,
+        motor_omega_dot_by_coupling_twist,
+        cylinder_omega_dot_by_coupling_twist,
+        motor_omega_dot_by_motor_omega,
+        cylinder_omega_dot_by_motor_omega,
+        t6,
+        motor_omega_dot_by_cylinder_omega,
+        coupling_twist_dot_by_cylinder_omega,
+        t7,
+        motor_psi_sx_dot_by_motor_psi_sx,
+        motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -405,50 +581,48 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 55 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
-            + (-(R::literal(1.0) / p.load_engagement_width
-                * (time - p.load_engagement_time)))
+            + (-(c.inverse_load_engagement_width * (time - p.load_engagement_time)))
                 .exp());
-    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
-        / (p.motor_x_s * motor_sigma)
+    let motor_torque = c.t2
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
-        * (R::literal(1.0) / p.cylinder_inertia);
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0
+        * (p.load_mean + p.load_amplitude * (p.load_phase + c.t3 * time).sin())
+        * (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let cylinder_omega_dot = (c.t4 * coupling_twist + c.t5 * coupling_twist_rate
+        - load_resistance) * c.inverse_cylinder_inertia;
+    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0
+    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
+        + c.motor_alpha_r_times_motor_omega_0
             * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
+    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
         coupling_twist_rate,
@@ -515,88 +689,73 @@ pub fn forcing<R: Real>(
 ///
 /// 73 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 26] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 34 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 26] {
     let [_, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
-    let motor_slip_speed = motor_omega_0 - motor_pole_pairs_times_motor_omega;
+    let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
-            + (-(R::literal(1.0) / p.load_engagement_width
-                * (time - p.load_engagement_time)))
+            + (-(c.inverse_load_engagement_width * (time - p.load_engagement_time)))
                 .exp());
-    let t0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t1 = t0 / (p.motor_x_s * motor_sigma);
-    let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
-    let t2 = (inverse_load_standstill_band * cylinder_omega).tanh();
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t3 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
-        * inverse_motor_inertia);
-    let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness * p.coupling_ratio
-        * inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_omega = t3 * inverse_cylinder_inertia;
+    let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_cylinder_omega = t3 * inverse_motor_inertia;
-    let cylinder_omega_dot_by_cylinder_omega = (-(p.coupling_damping
-        * (p.coupling_ratio * p.coupling_ratio))
-        - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t2 * t2)
-            * (p.load_mean
-                + p.load_amplitude
-                    * (p.load_phase
-                        + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                        .sin())) * inverse_cylinder_inertia;
-    let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
-    let t4 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
-    let motor_omega_dot_by_motor_psi_sx = t4 * motor_psi_ry * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
-    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_psi_sy = t1 * motor_psi_rx * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = t1 * motor_psi_sy * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
+    let cylinder_omega_dot_by_cylinder_omega = (c.t6
+        - c.inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t0 * t0)
+            * (p.load_mean + p.load_amplitude * (p.load_phase + c.t3 * time).sin()))
+        * c.inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_psi_sx = c.t7 * motor_psi_ry * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
-        - motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = t4 * motor_psi_sx * inverse_motor_inertia;
+        - c.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = c.t7 * motor_psi_sx * c.inverse_motor_inertia;
     [
         R::literal(1.0),
-        coupling_twist_dot_by_cylinder_omega,
-        motor_omega_dot_by_coupling_twist,
-        motor_omega_dot_by_motor_omega,
-        motor_omega_dot_by_cylinder_omega,
+        c.coupling_twist_dot_by_cylinder_omega,
+        c.motor_omega_dot_by_coupling_twist,
+        c.motor_omega_dot_by_motor_omega,
+        c.motor_omega_dot_by_cylinder_omega,
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx,
         motor_omega_dot_by_motor_psi_ry,
-        cylinder_omega_dot_by_coupling_twist,
-        cylinder_omega_dot_by_motor_omega,
+        c.cylinder_omega_dot_by_coupling_twist,
+        c.cylinder_omega_dot_by_motor_omega,
         cylinder_omega_dot_by_cylinder_omega,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_omega_0,
-        motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_sy_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_omega_0,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sy_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
         motor_slip_speed,
         motor_psi_ry_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
         motor_psi_ry_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
     ]
 }
 
@@ -1264,6 +1423,34 @@ impl Describe for SawGin {
 }
 
 impl<R: Real> Simulator<R> for SawGin {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -1317,6 +1504,14 @@ impl<R: Real> Simulator<R> for SawGin {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -51,6 +51,10 @@
 //   outputs                  43
 //   energy                   12
 //   power_balance            63
+// With constants of the parameters, prepared once a run:
+//   prepare                  42
+//   prepared_rate            62
+//   prepared_rate_jacobian   40
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -377,6 +381,181 @@ pub mod state {
     pub const MOTOR_PSI_Y2: usize = 7;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 27;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub t0: R,
+    pub inverse_load_engagement_width: R,
+    pub t1: R,
+    pub t2: R,
+    pub inverse_load_standstill_band: R,
+    pub inverse_motor_inertia: R,
+    pub inverse_cylinder_inertia: R,
+    pub t3: R,
+    pub t4: R,
+    pub motor_omega_0_times_motor_alpha_s: R,
+    pub t5: R,
+    pub motor_u_m_times_cos_motor_gamma: R,
+    pub motor_u_m_times_sin_motor_gamma: R,
+    pub motor_omega_0_times_motor_alpha_r: R,
+    pub t6: R,
+    pub motor_omega_dot_by_motor_phi: R,
+    pub cylinder_omega_dot_by_motor_phi: R,
+    pub motor_omega_dot_by_cylinder_phi: R,
+    pub cylinder_omega_dot_by_cylinder_phi: R,
+    pub motor_omega_dot_by_motor_omega: R,
+    pub cylinder_omega_dot_by_motor_omega: R,
+    pub t7: R,
+    pub t8: R,
+    pub motor_omega_dot_by_cylinder_omega: R,
+    pub motor_psi_x1_dot_by_motor_psi_x1: R,
+    pub motor_psi_y1_dot_by_motor_psi_x1: R,
+    pub motor_psi_x2_dot_by_motor_psi_x2: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            t0: values[0],
+            inverse_load_engagement_width: values[1],
+            t1: values[2],
+            t2: values[3],
+            inverse_load_standstill_band: values[4],
+            inverse_motor_inertia: values[5],
+            inverse_cylinder_inertia: values[6],
+            t3: values[7],
+            t4: values[8],
+            motor_omega_0_times_motor_alpha_s: values[9],
+            t5: values[10],
+            motor_u_m_times_cos_motor_gamma: values[11],
+            motor_u_m_times_sin_motor_gamma: values[12],
+            motor_omega_0_times_motor_alpha_r: values[13],
+            t6: values[14],
+            motor_omega_dot_by_motor_phi: values[15],
+            cylinder_omega_dot_by_motor_phi: values[16],
+            motor_omega_dot_by_cylinder_phi: values[17],
+            cylinder_omega_dot_by_cylinder_phi: values[18],
+            motor_omega_dot_by_motor_omega: values[19],
+            cylinder_omega_dot_by_motor_omega: values[20],
+            t7: values[21],
+            t8: values[22],
+            motor_omega_dot_by_cylinder_omega: values[23],
+            motor_psi_x1_dot_by_motor_psi_x1: values[24],
+            motor_psi_y1_dot_by_motor_psi_x1: values[25],
+            motor_psi_x2_dot_by_motor_psi_x2: values[26],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.t0,
+            self.inverse_load_engagement_width,
+            self.t1,
+            self.t2,
+            self.inverse_load_standstill_band,
+            self.inverse_motor_inertia,
+            self.inverse_cylinder_inertia,
+            self.t3,
+            self.t4,
+            self.motor_omega_0_times_motor_alpha_s,
+            self.t5,
+            self.motor_u_m_times_cos_motor_gamma,
+            self.motor_u_m_times_sin_motor_gamma,
+            self.motor_omega_0_times_motor_alpha_r,
+            self.t6,
+            self.motor_omega_dot_by_motor_phi,
+            self.cylinder_omega_dot_by_motor_phi,
+            self.motor_omega_dot_by_cylinder_phi,
+            self.cylinder_omega_dot_by_cylinder_phi,
+            self.motor_omega_dot_by_motor_omega,
+            self.cylinder_omega_dot_by_motor_omega,
+            self.t7,
+            self.t8,
+            self.motor_omega_dot_by_cylinder_omega,
+            self.motor_psi_x1_dot_by_motor_psi_x1,
+            self.motor_psi_y1_dot_by_motor_psi_x1,
+            self.motor_psi_x2_dot_by_motor_psi_x2,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 42 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let t0 = R::literal(1.0) - p.motor_literal;
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t1 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
+        / (p.motor_sigma * p.motor_x_s);
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let t2 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    let t3 = p.coupling_stiffness * p.coupling_ratio;
+    let t4 = p.coupling_damping * p.coupling_ratio;
+    let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
+    let t5 = p.motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
+    let motor_u_m_times_cos_motor_gamma = p.motor_u_m * p.motor_gamma.cos();
+    let motor_u_m_times_sin_motor_gamma = p.motor_u_m * p.motor_gamma.sin();
+    let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
+    let t6 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
+    let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
+    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
+    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
+        * coupling_ratio_squared * inverse_cylinder_inertia);
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let cylinder_omega_dot_by_motor_omega = t4 * inverse_cylinder_inertia;
+    let t7 = p.motor_literal - R::literal(1.0);
+    let t8 = -(p.coupling_damping * coupling_ratio_squared);
+    let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
+    let motor_psi_x1_dot_by_motor_psi_x1 = -motor_omega_0_times_motor_alpha_s;
+    let motor_psi_y1_dot_by_motor_psi_x1 = -p.motor_omega_0;
+    let motor_psi_x2_dot_by_motor_psi_x2 = -motor_omega_0_times_motor_alpha_r;
+    Constants {
+        t0,
+        inverse_load_engagement_width,
+        t1,
+        t2,
+        inverse_load_standstill_band,
+        inverse_motor_inertia,
+        inverse_cylinder_inertia,
+        t3,
+        t4,
+        motor_omega_0_times_motor_alpha_s,
+        t5,
+        motor_u_m_times_cos_motor_gamma,
+        motor_u_m_times_sin_motor_gamma,
+        motor_omega_0_times_motor_alpha_r,
+        t6,
+        motor_omega_dot_by_motor_phi,
+        cylinder_omega_dot_by_motor_phi,
+        motor_omega_dot_by_cylinder_phi,
+        cylinder_omega_dot_by_cylinder_phi,
+        motor_omega_dot_by_motor_omega,
+        cylinder_omega_dot_by_motor_omega,
+        t7,
+        t8,
+        motor_omega_dot_by_cylinder_omega,
+        motor_psi_x1_dot_by_motor_psi_x1,
+        motor_psi_y1_dot_by_motor_psi_x1,
+        motor_psi_x2_dot_by_motor_psi_x2,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -408,51 +587,51 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 62 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let motor_rotor_term = p.motor_literal * motor_phi
-        + (R::literal(1.0) - p.motor_literal) * motor_omega;
+    let motor_rotor_term = p.motor_literal * motor_phi + c.t0 * motor_omega;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
-            + (-(R::literal(1.0) / p.load_engagement_width
-                * (time - p.load_engagement_time)))
+            + (-(c.inverse_load_engagement_width * (time - p.load_engagement_time)))
                 .exp());
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
-    let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
-        * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
+    let motor_torque = c.t1
         * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
-        * (R::literal(1.0) / p.cylinder_inertia);
-    let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
-    let t0 = p.motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
-    let motor_psi_x1_dot = p.motor_u_m * p.motor_gamma.cos()
-        + p.motor_omega_0 * motor_psi_y1 + t0 * motor_psi_x2
-        - motor_omega_0_times_motor_alpha_s * motor_psi_x1;
-    let motor_psi_y1_dot = p.motor_u_m * p.motor_gamma.sin() + t0 * motor_psi_y2
+        * (p.load_mean + p.load_amplitude * (p.load_phase + c.t2 * time).sin())
+        * (c.inverse_load_standstill_band * cylinder_omega).tanh();
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let cylinder_omega_dot = (c.t3 * coupling_twist + c.t4 * coupling_twist_rate
+        - load_resistance) * c.inverse_cylinder_inertia;
+    let motor_psi_x1_dot = c.motor_u_m_times_cos_motor_gamma
+        + p.motor_omega_0 * motor_psi_y1 + c.t5 * motor_psi_x2
+        - c.motor_omega_0_times_motor_alpha_s * motor_psi_x1;
+    let motor_psi_y1_dot = c.motor_u_m_times_sin_motor_gamma + c.t5 * motor_psi_y2
         - p.motor_omega_0 * motor_psi_x1
-        - motor_omega_0_times_motor_alpha_s * motor_psi_y1;
-    let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
-    let t1 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
-    let motor_psi_x2_dot = t1 * motor_psi_x1 + p.motor_omega_0 * motor_psi_y2
-        - motor_omega_0_times_motor_alpha_r * motor_psi_x2
+        - c.motor_omega_0_times_motor_alpha_s * motor_psi_y1;
+    let motor_psi_x2_dot = c.t6 * motor_psi_x1 + p.motor_omega_0 * motor_psi_y2
+        - c.motor_omega_0_times_motor_alpha_r * motor_psi_x2
         - motor_psi_y2 * motor_rotor_term;
-    let motor_psi_y2_dot = t1 * motor_psi_y1 + motor_psi_x2 * motor_rotor_term
+    let motor_psi_y2_dot = c.t6 * motor_psi_y1 + motor_psi_x2 * motor_rotor_term
         - p.motor_omega_0 * motor_psi_x2
-        - motor_omega_0_times_motor_alpha_r * motor_psi_y2;
+        - c.motor_omega_0_times_motor_alpha_r * motor_psi_y2;
     [
         motor_omega,
         cylinder_omega,
@@ -518,95 +697,80 @@ pub fn forcing<R: Real>(
 ///
 /// 78 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 30] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 40 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 30] {
     let [motor_phi, _, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
     motor_psi_x2, motor_psi_y2] = *state;
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let t0 = R::literal(1.0) - p.motor_literal;
-    let motor_rotor_term = p.motor_literal * motor_phi + t0 * motor_omega;
+    let motor_rotor_term = p.motor_literal * motor_phi + c.t0 * motor_omega;
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
-            + (-(R::literal(1.0) / p.load_engagement_width
-                * (time - p.load_engagement_time)))
+            + (-(c.inverse_load_engagement_width * (time - p.load_engagement_time)))
                 .exp());
-    let t1 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
-        / (p.motor_sigma * p.motor_x_s);
-    let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
-    let t2 = (inverse_load_standstill_band * cylinder_omega).tanh();
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t3 = p.coupling_stiffness * p.coupling_ratio;
-    let t4 = p.coupling_damping * p.coupling_ratio;
-    let motor_psi_x1_dot_by_motor_psi_x2 = p.motor_omega_0 * p.motor_k_r
-        * p.motor_alpha_s;
-    let motor_psi_x2_dot_by_motor_psi_x1 = p.motor_omega_0 * p.motor_k_s
-        * p.motor_alpha_r;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
+    let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_x2_dot_by_motor_phi = -(p.motor_literal * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
-    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
-    let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
-        * coupling_ratio_squared * inverse_cylinder_inertia);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_omega = t4 * inverse_cylinder_inertia;
-    let motor_psi_x2_dot_by_motor_omega = (p.motor_literal - R::literal(1.0))
-        * motor_psi_y2;
-    let motor_psi_y2_dot_by_motor_omega = t0 * motor_psi_x2;
-    let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
-    let cylinder_omega_dot_by_cylinder_omega = (-(p.coupling_damping
-        * coupling_ratio_squared)
-        - inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t2 * t2)
-            * (p.load_mean
-                + p.load_amplitude
-                    * (p.load_phase
-                        + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                        .sin())) * inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_psi_x1 = -(t1 * motor_psi_y2 * inverse_motor_inertia);
-    let motor_psi_x1_dot_by_motor_psi_x1 = -(p.motor_omega_0 * p.motor_alpha_s);
-    let motor_psi_y1_dot_by_motor_psi_x1 = -p.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_y1 = t1 * motor_psi_x2 * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_x2 = t1 * motor_psi_y1 * inverse_motor_inertia;
-    let motor_psi_x2_dot_by_motor_psi_x2 = -(p.motor_omega_0 * p.motor_alpha_r);
+    let motor_psi_x2_dot_by_motor_omega = c.t7 * motor_psi_y2;
+    let motor_psi_y2_dot_by_motor_omega = c.t0 * motor_psi_x2;
+    let cylinder_omega_dot_by_cylinder_omega = (c.t8
+        - c.inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t0 * t0)
+            * (p.load_mean + p.load_amplitude * (p.load_phase + c.t2 * time).sin()))
+        * c.inverse_cylinder_inertia;
+    let motor_omega_dot_by_motor_psi_x1 = -(c.t1 * motor_psi_y2
+        * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_y1 = c.t1 * motor_psi_x2 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_x2 = c.t1 * motor_psi_y1 * c.inverse_motor_inertia;
     let motor_psi_y2_dot_by_motor_psi_x2 = motor_rotor_term - p.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_y2 = -(t1 * motor_psi_x1 * inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_y2 = -(c.t1 * motor_psi_x1
+        * c.inverse_motor_inertia);
     let motor_psi_x2_dot_by_motor_psi_y2 = p.motor_omega_0 - motor_rotor_term;
     [
         R::literal(1.0),
         R::literal(1.0),
-        motor_omega_dot_by_motor_phi,
-        motor_omega_dot_by_cylinder_phi,
-        motor_omega_dot_by_motor_omega,
-        motor_omega_dot_by_cylinder_omega,
+        c.motor_omega_dot_by_motor_phi,
+        c.motor_omega_dot_by_cylinder_phi,
+        c.motor_omega_dot_by_motor_omega,
+        c.motor_omega_dot_by_cylinder_omega,
         motor_omega_dot_by_motor_psi_x1,
         motor_omega_dot_by_motor_psi_y1,
         motor_omega_dot_by_motor_psi_x2,
         motor_omega_dot_by_motor_psi_y2,
-        cylinder_omega_dot_by_motor_phi,
-        cylinder_omega_dot_by_cylinder_phi,
-        cylinder_omega_dot_by_motor_omega,
+        c.cylinder_omega_dot_by_motor_phi,
+        c.cylinder_omega_dot_by_cylinder_phi,
+        c.cylinder_omega_dot_by_motor_omega,
         cylinder_omega_dot_by_cylinder_omega,
-        motor_psi_x1_dot_by_motor_psi_x1,
+        c.motor_psi_x1_dot_by_motor_psi_x1,
         p.motor_omega_0,
-        motor_psi_x1_dot_by_motor_psi_x2,
-        motor_psi_y1_dot_by_motor_psi_x1,
-        motor_psi_x1_dot_by_motor_psi_x1,
-        motor_psi_x1_dot_by_motor_psi_x2,
+        c.t5,
+        c.motor_psi_y1_dot_by_motor_psi_x1,
+        c.motor_psi_x1_dot_by_motor_psi_x1,
+        c.t5,
         motor_psi_x2_dot_by_motor_phi,
         motor_psi_x2_dot_by_motor_omega,
-        motor_psi_x2_dot_by_motor_psi_x1,
-        motor_psi_x2_dot_by_motor_psi_x2,
+        c.t6,
+        c.motor_psi_x2_dot_by_motor_psi_x2,
         motor_psi_x2_dot_by_motor_psi_y2,
         motor_psi_y2_dot_by_motor_phi,
         motor_psi_y2_dot_by_motor_omega,
-        motor_psi_x2_dot_by_motor_psi_x1,
+        c.t6,
         motor_psi_y2_dot_by_motor_psi_x2,
-        motor_psi_x2_dot_by_motor_psi_x2,
+        c.motor_psi_x2_dot_by_motor_psi_x2,
     ]
 }
 
@@ -1212,6 +1376,34 @@ impl Describe for SawGinAsPrinted {
 }
 
 impl<R: Real> Simulator<R> for SawGinAsPrinted {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -1265,6 +1457,14 @@ impl<R: Real> Simulator<R> for SawGinAsPrinted {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

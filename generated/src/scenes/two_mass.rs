@@ -44,6 +44,10 @@
 //   outputs                   5
 //   energy                   10
 //   power_balance            35
+// With constants of the parameters, prepared once a run:
+//   prepare                  16
+//   prepared_rate            16
+//   prepared_rate_jacobian    0
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -235,6 +239,100 @@ pub mod state {
     pub const CYLINDER_OMEGA: usize = 2;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 11;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub inverse_driver_inertia: R,
+    pub inverse_cylinder_inertia: R,
+    pub t0: R,
+    pub t1: R,
+    pub driver_omega_dot_by_coupling_twist: R,
+    pub cylinder_omega_dot_by_coupling_twist: R,
+    pub driver_omega_dot_by_driver_omega: R,
+    pub cylinder_omega_dot_by_driver_omega: R,
+    pub driver_omega_dot_by_cylinder_omega: R,
+    pub cylinder_omega_dot_by_cylinder_omega: R,
+    pub coupling_twist_dot_by_cylinder_omega: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            inverse_driver_inertia: values[0],
+            inverse_cylinder_inertia: values[1],
+            t0: values[2],
+            t1: values[3],
+            driver_omega_dot_by_coupling_twist: values[4],
+            cylinder_omega_dot_by_coupling_twist: values[5],
+            driver_omega_dot_by_driver_omega: values[6],
+            cylinder_omega_dot_by_driver_omega: values[7],
+            driver_omega_dot_by_cylinder_omega: values[8],
+            cylinder_omega_dot_by_cylinder_omega: values[9],
+            coupling_twist_dot_by_cylinder_omega: values[10],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.inverse_driver_inertia,
+            self.inverse_cylinder_inertia,
+            self.t0,
+            self.t1,
+            self.driver_omega_dot_by_coupling_twist,
+            self.cylinder_omega_dot_by_coupling_twist,
+            self.driver_omega_dot_by_driver_omega,
+            self.cylinder_omega_dot_by_driver_omega,
+            self.driver_omega_dot_by_cylinder_omega,
+            self.cylinder_omega_dot_by_cylinder_omega,
+            self.coupling_twist_dot_by_cylinder_omega,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 16 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    let t0 = p.coupling_stiffness * p.coupling_ratio;
+    let t1 = p.coupling_damping * p.coupling_ratio;
+    let driver_omega_dot_by_coupling_twist = -(p.coupling_stiffness
+        * inverse_driver_inertia);
+    let cylinder_omega_dot_by_coupling_twist = t0 * inverse_cylinder_inertia;
+    let driver_omega_dot_by_driver_omega = -(p.coupling_damping
+        * inverse_driver_inertia);
+    let cylinder_omega_dot_by_driver_omega = t1 * inverse_cylinder_inertia;
+    let driver_omega_dot_by_cylinder_omega = t1 * inverse_driver_inertia;
+    let cylinder_omega_dot_by_cylinder_omega = -(p.coupling_damping
+        * (p.coupling_ratio * p.coupling_ratio) * inverse_cylinder_inertia);
+    let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
+    Constants {
+        inverse_driver_inertia,
+        inverse_cylinder_inertia,
+        t0,
+        t1,
+        driver_omega_dot_by_coupling_twist,
+        cylinder_omega_dot_by_coupling_twist,
+        driver_omega_dot_by_driver_omega,
+        cylinder_omega_dot_by_driver_omega,
+        driver_omega_dot_by_cylinder_omega,
+        cylinder_omega_dot_by_cylinder_omega,
+        coupling_twist_dot_by_cylinder_omega,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -257,16 +355,28 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 16 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
     let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
     let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
-    let driver_omega_dot = (p.drive_torque - coupling_torque)
-        * (R::literal(1.0) / p.driver_inertia);
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance)
-        * (R::literal(1.0) / p.cylinder_inertia);
+    let driver_omega_dot = (p.drive_torque - coupling_torque) * c.inverse_driver_inertia;
+    let cylinder_omega_dot = (c.t0 * coupling_twist + c.t1 * coupling_twist_rate
+        - resistance) * c.inverse_cylinder_inertia;
     [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot]
 }
 
@@ -306,34 +416,34 @@ pub fn forcing<R: Real>(
 ///
 /// 16 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
+    time: R,
+    state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 8] {
-    let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
-    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t0 = p.coupling_damping * p.coupling_ratio;
-    let driver_omega_dot_by_coupling_twist = -(p.coupling_stiffness
-        * inverse_driver_inertia);
-    let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness * p.coupling_ratio
-        * inverse_cylinder_inertia;
-    let driver_omega_dot_by_driver_omega = -(p.coupling_damping
-        * inverse_driver_inertia);
-    let cylinder_omega_dot_by_driver_omega = t0 * inverse_cylinder_inertia;
-    let driver_omega_dot_by_cylinder_omega = t0 * inverse_driver_inertia;
-    let cylinder_omega_dot_by_cylinder_omega = -(p.coupling_damping
-        * (p.coupling_ratio * p.coupling_ratio) * inverse_cylinder_inertia);
-    let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 8] {
     [
         R::literal(1.0),
-        coupling_twist_dot_by_cylinder_omega,
-        driver_omega_dot_by_coupling_twist,
-        driver_omega_dot_by_driver_omega,
-        driver_omega_dot_by_cylinder_omega,
-        cylinder_omega_dot_by_coupling_twist,
-        cylinder_omega_dot_by_driver_omega,
-        cylinder_omega_dot_by_cylinder_omega,
+        c.coupling_twist_dot_by_cylinder_omega,
+        c.driver_omega_dot_by_coupling_twist,
+        c.driver_omega_dot_by_driver_omega,
+        c.driver_omega_dot_by_cylinder_omega,
+        c.cylinder_omega_dot_by_coupling_twist,
+        c.cylinder_omega_dot_by_driver_omega,
+        c.cylinder_omega_dot_by_cylinder_omega,
     ]
 }
 
@@ -620,6 +730,34 @@ impl Describe for TwoMass {
 }
 
 impl<R: Real> Simulator<R> for TwoMass {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -673,6 +811,14 @@ impl<R: Real> Simulator<R> for TwoMass {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

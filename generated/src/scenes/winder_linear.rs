@@ -44,6 +44,10 @@
 //   outputs                  43
 //   energy                   31
 //   power_balance            59
+// With constants of the parameters, prepared once a run:
+//   prepare                  22
+//   prepared_rate            31
+//   prepared_rate_jacobian    0
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -299,6 +303,89 @@ pub mod state {
     pub const HOLDER_V: usize = 1;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 8;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub drum_speed: R,
+    pub package_speed: R,
+    pub t0: R,
+    pub t1: R,
+    pub eccentricity_times_drum_speed: R,
+    pub inverse_holder_mass: R,
+    pub holder_v_dot_by_holder_x: R,
+    pub holder_v_dot_by_holder_v: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            drum_speed: values[0],
+            package_speed: values[1],
+            t0: values[2],
+            t1: values[3],
+            eccentricity_times_drum_speed: values[4],
+            inverse_holder_mass: values[5],
+            holder_v_dot_by_holder_x: values[6],
+            holder_v_dot_by_holder_v: values[7],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.drum_speed,
+            self.package_speed,
+            self.t0,
+            self.t1,
+            self.eccentricity_times_drum_speed,
+            self.inverse_holder_mass,
+            self.holder_v_dot_by_holder_x,
+            self.holder_v_dot_by_holder_v,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 22 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let drum_speed = p.winding_speed / p.drum_radius;
+    let package_speed = p.winding_speed / p.holder_package_radius;
+    let t0 = R::literal(2.0) * drum_speed;
+    let t1 = R::literal(2.0) * p.ovality * drum_speed;
+    let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
+    let holder_mass = p.holder_bobbin_mass
+        + R::literal(core::f64::consts::PI) * p.holder_package_width
+            * p.holder_yarn_density
+            * (p.holder_package_radius * p.holder_package_radius
+                - p.holder_bobbin_radius * p.holder_bobbin_radius)
+        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let inverse_holder_mass = R::literal(1.0) / holder_mass;
+    let holder_v_dot_by_holder_x = -((p.holder_stiffness + p.layer_stiffness)
+        * inverse_holder_mass);
+    let holder_v_dot_by_holder_v = -(p.layer_viscosity * inverse_holder_mass);
+    Constants {
+        drum_speed,
+        package_speed,
+        t0,
+        t1,
+        eccentricity_times_drum_speed,
+        inverse_holder_mass,
+        holder_v_dot_by_holder_x,
+        holder_v_dot_by_holder_v,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -321,27 +408,33 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 31 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [holder_x, holder_v] = *state;
-    let drum_speed = p.winding_speed / p.drum_radius;
-    let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
-    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase + c.t0 * time;
+    let drum_speed_times_time = c.drum_speed * time;
     let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
     let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + package_speed * time).cos();
+        + p.package_force * (p.package_phase + c.package_speed * time).cos();
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = -(c.t1 * t0.sin())
+        - c.eccentricity_times_drum_speed * drum_speed_times_time.sin();
     let layer_compression_rate = shape_rate - holder_v;
     let holder_v_dot = (force + p.layer_viscosity * layer_compression_rate
         - (p.holder_stiffness * holder_x - p.layer_stiffness * layer_compression))
-        * (R::literal(1.0) / holder_mass);
+        * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
 }
 
@@ -393,22 +486,26 @@ pub fn forcing<R: Real>(
 ///
 /// 16 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
+    time: R,
+    state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 3] {
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let inverse_holder_mass = R::literal(1.0) / holder_mass;
-    let holder_v_dot_by_holder_x = -((p.holder_stiffness + p.layer_stiffness)
-        * inverse_holder_mass);
-    let holder_v_dot_by_holder_v = -(p.layer_viscosity * inverse_holder_mass);
-    [R::literal(1.0), holder_v_dot_by_holder_x, holder_v_dot_by_holder_v]
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 3] {
+    [R::literal(1.0), c.holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
@@ -858,6 +955,34 @@ impl Describe for WinderLinear {
 }
 
 impl<R: Real> Simulator<R> for WinderLinear {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -911,6 +1036,14 @@ impl<R: Real> Simulator<R> for WinderLinear {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -23,10 +23,19 @@ pub(super) struct Scope<'a> {
     pub(super) states: &'a [Ident],
     /// Fields of `Parameters`.
     pub(super) parameters: &'a [Ident],
+    /// Fields of `Constants`, which tapes read as parameters behind the parameters.
+    pub(super) constants: &'a [Ident],
     /// Constants of the tables.
     pub(super) tables: &'a [Ident],
     /// Names not to be taken by new variables; holds all of the above.
     pub(super) namer: &'a Namer,
+}
+
+impl Scope<'_> {
+    /// The constant behind the parameters.
+    fn constant(&self, entry: u32) -> &Ident {
+        &self.constants[entry as usize - self.parameters.len()]
+    }
 }
 
 /// What a body reads.
@@ -34,6 +43,7 @@ pub(super) struct Scope<'a> {
 pub(super) struct Reads {
     pub(super) time: bool,
     pub(super) parameters: bool,
+    pub(super) constants: bool,
     /// Entries of the state.
     pub(super) state: BTreeSet<usize>,
 }
@@ -203,9 +213,13 @@ impl Writer<'_> {
                 Ok(Written::call(quote!(#name)))
             }
             Op::Parameter(entry) => {
-                self.reads.parameters = true;
-                let name = &self.scope.parameters[entry as usize];
-                Ok(Written::call(quote!(p.#name)))
+                if let Some(name) = self.scope.parameters.get(entry as usize) {
+                    self.reads.parameters = true;
+                    return Ok(Written::call(quote!(p.#name)));
+                }
+                self.reads.constants = true;
+                let name = self.scope.constant(entry);
+                Ok(Written::call(quote!(c.#name)))
             }
             Op::Neg(a) => {
                 let a = self.operand_at_least(a, Strength::Call)?;
@@ -303,18 +317,25 @@ impl Writer<'_> {
         let index = id.0 as usize;
         if let (Place::Statement, Some(name)) = (self.places[index], &self.names[index]) {
             let name = name.to_string();
-            let is_temporary =
-                name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok());
-            return (!is_temporary).then_some(name);
+            return (!is_temporary(&name)).then_some(name);
         }
         match self.tape.nodes[index].op {
             Op::Time => Some("time".to_owned()),
             Op::State(entry) => Some(self.scope.states[entry as usize].to_string()),
-            Op::Parameter(entry) => Some(self.scope.parameters[entry as usize].to_string()),
+            Op::Parameter(entry) => {
+                let name = self.scope.parameters.get(entry as usize);
+                let name = name.unwrap_or_else(|| self.scope.constant(entry)).to_string();
+                (!is_temporary(&name)).then_some(name)
+            }
             ref op if self.places[index] == Place::Inline => self.describe(op),
             _ => None,
         }
     }
+}
+
+/// Whether a name is one of our own making that says nothing.
+fn is_temporary(name: &str) -> bool {
+    name.strip_prefix('t').is_some_and(|rest| rest.parse::<u32>().is_ok())
 }
 
 /// Longer names say no more than a number does.

@@ -116,14 +116,27 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
                 }
             }
         });
+    let prepared = (!scene.prepare.is_empty()).then(prepared);
+    let constants_of = prepared.is_some().then(|| {
+        quote! {
+            #[inline]
+            fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+                let values: &[R; CONSTANTS] =
+                    constants.try_into().expect("there are CONSTANTS constants");
+                Constants::from_array(*values)
+            }
+        }
+    });
     quote! {
         impl<R: Real> Simulator<R> for #machine {
+            #prepared
             #(#of_parameters)*
             #(#arrays)*
             #outputs
             #(#structs)*
             #taylor
         }
+        #constants_of
         #[inline]
         fn state_of<R>(state: &[R]) -> &[R; STATES] {
             state.try_into().expect("the state has STATES entries")
@@ -134,6 +147,33 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
                 parameters.try_into().expect("there are PARAMETERS parameters");
             Parameters::from_array(*values)
         }
+    }
+}
+
+/// What a simulator with constants has instead of the defaults.
+fn prepared() -> TokenStream {
+    let functions = ["prepared_rate", "prepared_rate_jacobian"].map(|name| {
+        let name = format_ident!("{name}");
+        quote! {
+            fn #name(
+                &self,
+                time: R,
+                state: &[R],
+                parameters: &[R],
+                constants: &[R],
+                values: &mut [R],
+            ) {
+                let (p, c) = (parameters_of(parameters), constants_of(constants));
+                values.copy_from_slice(&#name(time, state_of(state), &p, &c));
+            }
+        }
+    });
+    quote! {
+        fn constants(&self) -> usize { CONSTANTS }
+        fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+            constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+        }
+        #(#functions)*
     }
 }
 

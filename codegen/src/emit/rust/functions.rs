@@ -15,7 +15,38 @@ use crate::tape::Tape;
 
 /// All functions, in the order of [`tapes`].
 pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-    tapes(scene.program).into_iter().map(|(name, tape)| function(scene, name, tape)).collect()
+    let prepared = &scene.prepare.hoisted;
+    let functions = tapes(scene.program).into_iter().map(|(name, tape)| match name {
+        _ if scene.prepare.is_empty() => function(scene, name, tape, false),
+        "rate" => in_two(scene, name, tape, &prepared.rate),
+        "rate_jacobian" => in_two(scene, name, tape, &prepared.rate_jacobian),
+        _ => function(scene, name, tape, false),
+    });
+    functions.collect()
+}
+
+/// A function whose constants `prepare` computes, and the one that goes by them.
+fn in_two(
+    scene: &Scene<'_>,
+    name: &'static str,
+    tape: &Tape,
+    prepared: &Tape,
+) -> Result<TokenStream, EmitError> {
+    let Manner { doc: meaning, returns, .. } = manner(scene, name);
+    let Returns::Array(length) = returns else { return function(scene, name, tape, false) };
+    let operations = counted(tape_operations(tape));
+    let docs = doc([meaning.as_str(), "", operations.as_str()]);
+    let rest = function(scene, name, prepared, true)?;
+    let (name, prepared) = (format_ident!("{name}"), format_ident!("prepared_{name}"));
+    Ok(quote! {
+        #docs
+        #[must_use]
+        #[inline]
+        pub fn #name<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; #length] {
+            #prepared(time, state, p, &prepare(p))
+        }
+        #rest
+    })
 }
 
 /// What a function gives back.
@@ -35,11 +66,21 @@ struct Manner {
     of_parameters_only: bool,
 }
 
-fn function(scene: &Scene<'_>, name: &'static str, tape: &Tape) -> Result<TokenStream, EmitError> {
-    let manner = manner(scene, name);
+/// `is_prepared`: whether the tape reads constants, as `prepared_..`.
+fn function(
+    scene: &Scene<'_>,
+    name: &'static str,
+    tape: &Tape,
+    is_prepared: bool,
+) -> Result<TokenStream, EmitError> {
+    let mut manner = manner(scene, name);
+    if is_prepared {
+        manner.doc = format!("As `{name}`, with the constants of the parameters from `prepare`.");
+    }
     let scope = Scope {
         states: &scene.states,
         parameters: &scene.parameters,
+        constants: &scene.prepare.constants,
         tables: &scene.tables,
         namer: &scene.locals,
     };
@@ -48,6 +89,8 @@ fn function(scene: &Scene<'_>, name: &'static str, tape: &Tape) -> Result<TokenS
     let time = if reads.time { format_ident!("time") } else { format_ident!("_time") };
     let state =
         if reads.state.is_empty() { format_ident!("_state") } else { format_ident!("state") };
+    let c = if reads.constants { format_ident!("c") } else { format_ident!("_c") };
+    let constants = is_prepared.then(|| quote!(, #c: &Constants<R>));
     let state_and_time =
         (!manner.of_parameters_only).then(|| quote!(#time: R, #state: &[R; STATES],));
     let (return_type, value) = match manner.returns {
@@ -62,12 +105,12 @@ fn function(scene: &Scene<'_>, name: &'static str, tape: &Tape) -> Result<TokenS
     let operations = counted(tape_operations(tape));
     let docs = doc([manner.doc.as_str(), "", operations.as_str()]);
     let inline = (name == "rate").then(|| quote!(#[inline]));
-    let name = format_ident!("{name}");
+    let name = if is_prepared { format_ident!("prepared_{name}") } else { format_ident!("{name}") };
     Ok(quote! {
         #docs
         #[must_use]
         #inline
-        pub fn #name<R: Real>(#state_and_time #p: &Parameters<R>) -> #return_type {
+        pub fn #name<R: Real>(#state_and_time #p: &Parameters<R> #constants) -> #return_type {
             #destructured
             #(#statements)*
             #value
@@ -80,7 +123,7 @@ fn field_of(field: &Ident, result: &TokenStream) -> TokenStream {
     if *field == result.to_string() { quote!(#field) } else { quote!(#field: #result) }
 }
 
-fn counted(operations: usize) -> String {
+pub(super) fn counted(operations: usize) -> String {
     match operations {
         0 => "No operations.".to_owned(),
         1 => "1 operation.".to_owned(),
@@ -185,7 +228,11 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
 }
 
 /// `phi_dot_dot_by_phi` for every nonzero of a Jacobian.
-fn derivatives(pattern: &SparsityPattern, rows: &[String], columns: &[Ident]) -> Vec<String> {
+pub(super) fn derivatives(
+    pattern: &SparsityPattern,
+    rows: &[String],
+    columns: &[Ident],
+) -> Vec<String> {
     let names = pattern.entries.iter().map(|&(row, column)| {
         let row = rows.get(row as usize).map_or("dot", String::as_str);
         let column = columns.get(column as usize).map_or("it".to_owned(), ToString::to_string);

@@ -3,6 +3,7 @@
 
 use crate::emit::text::comment_lines;
 use crate::emit::{EmitOptions, functions, tape_operations};
+use crate::hoist::Hoisted;
 use crate::program::{Program, SparsityPattern};
 use crate::state::Layout;
 
@@ -36,6 +37,14 @@ pub(super) fn header(program: &Program, options: &EmitOptions) -> String {
         functions(program)
             .map(|(function, tape)| format!("  {function:<20} {:>6}", tape_operations(tape))),
     );
+    let Hoisted { constants, rate, rate_jacobian } = Hoisted::new(program);
+    if !constants.results.is_empty() {
+        lines.push("With constants of the parameters, prepared once a run:".to_owned());
+        let row = |name, tape| format!("  {name:<22} {:>4}", tape_operations(tape));
+        lines.push(row("prepare", &constants));
+        lines.push(row("prepared_rate", &rate));
+        lines.push(row("prepared_rate_jacobian", &rate_jacobian));
+    }
     as_comment(&lines)
 }
 

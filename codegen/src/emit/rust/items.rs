@@ -5,9 +5,9 @@ use quote::{format_ident, quote};
 
 use super::Scene;
 use super::names::{Namer, constant_name};
-use crate::emit::EmitError;
 use crate::emit::literal::literal;
 use crate::emit::text::{doc, markdown, markdown_line};
+use crate::emit::{EmitError, EmitOptions};
 use crate::program::{Program, SparsityPattern};
 use crate::system::Quantity;
 
@@ -136,13 +136,13 @@ pub(super) fn outputs(scene: &Scene<'_>) -> TokenStream {
     )
 }
 
-struct RecordNames {
-    record: &'static str,
-    length: &'static str,
+pub(super) struct RecordNames {
+    pub(super) record: &'static str,
+    pub(super) length: &'static str,
 }
 
 /// A struct of numbers that converts from and to an array.
-fn record(
+pub(super) fn record(
     names: &RecordNames,
     meaning: &str,
     fields: &[Ident],
@@ -236,12 +236,20 @@ pub(super) fn tables(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
 }
 
 /// The module that lists the scenes.
-pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Path) -> TokenStream {
+pub(super) fn index(
+    programs: &[&Program],
+    modules: &[Ident],
+    options: &EmitOptions,
+) -> TokenStream {
+    let contract = &options.contract;
+    let only_with = |scene: &str| options.has_features.then(|| quote!(#[cfg(feature = #scene)]));
     let declarations = programs.iter().zip(modules).map(|(program, module)| {
         let title = markdown_line(&program.system.title);
         let docs = doc([if title.is_empty() { format!("The machine `{module}`.") } else { title }]);
+        let only_with_feature = only_with(&program.system.name);
         quote! {
             #docs
+            #only_with_feature
             #[rustfmt::skip]
             #[allow(
                 non_snake_case,
@@ -253,15 +261,31 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
             pub mod #module;
         }
     });
-    let names = programs.iter().map(|program| program.system.name.as_str());
+    let names = programs.iter().map(|program| {
+        let name = program.system.name.as_str();
+        let only_with_feature = only_with(name);
+        quote!(#only_with_feature #name)
+    });
     let arms = programs.iter().zip(modules).map(|(program, module)| {
         let name = &program.system.name;
         let machine = format_ident!("{}", super::names::type_name(name));
-        quote!(#name => Some(&#module::#machine),)
+        let only_with_feature = only_with(name);
+        quote!(#only_with_feature #name => Some(&#module::#machine),)
     });
-    let inner = "Simulators emitted from the specs, one module a scene.";
-    let (names_doc, find_doc) =
-        (doc(["Names of all scenes, sorted."]), doc(["The scene of a name."]));
+    let [inner, names_doc, find_doc] = if options.has_features {
+        [
+            "Simulators emitted from the specs, one module and one feature a scene.",
+            "Names of all scenes whose feature is on, sorted.",
+            "The scene of a name, if its feature is on.",
+        ]
+    } else {
+        [
+            "Simulators emitted from the specs, one module a scene.",
+            "Names of all scenes, sorted.",
+            "The scene of a name.",
+        ]
+    };
+    let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));
     let inner = format!(" {inner}");
     let find = if programs.is_empty() {
         quote!(
@@ -288,6 +312,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
         pub const NAMES: &[&str] = &[#(#names),*];
         #find_doc
         #[must_use]
+        #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
         #find
     }
 }

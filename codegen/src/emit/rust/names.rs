@@ -10,6 +10,7 @@ use crate::emit::EmitError;
 /// prelude and the module let patterns match, and what would mislead a reader.
 const RESERVED: &[&str] = &[
     "p",
+    "c",
     "state",
     "time",
     "R",
@@ -23,6 +24,7 @@ const RESERVED: &[&str] = &[
     "PARAMETERS",
     "OUTPUTS",
     "DISCONTINUITIES",
+    "CONSTANTS",
     "STATE_QUANTITIES",
     "STATE_SCALES",
     "PARAMETER_QUANTITIES",
@@ -48,12 +50,16 @@ const FUNCTIONS: &[&str] = &[
     "energy",
     "power_balance",
     "series",
+    "prepare",
+    "prepared_rate",
+    "prepared_rate_jacobian",
 ];
 
 /// Types that the emitted module defines or imports.
 const TYPES: &[&str] = &[
     "Parameters",
     "Outputs",
+    "Constants",
     "CubicTable",
     "Describe",
     "Energy",

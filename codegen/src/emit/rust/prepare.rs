@@ -1,0 +1,113 @@
+//! `Constants` and `prepare`: what parameters alone decide, once a run.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::body::{ResultNames, Scope, body};
+use super::functions::{counted, derivatives};
+use super::items::{RecordNames, record};
+use super::names::Namer;
+use crate::emit::EmitError;
+use crate::emit::text::doc;
+use crate::hoist::Hoisted;
+use crate::program::Program;
+use crate::tape::{Op, Tape};
+
+/// The constants of a scene, and rate and Jacobian that read them.
+pub(super) struct Prepare {
+    pub(super) hoisted: Hoisted,
+    /// Fields of `Constants`.
+    pub(super) constants: Vec<Ident>,
+    statements: Vec<TokenStream>,
+}
+
+impl Prepare {
+    pub(super) fn new(
+        program: &Program,
+        states: &[Ident],
+        parameters: &[Ident],
+        tables: &[Ident],
+        locals: &Namer,
+    ) -> Result<Self, EmitError> {
+        let mut hoisted = Hoisted::new(program);
+        name_entries(&mut hoisted, program, states);
+        let scope = Scope { states, parameters, constants: &[], tables, namer: locals };
+        let names = ResultNames { names: Vec::new(), spread: true };
+        let body = body("prepare", &hoisted.constants, &scope, &names)?;
+        // Every constant has a `let`, so what stands for it is a name.
+        let constants = body.results.iter().map(|name| syn::parse2(name.clone()));
+        let constants: Vec<Ident> = constants
+            .collect::<Result<_, _>>()
+            .map_err(|error| EmitError::Unparsable { reason: error.to_string() })?;
+        Ok(Self { hoisted, constants, statements: body.statements })
+    }
+
+    /// Whether anything is done once a run.
+    pub(super) fn is_empty(&self) -> bool {
+        self.constants.is_empty()
+    }
+
+    /// The struct and the function that computes it; nothing if it would be empty.
+    pub(super) fn items(&self) -> Option<TokenStream> {
+        if self.is_empty() {
+            return None;
+        }
+        let constants = &self.constants;
+        let count = proc_macro2::Literal::usize_unsuffixed(constants.len());
+        let count_doc = doc(["Constants that `prepare` computes."]);
+        let structure = record(
+            &RecordNames { record: "Constants", length: "CONSTANTS" },
+            "What parameters alone decide; `prepare` says what each is.",
+            constants,
+            constants.iter().map(|_| TokenStream::new()),
+        );
+        let operations = counted(self.hoisted.operations());
+        let docs = doc([
+            "What `rate` and `rate_jacobian` need of the parameters, once a run.",
+            "",
+            operations.as_str(),
+        ]);
+        let statements = &self.statements;
+        let name = format_ident!("Constants");
+        Some(quote! {
+            #count_doc
+            pub const CONSTANTS: usize = #count;
+            #[allow(missing_docs, reason = "`prepare` says what each is")]
+            #structure
+            #docs
+            #[must_use]
+            #[inline]
+            pub fn prepare<R: Real>(p: &Parameters<R>) -> #name<R> {
+                #(#statements)*
+                #name { #(#constants),* }
+            }
+        })
+    }
+}
+
+/// Names constants that are nothing but an entry of the Jacobian by that entry.
+fn name_entries(hoisted: &mut Hoisted, program: &Program, states: &[Ident]) {
+    let rates: Vec<String> = states.iter().map(|state| format!("{state}_dot")).collect();
+    let names = derivatives(&program.rate_jacobian.pattern, &rates, states);
+    let first = program.system.parameters.len();
+    let reads = |tape: &Tape, constant: usize| {
+        let read = Op::Parameter((first + constant) as u32);
+        let nodes = tape.nodes.iter().flat_map(|node| node.op.operands());
+        nodes.map(|id| tape[id].op).any(|op| op == read)
+    };
+    let jacobian = &hoisted.rate_jacobian;
+    for (result, name) in jacobian.results.iter().zip(names) {
+        let Op::Parameter(entry) = jacobian[*result].op else { continue };
+        let Some(constant) = (entry as usize).checked_sub(first) else { continue };
+        let id = hoisted.constants.results[constant];
+        let is_part = hoisted.constants.nodes.iter().any(|node| node.op.operands().contains(&id));
+        let is_known = is_part
+            || reads(jacobian, constant)
+            || reads(&hoisted.rate, constant)
+            || hoisted.rate.results.iter().any(|id| hoisted.rate[*id].op == Op::Parameter(entry));
+        let node = &mut hoisted.constants.nodes[id.0 as usize];
+        if !is_known && node.name.is_none() {
+            node.name = Some(name);
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! The text of this crate, for who compiles an emitted scene apart from it.
+
+/// Files of this crate without its scenes: path below `src`, text. A scene emitted
+/// for this crate is compiled with them as the module `scenes`.
+pub const SOURCES: &[(&str, &str)] = &[
+    ("lib.rs", include_str!("lib.rs")),
+    ("contract.rs", include_str!("contract.rs")),
+    ("include.rs", include_str!("include.rs")),
+    ("real.rs", include_str!("real.rs")),
+    ("sources.rs", include_str!("sources.rs")),
+    ("table.rs", include_str!("table.rs")),
+    ("taylor.rs", include_str!("taylor.rs")),
+];

@@ -1,0 +1,43 @@
+//! What parameters alone decide is computed once a run and changes no bit.
+#![cfg(feature = "scenes")]
+
+use machinist_scenes::{Simulator, scenes};
+
+fn filled(length: usize, write: impl FnOnce(&mut [f64])) -> Vec<f64> {
+    let mut values = vec![f64::NAN; length];
+    write(&mut values);
+    values
+}
+
+fn assert_same_bits(what: &str, ours: &[f64], theirs: &[f64]) {
+    let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(ours), bits(theirs), "{what}: {ours:?} for {theirs:?}");
+}
+
+#[test]
+fn every_scene_has_the_same_rate_and_jacobian_by_its_constants_to_the_last_bit() {
+    for name in scenes::NAMES {
+        let scene: &dyn Simulator<f64> = scenes::find(name).expect("a scene that is listed");
+        let shape = scene.shape();
+        let nonzeros = scene.rate_jacobian_pattern().entries.len();
+        assert!(scene.constants() > 0, "{name} computes nothing once a run");
+        for sample in 0..100_usize {
+            let value = |index: usize| ((index * 7 + sample) as f64 * 0.37).sin();
+            let factor = |index| 1.0 + 0.1 * value(index);
+            let parameters: Vec<f64> = (0..shape.parameters)
+                .map(|index| scene.parameter_default(index) * factor(index))
+                .collect();
+            let state: Vec<f64> =
+                (0..shape.states()).map(|i| value(i) * scene.state_scale(i)).collect();
+            let (t, y, p) = (0.02 * sample as f64, &state[..], &parameters[..]);
+            let c = filled(scene.constants(), |values| scene.prepare(p, values));
+            let plain = filled(state.len(), |values| scene.rate(t, y, p, values));
+            let prepared = filled(state.len(), |values| scene.prepared_rate(t, y, p, &c, values));
+            assert_same_bits(name, &prepared, &plain);
+            let plain = filled(nonzeros, |values| scene.rate_jacobian(t, y, p, values));
+            let prepared =
+                filled(nonzeros, |values| scene.prepared_rate_jacobian(t, y, p, &c, values));
+            assert_same_bits(name, &prepared, &plain);
+        }
+    }
+}

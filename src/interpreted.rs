@@ -7,6 +7,7 @@ use machinist_codegen::program::{Program, SparsityPattern as Pattern};
 use machinist_codegen::state::Motion;
 use machinist_codegen::system;
 use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
+use machinist_scenes::linear::LinearEquations;
 use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
@@ -33,6 +34,7 @@ pub struct InterpretedSimulator {
     energy: RefCell<Evaluator>,
     power_balance: RefCell<Evaluator>,
     series: RefCell<SeriesEvaluator>,
+    linear: Option<[RefCell<Evaluator>; 2]>,
 }
 
 impl InterpretedSimulator {
@@ -53,6 +55,10 @@ impl InterpretedSimulator {
             energy: prepared(&program.energy),
             power_balance: prepared(&program.power_balance),
             series: RefCell::new(SeriesEvaluator::new(recurrences(&program))),
+            linear: program
+                .excitation
+                .as_ref()
+                .map(|excitation| [&excitation.values, &excitation.switches].map(prepared)),
             program,
         }
     }
@@ -78,16 +84,17 @@ impl InterpretedSimulator {
         evaluator.borrow_mut().evaluate(time, state, parameters, &system.tables, results);
     }
 
-    /// Runs a tape that reads parameters only.
-    fn run_of_parameters(
+    /// Runs a tape that reads no state.
+    fn run_without_state(
         &self,
         evaluator: &RefCell<Evaluator>,
+        time: f64,
         parameters: &[f64],
         results: &mut [f64],
     ) {
         let system = &self.program.system;
         assert_eq!(parameters.len(), system.parameters.len(), "number of parameters");
-        evaluator.borrow_mut().evaluate(0.0, &[], parameters, &system.tables, results);
+        evaluator.borrow_mut().evaluate(time, &[], parameters, &system.tables, results);
     }
 }
 
@@ -158,10 +165,10 @@ impl Describe for InterpretedSimulator {
 
 impl Simulator<f64> for InterpretedSimulator {
     fn initial_state(&self, parameters: &[f64], state: &mut [f64]) {
-        self.run_of_parameters(&self.initial_state, parameters, state);
+        self.run_without_state(&self.initial_state, 0.0, parameters, state);
     }
     fn discontinuities(&self, parameters: &[f64], times: &mut [f64]) {
-        self.run_of_parameters(&self.discontinuities, parameters, times);
+        self.run_without_state(&self.discontinuities, 0.0, parameters, times);
     }
     fn rate(&self, time: f64, state: &[f64], parameters: &[f64], rate: &mut [f64]) {
         self.run(&self.rate, time, state, parameters, rate);
@@ -204,6 +211,28 @@ impl Simulator<f64> for InterpretedSimulator {
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<f64>> {
         Some(self)
+    }
+    fn linear(&self) -> Option<&dyn LinearEquations<f64>> {
+        self.linear.is_some().then_some(self)
+    }
+}
+
+impl LinearEquations<f64> for InterpretedSimulator {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        self.program.excitation.as_ref().map_or(&[], |excitation| &excitation.terms)
+    }
+    fn excitation(&self, time: f64, parameters: &[f64], values: &mut [f64]) {
+        if let Some([excitation, _]) = &self.linear {
+            self.run_without_state(excitation, time, parameters, values);
+        }
+    }
+    fn switches(&self) -> usize {
+        self.program.excitation.as_ref().map_or(0, |excitation| excitation.switches.results.len())
+    }
+    fn switch_times(&self, parameters: &[f64], times: &mut [f64]) {
+        if let Some([_, switches]) = &self.linear {
+            self.run_without_state(switches, 0.0, parameters, times);
+        }
     }
 }
 

@@ -8,6 +8,8 @@
 mod auto;
 #[cfg(feature = "diffsol")]
 mod diffsol;
+#[cfg(feature = "implicit")]
+mod exact;
 mod explicit;
 mod lanes;
 #[cfg(feature = "implicit")]
@@ -59,6 +61,8 @@ methods! {
     Auto { name: "auto", order: 13, implicit: true, of: implicit, integrator: auto::Auto },
     /// Taylor series of an order that follows the tolerance; smooth machines that are not stiff.
     Taylor { name: "taylor", order: 32, implicit: false, of: always, integrator: taylor::Taylor },
+    /// The solution in closed form, without steps; linear machines with constant coefficients.
+    Exact { name: "exact", order: 0, implicit: false, of: implicit, integrator: exact::Exact },
 }
 
 /// An integration method: carries a state over one smooth stretch of a run.
@@ -167,7 +171,7 @@ impl Method {
         self.row().name
     }
 
-    /// Order of convergence; the highest, where it varies.
+    /// Order of convergence; the highest, where it varies; 0 of a method without steps.
     #[must_use]
     pub fn order(self) -> u32 {
         self.row().order
@@ -180,10 +184,15 @@ impl Method {
     }
 
     /// Whether the method can run this simulator: `taylor` needs the series that
-    /// emitted simulators have and simulators written by hand may lack.
+    /// emitted simulators have and simulators written by hand may lack, `exact`
+    /// linear equations with constant coefficients.
     #[must_use]
     pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
-        self != Self::Taylor || simulator.taylor().is_some()
+        match self {
+            Self::Taylor => simulator.taylor().is_some(),
+            Self::Exact => simulator.linear().is_some(),
+            _ => true,
+        }
     }
 
     /// Whether the Cargo feature of the method's family is on.

@@ -16,6 +16,7 @@ mod features;
 pub mod fold;
 pub mod hoist;
 pub mod lagrange;
+pub mod linear;
 pub mod linearize;
 pub mod lower;
 pub mod pipeline;

@@ -1,6 +1,6 @@
 //! Linearized equations to one tape for each function.
 
-mod graph;
+pub(crate) mod graph;
 mod program;
 mod terms;
 

@@ -1,5 +1,6 @@
 //! A scene ready to be emitted or evaluated: one tape for each function.
 
+use crate::linear::Excitation;
 use crate::reduce::Reduction;
 use crate::state::Layout;
 use crate::system::LagrangianSystem;
@@ -56,4 +57,6 @@ pub struct Program {
     pub energy: Tape,
     /// Rate of stored energy, power supplied, power dissipated.
     pub power_balance: Tape,
+    /// b(t) of linear equations with constant coefficients.
+    pub excitation: Option<Excitation>,
 }

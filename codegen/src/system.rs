@@ -135,7 +135,8 @@ pub struct RunDefaults {
 
 /// Methods a spec may name.
 pub const METHODS: &[&str] = &[
-    "bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto", "taylor",
+    "bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto",
+    "taylor", "exact",
 ];
 
 /// A source file that took part, for headers, `rerun-if-changed` and freshness.

@@ -2,6 +2,7 @@
 //! and [`Simulator`] (the numbers).
 
 use crate::Real;
+use crate::linear::LinearEquations;
 use crate::taylor::TaylorSeries;
 
 /// Name, SI unit and meaning of one number of a simulator.
@@ -227,6 +228,11 @@ pub trait Simulator<R: Real>: Describe {
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R>;
     /// Taylor series of the solution, where the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        None
+    }
+    /// What its equations are excited by, if they are linear with constant
+    /// coefficients.
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         None
     }
 }

@@ -32,6 +32,7 @@ compile_error!("elementary functions come from `std` or `libm`: turn on one of t
 pub mod bench;
 mod contract;
 mod include;
+pub mod linear;
 mod real;
 pub mod scenes;
 mod sources;

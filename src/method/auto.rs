@@ -1,6 +1,7 @@
 //! Chooses a method by the tolerance, and changes it when a machine turns out to
 //! be stiff, or not to be any more.
 
+use super::exact::Exact;
 use super::explicit::ExplicitSteps;
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
@@ -19,7 +20,8 @@ const MOST_CHANGES: usize = 20;
 /// does not pay for its factorization.
 const WORTH: f64 = 2.0;
 
-/// Starts with an explicit method; changes to an implicit one where steps are
+/// Solves linear machines without steps where that is exact enough. Otherwise starts
+/// with an explicit method; changes to an implicit one where steps are
 /// held by stability instead of accuracy, and back where they are not.
 pub(super) struct Auto;
 
@@ -30,6 +32,15 @@ impl Integrator for Auto {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
+        let rest;
+        let stretch = match Exact.integrate(stretch, state, samples) {
+            Ok(()) => return Ok(()),
+            // Not for this machine, or not from here on.
+            Err(stopped) => {
+                rest = Stretch { from: stopped.time, ..*stretch };
+                &rest
+            }
+        };
         let choice = Choice::new(stretch.rtol);
         let mut explicit = ExplicitSteps::new(choice.explicit, stretch);
         let system = stretch.system;

@@ -5,7 +5,7 @@
 //! evaluation of the rate and orders of ten to twenty pay. Between its ends a
 //! step is its polynomial: dense output costs no order of accuracy.
 
-mod quadrature;
+pub(super) mod quadrature;
 mod step;
 
 use machinist_scenes::taylor::TaylorSeries;

@@ -8,6 +8,7 @@
 mod body;
 mod check;
 mod describe;
+mod excitation;
 mod functions;
 mod header;
 mod items;
@@ -46,6 +47,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
     let state_indices = items::state_indices(&scene);
     let prepare = scene.prepare.items();
     let functions = functions::functions(&scene)?;
+    let excitation = excitation::items(&scene)?;
     let implementations = describe::implementations(&scene, series.is_some())?;
     let series = series.map(|series| series.items(&scene)).transpose()?;
     let tables = items::tables(&scene)?;
@@ -59,6 +61,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
         #prepare
         #functions
         #series
+        #excitation
         #implementations
         #tables
     };
@@ -168,13 +171,14 @@ impl<'a> Scene<'a> {
 /// `use` of exactly what the module needs.
 fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
+    let linear = program.excitation.is_some().then(|| quote!(linear::LinearEquations,));
     let contract = &options.contract;
     let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
     let kinds = (!program.layout.is_of_all(&program.system)).then(|| quote!(StateKind,));
     quote! {
         use #contract::{
             #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-            SparsityPattern, #kinds #series
+            SparsityPattern, #kinds #linear #series
         };
     }
 }

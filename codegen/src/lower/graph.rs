@@ -57,13 +57,13 @@ impl Graph {
     pub(super) fn symbol(&mut self, symbol: Symbol) -> NodeId {
         match symbol {
             Symbol::Pi => self.literal(std::f64::consts::PI),
-            Symbol::Time => self.push(Op::Time),
+            Symbol::Time => self.time(),
             Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::FirstOrder(_) => {
                 let next = self.entries.len() as u32;
                 let entry = *self.entries.entry(symbol).or_insert(next);
                 self.push(Op::State(entry))
             }
-            Symbol::Parameter(id) => self.push(Op::Parameter(id.0)),
+            Symbol::Parameter(id) => self.parameter(id.0),
             Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
             Symbol::Helper(id) => self.helpers[&id],
         }
@@ -108,6 +108,16 @@ impl Graph {
     #[must_use]
     pub fn op(&self, id: NodeId) -> Op {
         self.nodes[id.0 as usize].op
+    }
+
+    /// Time t.
+    pub fn time(&mut self) -> NodeId {
+        self.push(Op::Time)
+    }
+
+    /// An entry of the parameters.
+    pub fn parameter(&mut self, index: u32) -> NodeId {
+        self.push(Op::Parameter(index))
     }
 
     /// -a

@@ -4,6 +4,7 @@ use super::graph::Graph;
 use crate::abbreviate::Abbreviations;
 use crate::expr::Expr;
 use crate::factor::{Factorization, factor};
+use crate::linear::Excitation;
 use crate::linearize::{Linearization, Partials};
 use crate::program::{MatrixTape, Program, SparsityPattern};
 use crate::state::Motion;
@@ -25,10 +26,12 @@ pub fn lower(linearization: &Linearization) -> Program {
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let balance = build.power_balance();
     let graph = &build.graph;
+    let rate = graph.tape(&build.rate);
     Program {
+        excitation: Excitation::of(&rate),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
-        rate: graph.tape(&build.rate),
+        rate,
         rate_jacobian,
         parameter_jacobian,
         time_derivative: graph.tape(&time_column),

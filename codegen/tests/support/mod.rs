@@ -99,6 +99,7 @@ const START: u32 = 5;
 pub fn pendulum() -> Program {
     let system = pendulum_system();
     Program {
+        excitation: None,
         layout: Layout::of_all(&system),
         reduction: Reduction::default(),
         system,

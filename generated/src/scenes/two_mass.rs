@@ -51,7 +51,8 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, StateKind, taylor::{TaylorSeries, order_and_inverse},
+    SparsityPattern, StateKind, linear::LinearEquations,
+    taylor::{TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -676,6 +677,57 @@ impl<R: Real> TaylorSeries<R> for TwoMass {
     }
 }
 
+/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+pub const EXCITATION_TERMS: [(u32, u32); 3] = [(1, 0), (2, 0), (2, 0)];
+
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, on the piece that holds `time`.
+///
+/// 7 operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
+    let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        p.drive_torque * (R::literal(1.0) / p.driver_inertia),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        -(p.load_torque * inverse_cylinder_inertia),
+        R::literal(0.0),
+        R::literal(0.0),
+        p.load_frequency,
+        R::literal(0.0),
+        -(p.load_amplitude * inverse_cylinder_inertia),
+    ]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none.
+///
+/// No operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
+}
+
+impl<R: Real> LinearEquations<R> for TwoMass {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        &EXCITATION_TERMS
+    }
+    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&excitation(time, &parameters_of(parameters)));
+    }
+    fn switches(&self) -> usize {
+        SWITCHES
+    }
+    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+        times.copy_from_slice(&switches(&parameters_of(parameters)));
+    }
+}
+
 impl Describe for TwoMass {
     fn name(&self) -> &'static str {
         "two_mass"
@@ -809,6 +861,9 @@ impl<R: Real> Simulator<R> for TwoMass {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         Some(self)
     }
 }

@@ -51,7 +51,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{TaylorSeries, order_and_inverse},
+    SparsityPattern, linear::LinearEquations, taylor::{TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -907,6 +907,71 @@ impl<R: Real> TaylorSeries<R> for WinderLinear {
     }
 }
 
+/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+pub const EXCITATION_TERMS: [(u32, u32); 3] = [(1, 0), (1, 0), (1, 0)];
+
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, on the piece that holds `time`.
+///
+/// 50 operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
+    let winding_speed_over_drum_radius = p.winding_speed / p.drum_radius;
+    let cos_ovality_phase = p.ovality_phase.cos();
+    let sin_ovality_phase = p.ovality_phase.sin();
+    let t0 = R::literal(2.0) * p.ovality * winding_speed_over_drum_radius;
+    let t1 = R::literal(1.0)
+        / (p.holder_bobbin_mass
+            + R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density
+                * (p.holder_package_radius * p.holder_package_radius
+                    - p.holder_bobbin_radius * p.holder_bobbin_radius)
+            + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm);
+    [
+        R::literal(0.0),
+        winding_speed_over_drum_radius,
+        (p.force_phase.cos() * p.force_amplitude + p.eccentricity * p.layer_stiffness)
+            * t1,
+        (-(p.force_phase.sin() * p.force_amplitude)
+            - p.eccentricity * winding_speed_over_drum_radius * p.layer_viscosity) * t1,
+        R::literal(0.0),
+        p.winding_speed / p.holder_package_radius,
+        p.package_phase.cos() * p.package_force * t1,
+        -(p.package_phase.sin() * p.package_force * t1),
+        R::literal(0.0),
+        R::literal(2.0) * winding_speed_over_drum_radius,
+        (cos_ovality_phase * p.ovality * p.layer_stiffness
+            - sin_ovality_phase * t0 * p.layer_viscosity) * t1,
+        (-(cos_ovality_phase * t0 * p.layer_viscosity)
+            - sin_ovality_phase * p.ovality * p.layer_stiffness) * t1,
+    ]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none.
+///
+/// No operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
+}
+
+impl<R: Real> LinearEquations<R> for WinderLinear {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        &EXCITATION_TERMS
+    }
+    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&excitation(time, &parameters_of(parameters)));
+    }
+    fn switches(&self) -> usize {
+        SWITCHES
+    }
+    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+        times.copy_from_slice(&switches(&parameters_of(parameters)));
+    }
+}
+
 impl Describe for WinderLinear {
     fn name(&self) -> &'static str {
         "winder_linear"
@@ -1034,6 +1099,9 @@ impl<R: Real> Simulator<R> for WinderLinear {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         Some(self)
     }
 }

@@ -3,14 +3,14 @@
 /// Nodes and weights on \[-1, 1\]; exact for polynomials of degree
 /// 2 `points` - 1.
 #[derive(Debug, Clone)]
-pub(super) struct Gauss {
+pub(in crate::method) struct Gauss {
     points: Vec<(f64, f64)>,
 }
 
 impl Gauss {
     /// The rule of so many points: roots of the Legendre polynomial by Newton's
     /// iteration, weights `2/((1 - x^2) P'(x)^2)`.
-    pub(super) fn new(points: usize) -> Self {
+    pub(in crate::method) fn new(points: usize) -> Self {
         let n = points as f64;
         let point = |index: usize| {
             let mut x = (std::f64::consts::PI * (index as f64 + 0.75) / (n + 0.5)).cos();
@@ -25,7 +25,11 @@ impl Gauss {
     }
 
     /// Nodes and weights on \[from, until\].
-    pub(super) fn points(&self, from: f64, until: f64) -> impl Iterator<Item = (f64, f64)> {
+    pub(in crate::method) fn points(
+        &self,
+        from: f64,
+        until: f64,
+    ) -> impl Iterator<Item = (f64, f64)> {
         let (middle, half) = (0.5 * (from + until), 0.5 * (until - from));
         self.points.iter().map(move |(x, weight)| (middle + half * x, half * weight))
     }

@@ -31,6 +31,12 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
             return Err(malformed(format!("{expected} results expected, {found} found")));
         }
     }
+    if let Some(excitation) = &program.excitation {
+        for (function, tape) in excitation.functions() {
+            check_tape(tape, program)
+                .map_err(|reason| EmitError::Malformed { function, reason })?;
+        }
+    }
     for (function, tape) in &functions(program)[..2] {
         if tape.nodes.iter().any(|node| matches!(node.op, Op::Time | Op::State(_))) {
             let reason = "only parameters may be read here".to_owned();

@@ -79,6 +79,13 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
             }
         )
     });
+    let linear = scene.program.excitation.is_some().then(|| {
+        quote!(
+            fn linear(&self) -> Option<&dyn LinearEquations<R>> {
+                Some(self)
+            }
+        )
+    });
     let machine = &scene.machine;
     let of_parameters = ["initial_state", "discontinuities"].map(|name| {
         let name = format_ident!("{name}");
@@ -135,6 +142,7 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
             #outputs
             #(#structs)*
             #taylor
+            #linear
         }
         #constants_of
         #[inline]

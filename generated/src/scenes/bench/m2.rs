@@ -52,6 +52,10 @@
 //   outputs                   1
 //   energy                   28
 //   power_balance           110
+// With constants of the parameters, prepared once a run:
+//   prepare                   3
+//   prepared_rate            52
+//   prepared_rate_jacobian   35
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -237,6 +241,54 @@ pub mod state {
     pub const CYLINDER_PHI: usize = 7;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 2;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub motor_omega_dot_by_coupling_twist: R,
+    pub cylinder_omega_dot_by_coupling_twist: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            motor_omega_dot_by_coupling_twist: values[0],
+            cylinder_omega_dot_by_coupling_twist: values[1],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.motor_omega_dot_by_coupling_twist,
+            self.cylinder_omega_dot_by_coupling_twist,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 3 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
+        * R::literal(0.238_095_238_095_238_08));
+    let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness
+        * R::literal(0.803_858_520_900_321_5);
+    Constants {
+        motor_omega_dot_by_coupling_twist,
+        cylinder_omega_dot_by_coupling_twist,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -268,6 +320,20 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 52 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    _c: &Constants<R>,
+) -> [R; STATES] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry, ..] = *state;
     let coupling_twist_rate = motor_omega - cylinder_omega;
@@ -357,10 +423,24 @@ pub fn forcing<R: Real>(
 ///
 /// 38 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
     time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
+) -> [R; 27] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 35 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
 ) -> [R; 27] {
     let [_, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry, ..] = *state;
@@ -369,10 +449,6 @@ pub fn rate_jacobian<R: Real>(
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
     let t1 = (R::literal(2.0) * cylinder_omega).tanh();
-    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
-        * R::literal(0.238_095_238_095_238_08));
-    let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness
-        * R::literal(0.803_858_520_900_321_5);
     let motor_psi_rx_dot_by_motor_omega = -(R::literal(4.0) * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
     let cylinder_omega_dot_by_cylinder_omega = (R::literal(-128.5346)
@@ -392,14 +468,14 @@ pub fn rate_jacobian<R: Real>(
     [
         R::literal(1.0),
         R::literal(-1.0),
-        motor_omega_dot_by_coupling_twist,
+        c.motor_omega_dot_by_coupling_twist,
         R::literal(-30.603_476_190_476_19),
         R::literal(30.603_476_190_476_19),
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx,
         motor_omega_dot_by_motor_psi_ry,
-        cylinder_omega_dot_by_coupling_twist,
+        c.cylinder_omega_dot_by_coupling_twist,
         R::literal(103.323_633_440_514_47),
         cylinder_omega_dot_by_cylinder_omega,
         R::literal(-36.128_315_516_282_62),
@@ -860,6 +936,34 @@ impl Describe for M2 {
 }
 
 impl<R: Real> Simulator<R> for M2 {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -913,6 +1017,14 @@ impl<R: Real> Simulator<R> for M2 {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

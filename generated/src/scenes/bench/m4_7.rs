@@ -59,7 +59,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{TaylorSeries, order_and_inverse},
+    SparsityPattern, linear::LinearEquations, taylor::{TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -860,6 +860,48 @@ impl<R: Real> TaylorSeries<R> for M47 {
     }
 }
 
+/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+pub const EXCITATION_TERMS: [(u32, u32); 1] = [(8, 0)];
+
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, on the piece that holds `time`.
+///
+/// No operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, _p: &Parameters<R>) -> [R; 4] {
+    [
+        R::literal(0.0),
+        R::literal(8.0 * core::f64::consts::PI),
+        R::literal(0.0),
+        R::literal(9_233_315.735_238_24),
+    ]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none.
+///
+/// No operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
+}
+
+impl<R: Real> LinearEquations<R> for M47 {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        &EXCITATION_TERMS
+    }
+    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&excitation(time, &parameters_of(parameters)));
+    }
+    fn switches(&self) -> usize {
+        SWITCHES
+    }
+    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+        times.copy_from_slice(&switches(&parameters_of(parameters)));
+    }
+}
+
 impl Describe for M47 {
     fn name(&self) -> &'static str {
         "m4_7"
@@ -959,6 +1001,9 @@ impl<R: Real> Simulator<R> for M47 {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         Some(self)
     }
 }

@@ -1,0 +1,92 @@
+//! Machines whose equations are linear with constant coefficients, solved without
+//! stepping: y' = A y + b(t), with
+//!
+//! ```text
+//! b(t) = sum of t^k e^(g t) (C cos(w t) + S sin(w t))
+//! ```
+//!
+//! Found on the tape of the rate, each node of which is followed as a sum of terms;
+//! one that is no such sum ends the search. Choices by time, as in `step` and
+//! `piecewise`, hold between their switching times, at which a run has to be cut.
+//!
+//! Excluded: A, which is the Jacobian of the rate anywhere within such a piece.
+
+mod sum;
+
+use crate::lower::graph::Graph;
+use crate::tape::{Node, NodeId, Op, Tape};
+use sum::{Algebra, Sum};
+
+/// What a linear machine is excited by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Excitation {
+    /// Entry of the state on whose rate a term acts, and its power k of time.
+    pub terms: Vec<(u32, u32)>,
+    /// g, w, C and S of every term. Time is read only to choose between pieces:
+    /// any time of a piece gives the same values.
+    pub values: Tape,
+    /// Times at which pieces end, of parameters only; not finite where there is none.
+    pub switches: Tape,
+}
+
+impl Excitation {
+    /// That of a rate y'; nothing if it is not linear in the state with constant
+    /// coefficients, or if time enters by other functions.
+    #[must_use]
+    pub fn of(rate: &Tape) -> Option<Self> {
+        let mut algebra = Algebra::new();
+        let sums = follow(&mut algebra, rate)?;
+        let mut terms = Vec::new();
+        let mut values = Vec::new();
+        for (entry, sum) in (0..).zip(sums) {
+            for wave in sum.waves(&algebra) {
+                terms.push((entry, wave.power));
+                values.extend([wave.growth, wave.frequency, wave.cosine, wave.sine]);
+            }
+        }
+        let graph = algebra.graph();
+        let switches = graph.tape(algebra.switches());
+        Some(Excitation { terms, values: graph.tape(&values), switches })
+    }
+
+    /// The functions of an emitted module, by name.
+    pub(crate) fn functions(&self) -> [(&'static str, &Tape); 2] {
+        [("excitation", &self.values), ("switches", &self.switches)]
+    }
+}
+
+/// The results of a tape as sums of terms.
+fn follow(algebra: &mut Algebra, tape: &Tape) -> Option<Vec<Sum>> {
+    let mut sums: Vec<Sum> = Vec::with_capacity(tape.nodes.len());
+    for Node { op, .. } in &tape.nodes {
+        let of = |id: NodeId| &sums[id.0 as usize];
+        let sum = match *op {
+            Op::Literal(value) => algebra.literal(value),
+            Op::Parameter(index) => algebra.parameter(index),
+            Op::Time => algebra.time(),
+            Op::State(entry) => algebra.state(entry),
+            Op::Neg(a) => algebra.negative(of(a)),
+            Op::Add(a, b) => algebra.sum(of(a), of(b)),
+            Op::Sub(a, b) => {
+                let negative = algebra.negative(of(b));
+                algebra.sum(of(a), &negative)
+            }
+            Op::Mul(a, b) => algebra.product(of(a), of(b))?,
+            Op::Div(a, b) => algebra.quotient(of(a), of(b))?,
+            Op::Powi(a, exponent) => algebra.power(of(a), exponent)?,
+            Op::Powf(a, b) => {
+                algebra.of_constants(&[of(a), of(b)], |graph, c| graph.powf(c[0], c[1]))?
+            }
+            Op::Call(function, a) => algebra.call(function, of(a))?,
+            Op::SelectLess { lhs, rhs, then, otherwise } => {
+                algebra.choice(of(lhs), of(rhs), [of(then), of(otherwise)])?
+            }
+            Op::Table { table, order, argument } => algebra
+                .of_constants(&[of(argument)], |graph: &mut Graph, c| {
+                    graph.table(table, order, c[0])
+                })?,
+        };
+        sums.push(sum);
+    }
+    Some(tape.results.iter().map(|id| sums[id.0 as usize].clone()).collect())
+}

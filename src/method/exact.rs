@@ -1,0 +1,107 @@
+//! Linear machines without stepping: the solution itself, by modes or by the
+//! exponential of a matrix.
+//!
+//! ```text
+//! y' = A y + sum of c t^k e^(mu t)      mu = g + i w, c = C - i S, real parts
+//! ```
+//!
+//! on pieces of a run between the switches of the excitation. Where the machine is
+//! a chain of masses, springs and proportional dampers its modes are carried on
+//! each in closed form ([`modal`]); any other by [`exponential`].
+
+mod exponential;
+mod flows;
+mod modal;
+mod piece;
+mod response;
+
+use super::{Integrator, Samples, Stopped, Stretch};
+use crate::error::StopCause;
+use exponential::Exponential;
+use modal::Modal;
+use piece::Piece;
+
+/// Closed-form propagation of linear machines.
+pub(super) struct Exact;
+
+/// A solution on a piece.
+trait Solution {
+    /// The state at a time of the piece not before the last [`Solution::settle`].
+    fn state_at(&mut self, time: f64, state: &mut [f64]);
+    /// Times asked for from now on are not before this one, whose state is this.
+    fn settle(&mut self, time: f64, state: &[f64]);
+}
+
+impl Integrator for Exact {
+    fn integrate(
+        &self,
+        stretch: &Stretch<'_>,
+        state: &mut [f64],
+        samples: &mut Samples<'_>,
+    ) -> Result<(), Stopped> {
+        let refuse = |time, reason: String| Stopped { time, cause: StopCause::Solver(reason) };
+        let linear = stretch.system.simulator().linear().ok_or_else(|| {
+            let reason = "its equations are not linear with constant coefficients, or were \
+                          written by hand; try the method `auto`";
+            refuse(stretch.from, reason.to_owned())
+        })?;
+        let ends = piece::ends(stretch, linear);
+        for ends in ends.windows(2) {
+            let piece = Piece::new(stretch, linear, ends[0], ends[1]);
+            let mut solution =
+                solution(&piece, stretch, state).map_err(|reason| refuse(piece.from, reason))?;
+            carry(&piece, stretch, &mut *solution, state, samples)?;
+            stretch.system.count(|work| work.steps += 1);
+        }
+        Ok(())
+    }
+}
+
+/// By modes if the piece has them, else by the exponential, if that is as exact as
+/// the tolerance asks.
+fn solution<'a>(
+    piece: &'a Piece,
+    stretch: &Stretch<'_>,
+    state: &[f64],
+) -> Result<Box<dyn Solution + 'a>, String> {
+    let states = &state[..piece.states()];
+    stretch.system.count(|work| work.factorizations += 1);
+    if let Some(modal) = Modal::new(piece, stretch, states) {
+        stretch.system.note(format!("solved by its {} modes", modal.modes()));
+        return Ok(Box::new(modal));
+    }
+    let exponential = Exponential::new(piece, states, stretch.rtol)?;
+    stretch.system.note("solved by the exponential of its matrix".to_owned());
+    Ok(Box::new(exponential))
+}
+
+/// Takes samples of a solution, and leaves the state at the piece's end.
+fn carry(
+    piece: &Piece,
+    stretch: &Stretch<'_>,
+    solution: &mut dyn Solution,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<(), Stopped> {
+    let states = piece.states();
+    let mut reached = piece.from;
+    let mut next = vec![0.0; states];
+    loop {
+        let sample = samples.next_until(piece.until);
+        let time = sample.unwrap_or(piece.until);
+        if time > reached {
+            solution.state_at(time, &mut next);
+            if let Some(index) = next.iter().position(|value| !value.is_finite()) {
+                return Err(stretch.not_finite("the state", index, reached));
+            }
+            flows::carry(stretch, solution, [reached, time], &mut state[states..]);
+            state[..states].copy_from_slice(&next);
+            solution.settle(time, &next);
+            reached = time;
+        }
+        if sample.is_none() {
+            return Ok(());
+        }
+        samples.push(state);
+    }
+}

@@ -1,0 +1,95 @@
+//! A piece of a run on which nothing switches: A, and the waves that excite it.
+
+use machinist_scenes::linear::{LinearEquations, TERM_NUMBERS};
+use nalgebra::{Complex, DMatrix};
+
+use crate::method::Stretch;
+
+/// A linear machine between two switches.
+pub(super) struct Piece {
+    pub(super) from: f64,
+    pub(super) until: f64,
+    /// A, `states` by `states`.
+    pub(super) matrix: DMatrix<f64>,
+    /// Each kind once.
+    pub(super) waves: Vec<Wave>,
+}
+
+/// t^power e^(mu t), and what it acts on.
+pub(super) struct Wave {
+    pub(super) power: u32,
+    pub(super) mu: Complex<f64>,
+    /// Entry of the state and complex amplitude, of which the real part acts.
+    pub(super) amplitudes: Vec<(usize, Complex<f64>)>,
+}
+
+impl Piece {
+    pub(super) fn new(
+        stretch: &Stretch<'_>,
+        linear: &dyn LinearEquations<f64>,
+        from: f64,
+        until: f64,
+    ) -> Self {
+        let system = stretch.system;
+        let states = system.states();
+        let middle = 0.5 * (from + until);
+        let pattern = system.jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        system.jacobian(middle, &vec![0.0; states], &mut values);
+        let mut matrix = DMatrix::zeros(states, states);
+        for (&(row, column), value) in pattern.entries.iter().zip(values) {
+            matrix[(row as usize, column as usize)] = value;
+        }
+        let terms = linear.excitation_terms();
+        let mut numbers = vec![0.0; TERM_NUMBERS * terms.len()];
+        linear.excitation(middle, system.parameters(), &mut numbers);
+        let mut waves: Vec<Wave> = Vec::new();
+        for (&(entry, power), numbers) in terms.iter().zip(numbers.chunks_exact(TERM_NUMBERS)) {
+            let amplitude = Complex::new(numbers[2], -numbers[3]);
+            if amplitude == Complex::ZERO {
+                continue;
+            }
+            let mu = Complex::new(numbers[0], numbers[1]);
+            let amplitude = (entry as usize, amplitude);
+            match waves.iter_mut().find(|wave| wave.power == power && wave.mu == mu) {
+                Some(wave) => wave.amplitudes.push(amplitude),
+                None => waves.push(Wave { power, mu, amplitudes: vec![amplitude] }),
+            }
+        }
+        Piece { from, until, matrix, waves }
+    }
+
+    /// Length of the state.
+    pub(super) fn states(&self) -> usize {
+        self.matrix.nrows()
+    }
+
+    /// Length of the piece \[s\].
+    pub(super) fn span(&self) -> f64 {
+        self.until - self.from
+    }
+
+    /// The waves in local time s = t - from: the coefficients of s^j e^(mu s) for
+    /// j up to the power, to be multiplied by an amplitude.
+    pub(super) fn local(&self, wave: &Wave) -> Vec<Complex<f64>> {
+        let start = (wave.mu * self.from).exp();
+        let mut binomial = 1.0;
+        let powers = (0..=wave.power).map(|j| {
+            let coefficient = start * binomial * self.from.powi((wave.power - j) as i32);
+            binomial *= f64::from(wave.power - j) / f64::from(j + 1);
+            coefficient
+        });
+        powers.collect()
+    }
+}
+
+/// Start of a stretch, switches strictly inside it in order and each once, end.
+pub(super) fn ends(stretch: &Stretch<'_>, linear: &dyn LinearEquations<f64>) -> Vec<f64> {
+    let mut ends = vec![0.0; linear.switches()];
+    linear.switch_times(stretch.system.parameters(), &mut ends);
+    ends.retain(|time| stretch.from < *time && *time < stretch.until);
+    ends.extend([stretch.from, stretch.until]);
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    ends
+}

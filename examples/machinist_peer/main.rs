@@ -12,7 +12,7 @@
 //!
 //! ```text
 //! RUSTFLAGS="-C target-cpu=native" cargo build --release --no-default-features \
-//!     --example machinist_peer
+//!     --features diffsol,implicit,scenes --example machinist_peer
 //! ```
 //!
 //! Times are medians of several runs. A simulation includes setting up and freeing

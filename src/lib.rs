@@ -6,7 +6,8 @@
 //!
 //! Features leave out what a program does not need: methods by family (`diffsol`,
 //! `implicit`), built-in scenes (`scenes`), linear analysis (`linear`), the checks
-//! against closed forms (`verify`), plots (`plot`) and the command line (`cli`).
+//! against closed forms (`verify`), many variants at once (`sweep`), plots (`plot`) and
+//! the command line (`cli`).
 //! Without any of them, what remains runs any simulator by explicit methods.
 #![forbid(unsafe_code)]
 
@@ -17,6 +18,8 @@ pub mod complex_step;
 pub mod error;
 #[cfg(feature = "cli")]
 pub mod interpreted;
+#[cfg(feature = "sweep")]
+pub mod lanes;
 #[cfg(feature = "verify")]
 pub mod ledger;
 #[cfg(feature = "linear")]
@@ -27,6 +30,8 @@ pub mod object;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod simulate;
+#[cfg(feature = "sweep")]
+pub mod sweep;
 pub mod trajectory;
 #[cfg(feature = "verify")]
 pub mod verify;
@@ -38,4 +43,6 @@ pub mod work_precision;
 pub use error::SimulateError;
 pub use method::Method;
 pub use simulate::Simulation;
+#[cfg(feature = "sweep")]
+pub use sweep::Sweep;
 pub use trajectory::Trajectory;

@@ -28,7 +28,7 @@ mod step_matrix;
 mod stretch;
 mod system;
 mod tableau;
-mod taylor;
+pub(crate) mod taylor;
 
 use std::fmt;
 use std::str::FromStr;

@@ -4,6 +4,8 @@
 use machinist_scenes::Simulator;
 
 use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
+#[cfg(feature = "sweep")]
+use crate::method::taylor::variants::Variant;
 use crate::method::{Method, Problem, System};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
 
@@ -84,16 +86,19 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// [`SimulateError::UnknownParameter`], with the nearest known name.
     pub fn parameter(mut self, name: &str, value: f64) -> Result<Self, SimulateError> {
-        let names = || (0..self.parameters.len()).map(|index| self.simulator.parameter(index).name);
-        let index = names().position(|known| known == name).ok_or_else(|| {
-            SimulateError::UnknownParameter {
-                scene: self.simulator.name().to_owned(),
-                name: name.to_owned(),
-                hint: did_you_mean(name, names()),
-            }
-        })?;
+        let index = self.parameter_index(name)?;
         self.parameters[index] = value;
         Ok(self)
+    }
+
+    /// Where a parameter stands.
+    pub(crate) fn parameter_index(&self, name: &str) -> Result<usize, SimulateError> {
+        let names = || (0..self.parameters.len()).map(|index| self.simulator.parameter(index).name);
+        names().position(|known| known == name).ok_or_else(|| SimulateError::UnknownParameter {
+            scene: self.simulator.name().to_owned(),
+            name: name.to_owned(),
+            hint: did_you_mean(name, names()),
+        })
     }
 
     /// Sets all parameters, in the simulator's order.
@@ -182,6 +187,38 @@ impl<'a> Simulation<'a> {
     pub(crate) fn checked_start(&self) -> Result<(Vec<f64>, Vec<f64>), SimulateError> {
         let parameters = self.checked_parameters()?.to_vec();
         Ok((self.checked_initial_state()?, parameters))
+    }
+
+    /// What Taylor's method in lanes needs of a run, if it is one for it.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`].
+    #[cfg(feature = "sweep")]
+    pub(crate) fn variant(&self) -> Result<Variant, SimulateError> {
+        let initial = self.checked_initial_state()?;
+        let mut ends = self.checked_jumps()?;
+        ends.retain(|jump| self.from < *jump && *jump < self.until);
+        ends.extend([self.from, self.until]);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        Ok(Variant {
+            parameters: self.checked_parameters()?.to_vec(),
+            ends,
+            times: self.checked_times()?,
+            atol: self.checked_atol(initial.len())?,
+            rtol: self.rtol,
+            max_steps: self.max_steps,
+            initial,
+        })
+    }
+
+    /// The method of the run, and its relative tolerance.
+    #[cfg(feature = "sweep")]
+    pub(crate) fn method_and_rtol(&self) -> Result<(Method, f64), SimulateError> {
+        match self.method {
+            Some(method) => Ok((method, self.rtol)),
+            None => Ok((Method::from_name(self.simulator.run_defaults().method)?, self.rtol)),
+        }
     }
 
     /// Integrates from start to end.

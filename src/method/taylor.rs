@@ -7,6 +7,8 @@
 
 pub(super) mod quadrature;
 mod step;
+#[cfg(feature = "sweep")]
+pub(crate) mod variants;
 
 use machinist_scenes::taylor::TaylorSeries;
 
@@ -50,7 +52,7 @@ struct Run<'a> {
     /// Longest step to be tried next: one that is judged from coefficients which
     /// happen to vanish must not leap.
     longest: f64,
-    tolerance: Tolerance<'a>,
+    tolerance: Tolerance,
     /// Coefficients of the step that is being taken, order after order.
     current: Vec<f64>,
     /// Coefficients at its end.

@@ -12,7 +12,7 @@ pub(super) const GROWTH: f64 = 16.0;
 
 /// How many of the last coefficients a step is judged by. From a symmetric state
 /// every other one vanishes, and in places three in a row do.
-const JUDGED: usize = 5;
+pub(super) const JUDGED: usize = 5;
 
 /// The order for a relative tolerance: 0.85 ln(1/rtol) + 2.
 ///
@@ -25,9 +25,9 @@ pub(super) fn order_for(rtol: f64) -> usize {
 }
 
 /// Tolerances of the states and what follows from them.
-pub(super) struct Tolerance<'a> {
+pub(super) struct Tolerance {
     rtol: f64,
-    atol: &'a [f64],
+    atol: Vec<f64>,
     /// 1/(atol + rtol |y|) for every state.
     inverse_weights: Vec<f64>,
     /// Log2 of the ratio of neighbouring terms of a series that starts at the
@@ -35,15 +35,15 @@ pub(super) struct Tolerance<'a> {
     decay: f64,
 }
 
-impl<'a> Tolerance<'a> {
-    pub(super) fn new(rtol: f64, atol: &'a [f64], order: usize) -> Self {
+impl Tolerance {
+    pub(super) fn new(rtol: f64, atol: &[f64], order: usize) -> Self {
         let decay = rtol.log2() / (order + 1) as f64;
-        Self { rtol, atol, inverse_weights: vec![0.0; atol.len()], decay }
+        Self { rtol, atol: atol.to_vec(), inverse_weights: vec![0.0; atol.len()], decay }
     }
 
     /// Weighs by the tolerance at a state from now on.
     pub(super) fn weigh(&mut self, state: &[f64]) {
-        for ((inverse, atol), value) in self.inverse_weights.iter_mut().zip(self.atol).zip(state) {
+        for ((inverse, atol), value) in self.inverse_weights.iter_mut().zip(&self.atol).zip(state) {
             *inverse = 1.0 / (atol + self.rtol * value.abs());
         }
     }
@@ -55,8 +55,13 @@ impl<'a> Tolerance<'a> {
     /// `|y_(p-i)| h^(p-i) theta^(i+1)` with the ratio theta of a series that
     /// decays from the size of the state to the tolerance, and the largest counts.
     pub(super) fn step_length(&self, coefficients: &[f64], order: usize) -> f64 {
-        let states = self.atol.len();
-        let judged = coefficients[..(order + 1) * states].chunks_exact(states).rev().zip(1..);
+        self.step_length_by(&coefficients[..(order + 1) * self.atol.len()], order)
+    }
+
+    /// As [`Tolerance::step_length`], from the newest coefficients alone, the last of
+    /// which are those of `order`.
+    pub(super) fn step_length_by(&self, newest: &[f64], order: usize) -> f64 {
+        let judged = newest.chunks_exact(self.atol.len()).rev().zip(1..);
         let log_length = |(terms, back): (&[f64], usize)| {
             let guessed = if back > 2 { GUESS } else { 0.0 };
             let allowed = guessed - log2(self.size(terms)) - back as f64 * self.decay;

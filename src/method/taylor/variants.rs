@@ -1,0 +1,382 @@
+//! Taylor's method for many variants of a machine at once, one in each lane.
+//!
+//! Every lane has its own parameters, time, step and jumps, and takes the next
+//! variant when it is done. What a lane computes does not depend on its neighbours:
+//! results are those of one run after another, to the last bit.
+
+use machinist_scenes::taylor::TaylorSeries;
+
+use super::step::{self, Tolerance, order_for};
+use crate::error::StopCause;
+use crate::lanes::Lanes;
+use crate::method::{Stopped, Work};
+
+/// A variant of a machine, to be run.
+pub(crate) struct Variant {
+    pub(crate) parameters: Vec<f64>,
+    pub(crate) initial: Vec<f64>,
+    /// Start, jumps in order, end \[s\].
+    pub(crate) ends: Vec<f64>,
+    /// Times at which the state is wanted, sorted \[s\].
+    pub(crate) times: Vec<f64>,
+    pub(crate) atol: Vec<f64>,
+    pub(crate) rtol: f64,
+    pub(crate) max_steps: usize,
+}
+
+/// States at the wanted times, one row after another.
+pub(crate) struct Outcome {
+    pub(crate) rows: Vec<f64>,
+    pub(crate) work: Work,
+}
+
+/// Runs variants of one relative tolerance until there are no more; `done` gets each
+/// with its number in the order of the iterator.
+pub(crate) fn integrate<R: Lanes>(
+    series: &dyn TaylorSeries<R>,
+    rtol: f64,
+    variants: &mut dyn Iterator<Item = Variant>,
+    done: &mut dyn FnMut(usize, Result<Outcome, Stopped>),
+) {
+    let mut variants = variants.enumerate();
+    let mut lanes: Vec<Option<Lane>> = Vec::with_capacity(R::COUNT);
+    for _ in 0..R::COUNT {
+        lanes.push(variants.next().map(|(number, variant)| Lane::new(number, variant)));
+    }
+    let Some(first) = lanes.first().and_then(Option::as_ref) else { return };
+    let mut bundle = Bundle::<R>::new(series, rtol, &first.variant);
+    for (index, lane) in lanes.iter_mut().enumerate() {
+        match lane {
+            Some(lane) => bundle.load(index, lane),
+            // An idle lane repeats its neighbour, whose numbers are harmless.
+            None => bundle.copy_lane(0, index),
+        }
+    }
+    while lanes.iter().any(Option::is_some) {
+        bundle.expand();
+        bundle.judge(&mut lanes);
+        for (index, place) in lanes.iter_mut().enumerate() {
+            let Some(lane) = place else { continue };
+            let Some(outcome) = bundle.go_on(index, lane) else { continue };
+            done(lane.number, outcome);
+            *place = variants.next().map(|(number, variant)| Lane::new(number, variant));
+            if let Some(lane) = place {
+                bundle.load(index, lane);
+            }
+        }
+        bundle.aim(&lanes);
+    }
+}
+
+/// A variant on its way.
+struct Lane {
+    number: usize,
+    variant: Variant,
+    tolerance: Tolerance,
+    /// Which stretch between ends it is on.
+    stretch: usize,
+    time: f64,
+    step: f64,
+    /// Order up to which the coefficients at `time` are finite.
+    order: usize,
+    longest: f64,
+    trial: Trial,
+    rows: Vec<f64>,
+    taken: usize,
+    work: Work,
+    stopped: Option<Stopped>,
+}
+
+/// What the coefficients being computed are those of.
+#[derive(Clone, Copy, PartialEq)]
+enum Trial {
+    /// The start of a stretch.
+    Start,
+    /// The end of a step, and whether that is the end of the stretch.
+    Step {
+        arrives: bool,
+    },
+    /// Nothing more was asked for.
+    Accepted,
+    Rejected,
+}
+
+impl Lane {
+    fn new(number: usize, variant: Variant) -> Self {
+        let order = order_for(variant.rtol);
+        Self {
+            number,
+            tolerance: Tolerance::new(variant.rtol, &variant.atol, order),
+            stretch: 0,
+            time: variant.ends[0],
+            step: 0.0,
+            order,
+            longest: 0.0,
+            trial: Trial::Start,
+            rows: Vec::with_capacity(variant.times.len() * variant.initial.len()),
+            taken: 0,
+            work: Work::default(),
+            stopped: None,
+            variant,
+        }
+    }
+
+    fn from(&self) -> f64 {
+        self.variant.ends[self.stretch]
+    }
+
+    fn until(&self) -> f64 {
+        self.variant.ends[self.stretch + 1]
+    }
+
+    /// Moved into the stretch; see `Stretch::within`.
+    fn within(&self, time: f64) -> f64 {
+        time.min(self.until().next_down()).max(self.from())
+    }
+
+    fn next_sample_until(&self, time: f64) -> Option<f64> {
+        self.variant.times.get(self.taken).copied().filter(|next| *next <= time)
+    }
+
+    fn stop(&mut self, cause: StopCause) {
+        self.stopped = Some(Stopped { time: self.time, cause });
+    }
+}
+
+/// What all lanes compute together.
+struct Bundle<'a, R> {
+    series: &'a dyn TaylorSeries<R>,
+    states: usize,
+    order: usize,
+    parameters: Vec<R>,
+    /// Coefficients at the start of each lane's step, order after order.
+    current: Vec<R>,
+    /// Coefficients at its end.
+    following: Vec<R>,
+    workspace: Vec<R>,
+    /// Where `following` is computed.
+    time: R,
+    end: Vec<R>,
+    slope: Vec<R>,
+    /// Zero in the lanes whose coefficients are finite, NaN in others.
+    zeros: R,
+    scratch: Vec<f64>,
+}
+
+impl<'a, R: Lanes> Bundle<'a, R> {
+    fn new(series: &'a dyn TaylorSeries<R>, rtol: f64, first: &Variant) -> Self {
+        let (states, order) = (first.initial.len(), order_for(rtol));
+        let zeros = |count: usize| vec![R::literal(0.0); count];
+        Self {
+            series,
+            states,
+            order,
+            parameters: zeros(first.parameters.len()),
+            current: zeros((order + 1) * states),
+            following: zeros((order + 1) * states),
+            workspace: zeros(series.series_workspace(order)),
+            time: R::literal(0.0),
+            end: zeros(states),
+            slope: zeros(states),
+            zeros: R::literal(0.0),
+            scratch: vec![0.0; step::JUDGED * states],
+        }
+    }
+
+    /// Puts a variant at its start.
+    fn load(&mut self, index: usize, lane: &mut Lane) {
+        for (into, value) in self.parameters.iter_mut().zip(&lane.variant.parameters) {
+            into.set_lane(index, *value);
+        }
+        for (into, value) in self.end.iter_mut().zip(&lane.variant.initial) {
+            into.set_lane(index, *value);
+        }
+        while lane.next_sample_until(lane.time).is_some() {
+            lane.rows.extend_from_slice(&lane.variant.initial);
+            lane.taken += 1;
+        }
+        self.time.set_lane(index, lane.within(lane.time));
+        lane.longest = (lane.until() - lane.from()) / step::GROWTH;
+        lane.trial = Trial::Start;
+    }
+
+    fn copy_lane(&mut self, from: usize, to: usize) {
+        for values in [&mut self.parameters, &mut self.end] {
+            for value in values {
+                let known = value.lane(from);
+                value.set_lane(to, known);
+            }
+        }
+        let known = self.time.lane(from);
+        self.time.set_lane(to, known);
+    }
+
+    /// Coefficients of every lane at the end of its step.
+    fn expand(&mut self) {
+        self.series.series(
+            self.time,
+            &self.end,
+            &self.parameters,
+            &mut self.following,
+            &mut self.workspace,
+        );
+    }
+
+    /// Takes the coefficients of the lanes whose step passes.
+    fn judge(&mut self, lanes: &mut [Option<Lane>]) {
+        let mut rejected = R::literal(0.0);
+        let mut is_any = false;
+        for (index, lane) in lanes.iter_mut().enumerate() {
+            let Some(lane) = lane else { continue };
+            lane.work.rate_evaluations += self.order as u64;
+            let Trial::Step { arrives } = lane.trial else { continue };
+            let (slope, rate) = self.scratch.split_at_mut(self.states);
+            gather(&self.slope, index, slope);
+            gather(&self.following[self.states..2 * self.states], index, rate);
+            let rate = &rate[..self.states];
+            let error = lane.tolerance.error(slope, rate, lane.step, lane.order);
+            if error <= step::LARGEST_ERROR {
+                self.record(index, lane, arrives);
+                lane.trial = Trial::Accepted;
+            } else {
+                lane.trial = Trial::Rejected;
+                lane.work.rejected += 1;
+                lane.step *= step::shrink(error, lane.order);
+                rejected.set_lane(index, 1.0);
+                is_any = true;
+            }
+        }
+        if is_any {
+            let half = R::literal(0.5);
+            for (current, following) in self.current.iter_mut().zip(&self.following) {
+                *current = R::select_less(rejected, half, *following, *current);
+            }
+        } else {
+            std::mem::swap(&mut self.current, &mut self.following);
+        }
+        let zero = R::literal(0.0);
+        self.zeros = self.current.iter().fold(zero, |zeros, value| zeros + *value * zero);
+    }
+
+    /// Decides what a lane tries next; gives its outcome if it is done.
+    fn go_on(&mut self, index: usize, lane: &mut Lane) -> Option<Result<Outcome, Stopped>> {
+        if lane.trial == Trial::Accepted && lane.time >= lane.until() {
+            lane.stretch += 1;
+            if lane.stretch + 1 == lane.variant.ends.len() {
+                let rows = std::mem::take(&mut lane.rows);
+                return Some(Ok(Outcome { rows, work: lane.work }));
+            }
+            // The end of the last step is where the next stretch starts.
+            lane.trial = Trial::Start;
+            lane.longest = (lane.until() - lane.from()) / step::GROWTH;
+            self.time.set_lane(index, lane.within(lane.time));
+            return None;
+        }
+        if lane.trial != Trial::Rejected {
+            self.measure(index, lane);
+        }
+        if lane.work.steps >= lane.variant.max_steps as u64 {
+            lane.stop(StopCause::TooManySteps { limit: lane.variant.max_steps });
+        }
+        let remaining = lane.until() - lane.time;
+        let arrives = lane.step >= remaining;
+        lane.step = lane.step.min(remaining);
+        if !arrives && lane.time + lane.step <= lane.time {
+            lane.stop(StopCause::StepTooSmall);
+        }
+        if let Some(stopped) = lane.stopped.take() {
+            return Some(Err(stopped));
+        }
+        lane.trial = Trial::Step { arrives };
+        None
+    }
+
+    /// Orders and length of a step from new coefficients.
+    fn measure(&mut self, index: usize, lane: &mut Lane) {
+        lane.order = self.finite_orders(index, lane);
+        let state = &mut self.scratch[..self.states];
+        gather(&self.current, index, state);
+        lane.tolerance.weigh(state);
+        let judged = step::JUDGED.min(lane.order);
+        let newest = &mut self.scratch[..judged * self.states];
+        gather(&self.current[(lane.order + 1 - judged) * self.states..], index, newest);
+        lane.step = lane.tolerance.step_length_by(newest, lane.order).min(lane.longest);
+    }
+
+    /// State and slope at the end of every lane's step.
+    fn aim(&mut self, lanes: &[Option<Lane>]) {
+        let (zero, half) = (R::literal(0.0), R::literal(0.5));
+        let (mut steps, mut waits) = (zero, R::literal(1.0));
+        for (index, lane) in lanes.iter().enumerate() {
+            let Some(lane) = lane else { continue };
+            if let Trial::Step { .. } = lane.trial {
+                steps.set_lane(index, lane.step);
+                waits.set_lane(index, 0.0);
+                self.time.set_lane(index, lane.within(lane.time + lane.step));
+            }
+        }
+        for state in 0..self.states {
+            let (mut value, mut slope) = (zero, zero);
+            for term in self.current.iter().skip(state).step_by(self.states).rev() {
+                slope = slope * steps + value;
+                value = value * steps + *term;
+            }
+            self.end[state] = R::select_less(waits, half, value, self.end[state]);
+            self.slope[state] = slope;
+        }
+    }
+
+    /// Takes the samples of a step that has passed, and goes to its end.
+    fn record(&mut self, index: usize, lane: &mut Lane, arrives: bool) {
+        let until = if arrives { lane.until() } else { lane.time + lane.step };
+        while let Some(time) = lane.next_sample_until(until) {
+            for state in 0..self.states {
+                let value = if time >= until {
+                    self.end[state].lane(index)
+                } else {
+                    self.value(index, state, time - lane.time)
+                };
+                lane.rows.push(value);
+            }
+            lane.taken += 1;
+        }
+        lane.time = until;
+        lane.longest = step::GROWTH * lane.step;
+        lane.work.steps += 1;
+    }
+
+    /// The polynomial of a state after the start of the lane's step.
+    fn value(&self, index: usize, state: usize, after: f64) -> f64 {
+        let mut terms = self.current.iter().skip(state).step_by(self.states).rev();
+        let highest = terms.next().map_or(0.0, |term| term.lane(index));
+        terms.fold(highest, |value, term| value * after + term.lane(index))
+    }
+
+    /// The highest order up to which the coefficients of a lane are finite; those
+    /// beyond become zero.
+    fn finite_orders(&mut self, index: usize, lane: &mut Lane) -> usize {
+        if self.zeros.lane(index).is_finite() {
+            return self.order;
+        }
+        let broken = self.current.iter().position(|value| !value.lane(index).is_finite());
+        let Some(broken) = broken else { return self.order };
+        if broken < 2 * self.states {
+            let what = if broken < self.states { "the state" } else { "the rate of" };
+            let what = format!("{what} state number {}", broken % self.states);
+            lane.stop(StopCause::NotFinite { what });
+            return self.order;
+        }
+        let order = broken / self.states - 1;
+        for value in &mut self.current[(order + 1) * self.states..] {
+            value.set_lane(index, 0.0);
+        }
+        order
+    }
+}
+
+/// Numbers of one lane, as many as there is room for.
+fn gather<R: Lanes>(values: &[R], index: usize, into: &mut [f64]) {
+    for (into, value) in into.iter_mut().zip(values) {
+        *into = value.lane(index);
+    }
+}

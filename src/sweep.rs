@@ -1,0 +1,199 @@
+//! Many variants of one machine: in lanes, on threads.
+//!
+//! Taylor's method runs eight variants side by side, each with its own parameters,
+//! steps and jumps; other methods run one variant after another. Threads share the
+//! variants out. None of this changes a result: every variant is, to the last bit,
+//! what a run of its own gives, whatever the number of threads.
+
+use machinist_scenes::Simulator;
+use rayon::prelude::*;
+
+use crate::error::SimulateError;
+use crate::lanes::F64x8;
+use crate::method::Method;
+use crate::method::taylor::variants::{self, Outcome};
+use crate::simulate::Simulation;
+use crate::trajectory::ColumnKind;
+
+/// Variants that a thread takes at a time.
+const CHUNK: usize = 64;
+
+/// A machine that runs in lanes and on threads, as every emitted one does.
+pub trait Sweepable: Simulator<f64> + Simulator<F64x8> + Sync {}
+
+impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {}
+
+/// Runs of one machine with different parameters.
+///
+/// ```
+/// use machinist::{Method, Sweep};
+/// use machinist_scenes::scenes::saw_gin::SawGin;
+///
+/// let stiffnesses: Vec<f64> = (1..=20).map(|k| 2e3 * f64::from(k)).collect();
+/// let runs = Sweep::new(&SawGin)
+///     .each(|run| run.until(0.1).points(2).rtol(1e-8).method(Method::Taylor))
+///     .vary("coupling.stiffness", &stiffnesses)?
+///     .run();
+/// assert_eq!(runs.len(), 20);
+/// for run in runs {
+///     let run = run?;
+///     println!("{:?}", run.states.last());
+/// }
+/// # Ok::<(), machinist::SimulateError>(())
+/// ```
+#[must_use = "a sweep does nothing until it is `run`"]
+pub struct Sweep<'a, S> {
+    machine: &'a S,
+    each: Box<dyn Fn(Simulation<'a>) -> Simulation<'a> + Sync + 'a>,
+    variants: Vec<Vec<f64>>,
+    threads: usize,
+}
+
+/// One variant's run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VariantRun {
+    /// State at every wanted time.
+    pub states: Vec<Vec<f64>>,
+    /// Outputs at every wanted time.
+    pub outputs: Vec<Vec<f64>>,
+    /// Steps accepted.
+    pub steps: u64,
+}
+
+impl<'a, S: Sweepable> Sweep<'a, S> {
+    /// A sweep of the machine as its spec says, with one variant.
+    pub fn new(machine: &'a S) -> Self {
+        let shape = machine.shape();
+        let defaults = (0..shape.parameters).map(|index| machine.parameter_default(index));
+        Self {
+            machine,
+            each: Box::new(|simulation| simulation),
+            variants: vec![defaults.collect()],
+            threads: 0,
+        }
+    }
+
+    /// Adjusts every run: its end, tolerance, method, output times.
+    pub fn each(mut self, adjust: impl Fn(Simulation<'a>) -> Simulation<'a> + Sync + 'a) -> Self {
+        self.each = Box::new(adjust);
+        self
+    }
+
+    /// Takes every variant there is with each of these values of a parameter, in its
+    /// SI unit: called twice, it makes a grid, the last parameter fastest.
+    ///
+    /// # Errors
+    /// [`SimulateError::UnknownParameter`], with the nearest known name.
+    pub fn vary(mut self, name: &str, values: &[f64]) -> Result<Self, SimulateError> {
+        let index = Simulation::new(self.machine).parameter_index(name)?;
+        let varied = self.variants.iter().flat_map(|variant| {
+            values.iter().map(move |value| {
+                let mut variant = variant.clone();
+                variant[index] = *value;
+                variant
+            })
+        });
+        self.variants = varied.collect();
+        Ok(self)
+    }
+
+    /// Runs these variants, each a full list of parameters.
+    pub fn variants(mut self, variants: Vec<Vec<f64>>) -> Self {
+        self.variants = variants;
+        self
+    }
+
+    /// Uses so many threads; as many as the machine has unless set, or if 0.
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.threads = threads;
+        self
+    }
+
+    /// Runs all variants; results are in their order.
+    pub fn run(&self) -> Vec<Result<VariantRun, SimulateError>> {
+        let run_all = || {
+            let chunks = self.variants.par_chunks(CHUNK).map(|chunk| self.run_chunk(chunk));
+            chunks.flatten_iter().collect()
+        };
+        // Without threads of its own, a sweep still runs.
+        match rayon::ThreadPoolBuilder::new().num_threads(self.threads).build() {
+            Ok(pool) => pool.install(run_all),
+            Err(_) => run_all(),
+        }
+    }
+
+    fn run_chunk(&self, chunk: &[Vec<f64>]) -> Vec<Result<VariantRun, SimulateError>> {
+        let simulation = (self.each)(Simulation::new(self.machine));
+        let machine: &dyn Simulator<F64x8> = self.machine;
+        match (simulation.method_and_rtol(), machine.taylor()) {
+            (Ok((Method::Taylor, rtol)), Some(series)) if rtol >= 4.0 * f64::EPSILON => {
+                self.run_in_lanes(chunk, rtol, series)
+            }
+            _ => chunk.iter().map(|parameters| self.run_one(parameters)).collect(),
+        }
+    }
+
+    fn simulation(&self, parameters: &[f64]) -> Simulation<'a> {
+        (self.each)(Simulation::new(self.machine)).parameters(parameters)
+    }
+
+    fn run_one(&self, parameters: &[f64]) -> Result<VariantRun, SimulateError> {
+        let run = self.simulation(parameters).run()?;
+        let rows = |kind: ColumnKind| {
+            let columns: Vec<_> = run.of_kind(kind).collect();
+            let row = |index: usize| columns.iter().map(|column| column.values[index]).collect();
+            (0..run.times.len()).map(row).collect()
+        };
+        Ok(VariantRun {
+            states: rows(ColumnKind::State),
+            outputs: rows(ColumnKind::Output),
+            steps: run.work.steps,
+        })
+    }
+
+    fn run_in_lanes(
+        &self,
+        chunk: &[Vec<f64>],
+        rtol: f64,
+        series: &dyn machinist_scenes::taylor::TaylorSeries<F64x8>,
+    ) -> Vec<Result<VariantRun, SimulateError>> {
+        let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
+        let mut valid = Vec::with_capacity(chunk.len());
+        let mut ready = Vec::with_capacity(chunk.len());
+        for (index, parameters) in chunk.iter().enumerate() {
+            match self.simulation(parameters).variant() {
+                Ok(variant) => {
+                    valid.push((index, variant.times.clone()));
+                    ready.push(variant);
+                }
+                Err(error) => results[index] = Some(Err(error)),
+            }
+        }
+        variants::integrate(series, rtol, &mut ready.into_iter(), &mut |number, outcome| {
+            let (index, times) = &valid[number];
+            results[*index] = Some(match outcome {
+                Ok(outcome) => Ok(self.finished(&chunk[*index], times, &outcome)),
+                Err(stopped) => Err(SimulateError::Stopped {
+                    scene: Simulation::new(self.machine).simulator().name().to_owned(),
+                    method: Method::Taylor.name(),
+                    time: stopped.time,
+                    cause: stopped.cause,
+                }),
+            });
+        });
+        results.into_iter().flatten().collect()
+    }
+
+    fn finished(&self, parameters: &[f64], times: &[f64], outcome: &Outcome) -> VariantRun {
+        let machine: &dyn Simulator<f64> = self.machine;
+        let shape = machine.shape();
+        let states: Vec<Vec<f64>> =
+            outcome.rows.chunks_exact(shape.states().max(1)).map(<[f64]>::to_vec).collect();
+        let outputs = times.iter().zip(&states).map(|(time, state)| {
+            let mut outputs = vec![0.0; shape.outputs];
+            machine.outputs(*time, state, parameters, &mut outputs);
+            outputs
+        });
+        VariantRun { outputs: outputs.collect(), states, steps: outcome.work.steps }
+    }
+}

@@ -1,0 +1,187 @@
+//! Many variants at once are what they are one by one, to the last bit.
+#![cfg(all(feature = "sweep", feature = "implicit", feature = "scenes"))]
+
+use machinist::error::StopCause;
+use machinist::lanes::{F64x4, F64x8, Lanes};
+use machinist::sweep::{Sweepable, VariantRun};
+use machinist::{Method, SimulateError, Simulation, Sweep};
+use machinist_scenes::scenes::{pendulum_chain, saw_gin, two_mass, winder_nonlinear};
+use machinist_scenes::{Real, Simulator};
+
+/// What one run after another gives.
+fn one_by_one<'a, S: Sweepable>(
+    machine: &'a S,
+    name: &str,
+    values: &[f64],
+    each: impl Fn(Simulation<'a>) -> Simulation<'a>,
+) -> Vec<Vec<f64>> {
+    let runs = values.iter().map(|value| {
+        let simulation = each(Simulation::new(machine)).parameter(name, *value);
+        let run = simulation.expect("a parameter").run().expect("a run");
+        let shape = <S as machinist_scenes::Describe>::shape(machine);
+        let columns = run.columns[..shape.states() + shape.outputs].iter();
+        columns.flat_map(|column| column.values.clone()).collect()
+    });
+    runs.collect()
+}
+
+/// The numbers of a run, column after column.
+fn columns(run: &VariantRun) -> Vec<f64> {
+    let of = |rows: &[Vec<f64>]| -> Vec<f64> {
+        let width = rows.first().map_or(0, Vec::len);
+        (0..width).flat_map(|column| rows.iter().map(move |row| row[column])).collect()
+    };
+    [of(&run.states), of(&run.outputs)].concat()
+}
+
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+fn assert_same<'a, S: Sweepable>(
+    machine: &'a S,
+    name: &str,
+    values: &[f64],
+    each: impl Fn(Simulation<'a>) -> Simulation<'a> + Sync + Copy + 'a,
+) {
+    let expected = one_by_one(machine, name, values, each);
+    for threads in [1, 2] {
+        let sweep = Sweep::new(machine).each(each).vary(name, values).expect("a parameter");
+        let runs = sweep.threads(threads).run();
+        assert_eq!(runs.len(), values.len());
+        for ((run, expected), value) in runs.iter().zip(&expected).zip(values) {
+            let run = run.as_ref().expect("a run");
+            assert_eq!(bits(&columns(run)), bits(expected), "{name} = {value}, {threads} threads");
+        }
+    }
+}
+
+fn spread(from: f64, until: f64, count: usize) -> Vec<f64> {
+    let share = |index: usize| index as f64 / (count - 1) as f64;
+    (0..count).map(|index| from * (until / from).powf(share(index))).collect()
+}
+
+#[test]
+fn lanes_give_the_bits_of_single_runs_whatever_the_threads() {
+    // More than a chunk, and no multiple of the lanes; jumps at times of their own.
+    assert_same(&saw_gin::SawGin, "coupling.stiffness", &spread(1e3, 1e5, 75), |run| {
+        run.until(0.15).points(4).rtol(1e-7).method(Method::Taylor)
+    });
+    assert_same(&pendulum_chain::PendulumChain, "chain.l_1", &spread(0.5, 2.0, 11), |run| {
+        run.until(1.0).points(7).rtol(1e-9).method(Method::Taylor)
+    });
+    assert_same(
+        &winder_nonlinear::WinderNonlinear,
+        "holder.package_radius",
+        &spread(0.06, 0.12, 9),
+        |run| run.until(0.3).points(5).rtol(1e-10).method(Method::Taylor),
+    );
+}
+
+#[test]
+fn other_methods_share_threads_and_keep_their_bits() {
+    assert_same(&two_mass::TwoMass, "coupling.stiffness", &spread(1e2, 1e6, 70), |run| {
+        run.until(0.2).points(3).rtol(1e-6).method(Method::Radau)
+    });
+}
+
+#[test]
+fn a_variant_that_cannot_be_run_leaves_the_others_alone() {
+    let values = [1e4, f64::NAN, 2e4, 3e4];
+    let each =
+        |run: Simulation<'static>| run.until(0.02).points(2).rtol(1e-6).method(Method::Taylor);
+    let sweep = Sweep::new(&saw_gin::SawGin).each(each).vary("coupling.stiffness", &values);
+    let runs = sweep.expect("a parameter").run();
+    assert!(matches!(&runs[1], Err(SimulateError::NotFinite { .. })), "{:?}", runs[1]);
+    let alone = one_by_one(&saw_gin::SawGin, "coupling.stiffness", &[1e4, 2e4, 3e4], each);
+    for (run, alone) in [&runs[0], &runs[2], &runs[3]].into_iter().zip(&alone) {
+        assert_eq!(bits(&columns(run.as_ref().expect("a run"))), bits(alone));
+    }
+    let few = Sweep::new(&saw_gin::SawGin).each(move |run| each(run).max_steps(2)).run();
+    match &few[0] {
+        Err(SimulateError::Stopped { cause: StopCause::TooManySteps { limit: 2 }, .. }) => {}
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_grid_takes_every_pair_with_the_last_parameter_fastest() {
+    let sweep = Sweep::new(&two_mass::TwoMass)
+        .each(|run| run.until(0.01).points(2).method(Method::Exact))
+        .vary("coupling.stiffness", &[1e3, 1e4])
+        .and_then(|sweep| sweep.vary("load_torque", &[10.0, 20.0, 30.0]))
+        .expect("parameters");
+    let runs: Vec<VariantRun> = sweep.run().into_iter().map(|run| run.expect("a run")).collect();
+    assert_eq!(runs.len(), 6);
+    let end = |index: usize| runs[index].states[1].clone();
+    assert_ne!(end(0), end(1));
+    assert_ne!(end(0), end(3));
+    assert!(Sweep::new(&two_mass::TwoMass).vary("coupling.stifness", &[1.0]).is_err());
+}
+
+#[test]
+fn lanes_round_as_single_numbers_do() {
+    fn check<R: Lanes>() {
+        let numbers = [0.0, -0.0, 1.5, -2.25, 1e-300, 3e200, f64::INFINITY, f64::NAN, 0.7];
+        let pairs = numbers.iter().flat_map(|a| numbers.iter().map(move |b| (*a, *b)));
+        let pairs: Vec<(f64, f64)> = pairs.collect();
+        for chunk in pairs.chunks(R::COUNT) {
+            let (mut a, mut b) = (R::splat(1.0), R::splat(1.0));
+            for (lane, (x, y)) in chunk.iter().enumerate() {
+                a.set_lane(lane, *x);
+                b.set_lane(lane, *y);
+            }
+            let operations: [(R, fn(f64, f64) -> f64); 14] = [
+                (a + b, |x, y| x + y),
+                (a - b, |x, y| x - y),
+                (a * b, |x, y| x * y),
+                (a / b, |x, y| x / y),
+                (-a, |x, _| -x),
+                (Real::sqrt(a), |x, _| x.sqrt()),
+                (Real::abs(a), |x, _| x.abs()),
+                (R::select_less(a, b, a, b), |x, y| if x < y { x } else { y }),
+                (Real::sin(a), |x, _| x.sin()),
+                (Real::exp(a), |x, _| x.exp()),
+                (Real::tanh(a), |x, _| x.tanh()),
+                (Real::atan(a), |x, _| x.atan()),
+                (Real::powf(a, b), f64::powf),
+                (Real::powi(a, 5), |x, _| Real::powi(x, 5)),
+            ];
+            for (number, (found, expected)) in operations.iter().enumerate() {
+                for (lane, (x, y)) in chunk.iter().enumerate() {
+                    let (found, expected) = (found.lane(lane), expected(*x, *y));
+                    let same = found.to_bits() == expected.to_bits()
+                        || (found.is_nan() && expected.is_nan());
+                    assert!(same, "operation {number} of {x} and {y}: {found} for {expected}");
+                }
+            }
+        }
+    }
+    check::<F64x4>();
+    check::<F64x8>();
+}
+
+#[test]
+fn simulators_run_on_lanes_as_on_single_numbers() {
+    let machine = saw_gin::SawGin;
+    let single: &dyn Simulator<f64> = &machine;
+    let lanes: &dyn Simulator<F64x4> = &machine;
+    let shape = single.shape();
+    let parameters: Vec<f64> =
+        (0..shape.parameters).map(|index| single.parameter_default(index)).collect();
+    let state = |lane: usize| -> Vec<f64> {
+        (0..shape.states()).map(|index| (1.0 + index as f64 + 0.3 * lane as f64).sin()).collect()
+    };
+    let wide_state: Vec<F64x4> = (0..shape.states())
+        .map(|index| F64x4::from(std::array::from_fn(|lane| state(lane)[index])))
+        .collect();
+    let wide_parameters: Vec<F64x4> = parameters.iter().map(|p| F64x4::splat(*p)).collect();
+    let mut wide_rate = vec![F64x4::splat(0.0); shape.states()];
+    lanes.rate(F64x4::splat(0.3), &wide_state, &wide_parameters, &mut wide_rate);
+    for lane in 0..4 {
+        let mut rate = vec![0.0; shape.states()];
+        single.rate(0.3, &state(lane), &parameters, &mut rate);
+        let found: Vec<f64> = wide_rate.iter().map(|rate| rate.lane(lane)).collect();
+        assert_eq!(bits(&found), bits(&rate));
+    }
+}

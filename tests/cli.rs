@@ -311,10 +311,10 @@ fn the_report_is_one_page_that_needs_nothing_else_and_comes_out_the_same() {
     let folder = tempfile::tempdir().expect("a folder");
     let specs = folder.path().join("specs");
     copy_specs(&specs);
+    let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
+    answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
     let page = |out: &str| {
         let out = folder.path().join(out);
-        let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
-        answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
         let places = ["--specs", text(&scenes), "--emitted", text(&emitted)];
         answer(&[&["report", "--no-times", "--out", text(&out)], &places[..]].concat());
         assert_eq!(names_in(&out), ["index.html"]);
@@ -413,7 +413,7 @@ fn a_response_of_unknown_quantities_or_over_a_bad_range_is_refused() {
 }
 
 #[test]
-fn explain_tells_what_is_left_out_of_every_scene_and_why() {
+fn explain_tells_what_is_left_out_and_why() {
     for (scene, states, gone) in [
         ("saw_gin", 7, "cylinder.phi"),
         ("motor_run_up", 5, "motor.phi"),
@@ -421,15 +421,47 @@ fn explain_tells_what_is_left_out_of_every_scene_and_why() {
     ] {
         let text = answer(&["explain", scene, "--without-times"]);
         assert!(text.contains(gone) && text.contains("cyclic"), "{text}");
-        let json = answer(&["explain", scene, "--json", "--without-times"]);
-        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let json = explain_as_json(scene);
         assert_eq!(json["states"].as_array().map(Vec::len), Some(states), "{scene}");
         assert_eq!(json["left_out"][0]["name"], gone);
         let stages = json["stages"].as_array().expect("stages");
         assert_eq!(stages[0]["size"]["states"], states + 1);
+        assert_eq!(stages.last().expect("a stage")["size"]["states"], states);
     }
     let whole = answer(&["explain", "saw_gin", "--keep-all", "--without-times"]);
     assert!(whole.contains("Nothing is left out") && whole.contains("motor.phi, cylinder.phi"));
+}
+
+fn explain_as_json(scene: &str) -> serde_json::Value {
+    let json = answer(&["explain", scene, "--json", "--without-times"]);
+    serde_json::from_str(&json).expect("JSON")
+}
+
+#[test]
+fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code() {
+    let files = names_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/scenes"));
+    let files: Vec<&String> = files.iter().filter(|file| file.ends_with(".toml")).collect();
+    assert!(files.len() >= machinist_scenes::scenes::NAMES.len());
+    for file in files {
+        let json = explain_as_json(&format!("specs/scenes/{file}"));
+        let scene = json["scene"].as_str().expect("a name");
+        let size =
+            &json["stages"].as_array().and_then(|stages| stages.last()).expect("a stage")["size"];
+        let emitted = format!("generated/src/scenes/{scene}.rs");
+        let emitted = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(emitted));
+        let lines = emitted.expect("an emitted file").lines().count();
+        assert_eq!(size["lines"], lines, "{scene}");
+        let built_in = machinist_scenes::scenes::find::<f64>(scene).expect("a built-in scene");
+        assert_eq!(size["states"], built_in.shape().states(), "{scene}");
+        assert_eq!(size["parameters"], built_in.shape().parameters, "{scene}");
+        let nonzeros = built_in.rate_jacobian_pattern().entries.len();
+        assert_eq!(size["jacobian_nonzeros"], nonzeros, "{scene}");
+        assert_eq!(json["structure"]["jacobian_entries"], nonzeros, "{scene}");
+        let operations = &json["structure"]["rate_operations"];
+        let parts = ["once", "by_time", "by_state"].map(|part| operations[part].as_u64());
+        let sum: Option<u64> = parts.into_iter().sum();
+        assert_eq!(size["rate_operations"].as_u64(), sum, "{scene}");
+    }
 }
 
 #[test]

@@ -313,15 +313,20 @@ fn the_report_is_one_page_that_needs_nothing_else_and_comes_out_the_same() {
     copy_specs(&specs);
     let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
     answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
-    let page = |out: &str| {
-        let out = folder.path().join(out);
+    let start = |out: &Path| {
         let places = ["--specs", text(&scenes), "--emitted", text(&emitted)];
-        answer(&[&["report", "--no-times", "--out", text(&out)], &places[..]].concat());
-        assert_eq!(names_in(&out), ["index.html"]);
-        fs::read_to_string(out.join("index.html")).expect("a page")
+        let arguments = [&["report", "--no-times", "--out", text(out)], &places[..]].concat();
+        machinist(&arguments).stdout(Stdio::null()).spawn().expect("the program starts")
     };
-    let first = page("first");
-    assert!(first == page("second"));
+    let folders = ["first", "second"].map(|name| folder.path().join(name));
+    // At the same time, as each takes a while.
+    let ends = folders.each_ref().map(|out| start(out)).map(|mut child| child.wait());
+    let [first, second] = [0, 1].map(|which| {
+        assert!(ends[which].as_ref().expect("an end").success());
+        assert_eq!(names_in(&folders[which]), ["index.html"]);
+        fs::read_to_string(folders[which].join("index.html")).expect("a page")
+    });
+    assert!(first == second);
     for reference in ["<link", " src=\"", "@import", "url(http"] {
         assert!(!outside_of_scripts(&first).contains(reference), "the page has {reference}");
     }
@@ -475,6 +480,30 @@ fn explain_measures_what_freezing_the_coupling_would_do() {
     assert_eq!(errors[0][1], 1.0, "a rigid coupling does not twist");
     assert!(errors[2][1].as_f64().is_some_and(|error| error > 0.0 && error < 0.2), "{errors:?}");
     assert!(json["run"]["ratio"].as_f64().is_some_and(|ratio| ratio > 0.0));
+}
+
+#[test]
+fn explain_lists_the_coupling_of_the_saw_gin_with_its_price() {
+    let folder = tempfile::tempdir().expect("a folder");
+    copy_specs(folder.path());
+    let path = folder.path().join("scenes/saw_gin.toml");
+    let spec = fs::read_to_string(&path).expect("the spec");
+    fs::write(&path, spec.replace("until = 2.0", "until = 0.1")).expect("written");
+    let json = answer(&["explain", text(&path), "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let candidate = &json["freeze_candidates"][0];
+    let price = &candidate["price"]["Ok"];
+    assert_eq!((&candidate["instance"], &price["states"]), (&"coupling".into(), &5.into()));
+    assert!(price["time_ratio"].as_f64().is_some_and(|ratio| ratio > 0.0), "{price}");
+    let errors = price["errors"].as_array().expect("errors");
+    let error = |output: &str| {
+        errors.iter().find(|pair| pair[0] == output).and_then(|pair| pair[1].as_f64())
+    };
+    assert_eq!(error("twist"), Some(1.0), "a rigid coupling does not twist");
+    assert!(error("motor_speed").is_some_and(|error| error > 1e-6 && error < 1.0), "{errors:?}");
+    // Of the same run: what leaving out a position does to the outputs is rounding.
+    let difference = json["run"]["milliseconds"]["difference"].as_f64();
+    assert!(difference.is_some_and(|difference| difference < 1e-9), "{difference:?}");
 }
 
 #[test]

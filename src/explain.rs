@@ -9,7 +9,7 @@ use machinist::{SimulateError, Simulation, Trajectory};
 use machinist_codegen::diagnostic::Diagnostics;
 use machinist_codegen::emit::rust::emit;
 use machinist_codegen::emit::{EmitOptions, tape_operations};
-use machinist_codegen::pipeline;
+use machinist_codegen::pipeline::Stages;
 use machinist_codegen::program::Program;
 use machinist_codegen::reduce::{Keep, Reduction};
 use machinist_codegen::structure::Structure;
@@ -94,28 +94,17 @@ pub struct Times {
 }
 
 impl Explanation {
-    /// Derives a scene step by step up to `keep`, and times it if asked to.
-    pub fn new(scene: &Path, keep: Keep, with_times: bool) -> Result<Self, Diagnostics> {
-        let whole = pipeline::generate(scene, Keep::All)?;
-        let needed = pipeline::generate(scene, keep)?;
-        let mut programs = vec![whole.clone()];
-        let mut stages = vec![Stage { done: "the whole scene", size: Size::of(&whole) }];
-        let steps = [
-            (Keep::Tunable, "parameters fixed"),
-            (Keep::Reachable, "unreachable left out"),
-            (Keep::Exact, "cyclic left out"),
-            (Keep::Needed, "frozen as wanted"),
-        ];
-        for (step, done) in steps.into_iter().filter(|(step, _)| *step <= keep) {
-            let program = pipeline::generate(scene, step)?;
-            let size = Size::of(&program);
-            if stages.last().is_none_or(|stage| stage.size != size) {
-                stages.push(Stage { done, size });
-                programs.push(program);
-            }
+    /// Looks at the programs of a scene file, and times them if asked to.
+    pub fn new(scene: &Path, programs: Stages, with_times: bool) -> Result<Self, Diagnostics> {
+        let mut stages = vec![Stage::of(Keep::All, &programs.whole)];
+        for (step, program) in &programs.steps {
+            stages.push(Stage::of(*step, program));
         }
         let no_object =
             if with_times { measure_objects(&mut stages, &programs).err() } else { None };
+        // A step that renamed or noted something only is none to show.
+        stages.dedup_by(|next, last| next.size == last.size);
+        let needed = programs.needed().clone();
         Ok(Self {
             scene: needed.system.name.clone(),
             title: needed.system.title.clone(),
@@ -125,8 +114,25 @@ impl Explanation {
             structure: Structure::of(&needed),
             no_object,
             candidates: if with_times { freeze::candidates(scene)? } else { Vec::new() },
-            times: with_times.then(|| Times::measure(whole, needed)),
+            times: with_times.then(|| Times::measure(programs.whole, needed)),
         })
+    }
+}
+
+/// A step of reduction in a few words.
+fn done(step: Keep) -> &'static str {
+    match step {
+        Keep::All => "the whole scene",
+        Keep::Tunable => "parameters fixed",
+        Keep::Reachable => "unreachable left out",
+        Keep::Exact => "cyclic left out",
+        Keep::Needed => "frozen as wanted",
+    }
+}
+
+impl Stage {
+    fn of(step: Keep, program: &Program) -> Self {
+        Self { done: done(step), size: Size::of(program) }
     }
 }
 
@@ -163,8 +169,9 @@ impl Size {
 }
 
 /// Compiles what each stage emits.
-fn measure_objects(stages: &mut [Stage], programs: &[Program]) -> Result<(), ObjectError> {
-    for (stage, program) in stages.iter_mut().zip(programs) {
+fn measure_objects(stages: &mut [Stage], programs: &Stages) -> Result<(), ObjectError> {
+    let steps = programs.steps.iter().map(|(_, program)| program);
+    for (stage, program) in stages.iter_mut().zip(std::iter::once(&programs.whole).chain(steps)) {
         stage.size.object_bytes = Some(object(program)?.len());
     }
     Ok(())

@@ -28,6 +28,7 @@ use machinist::work_precision::{self, Plan, WorkPrecision};
 use machinist::{SimulateError, Simulation};
 use machinist_codegen::dependencies::Dependencies;
 use machinist_codegen::document::{Document, Notation};
+use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_scenes::{Simulator, scenes};
@@ -128,9 +129,10 @@ impl SceneData {
             Some(simulator) => both(simulator),
             None => both(&InterpretedSimulator::new(derived.program.clone())),
         };
+        let stages = pipeline::stages(derived.equations.clone(), Keep::Needed)?;
         Ok(Self {
             document,
-            explanation: Explanation::new(file, Keep::Needed, with_times)?,
+            explanation: Explanation::new(file, stages, with_times)?,
             dependencies: Dependencies::new(&derived.equations, &derived.program.reduction),
             is_built_in: built_in.is_some(),
             run: trajectory,

@@ -35,6 +35,15 @@ pub struct VerifyOptions {
     /// Parameters set to other values, as `scene.parameter` and SI value:
     /// `two_mass.coupling.stiffness`. They also win over what a check sets.
     pub overrides: Vec<(String, f64)>,
+    /// Only checks whose `scene: check` contains this text, if any is given.
+    pub only: Option<String>,
+}
+
+impl VerifyOptions {
+    fn want(&self, machine: &Machine, check: &Check) -> bool {
+        let name = || format!("{}: {}", machine.name(), check.name);
+        self.only.as_ref().is_none_or(|text| name().contains(text.as_str()))
+    }
 }
 
 /// The outcome of one check.
@@ -82,7 +91,7 @@ pub enum VerifyError {
     },
 }
 
-/// Runs every check, scene by scene, in the order of the tables.
+/// Runs every check that is wanted, scene by scene, in the order of the tables.
 ///
 /// # Errors
 /// [`VerifyError`] if an override makes no sense. A check that cannot be done, say
@@ -93,10 +102,11 @@ pub fn verify_all(options: &VerifyOptions) -> Result<Vec<Verdict>, VerifyError> 
         override_parameter(&mut machines, name, *value)?;
     }
     let checks = |machine: &Machine| own_checks(machine.name()).iter().chain(every_scene::CHECKS);
-    Ok(machines
-        .iter()
-        .flat_map(|machine| checks(machine).map(|check| check.verdict(machine)))
-        .collect())
+    let verdicts = machines.iter().flat_map(|machine| {
+        let wanted = checks(machine).filter(|check| options.want(machine, check));
+        wanted.map(|check| check.verdict(machine))
+    });
+    Ok(verdicts.collect())
 }
 
 /// The table of checks that only this scene has.

@@ -348,17 +348,22 @@ fn the_report_is_one_page_that_needs_nothing_else_and_comes_out_the_same() {
     let folder = tempfile::tempdir().expect("a folder");
     let specs = folder.path().join("specs");
     copy_specs(&specs);
-    let page = |out: &str| {
-        let out = folder.path().join(out);
-        let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
-        answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
+    let [scenes, emitted] = [specs.join("scenes"), folder.path().join("emitted")];
+    answer(&["gen", "--specs", text(&scenes), "--out", text(&emitted)]);
+    let start = |out: &Path| {
         let places = ["--specs", text(&scenes), "--emitted", text(&emitted)];
-        answer(&[&["report", "--no-times", "--out", text(&out)], &places[..]].concat());
-        assert_eq!(names_in(&out), ["index.html"]);
-        fs::read_to_string(out.join("index.html")).expect("a page")
+        let arguments = [&["report", "--no-times", "--out", text(out)], &places[..]].concat();
+        machinist(&arguments).stdout(Stdio::null()).spawn().expect("the program starts")
     };
-    let first = page("first");
-    assert!(first == page("second"));
+    let folders = ["first", "second"].map(|name| folder.path().join(name));
+    // At the same time, as each takes a while.
+    let ends = folders.each_ref().map(|out| start(out)).map(|mut child| child.wait());
+    let [first, second] = [0, 1].map(|which| {
+        assert!(ends[which].as_ref().expect("an end").success());
+        assert_eq!(names_in(&folders[which]), ["index.html"]);
+        fs::read_to_string(folders[which].join("index.html")).expect("a page")
+    });
+    assert!(first == second);
     for reference in ["<link", " src=\"", "@import", "url(http"] {
         assert!(!outside_of_scripts(&first).contains(reference), "the page has {reference}");
     }
@@ -450,7 +455,7 @@ fn a_response_of_unknown_quantities_or_over_a_bad_range_is_refused() {
 }
 
 #[test]
-fn explain_tells_what_is_left_out_of_every_scene_and_why() {
+fn explain_tells_what_is_left_out_and_why() {
     for (scene, states, gone) in [
         ("saw_gin", 7, "cylinder.phi"),
         ("motor_run_up", 5, "motor.phi"),
@@ -458,15 +463,47 @@ fn explain_tells_what_is_left_out_of_every_scene_and_why() {
     ] {
         let text = answer(&["explain", scene, "--without-times"]);
         assert!(text.contains(gone) && text.contains("cyclic"), "{text}");
-        let json = answer(&["explain", scene, "--json", "--without-times"]);
-        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let json = explain_as_json(scene);
         assert_eq!(json["states"].as_array().map(Vec::len), Some(states), "{scene}");
         assert_eq!(json["left_out"][0]["name"], gone);
         let stages = json["stages"].as_array().expect("stages");
         assert_eq!(stages[0]["size"]["states"], states + 1);
+        assert_eq!(stages.last().expect("a stage")["size"]["states"], states);
     }
     let whole = answer(&["explain", "saw_gin", "--keep-all", "--without-times"]);
     assert!(whole.contains("Nothing is left out") && whole.contains("motor.phi, cylinder.phi"));
+}
+
+fn explain_as_json(scene: &str) -> serde_json::Value {
+    let json = answer(&["explain", scene, "--json", "--without-times"]);
+    serde_json::from_str(&json).expect("JSON")
+}
+
+#[test]
+fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code() {
+    let files = names_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/scenes"));
+    let files: Vec<&String> = files.iter().filter(|file| file.ends_with(".toml")).collect();
+    assert!(files.len() >= machinist_scenes::scenes::NAMES.len());
+    for file in files {
+        let json = explain_as_json(&format!("specs/scenes/{file}"));
+        let scene = json["scene"].as_str().expect("a name");
+        let size =
+            &json["stages"].as_array().and_then(|stages| stages.last()).expect("a stage")["size"];
+        let emitted = format!("generated/src/scenes/{scene}.rs");
+        let emitted = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(emitted));
+        let lines = emitted.expect("an emitted file").lines().count();
+        assert_eq!(size["lines"], lines, "{scene}");
+        let built_in = machinist_scenes::scenes::find::<f64>(scene).expect("a built-in scene");
+        assert_eq!(size["states"], built_in.shape().states(), "{scene}");
+        assert_eq!(size["parameters"], built_in.shape().parameters, "{scene}");
+        let nonzeros = built_in.rate_jacobian_pattern().entries.len();
+        assert_eq!(size["jacobian_nonzeros"], nonzeros, "{scene}");
+        assert_eq!(json["structure"]["jacobian_entries"], nonzeros, "{scene}");
+        let operations = &json["structure"]["rate_operations"];
+        let parts = ["once", "by_time", "by_state"].map(|part| operations[part].as_u64());
+        let sum: Option<u64> = parts.into_iter().sum();
+        assert_eq!(size["rate_operations"].as_u64(), sum, "{scene}");
+    }
 }
 
 #[test]
@@ -480,6 +517,30 @@ fn explain_measures_what_freezing_the_coupling_would_do() {
     assert_eq!(errors[0][1], 1.0, "a rigid coupling does not twist");
     assert!(errors[2][1].as_f64().is_some_and(|error| error > 0.0 && error < 0.2), "{errors:?}");
     assert!(json["run"]["ratio"].as_f64().is_some_and(|ratio| ratio > 0.0));
+}
+
+#[test]
+fn explain_lists_the_coupling_of_the_saw_gin_with_its_price() {
+    let folder = tempfile::tempdir().expect("a folder");
+    copy_specs(folder.path());
+    let path = folder.path().join("scenes/saw_gin.toml");
+    let spec = fs::read_to_string(&path).expect("the spec");
+    fs::write(&path, spec.replace("until = 2.0", "until = 0.1")).expect("written");
+    let json = answer(&["explain", text(&path), "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let candidate = &json["freeze_candidates"][0];
+    let price = &candidate["price"]["Ok"];
+    assert_eq!((&candidate["instance"], &price["states"]), (&"coupling".into(), &5.into()));
+    assert!(price["time_ratio"].as_f64().is_some_and(|ratio| ratio > 0.0), "{price}");
+    let errors = price["errors"].as_array().expect("errors");
+    let error = |output: &str| {
+        errors.iter().find(|pair| pair[0] == output).and_then(|pair| pair[1].as_f64())
+    };
+    assert_eq!(error("twist"), Some(1.0), "a rigid coupling does not twist");
+    assert!(error("motor_speed").is_some_and(|error| error > 1e-6 && error < 1.0), "{errors:?}");
+    // Of the same run: what leaving out a position does to the outputs is rounding.
+    let difference = json["run"]["milliseconds"]["difference"].as_f64();
+    assert!(difference.is_some_and(|difference| difference < 1e-9), "{difference:?}");
 }
 
 #[test]

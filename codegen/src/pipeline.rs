@@ -37,6 +37,44 @@ pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Program, Diagnost
     Ok(lower::lower(&linearization))
 }
 
+/// A scene's programs, of the whole and after each step of reduction.
+#[derive(Debug, Clone)]
+pub struct Stages {
+    /// Nothing left out.
+    pub whole: Program,
+    /// After each step that changed anything, that step and what is left.
+    pub steps: Vec<(Keep, Program)>,
+}
+
+impl Stages {
+    /// The last of them.
+    #[must_use]
+    pub fn needed(&self) -> &Program {
+        self.steps.last().map_or(&self.whole, |(_, program)| program)
+    }
+}
+
+/// Equations of a whole scene to its programs, step by step up to `keep`.
+///
+/// # Errors
+/// As [`generate`].
+pub fn stages(equations: EquationsOfMotion, keep: Keep) -> Result<Stages, Diagnostics> {
+    let (whole, steps) = session(move |cas| {
+        let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
+        for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
+            let reduced = reduce(cas, &equations, step)?;
+            if *steps.last().map_or(&equations, |(_, last)| last) != reduced {
+                steps.push((step, reduced));
+            }
+        }
+        let linear: Vec<_> =
+            steps.iter().map(|(step, reduced)| (*step, linearize(cas, reduced))).collect();
+        Ok::<_, FreezeError>((linearize(cas, &equations), linear))
+    })??;
+    let steps = steps.iter().map(|(step, linear)| (*step, lower::lower(linear)));
+    Ok(Stages { whole: lower::lower(&whole), steps: steps.collect() })
+}
+
 /// A scene file to one Lagrangian system, names and dimensions checked.
 ///
 /// # Errors

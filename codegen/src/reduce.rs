@@ -36,6 +36,12 @@ pub enum Keep {
     Needed,
 }
 
+impl Keep {
+    /// Each, in their order.
+    pub const STEPS: [Keep; 5] =
+        [Keep::All, Keep::Tunable, Keep::Reachable, Keep::Exact, Keep::Needed];
+}
+
 /// What was left out of a scene.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Reduction {

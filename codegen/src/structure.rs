@@ -20,6 +20,8 @@ pub struct Frequency {
 /// What a program's structure is.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Structure {
+    /// Coordinates, the rows of M.
+    pub coordinates: usize,
     /// Whether no entry of M depends on state or time.
     pub constant_mass: bool,
     /// Whether M has entries on its diagonal only.
@@ -49,14 +51,16 @@ impl Structure {
         let jacobian = &program.rate_jacobian;
         let rate = Dependence::of(&program.rate);
         let linear_rows = linear_rows(program);
+        let reads = reads(&program.rate);
         Structure {
+            coordinates: mass.pattern.rows,
             constant_mass: constants(mass) == mass.pattern.entries.len(),
             diagonal_mass: mass.pattern.entries.iter().all(|(row, column)| row == column),
             constant_jacobian: (constants(jacobian), jacobian.pattern.entries.len()),
-            linear_part: closed_part(program, &linear_rows),
+            linear_part: closed_part(&reads, &linear_rows),
             linear_rows,
             autonomous: program.rate.results.iter().all(|id| !rate.on_time(*id)),
-            subsystems: subsystems(program),
+            subsystems: subsystems(&reads),
             rate: Frequency::of(&program.rate),
             jacobian: Frequency::of(&jacobian.tape),
         }
@@ -157,28 +161,51 @@ fn switched(tape: &Tape) -> Vec<bool> {
     switched
 }
 
-/// The largest part of `rows` whose rates depend on entries of that part only.
-fn closed_part(program: &Program, rows: &[u32]) -> Vec<u32> {
+/// The entries of the state that each result of a tape reads, in order. More than the
+/// nonzeros of its derivatives: those of a jump are zero on both sides of it.
+fn reads(tape: &Tape) -> Vec<Vec<u32>> {
+    let of = |result: &NodeId| {
+        let (mut open, mut seen) = (vec![*result], vec![false; tape.nodes.len()]);
+        let mut entries = Vec::new();
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id.0 as usize], true) {
+                continue;
+            }
+            let op = &tape.nodes[id.0 as usize].op;
+            match op {
+                Op::State(entry) => entries.push(*entry),
+                _ => open.extend(op.operands()),
+            }
+        }
+        entries.sort_unstable();
+        entries.dedup();
+        entries
+    };
+    tape.results.iter().map(of).collect()
+}
+
+/// The largest part of `rows` whose rates read entries of that part only.
+fn closed_part(reads: &[Vec<u32>], rows: &[u32]) -> Vec<u32> {
     let mut part = rows.to_vec();
     loop {
-        let entries = &program.rate_jacobian.pattern.entries;
-        let open =
-            entries.iter().find(|(row, column)| part.contains(row) && !part.contains(column));
-        match open {
-            Some((open, _)) => part.retain(|row| row != open),
+        let is_open = |row: &&u32| reads[**row as usize].iter().any(|entry| !part.contains(entry));
+        match part.iter().find(is_open).copied() {
+            Some(open) => part.retain(|row| *row != open),
             None => return part,
         }
     }
 }
 
-/// Connected parts of the state, by the pattern of dy'/dy.
-fn subsystems(program: &Program) -> Vec<Vec<u32>> {
-    let count = program.layout.len();
+/// Connected parts of the state, by what each rate reads.
+fn subsystems(reads: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    let count = reads.len();
     let mut group: Vec<usize> = (0..count).collect();
-    for &(row, column) in &program.rate_jacobian.pattern.entries {
-        let (a, b) = (group[row as usize], group[column as usize]);
-        let (from, to) = (a.max(b), a.min(b));
-        group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
+    for (row, entries) in reads.iter().enumerate() {
+        for &entry in entries {
+            let (a, b) = (group[row], group[entry as usize]);
+            let (from, to) = (a.max(b), a.min(b));
+            group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
+        }
     }
     let parts = (0..count).map(|first| {
         let members = (0..count).filter(|entry| group[*entry] == first);

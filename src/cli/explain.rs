@@ -32,12 +32,13 @@ pub struct Explain {
 impl Explain {
     pub fn execute(&self) -> Result<(), Failure> {
         let path = spec_path(&self.scene)?;
-        if !self.keep_all {
-            admit(&path, &pipeline::generate(&path, Keep::Needed)?)?;
-        }
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
+        let stages = during("deriving", || pipeline::stages(pipeline::derive(&path)?, keep))?;
+        if !self.keep_all {
+            admit(&path, stages.needed())?;
+        }
         let explanation =
-            during("deriving and running", || Explanation::new(&path, keep, !self.without_times))?;
+            during("running", || Explanation::new(&path, stages, !self.without_times))?;
         if self.json {
             print(&format!("{:#}\n", as_json(&explanation)))
         } else {
@@ -148,8 +149,12 @@ pub fn structure(structure: &Structure, states: &[String]) -> Vec<String> {
     };
     let (constant, all) = structure.constant_jacobian;
     let time = if structure.autonomous { "does not depend" } else { "depends" };
+    let mass = match structure.coordinates {
+        0 => "there is no coordinate, and so no mass matrix".to_owned(),
+        _ => format!("the mass matrix is {mass}"),
+    };
     let mut lines = vec![
-        format!("the mass matrix is {mass}"),
+        mass,
         format!("{constant} of {all} Jacobian entries depend on parameters only"),
         format!("the rate {time} on time by itself"),
     ];
@@ -219,6 +224,7 @@ fn as_json(explanation: &Explanation) -> Value {
         "stages": stages.collect::<Value>(),
         "states": explanation.states,
         "structure": {
+            "coordinates": structure.coordinates,
             "constant_mass": structure.constant_mass,
             "diagonal_mass": structure.diagonal_mass,
             "constant_jacobian_entries": structure.constant_jacobian.0,

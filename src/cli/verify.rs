@@ -22,10 +22,9 @@ pub struct Verify {
 
 impl Verify {
     pub fn execute(&self) -> Result<(), Failure> {
-        let options = VerifyOptions { overrides: self.set.clone() };
-        let all = during("verifying", || verify_all(&options))
+        let options = VerifyOptions { overrides: self.set.clone(), only: self.only.clone() };
+        let verdicts: Vec<Verdict> = during("verifying", || verify_all(&options))
             .map_err(|error| Failure::input(error, ""))?;
-        let verdicts: Vec<Verdict> = all.into_iter().filter(|row| self.wants(row)).collect();
         if verdicts.is_empty() {
             let text = self.only.as_deref().unwrap_or_default();
             let help = "`machinist verify` without `--only` shows all checks";
@@ -45,10 +44,5 @@ impl Verify {
                 Err(Failure::unsuccessful(message, ""))
             }
         }
-    }
-
-    fn wants(&self, verdict: &Verdict) -> bool {
-        let Some(text) = &self.only else { return true };
-        format!("{}: {}", verdict.scene, verdict.check).contains(text.as_str())
     }
 }

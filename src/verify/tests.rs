@@ -2,7 +2,8 @@ use super::*;
 
 fn verdicts(overrides: &[(&str, f64)]) -> Vec<Verdict> {
     let overrides = overrides.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-    verify_all(&VerifyOptions { overrides }).expect("the overrides name parameters")
+    verify_all(&VerifyOptions { overrides, ..VerifyOptions::default() })
+        .expect("the overrides name parameters")
 }
 
 fn failed<'v>(verdicts: &'v [Verdict], scene: &str) -> Vec<&'v str> {
@@ -90,11 +91,12 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
 #[test]
 fn an_override_of_no_parameter_is_refused() {
     for name in ["two_mass", "two_mass.coupling.stifness", "winder.mass", ""] {
-        let options = VerifyOptions { overrides: vec![(name.to_owned(), 1.0)] };
+        let options =
+            VerifyOptions { overrides: vec![(name.to_owned(), 1.0)], ..VerifyOptions::default() };
         assert_eq!(verify_all(&options), Err(VerifyError::UnknownOverride(name.to_owned())));
     }
     let name = "two_mass.coupling.stiffness".to_owned();
-    let options = VerifyOptions { overrides: vec![(name, f64::NAN)] };
+    let options = VerifyOptions { overrides: vec![(name, f64::NAN)], ..VerifyOptions::default() };
     assert!(matches!(verify_all(&options), Err(VerifyError::OverrideNotFinite { .. })));
 }
 

@@ -12,7 +12,7 @@
 //!
 //! ```text
 //! RUSTFLAGS="-C target-cpu=native" cargo build --release --no-default-features \
-//!     --features diffsol,implicit,scenes --example machinist_peer
+//!     --features diffsol,implicit,scenes,sweep --example machinist_peer
 //! ```
 //!
 //! Times are medians of several runs. A simulation includes setting up and freeing
@@ -23,11 +23,12 @@ mod model;
 use std::error::Error;
 use std::hint::black_box;
 use std::process::ExitCode;
-use std::thread;
 use std::time::Instant;
 
-use machinist::Method;
+use machinist::lanes::{F64x8, Lanes};
 use machinist::method::{Problem, Stopped, System};
+use machinist::{Method, Sweep};
+use machinist_scenes::{Describe, bench};
 use serde_json::{Value, json};
 
 use model::Model;
@@ -147,9 +148,35 @@ fn rhs(model: &Model) {
         });
         print(&model.key, &json!({"kind": kind, "variant": "emitted Rust", "ns": time}));
     };
-    measure("rhs", scales.len(), &|t, y, out| simulator.rate(t, y, &parameters, out));
+    // As methods call them: what parameters decide is computed once a run.
+    let mut constants = vec![0.0; simulator.constants()];
+    simulator.prepare(&parameters, &mut constants);
+    let (p, c) = (&parameters, &constants);
+    measure("rhs", scales.len(), &|t, y, out| simulator.prepared_rate(t, y, p, c, out));
     let nonzeros = simulator.rate_jacobian_pattern().entries.len();
-    measure("jac", nonzeros, &|t, y, out| simulator.rate_jacobian(t, y, &parameters, out));
+    measure("jac", nonzeros, &|t, y, out| simulator.prepared_rate_jacobian(t, y, p, c, out));
+    rhs_in_lanes(model, &states);
+}
+
+/// Nanoseconds of one rate for each of eight states at once.
+fn rhs_in_lanes(model: &Model, states: &[Vec<f64>]) {
+    let Some(simulator) = bench::find::<F64x8>(&model.scene) else { return };
+    let parameters: Vec<F64x8> = model.parameters().into_iter().map(F64x8::splat).collect();
+    let mut constants = vec![F64x8::splat(0.0); simulator.constants()];
+    simulator.prepare(&parameters, &mut constants);
+    let bundle = |first: usize| -> Vec<F64x8> {
+        let state = |index: usize| std::array::from_fn(|lane| states[first + lane][index]);
+        (0..states[first].len()).map(|index| F64x8::from(state(index))).collect()
+    };
+    let bundles = [bundle(0), bundle(8)];
+    let mut values = vec![F64x8::splat(0.0); states[0].len()];
+    let time = nanoseconds(|number| {
+        let (time, state) = (F64x8::splat(0.01 * (number % 16) as f64), &bundles[number % 2]);
+        simulator.prepared_rate(time, black_box(state), &parameters, &constants, &mut values);
+        black_box(&mut values);
+    });
+    let variant = "emitted Rust, 8 lanes, time for each";
+    print(&model.key, &json!({"kind": "rhs", "variant": variant, "ns": time / 8.0}));
 }
 
 /// Median time of a call \[ns\]; it is told how many went before it.
@@ -218,34 +245,27 @@ fn sweep(key: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let stiffness = |index: usize| 10_f64.powf(4.0 + 2.0 * index as f64 / (count - 1) as f64);
     let variants: Vec<f64> = (0..count).map(stiffness).collect();
-    for method in Method::ALL {
-        // Simulators make no promise to be shared: each thread finds its own.
-        let run_all = |variants: &[f64]| {
-            let model = Model::find(key).ok_or("the scene is gone")?;
-            let run = |stiffness: &f64| run(&model, *method, rtol, &[*stiffness]);
-            let states = variants.iter().map(run).collect::<Result<Vec<_>, _>>();
-            states.map_err(|stopped| stopped.cause.to_string())
-        };
+    let stiffness = &bench::m2::M2.parameter(0).name.to_owned();
+    for &method in Method::ALL.iter().filter(|method| method.suits(&bench::m2::M2)) {
         for threads in [1, 2] {
+            let sweep = Sweep::new(&bench::m2::M2)
+                .each(move |run| run.points(2).rtol(rtol).method(method))
+                .vary(stiffness, &variants)?
+                .threads(threads);
             let start = Instant::now();
-            let outcome = thread::scope(|scope| {
-                let chunks = variants.chunks(count.div_ceil(threads));
-                let workers: Vec<_> =
-                    chunks.map(|chunk| scope.spawn(move || run_all(chunk))).collect();
-                let mut states = Vec::with_capacity(count);
-                for worker in workers {
-                    let done = worker.join().map_err(|_| "a worker panicked".to_owned())?;
-                    states.extend(done?);
-                }
-                Ok::<_, String>(states)
-            });
+            let runs: Result<Vec<_>, _> = sweep.run().into_iter().collect();
             let seconds = start.elapsed().as_secs_f64();
-            let line = match outcome {
-                Ok(states) => json!({
-                    "solver": method.name(), "rtol": rtol, "sims": count, "threads": threads,
-                    "seconds": seconds, "final_states": states,
-                }),
-                Err(error) => json!({"solver": method.name(), "rtol": rtol, "error": error}),
+            let line = match runs {
+                Ok(runs) => {
+                    let states: Vec<_> = runs.iter().map(|run| &run.outputs[1]).collect();
+                    json!({
+                        "solver": method.name(), "rtol": rtol, "sims": count, "threads": threads,
+                        "seconds": seconds, "final_states": states,
+                    })
+                }
+                Err(error) => {
+                    json!({"solver": method.name(), "rtol": rtol, "error": error.to_string()})
+                }
             };
             print(key, &line);
         }

@@ -174,7 +174,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
             results[*index] = Some(match outcome {
                 Ok(outcome) => Ok(self.finished(&chunk[*index], times, &outcome)),
                 Err(stopped) => Err(SimulateError::Stopped {
-                    scene: Simulation::new(self.machine).simulator().name().to_owned(),
+                    scene: self.machine.name().to_owned(),
                     method: Method::Taylor.name(),
                     time: stopped.time,
                     cause: stopped.cause,

@@ -4,7 +4,7 @@
 //! ```text
 //! machinist_peer rhs    --model M2
 //! machinist_peer sim    --model M2 --rtols 1e-3,1e-6 --budget 1.0
-//! machinist_peer sweep  --model M2 --count 1000 --rtol 1e-6
+//! machinist_peer sweep  --model M2 --count 1000 --rtol 1e-6 --methods taylor
 //! machinist_peer derive --model M6:10          (built with the feature `cli`)
 //! ```
 //!
@@ -77,6 +77,7 @@ struct Arguments {
     rtol: f64,
     budget: f64,
     count: usize,
+    methods: Vec<Method>,
 }
 
 impl Arguments {
@@ -88,6 +89,10 @@ impl Arguments {
             value.map_or_else(|| default.to_owned(), Clone::clone)
         };
         let rtols = option("--rtols", "1e-3,1e-4,1e-6,1e-8,1e-10,1e-12");
+        let methods = match option("--methods", "all").as_str() {
+            "all" => Method::ALL.to_vec(),
+            names => names.split(',').map(str::parse).collect::<Result<_, _>>()?,
+        };
         Ok(Self {
             call: given.first().cloned().unwrap_or_default(),
             model: option("--model", "M1"),
@@ -95,6 +100,7 @@ impl Arguments {
             rtol: option("--rtol", "1e-6").parse()?,
             budget: option("--budget", "5").parse()?,
             count: option("--count", "1000").parse()?,
+            methods,
         })
     }
 }
@@ -200,7 +206,7 @@ fn nanoseconds(mut call: impl FnMut(usize)) -> f64 {
 fn simulate(model: &Model, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     check_tolerances(&arguments.rtols)?;
     let parameters = model.parameters();
-    for method in Method::ALL.iter().filter(|method| method.suits(model.simulator)) {
+    for method in arguments.methods.iter().filter(|method| method.suits(model.simulator)) {
         let mut spent = 0.0;
         for rtol in &arguments.rtols {
             let (mut times, mut total) = (Vec::new(), 0.0);
@@ -246,7 +252,7 @@ fn sweep(key: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let stiffness = |index: usize| 10_f64.powf(4.0 + 2.0 * index as f64 / (count - 1) as f64);
     let variants: Vec<f64> = (0..count).map(stiffness).collect();
     let stiffness = &bench::m2::M2.parameter(0).name.to_owned();
-    for &method in Method::ALL.iter().filter(|method| method.suits(&bench::m2::M2)) {
+    for &method in arguments.methods.iter().filter(|method| method.suits(&bench::m2::M2)) {
         for threads in [1, 2] {
             let sweep = Sweep::new(&bench::m2::M2)
                 .each(move |run| run.points(2).rtol(rtol).method(method))

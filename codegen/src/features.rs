@@ -9,7 +9,7 @@ use toml_edit::{Array, DocumentMut, TomlError, value};
 /// The feature that turns all scenes on.
 const ALL: &str = "scenes";
 /// Features of the contract crate that are no scenes, and so no names for scenes.
-pub(crate) const TAKEN: [&str; 4] = ["default", "std", "libm", ALL];
+pub(crate) const TAKEN: [&str; 5] = ["default", "std", "libm", "bench", ALL];
 
 /// The manifest of the crate whose `src/scenes` a folder is, if there is one.
 pub(crate) fn manifest_of(folder: &Path) -> Option<PathBuf> {

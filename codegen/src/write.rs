@@ -95,13 +95,14 @@ pub enum WriteError {
 /// [`WriteError`]; in [`Mode::Check`], [`WriteError::NotFresh`] names every file
 /// that is not fresh, and the command that mends them.
 pub fn emit_scenes(folder: &Path, programs: &[Program], mode: Mode) -> Result<Summary, WriteError> {
-    let texts = texts(programs)?;
+    let manifest = manifest(folder, programs)?;
+    let texts = texts(programs, manifest.is_some())?;
     let orphans = orphans(folder, &texts)?;
     let mut files = Vec::with_capacity(texts.len() + 1);
     for (file, text) in texts {
         files.push((path_within(folder, &file)?, file, text));
     }
-    files.extend(manifest(folder, programs)?);
+    files.extend(manifest);
     match mode {
         Mode::Write => {
             let files = files.into_iter().map(|(path, file, text)| {
@@ -160,8 +161,8 @@ pub fn check(path: &Path, text: &str) -> io::Result<Freshness> {
 }
 
 /// File names and texts of all scenes and their index, sorted by name.
-fn texts(programs: &[Program]) -> Result<Vec<(String, String)>, WriteError> {
-    let options = EmitOptions::within_contract();
+fn texts(programs: &[Program], scene_features: bool) -> Result<Vec<(String, String)>, WriteError> {
+    let options = EmitOptions { scene_features, ..EmitOptions::within_contract() };
     let refer = |scene: &str, source| WriteError::Emit { scene: scene.to_owned(), source };
     let mut sorted: Vec<&Program> = programs.iter().collect();
     sorted.sort_by(|a, b| a.system.name.cmp(&b.system.name));

@@ -18,6 +18,8 @@ pub struct EmitOptions {
     pub contract: syn::Path,
     /// The command that makes the file again, for its header.
     pub command: String,
+    /// Whether the crate that the files are in has a feature for each scene.
+    pub scene_features: bool,
 }
 
 impl EmitOptions {
@@ -27,13 +29,18 @@ impl EmitOptions {
         Self {
             contract: syn::parse_quote!(crate),
             command: "cargo run --release -- gen".to_owned(),
+            scene_features: true,
         }
     }
 
     /// For files in the `OUT_DIR` of a crate that depends on `machinist-scenes`.
     #[must_use]
     pub fn for_build_script() -> Self {
-        Self { contract: syn::parse_quote!(::machinist_scenes), command: "cargo build".to_owned() }
+        Self {
+            contract: syn::parse_quote!(::machinist_scenes),
+            command: "cargo build".to_owned(),
+            scene_features: false,
+        }
     }
 }
 

@@ -87,7 +87,7 @@ pub fn emit_index(programs: &[&Program], options: &EmitOptions) -> Result<String
         let name = (*name).to_owned();
         return Err(EmitError::NamedTwice { name, kind: "features of the crate of scenes" });
     }
-    let tokens = items::index(&programs, &modules, &options.contract);
+    let tokens = items::index(&programs, &modules, options);
     Ok(format!("{}\n{}", header::index_header(options), pretty(tokens)?))
 }
 

@@ -5,9 +5,9 @@ use quote::{format_ident, quote};
 
 use super::Scene;
 use super::names::{Namer, constant_name};
-use crate::emit::EmitError;
 use crate::emit::literal::literal;
 use crate::emit::text::{doc, markdown, markdown_line};
+use crate::emit::{EmitError, EmitOptions};
 use crate::program::{Program, SparsityPattern};
 use crate::system::Quantity;
 
@@ -236,14 +236,20 @@ pub(super) fn tables(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
 }
 
 /// The module that lists the scenes.
-pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Path) -> TokenStream {
+pub(super) fn index(
+    programs: &[&Program],
+    modules: &[Ident],
+    options: &EmitOptions,
+) -> TokenStream {
+    let contract = &options.contract;
+    let condition = |name: &str| options.scene_features.then(|| quote!(#[cfg(feature = #name)]));
     let declarations = programs.iter().zip(modules).map(|(program, module)| {
         let title = markdown_line(&program.system.title);
         let docs = doc([if title.is_empty() { format!("The machine `{module}`.") } else { title }]);
-        let feature = &program.system.name;
+        let condition = condition(&program.system.name);
         quote! {
             #docs
-            #[cfg(feature = #feature)]
+            #condition
             #[rustfmt::skip]
             #[allow(
                 non_snake_case,
@@ -257,16 +263,29 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
     });
     let names = programs.iter().map(|program| {
         let name = program.system.name.as_str();
-        quote!(#[cfg(feature = #name)] #name)
+        let condition = condition(name);
+        quote!(#condition #name)
     });
     let arms = programs.iter().zip(modules).map(|(program, module)| {
         let name = &program.system.name;
         let machine = format_ident!("{}", super::names::type_name(name));
-        quote!(#[cfg(feature = #name)] #name => Some(&#module::#machine),)
+        let condition = condition(name);
+        quote!(#condition #name => Some(&#module::#machine),)
     });
-    let inner = "Simulators emitted from the specs, one module and one feature a scene.";
-    let names_doc = doc(["Names of all scenes whose feature is on, sorted."]);
-    let find_doc = doc(["The scene of a name, if its feature is on."]);
+    let [inner, names_doc, find_doc] = if options.scene_features {
+        [
+            "Simulators emitted from the specs, one module and one feature a scene.",
+            "Names of all scenes whose feature is on, sorted.",
+            "The scene of a name, if its feature is on.",
+        ]
+    } else {
+        [
+            "Simulators emitted from the specs, one module a scene.",
+            "Names of all scenes, sorted.",
+            "The scene of a name, if there is one.",
+        ]
+    };
+    let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));
     let inner = format!(" {inner}");
     let find = if programs.is_empty() {
         quote!(

@@ -32,6 +32,7 @@ pub mod trajectory;
 pub mod verify;
 #[cfg(feature = "verify")]
 pub mod winder_walk;
+#[cfg(feature = "verify")]
 pub mod work_precision;
 
 pub use error::SimulateError;

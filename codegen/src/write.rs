@@ -161,8 +161,8 @@ pub fn check(path: &Path, text: &str) -> io::Result<Freshness> {
 }
 
 /// File names and texts of all scenes and their index, sorted by name.
-fn texts(programs: &[Program], has_features: bool) -> Result<Vec<(String, String)>, WriteError> {
-    let options = EmitOptions { has_features, ..EmitOptions::within_contract() };
+fn texts(programs: &[Program], scene_features: bool) -> Result<Vec<(String, String)>, WriteError> {
+    let options = EmitOptions { scene_features, ..EmitOptions::within_contract() };
     let refer = |scene: &str, source| WriteError::Emit { scene: scene.to_owned(), source };
     let mut sorted: Vec<&Program> = programs.iter().collect();
     sorted.sort_by(|a, b| a.system.name.cmp(&b.system.name));

@@ -18,8 +18,8 @@ pub struct EmitOptions {
     pub contract: syn::Path,
     /// The command that makes the file again, for its header.
     pub command: String,
-    /// Whether the crate of the emitted files has a Cargo feature for each scene.
-    pub has_features: bool,
+    /// Whether the crate that the files are in has a feature for each scene.
+    pub scene_features: bool,
 }
 
 impl EmitOptions {
@@ -29,7 +29,7 @@ impl EmitOptions {
         Self {
             contract: syn::parse_quote!(crate),
             command: "cargo run --release -- gen".to_owned(),
-            has_features: true,
+            scene_features: true,
         }
     }
 
@@ -39,7 +39,7 @@ impl EmitOptions {
         Self {
             contract: syn::parse_quote!(::machinist_scenes),
             command: "cargo build".to_owned(),
-            has_features: false,
+            scene_features: false,
         }
     }
 }

@@ -242,14 +242,14 @@ pub(super) fn index(
     options: &EmitOptions,
 ) -> TokenStream {
     let contract = &options.contract;
-    let only_with = |scene: &str| options.has_features.then(|| quote!(#[cfg(feature = #scene)]));
+    let condition = |name: &str| options.scene_features.then(|| quote!(#[cfg(feature = #name)]));
     let declarations = programs.iter().zip(modules).map(|(program, module)| {
         let title = markdown_line(&program.system.title);
         let docs = doc([if title.is_empty() { format!("The machine `{module}`.") } else { title }]);
-        let only_with_feature = only_with(&program.system.name);
+        let condition = condition(&program.system.name);
         quote! {
             #docs
-            #only_with_feature
+            #condition
             #[rustfmt::skip]
             #[allow(
                 non_snake_case,
@@ -263,16 +263,16 @@ pub(super) fn index(
     });
     let names = programs.iter().map(|program| {
         let name = program.system.name.as_str();
-        let only_with_feature = only_with(name);
-        quote!(#only_with_feature #name)
+        let condition = condition(name);
+        quote!(#condition #name)
     });
     let arms = programs.iter().zip(modules).map(|(program, module)| {
         let name = &program.system.name;
         let machine = format_ident!("{}", super::names::type_name(name));
-        let only_with_feature = only_with(name);
-        quote!(#only_with_feature #name => Some(&#module::#machine),)
+        let condition = condition(name);
+        quote!(#condition #name => Some(&#module::#machine),)
     });
-    let [inner, names_doc, find_doc] = if options.has_features {
+    let [inner, names_doc, find_doc] = if options.scene_features {
         [
             "Simulators emitted from the specs, one module and one feature a scene.",
             "Names of all scenes whose feature is on, sorted.",
@@ -282,7 +282,7 @@ pub(super) fn index(
         [
             "Simulators emitted from the specs, one module a scene.",
             "Names of all scenes, sorted.",
-            "The scene of a name.",
+            "The scene of a name, if there is one.",
         ]
     };
     let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));

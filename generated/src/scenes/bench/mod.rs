@@ -97,7 +97,7 @@ pub mod m6_5;
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &["m1", "m2", "m3_10", "m4_7", "m5", "m6_10", "m6_2", "m6_5"];
 
-/// The scene of a name.
+/// The scene of a name, if there is one.
 #[must_use]
 #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
 pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {

@@ -39,7 +39,7 @@ fn refusal(simulation: &Simulation<'_>) -> SimulateError {
 
 #[test]
 fn every_method_follows_the_closed_form_in_proportion_to_its_tolerance() {
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         let error = |rtol| {
             let run = Simulation::new(&Oscillator).method(method).rtol(rtol).run().unwrap();
             oscillator_error(&run)
@@ -69,7 +69,7 @@ fn a_jump_costs_no_accuracy_because_the_run_stops_there() {
 #[test]
 fn the_state_at_a_jump_itself_belongs_to_both_sides() {
     let times = [0.7f64.next_down(), 0.7, 0.7f64.next_up(), 3.0];
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         let run =
             Simulation::new(&Oscillator).method(method).rtol(1e-9).times(&times).run().unwrap();
         let speed = run.column("rotor.omega").unwrap();
@@ -115,7 +115,7 @@ fn implicit_methods_cross_a_stiff_transient_in_few_steps() {
 
 #[test]
 fn the_energy_account_closes_for_every_method() {
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         for rtol in [1e-5, 1e-8] {
             let simulation = Simulation::new(&Oscillator).method(method).rtol(rtol);
             let plain = simulation.run().unwrap();
@@ -165,7 +165,7 @@ fn power_that_no_energy_accounts_for_is_the_residual() {
 
 #[test]
 fn two_runs_are_equal_to_the_last_bit() {
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         let simulation = Simulation::new(&Oscillator).method(method).with_energy_balance(true);
         let bytes = || {
             let mut csv = Vec::new();
@@ -178,7 +178,7 @@ fn two_runs_are_equal_to_the_last_bit() {
 
 #[test]
 fn output_times_do_not_change_the_steps() {
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         let simulation = Simulation::new(&Oscillator).method(method);
         let few = simulation.clone().points(2).run().unwrap();
         let many = simulation.points(5000).run().unwrap();
@@ -235,11 +235,11 @@ fn unknown_names_are_refused_with_the_nearest_known() {
     assert_eq!(
         error.to_string(),
         "there is no method `bfd` (did you mean `bdf`?); known are bdf, tr_bdf2, esdirk34, \
-         tsit45, tsit5, dop853, rodas5p, radau, auto, taylor"
+         tsit45, tsit5, dop853, rodas5p, radau, auto, taylor, exact"
     );
     let error = "runge".parse::<Method>().unwrap_err().to_string();
     assert!(error.starts_with("there is no method `runge`; known are bdf"), "{error}");
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         assert_eq!(Method::from_name(method.name()), Ok(method));
     }
 }
@@ -346,7 +346,7 @@ fn a_long_run_is_not_stopped_by_newtons_failures_adding_up() {
 
 #[test]
 fn a_tolerance_below_rounding_does_not_hang() {
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         let run = Simulation::new(&Oscillator).method(method).rtol(1e-18).max_steps(5000).run();
         assert!(matches!(run, Err(SimulateError::Stopped { .. })), "{method}");
     }
@@ -354,7 +354,7 @@ fn a_tolerance_below_rounding_does_not_hang() {
 
 #[test]
 fn a_run_far_from_time_zero_ends_on_time() {
-    for method in Method::compiled_in() {
+    for method in methods_for(&Oscillator) {
         let simulation = Simulation::new(&Oscillator).method(method).points(11);
         let run = simulation.from(1e6).until(1e6 + 0.5).run().unwrap();
         assert_eq!(run.times.last(), Some(&(1e6 + 0.5)));

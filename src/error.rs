@@ -78,6 +78,27 @@ pub enum SimulateError {
         /// End time of the run \[s\].
         until: f64,
     },
+    /// The method does not watch for events.
+    #[error("scene `{scene}` has events, which `{method}` does not watch for; these do: {known}")]
+    Events {
+        /// The scene run.
+        scene: String,
+        /// The method's name.
+        method: &'static str,
+        /// The methods that do.
+        known: String,
+    },
+    /// A guard can never pass zero.
+    #[error(
+        "{scene}: the guard of event `{event}` is zero whatever the state, so that it never passes \
+         zero. Hint: a difference of what is the same, or a parameter that is 0"
+    )]
+    GuardIsZero {
+        /// The scene run.
+        scene: String,
+        /// The event.
+        event: String,
+    },
     /// The integration could not go on.
     #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]
     Stopped {
@@ -133,6 +154,17 @@ pub enum StopCause {
     TooManySteps {
         /// The limit.
         limit: usize,
+    },
+    /// Events follow on one another without end.
+    #[error(
+        "event `{event}` happens over and over: {count} events within no time (Zeno). \
+         Hint: let an event set a mode in which the machine rests or slides, below some speed"
+    )]
+    Zeno {
+        /// The last of them.
+        event: String,
+        /// So many.
+        count: usize,
     },
     /// Anything else the solver reports.
     #[error("{0}")]

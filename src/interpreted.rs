@@ -9,8 +9,8 @@ use machinist_codegen::system;
 use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
 use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
-    Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
-    StateKind,
+    Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape, Simulator,
+    SparsityPattern, StateKind,
 };
 
 /// A program as a simulator: the numbers of the emitted code, to the last bit, at
@@ -32,6 +32,9 @@ pub struct InterpretedSimulator {
     outputs: RefCell<Evaluator>,
     energy: RefCell<Evaluator>,
     power_balance: RefCell<Evaluator>,
+    guards: RefCell<Evaluator>,
+    guard_rates: RefCell<Evaluator>,
+    resets: RefCell<Evaluator>,
     series: RefCell<SeriesEvaluator>,
 }
 
@@ -52,6 +55,9 @@ impl InterpretedSimulator {
             outputs: prepared(&program.outputs),
             energy: prepared(&program.energy),
             power_balance: prepared(&program.power_balance),
+            guards: prepared(&program.guards),
+            guard_rates: prepared(&program.guard_rates),
+            resets: prepared(&program.resets),
             series: RefCell::new(SeriesEvaluator::new(recurrences(&program))),
             program,
         }
@@ -154,6 +160,29 @@ impl Describe for InterpretedSimulator {
             method: &run.method,
         }
     }
+    fn events(&self) -> usize {
+        self.program.events.len()
+    }
+    fn event(&self, index: usize) -> Event<'_> {
+        let event = &self.program.events[index];
+        Event {
+            name: &event.name.path,
+            doc: &event.doc,
+            direction: match event.direction {
+                system::Direction::Rising => Direction::Rising,
+                system::Direction::Falling => Direction::Falling,
+                system::Direction::Both => Direction::Both,
+            },
+            when: &event.when,
+            sets: &event.sets,
+        }
+    }
+    fn is_mode(&self, index: usize) -> bool {
+        match self.program.layout.states[index].motion {
+            Motion::FirstOrder(id) => self.program.system.first_order[id.0 as usize].is_mode,
+            _ => false,
+        }
+    }
 }
 
 impl Simulator<f64> for InterpretedSimulator {
@@ -201,6 +230,15 @@ impl Simulator<f64> for InterpretedSimulator {
         self.run(&self.power_balance, time, state, parameters, &mut values);
         let [stored_rate, supplied, dissipated] = values;
         PowerBalance { stored_rate, supplied, dissipated }
+    }
+    fn guards(&self, time: f64, state: &[f64], parameters: &[f64], guards: &mut [f64]) {
+        self.run(&self.guards, time, state, parameters, guards);
+    }
+    fn guard_rates(&self, time: f64, state: &[f64], parameters: &[f64], rates: &mut [f64]) {
+        self.run(&self.guard_rates, time, state, parameters, rates);
+    }
+    fn resets(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
+        self.run(&self.resets, time, state, parameters, values);
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<f64>> {
         Some(self)

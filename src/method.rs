@@ -19,6 +19,7 @@ mod stretch;
 mod system;
 mod tableau;
 mod taylor;
+mod watch;
 
 use std::fmt;
 use std::str::FromStr;
@@ -27,8 +28,11 @@ use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
 use crate::error::{StopCause, UnknownMethod, did_you_mean};
+use crate::trajectory::Switch;
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
+pub use watch::Watch;
+pub(crate) use watch::identically_zero;
 
 methods! {
     /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
@@ -104,26 +108,54 @@ impl Problem<'_> {
     /// States at the wanted times, one row after another.
     ///
     /// The run is cut at the jumps and the method starts anew at each: no step
-    /// straddles one, so that a jump costs no order of accuracy.
+    /// straddles one, so that a jump costs no order of accuracy. Likewise at events.
     ///
     /// # Errors
     /// [`Stopped`] where the method cannot go on.
-    pub fn integrate(&self, method: Method) -> Result<Vec<f64>, Stopped> {
+    pub fn integrate(&self, method: Method) -> Result<Run, Stopped> {
+        let watch = Watch::new(self.system, (self.from, self.until), &self.initial);
         let mut samples = Samples::new(self.times, self.initial.len());
         let mut state = self.initial.clone();
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }
         for ends in self.ends().windows(2) {
-            let stretch = Stretch::new(self, ends[0], ends[1]);
-            stretch.require_finite_rate(&state)?;
-            if stretch.is_trivial() {
-                stretch.leap(&mut state, &mut samples);
-            } else {
+            let mut from = ends[0];
+            while from < ends[1] {
+                let stretch = Stretch::new(self, (from, ends[1]), watch.as_ref());
+                from = stretch.until;
+                stretch.require_finite_rate(&state)?;
+                if stretch.is_trivial() {
+                    stretch.leap(&mut state, &mut samples);
+                    continue;
+                }
+                let Some(watch) = stretch.watch else {
+                    method.row().integrator.integrate(&stretch, &mut state, &mut samples)?;
+                    continue;
+                };
+                watch.start(stretch.from, &state);
                 method.row().integrator.integrate(&stretch, &mut state, &mut samples)?;
+                from = self.switch(watch, &mut state)?.unwrap_or(from);
             }
         }
-        Ok(samples.into_rows())
+        let switches = watch.map_or_else(Vec::new, Watch::into_switches);
+        Ok(Run { rows: samples.into_rows(), switches })
+    }
+
+    /// Does what events say where the method stopped for some, and gives the time.
+    /// Energy that is lost there counts as dissipated.
+    fn switch(&self, watch: &Watch<'_>, state: &mut [f64]) -> Result<Option<f64>, Stopped> {
+        let states = self.system.states();
+        let before = state[..states].to_vec();
+        let Some(time) = watch.switch(state)? else { return Ok(None) };
+        if state.len() > states {
+            let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
+            let energy = |state: &[f64]| simulator.energy(time, state, parameters).total();
+            let lost = energy(&before) - energy(&state[..states]);
+            state[states + 1] += lost;
+            state[states + 2] += lost.abs();
+        }
+        Ok(Some(time))
     }
 
     /// Start, jumps strictly inside the run in order and each once, end.
@@ -135,6 +167,15 @@ impl Problem<'_> {
         ends.dedup();
         ends
     }
+}
+
+/// What a method makes of a problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// States at the wanted times, one row after another.
+    pub rows: Vec<f64>,
+    /// Events that happened, in order.
+    pub switches: Vec<Switch>,
 }
 
 struct Row {
@@ -165,10 +206,19 @@ impl Method {
     }
 
     /// Whether the method can run this simulator: `taylor` needs the series that
-    /// emitted simulators have and simulators written by hand may lack.
+    /// emitted simulators have and simulators written by hand may lack; events need a
+    /// method that watches them.
     #[must_use]
     pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
-        self != Self::Taylor || simulator.taylor().is_some()
+        (self != Self::Taylor || simulator.taylor().is_some())
+            && (self.watches_events() || simulator.events() == 0)
+    }
+
+    /// Whether the method stops where guards pass zero: those of our own that step from
+    /// one state to the next do.
+    #[must_use]
+    pub fn watches_events(self) -> bool {
+        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Rodas5p | Self::Radau | Self::Auto)
     }
 
     /// One line for people.

@@ -4,7 +4,7 @@
 use machinist_scenes::Simulator;
 
 use crate::error::{SimulateError, did_you_mean};
-use crate::method::{Method, Problem, System};
+use crate::method::{Method, Problem, Run, System, identically_zero};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
 
 /// Largest number of output times of a run.
@@ -193,6 +193,7 @@ impl<'a> Simulation<'a> {
         };
         let times = self.checked_times()?;
         let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance);
+        self.check_events(method, &system)?;
         let states = system.states();
         let mut initial = self.checked_initial_state()?;
         let mut atol = self.checked_atol(states)?;
@@ -211,14 +212,14 @@ impl<'a> Simulation<'a> {
             atol,
             max_steps: self.max_steps,
         };
-        let rows = problem.integrate(method).map_err(|stopped| SimulateError::Stopped {
+        let run = problem.integrate(method).map_err(|stopped| SimulateError::Stopped {
             scene: self.simulator.name().to_owned(),
             method: method.name(),
             time: stopped.time,
             cause: stopped.cause,
         })?;
         let energy_at_start = self.total_energy(&problem.initial[..states]);
-        Ok(self.trajectory(method, &system, times, &rows, energy_at_start))
+        Ok(self.trajectory(method, &system, times, run, energy_at_start))
     }
 
     fn trajectory(
@@ -226,16 +227,17 @@ impl<'a> Simulation<'a> {
         method: Method,
         system: &System<'_>,
         times: Vec<f64>,
-        rows: &[f64],
+        run: Run,
         energy_at_start: f64,
     ) -> Trajectory {
+        let Run { rows, switches } = run;
         let mut table = Table::new(self.simulator, times.len());
         let width = system.len().max(1);
         for (time, row) in times.iter().zip(rows.chunks_exact(width)) {
             table.push(*time, row, &self.parameters);
         }
         let energy_balance =
-            self.energy_balance.then(|| table.energy_balance(rows, width, energy_at_start));
+            self.energy_balance.then(|| table.energy_balance(&rows, width, energy_at_start));
         Trajectory {
             scene: self.simulator.name().to_owned(),
             title: self.simulator.title().to_owned(),
@@ -243,9 +245,30 @@ impl<'a> Simulation<'a> {
             rtol: self.rtol,
             work: system.work(),
             notes: system.notes(),
+            switches,
             times,
             columns: table.into_columns(energy_balance.as_ref()),
             energy_balance,
+        }
+    }
+
+    /// Events need a method that watches them, and guards that can pass zero.
+    fn check_events(&self, method: Method, system: &System<'_>) -> Result<(), SimulateError> {
+        if self.simulator.events() == 0 {
+            return Ok(());
+        }
+        let scene = self.simulator.name().to_owned();
+        if !method.watches_events() {
+            let watching = Method::ALL.iter().filter(|method| method.watches_events());
+            let known = watching.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+            return Err(SimulateError::Events { scene, method: method.name(), known });
+        }
+        match identically_zero(system, (self.from, self.until)) {
+            None => Ok(()),
+            Some(index) => {
+                let event = self.simulator.event(index).name.to_owned();
+                Err(SimulateError::GuardIsZero { scene, event })
+            }
         }
     }
 

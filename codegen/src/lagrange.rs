@@ -11,7 +11,7 @@ use crate::cas::{Cas, Form};
 use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::reduce::Reduction;
 use crate::state::Layout;
-use crate::system::LagrangianSystem;
+use crate::system::{Event, LagrangianSystem};
 
 /// M(q, t) q'' = f(q, q', z, t), z' = h(q, q', z, t), and the power balance.
 ///
@@ -44,6 +44,8 @@ pub struct EquationsOfMotion {
     pub helpers: Vec<Expr>,
     /// As `helpers`.
     pub outputs: Vec<Expr>,
+    /// Events, guards and new values in the same form.
+    pub events: Vec<Event>,
     /// What has been left out of them.
     pub reduction: Reduction,
 }
@@ -88,6 +90,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         time_momentum: power.time_momentum,
         helpers: normal_forms(cas, system.helpers.iter().map(|helper| &helper.expr)),
         outputs: normal_forms(cas, system.outputs.iter().map(|output| &output.expr)),
+        events: events(cas, system),
         layout: Layout::of_all(system),
         reduction: Reduction::default(),
         system: system.clone(),
@@ -101,6 +104,15 @@ fn normal_forms<'a>(cas: &mut Cas, exprs: impl Iterator<Item = &'a Expr>) -> Vec
             cas.expr(&form)
         })
         .collect()
+}
+
+fn events(cas: &mut Cas, system: &LagrangianSystem) -> Vec<Event> {
+    let mut events = system.events.clone();
+    for expr in events.iter_mut().flat_map(Event::exprs_mut) {
+        let form = cas.form(expr);
+        *expr = cas.expr(&form);
+    }
+    events
 }
 
 /// Second derivatives of T; the lower triangle is copied, not derived again.

@@ -38,6 +38,8 @@ pub struct Partials {
     pub energy: Expr,
     /// d(2 T - q' dT/dq')/ds.
     pub time_momentum: Expr,
+    /// dg/ds of each guard; empty with respect to parameters.
+    pub guards: Vec<Expr>,
 }
 
 /// Differentiates everything by everything, structural zeros left out.
@@ -61,6 +63,7 @@ struct Forms {
     rates: Vec<(usize, Form)>,
     energy: Form,
     time_momentum: Form,
+    guards: Vec<Form>,
 }
 
 impl Forms {
@@ -80,6 +83,7 @@ impl Forms {
             rates,
             energy: &(&kinetic + &potential) + &stored,
             time_momentum: cas.form(&equations.time_momentum),
+            guards: equations.events.iter().map(|event| cas.form(&event.guard)).collect(),
         }
     }
 
@@ -97,8 +101,15 @@ impl Forms {
         let rates = rates.filter_map(|(entry, form)| nonzeros(*entry, form)).collect();
         let energy = cas.derivative(&self.energy, symbol);
         let time_momentum = cas.derivative(&self.time_momentum, symbol);
+        let is_parameter = matches!(symbol, Symbol::Parameter(_));
+        let guards = self.guards.iter().filter(|_| !is_parameter).map(|guard| {
+            let slope = cas.derivative(guard, symbol);
+            cas.simplify(&slope)
+        });
+        let guards = guards.collect();
         Partials {
             symbol,
+            guards,
             mass_matrix,
             forcing,
             rates,

@@ -2,7 +2,7 @@
 
 use crate::reduce::Reduction;
 use crate::state::Layout;
-use crate::system::LagrangianSystem;
+use crate::system::{Direction, LagrangianSystem, Name};
 use crate::tape::Tape;
 
 /// Structural nonzeros, sorted by row, then by column.
@@ -23,6 +23,21 @@ pub struct MatrixTape {
     pub pattern: SparsityPattern,
     /// Their values.
     pub tape: Tape,
+}
+
+/// An event as a simulator describes it; what it computes is on tapes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EventShape {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// Which way its guard passes zero.
+    pub direction: Direction,
+    /// (entry of the state, value) of the modes in which it is watched.
+    pub when: Vec<(u32, f64)>,
+    /// Entries of the state that it sets.
+    pub sets: Vec<u32>,
 }
 
 /// Everything a simulator computes; lengths as in the emitted contract.
@@ -56,4 +71,12 @@ pub struct Program {
     pub energy: Tape,
     /// Rate of stored energy, power supplied, power dissipated.
     pub power_balance: Tape,
+    /// What happens where guards pass zero.
+    pub events: Vec<EventShape>,
+    /// One result for each event.
+    pub guards: Tape,
+    /// dg/dt along the motion, one result for each event.
+    pub guard_rates: Tape,
+    /// New values of the entries that events set, event by event.
+    pub resets: Tape,
 }

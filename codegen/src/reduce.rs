@@ -109,7 +109,8 @@ pub fn reduce(
     if keep >= Keep::Reachable {
         equations = reach::slice(cas, equations);
     }
-    if keep >= Keep::Exact {
+    // An event may be watched on a position, or set one, that no rate depends on.
+    if keep >= Keep::Exact && equations.events.is_empty() {
         equations = cyclic::relative(cas, equations);
     }
     if keep >= Keep::Tunable {
@@ -157,7 +158,8 @@ impl Why {
 impl EquationsOfMotion {
     /// Every expression that motion, outputs, energies and powers are made of.
     fn all(&self) -> impl Iterator<Item = &crate::expr::Expr> {
-        self.dynamics().chain(&self.outputs).chain(&self.energy).chain([
+        let events = self.events.iter().flat_map(crate::system::Event::exprs);
+        self.dynamics().chain(events).chain(&self.outputs).chain(&self.energy).chain([
             &self.dissipation,
             &self.supplied,
             &self.dissipated,

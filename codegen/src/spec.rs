@@ -3,6 +3,7 @@
 //! Excluded: meanings. Names are not looked up, dimensions not compared, joints
 //! not followed; [`crate::scene`] does that.
 
+mod event;
 pub mod expression;
 mod fields;
 mod lexer;
@@ -24,6 +25,7 @@ use self::expression::{Ast, Literal};
 use crate::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
 use crate::dimension::Unit;
 use crate::stack;
+use crate::system::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.
 ///
@@ -63,6 +65,8 @@ pub struct SceneSpec {
     pub helpers: Vec<DefinitionSpec>,
     /// Generalized forces on ports.
     pub forces: Vec<PortForceSpec>,
+    /// Events of the scene, on `instance.name`.
+    pub events: Vec<EventSpec>,
     /// Initial values, by `instance.name`.
     pub initial: Vec<(Spanned<String>, Formula)>,
     /// Wanted outputs.
@@ -135,6 +139,8 @@ pub struct UnitSpec {
     pub helpers: Vec<DefinitionSpec>,
     /// First-order states.
     pub states: Vec<StateSpec>,
+    /// What happens where an expression passes zero.
+    pub events: Vec<EventSpec>,
     /// T, V, D and the energy of the first-order states.
     pub energy: EnergySpec,
     /// Power of the first-order states.
@@ -236,7 +242,7 @@ pub struct DefinitionSpec {
     pub doc: String,
 }
 
-/// A first-order state.
+/// A first-order state, or a mode: a whole number that only events change.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StateSpec {
     /// Its name.
@@ -245,12 +251,31 @@ pub struct StateSpec {
     pub unit: Declared,
     /// Meaning.
     pub doc: String,
-    /// Its rate.
+    /// Its rate; that of a mode is 0.
     pub rate: Ast,
+    /// Whether it is a mode.
+    pub is_mode: bool,
     /// Its initial value, 0 if absent.
     pub initial: Option<Formula>,
     /// Typical size.
     pub scale: f64,
+}
+
+/// What happens where an expression passes zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EventSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// The expression, of any dimension.
+    pub guard: Ast,
+    /// Which way the guard passes zero.
+    pub direction: Direction,
+    /// Modes with the values that they must have for the event to happen.
+    pub when: Vec<(Spanned<String>, i32)>,
+    /// Coordinates, velocities, states and modes with their new values.
+    pub set: Vec<(Spanned<String>, Formula)>,
+    /// Meaning.
+    pub doc: String,
 }
 
 /// Energies of a unit.

@@ -34,6 +34,7 @@ fn empty_system() -> LagrangianSystem {
         outputs: vec![],
         tables: vec![],
         discontinuities: vec![],
+        events: vec![],
         generalized_force: vec![],
         ..support::pendulum().system
     }

@@ -67,6 +67,35 @@ pub struct SparsityPattern<'a> {
     pub entries: &'a [(u32, u32)],
 }
 
+/// Which way a guard passes zero where its event happens.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From below to above.
+    Rising,
+    /// From above to below.
+    Falling,
+    /// Either way.
+    Both,
+}
+
+/// What happens where a guard, an expression of time and state, passes zero: some
+/// entries of the state get new values at once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event<'a> {
+    /// The spec's own name, `instance.name`.
+    pub name: &'a str,
+    /// One sentence of meaning.
+    pub doc: &'a str,
+    /// Which way the guard passes zero.
+    pub direction: Direction,
+    /// Entries of the state with the values that they must have for the event to be
+    /// watched for; they are modes.
+    pub when: &'a [(u32, f64)],
+    /// Entries of the state that the event sets, in the order of
+    /// [`Simulator::resets`].
+    pub sets: &'a [u32],
+}
+
 /// The run a scene asks for unless told otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunDefaults<'a> {
@@ -164,6 +193,19 @@ pub trait Describe {
     fn mass_matrix_pattern(&self) -> SparsityPattern<'_>;
     /// Run defaults of the spec.
     fn run_defaults(&self) -> RunDefaults<'_>;
+    /// Number of events; none, unless a simulator says otherwise.
+    fn events(&self) -> usize {
+        0
+    }
+    /// The `index`-th event.
+    fn event(&self, index: usize) -> Event<'_> {
+        panic!("there is no event {index}")
+    }
+    /// Whether the `index`-th state is a mode: a whole number that only events
+    /// change. Its rate is zero.
+    fn is_mode(&self, _index: usize) -> bool {
+        false
+    }
 }
 
 /// The numbers of a simulator. Slices have the lengths of [`Shape`] and of the
@@ -194,6 +236,14 @@ pub trait Simulator<R: Real>: Describe {
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R>;
     /// Power stored, supplied and dissipated.
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R>;
+    /// What passes zero where events happen, `events` long.
+    fn guards(&self, _time: R, _state: &[R], _parameters: &[R], _guards: &mut [R]) {}
+    /// dg/dt of the guards along the motion, `events` long.
+    fn guard_rates(&self, _time: R, _state: &[R], _parameters: &[R], _rates: &mut [R]) {}
+    /// New values of the entries that each event sets, computed from the state before
+    /// it: first those of the first event, in the order of its [`Event::sets`], then
+    /// those of the second, and so on.
+    fn resets(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
     /// Taylor series of the solution, where the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         None

@@ -87,6 +87,21 @@ pub(super) fn drive<M: OneStep>(
         if let Trial::Error(error) = trial
             && error <= 1.0
         {
+            let passing = stretch.watch.and_then(|watch| watch.first_passing(method, now));
+            if let Some(passing) = passing {
+                match end_at(method, stretch, (time, now), passing, state, samples)? {
+                    true => return Ok(None),
+                    false => {
+                        stretch.system.count(|work| work.rejected += 1);
+                        step = 0.5 * (passing - time);
+                        rejected = true;
+                        if is_too_small(step, time) {
+                            return Err(Stopped { time, cause: StopCause::StepTooSmall });
+                        }
+                        continue;
+                    }
+                }
+            }
             stretch.system.count(|work| work.steps += 1);
             sample(method, stretch, now, state, samples)?;
             let mut factor = pace.factor(error, last_error);
@@ -114,6 +129,49 @@ pub(super) fn drive<M: OneStep>(
             }
         }
     }
+}
+
+/// Takes the current step anew, so that it ends where a guard passes zero, and leaves
+/// the rest to the watch. False if that shorter step could not be taken.
+fn end_at<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    (from, until): (f64, f64),
+    passing: f64,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<bool, Stopped> {
+    const CORRECTIONS: usize = 3;
+    let Some(watch) = stretch.watch else { return Ok(false) };
+    if passing <= from {
+        watch.copy_start(state);
+        watch.happens(from, passing, state);
+        return Ok(true);
+    }
+    let mut time = passing;
+    for round in 0..=CORRECTIONS {
+        if !matches!(method.attempt(time - from), Trial::Error(error) if error <= 1.0) {
+            return Ok(false);
+        }
+        let correction = watch.correction(time, method.end());
+        let small = 1e-3 * (until - from);
+        let Some(correction) = correction.filter(|c| c.abs() <= small) else { break };
+        let corrected = (time + correction).min(until);
+        let is_settled = correction.abs() <= 4.0 * f64::EPSILON * time.abs() || corrected <= from;
+        if is_settled || round == CORRECTIONS {
+            break;
+        }
+        time = corrected;
+    }
+    stretch.system.count(|work| work.steps += 1);
+    if stretch.system.work().steps >= stretch.max_steps as u64 {
+        let cause = StopCause::TooManySteps { limit: stretch.max_steps };
+        return Err(Stopped { time, cause });
+    }
+    sample(method, stretch, time, state, samples)?;
+    state.copy_from_slice(method.end());
+    watch.happens(time, passing, state);
+    Ok(true)
 }
 
 /// The whole stretch at once, from its start.

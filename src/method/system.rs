@@ -24,6 +24,8 @@ pub struct Work {
     pub factorizations: u64,
     /// Newton iterations, each with one solution of a factored system.
     pub newton_iterations: u64,
+    /// Events that happened.
+    pub switches: u64,
 }
 
 /// y' = f(t, y) of one simulator at fixed parameters, y = \[q, q', z\], followed

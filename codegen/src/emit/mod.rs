@@ -108,8 +108,8 @@ pub(crate) fn needed_nodes(tape: &Tape) -> Vec<bool> {
 }
 
 /// The functions of a program by name, in the order of the emitted module.
-pub(crate) fn functions(program: &Program) -> [(&'static str, &Tape); 11] {
-    [
+pub(crate) fn functions(program: &Program) -> Vec<(&'static str, &Tape)> {
+    let mut functions = vec![
         ("initial_state", &program.initial_state),
         ("discontinuities", &program.discontinuities),
         ("rate", &program.rate),
@@ -121,5 +121,13 @@ pub(crate) fn functions(program: &Program) -> [(&'static str, &Tape); 11] {
         ("outputs", &program.outputs),
         ("energy", &program.energy),
         ("power_balance", &program.power_balance),
-    ]
+    ];
+    if !program.events.is_empty() {
+        functions.extend([
+            ("guards", &program.guards),
+            ("guard_rates", &program.guard_rates),
+            ("resets", &program.resets),
+        ]);
+    }
+    functions
 }

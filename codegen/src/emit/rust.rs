@@ -155,11 +155,12 @@ impl<'a> Scene<'a> {
 fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
     let contract = &options.contract;
+    let events = (!program.events.is_empty()).then(|| quote!(Direction, Event,));
     let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
     let kinds = (!program.layout.is_of_all(&program.system)).then(|| quote!(StateKind,));
     quote! {
         use #contract::{
-            #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+            #table Describe, #events Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
             SparsityPattern, #kinds #series
         };
     }

@@ -2,10 +2,11 @@
 
 use super::graph::Graph;
 use crate::abbreviate::Abbreviations;
-use crate::expr::Expr;
+use crate::expr::{Expr, Symbol};
 use crate::factor::{Factorization, factor};
+use crate::lagrange::EquationsOfMotion;
 use crate::linearize::{Linearization, Partials};
-use crate::program::{MatrixTape, Program, SparsityPattern};
+use crate::program::{EventShape, MatrixTape, Program, SparsityPattern};
 use crate::state::Motion;
 use crate::tape::NodeId;
 
@@ -24,6 +25,7 @@ pub fn lower(linearization: &Linearization) -> Program {
         linearization.equations.outputs.iter().map(|output| build.lower(output)).collect();
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let balance = build.power_balance();
+    let [guards, guard_rates, resets] = build.events();
     let graph = &build.graph;
     Program {
         initial_state: graph.tape(&initial),
@@ -37,10 +39,34 @@ pub fn lower(linearization: &Linearization) -> Program {
         outputs: graph.tape(&outputs),
         energy: graph.tape(&energy),
         power_balance: graph.tape(&balance),
+        guards: graph.tape(&guards),
+        guard_rates: graph.tape(&guard_rates),
+        resets: graph.tape(&resets),
+        events: events(&linearization.equations),
         system: system.clone(),
         layout: linearization.equations.layout.clone(),
         reduction: linearization.equations.reduction.clone(),
     }
+}
+
+/// Events with entries of the state in place of what expressions call them.
+fn events(equations: &EquationsOfMotion) -> Vec<EventShape> {
+    let entry = |symbol: Symbol| {
+        let place = equations.layout.symbols().position(|known| known == symbol);
+        place.unwrap_or(usize::MAX) as u32
+    };
+    let shapes = equations.events.iter().map(|event| EventShape {
+        name: event.name.clone(),
+        doc: event.doc.clone(),
+        direction: event.direction,
+        when: event
+            .when
+            .iter()
+            .map(|(id, value)| (entry(Symbol::FirstOrder(*id)), f64::from(*value)))
+            .collect(),
+        sets: event.set.iter().map(|(symbol, _)| entry(*symbol)).collect(),
+    });
+    shapes.collect()
 }
 
 struct Build<'a> {
@@ -193,6 +219,18 @@ impl<'a> Build<'a> {
         let supplied = self.graph.add(supplied, by_time);
         let dissipated = self.lower(&linearization.equations.dissipated);
         [stored, supplied, dissipated]
+    }
+
+    /// Guards, their rates along the motion, and new values.
+    fn events(&mut self) -> [Vec<NodeId>; 3] {
+        let linearization = self.linearization;
+        let events = &linearization.equations.events;
+        let guards = events.iter().map(|event| self.lower(&event.guard)).collect();
+        let indices = 0..events.len();
+        let rates = indices.map(|index| self.total_derivative(|p| &p.guards[index])).collect();
+        let values = events.iter().flat_map(|event| &event.set);
+        let resets = values.map(|(_, value)| self.lower(value)).collect();
+        [guards, rates, resets]
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.

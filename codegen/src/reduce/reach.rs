@@ -3,7 +3,7 @@
 //! An output needs what it mentions. A position needs its velocity; a velocity or
 //! an acceleration needs the equations of motion of its block of the mass matrix,
 //! and so all that M and f mention there; a first-order state needs what h
-//! mentions. The rest is held where it starts: nothing that is kept can tell.
+//! mentions. Events need all that they watch and set. The rest is held where it starts: nothing that is kept can tell.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ use crate::cas::Cas;
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::lagrange::{EquationsOfMotion, derive};
 use crate::reduce::{What, Why};
-use crate::system::{GeneralizedForce, LagrangianSystem};
+use crate::system::{Event, GeneralizedForce, LagrangianSystem};
 
 /// The equations of what the outputs depend on. Of a scene without outputs,
 /// everything: its states are what is wanted.
@@ -101,6 +101,21 @@ impl Kept {
         })
     }
 
+    /// An event under the new ids; all that it watches and sets is kept.
+    fn renumber(&self, event: &mut Event, system: &LagrangianSystem) {
+        for expr in event.exprs_mut() {
+            *expr = self.held(expr, system);
+        }
+        for (id, _) in &mut event.when {
+            *id = self.first_order[id.0 as usize].unwrap_or(*id);
+        }
+        for (symbol, _) in &mut event.set {
+            if let Expr::Symbol(new) = self.held(&Expr::Symbol(*symbol), system) {
+                *symbol = new;
+            }
+        }
+    }
+
     /// The part of a system that is kept.
     fn part_of(&self, cas: &mut Cas, equations: &EquationsOfMotion) -> LagrangianSystem {
         let system = &equations.system;
@@ -130,6 +145,9 @@ impl Kept {
         }
         for state in &mut part.first_order {
             state.rate = held(&state.rate);
+        }
+        for event in &mut part.events {
+            self.renumber(event, system);
         }
         part.helpers.retain(|helper| !helper.expr.mentions(|symbol| !self.has(symbol)));
         for definition in part.helpers.iter_mut().chain(&mut part.outputs) {
@@ -178,6 +196,11 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
     let blocks = blocks(&equations.mass_matrix);
     let mut needed = BTreeSet::new();
     let mut found: Vec<Symbol> = equations.outputs.iter().flat_map(Expr::symbols).collect();
+    for event in &equations.events {
+        found.extend(event.exprs().flat_map(Expr::symbols));
+        found.extend(event.set.iter().map(|(symbol, _)| *symbol));
+        found.extend(event.when.iter().map(|(id, _)| Symbol::FirstOrder(*id)));
+    }
     while let Some(symbol) = found.pop() {
         if !needed.insert(symbol) {
             continue;

@@ -1,5 +1,6 @@
 //! The system of a scene whose coordinates are known.
 
+mod events;
 mod initial;
 mod outputs;
 mod precision;
@@ -59,6 +60,7 @@ pub fn assemble(
     let [kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
     let generalized_force = assembler.forces();
+    let events = assembler.events();
     let initial = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
@@ -90,6 +92,7 @@ pub fn assemble(
         outputs,
         tables,
         discontinuities,
+        events,
         run: RunDefaults {
             from: run.from,
             until: run.until,
@@ -291,7 +294,8 @@ impl<'a> Assembler<'a> {
                 let instance = Some(instance.name.value.as_str());
                 let quantity = quantity(instance, &state.name.value, &state.unit.text, &state.doc);
                 let initial = initial.states[states.len()].clone();
-                states.push(FirstOrderState { quantity, rate, initial, scale: state.scale });
+                let (scale, is_mode) = (state.scale, state.is_mode);
+                states.push(FirstOrderState { quantity, rate, initial, scale, is_mode });
             }
         }
         states

@@ -53,6 +53,7 @@ pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
             parameters: scene.parameters,
             helpers: scene.helpers,
             forces: scene.forces,
+            events: scene.events,
             initial: scene.initial,
             outputs: scene.outputs,
             tunable: scene.tunable,

@@ -133,6 +133,10 @@ pub fn pendulum() -> Program {
         }),
         energy: tape(energy),
         power_balance: tape(power_balance),
+        events: vec![],
+        guards: Tape::default(),
+        guard_rates: Tape::default(),
+        resets: Tape::default(),
     }
 }
 
@@ -154,6 +158,7 @@ fn pendulum_system() -> LagrangianSystem {
             rate: zero(),
             initial: zero(),
             scale: 100.0,
+            is_mode: false,
         }],
         parameters: vec![
             parameter("arm.mass", "kg", 4.2, "mass of the bob"),
@@ -182,6 +187,7 @@ fn pendulum_system() -> LagrangianSystem {
             coefficients: vec![[0.0, 1.25, 0.0, -0.25], [1.0, 0.5, -0.75, 0.125]],
         }],
         discontinuities: vec![zero()],
+        events: vec![],
         run: RunDefaults {
             from: 0.0,
             until: 2.0,
@@ -422,6 +428,7 @@ pub fn recurrences() -> Program {
             rate: zero(),
             initial: zero(),
             scale: 1.0,
+            is_mode: false,
         })
         .collect();
     program.rate = rate;

@@ -22,6 +22,9 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
         program.system.outputs.len(),
         3,
         3,
+        program.events.len(),
+        program.events.len(),
+        program.events.iter().map(|event| event.sets.len()).sum(),
     ];
     for ((function, tape), expected) in functions(program).into_iter().zip(expected) {
         let malformed = |reason| EmitError::Malformed { function, reason };
@@ -30,6 +33,13 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
             let found = tape.results.len();
             return Err(malformed(format!("{expected} results expected, {found} found")));
         }
+    }
+    let entries = program.events.iter().flat_map(|event| {
+        event.sets.iter().copied().chain(event.when.iter().map(|(entry, _)| *entry))
+    });
+    for entry in entries.filter(|entry| *entry as usize >= states) {
+        let reason = format!("an event mentions state {entry} of {states}");
+        return Err(EmitError::Malformed { function: "guards", reason });
     }
     for (function, tape) in &functions(program)[..2] {
         if tape.nodes.iter().any(|node| matches!(node.op, Op::Time | Op::State(_))) {

@@ -8,7 +8,7 @@ use crate::emit::EmitError;
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
 use crate::state::Motion;
-use crate::system::Quantity;
+use crate::system::{Direction, Quantity};
 
 /// Both implementations and the statics they read.
 pub(super) fn implementations(
@@ -40,6 +40,24 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             }
         )
     });
+    let event_methods = (!scene.program.events.is_empty()).then(|| {
+        quote!(
+            fn events(&self) -> usize {
+                EVENTS
+            }
+            fn event(&self, index: usize) -> Event<'_> {
+                EVENT_SHAPES[index]
+            }
+        )
+    });
+    let modes = mode_places(scene);
+    let is_mode = (!modes.is_empty()).then(|| {
+        quote!(
+            fn is_mode(&self, index: usize) -> bool {
+                matches!(index, #(#modes)|*)
+            }
+        )
+    });
     quote! {
         impl Describe for #machine {
             fn name(&self) -> &'static str { #name }
@@ -67,6 +85,8 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             }
             fn mass_matrix_pattern(&self) -> SparsityPattern<'_> { MASS_MATRIX_PATTERN }
             fn run_defaults(&self) -> RunDefaults<'_> { RUN_DEFAULTS }
+            #event_methods
+            #is_mode
         }
     }
 }
@@ -106,6 +126,11 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
         "forcing",
     ]
     .map(|name| delegate(name, None));
+    let event_functions: &[&str] = match scene.program.events.len() {
+        0 => &[],
+        _ => &["guards", "guard_rates", "resets"],
+    };
+    let event_functions = event_functions.iter().map(|name| delegate(name, None));
     let outputs = delegate("outputs", Some(quote!(.to_array())));
     let structs =
         [("energy", "Energy"), ("power_balance", "PowerBalance")].map(|(name, result)| {
@@ -122,6 +147,7 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
             #(#arrays)*
             #outputs
             #(#structs)*
+            #(#event_functions)*
             #taylor
         }
         #[inline]
@@ -147,6 +173,7 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let defaults = numbers("parameter", system.parameters.iter().map(|p| p.value))?;
     let run = run_defaults(scene)?;
     let layout = layout_statics(scene);
+    let events = event_shapes(scene)?;
     Ok(quote! {
         #layout
         static STATE_QUANTITIES: [Quantity<'static>; STATES] = [#(#states),*];
@@ -155,6 +182,7 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [#(#defaults),*];
         static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [#(#outputs),*];
         #run
+        #events
     })
 }
 
@@ -174,6 +202,51 @@ fn layout_statics(scene: &Scene<'_>) -> Option<TokenStream> {
         static STATE_KINDS: [StateKind; STATES] = [#(#kinds),*];
         static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [#(#coordinates),*];
     })
+}
+
+/// Entries of the state that are modes.
+fn mode_places(scene: &Scene<'_>) -> Vec<proc_macro2::Literal> {
+    let states = scene.program.layout.states.iter().enumerate();
+    let modes = states.filter(|(_, state)| match state.motion {
+        Motion::FirstOrder(id) => scene.program.system.first_order[id.0 as usize].is_mode,
+        _ => false,
+    });
+    modes.map(|(index, _)| proc_macro2::Literal::usize_unsuffixed(index)).collect()
+}
+
+/// What the scene's events are, if it has any.
+fn event_shapes(scene: &Scene<'_>) -> Result<Option<TokenStream>, EmitError> {
+    let events = &scene.program.events;
+    if events.is_empty() {
+        return Ok(None);
+    }
+    let entry = |entry: &u32| proc_macro2::Literal::u32_unsuffixed(*entry);
+    let shapes = events.iter().map(|event| {
+        let (name, doc) = (&event.name.path, &event.doc);
+        let direction = match event.direction {
+            Direction::Rising => quote!(Direction::Rising),
+            Direction::Falling => quote!(Direction::Falling),
+            Direction::Both => quote!(Direction::Both),
+        };
+        let values = numbers("mode of an event", event.when.iter().map(|(_, value)| *value))?;
+        let modes = event.when.iter().map(|(mode, _)| entry(mode));
+        let sets = event.sets.iter().map(entry);
+        Ok(quote! {
+            Event {
+                name: #name,
+                doc: #doc,
+                direction: #direction,
+                when: &[#((#modes, #values)),*],
+                sets: &[#(#sets),*],
+            }
+        })
+    });
+    let shapes = shapes.collect::<Result<Vec<_>, EmitError>>()?;
+    let docs = doc(["What happens where guards pass zero."]);
+    Ok(Some(quote! {
+        #docs
+        pub static EVENT_SHAPES: [Event<'static>; EVENTS] = [#(#shapes),*];
+    }))
 }
 
 fn quantities<'a>(quantities: impl Iterator<Item = &'a Quantity>) -> Vec<TokenStream> {

@@ -133,6 +133,10 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
     let fields = |names: [&str; 3]| names.map(|name| format_ident!("{name}")).to_vec();
     let system = &scene.program.system;
     let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_dot")).collect();
+    let events = |what: &str| {
+        let events = scene.program.events.iter();
+        events.map(|event| format!("{}_{what}", event.name.ident)).collect()
+    };
     match function {
         "initial_state" => Manner {
             of_parameters_only: true,
@@ -171,6 +175,22 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             array("STATES", "Partial derivative of `y'` with respect to time.", names)
         }
         "outputs" => structure("Outputs", "Wanted outputs.", scene.outputs.clone()),
+        "guards" => array(
+            "EVENTS",
+            "What passes zero where an event happens, in the order of `EVENT_SHAPES`.",
+            events("guard"),
+        ),
+        "guard_rates" => {
+            array("EVENTS", "`dg/dt` of the guards along the motion.", events("guard_rate"))
+        }
+        "resets" => {
+            let sets = scene.program.events.iter().flat_map(|event| {
+                let states = event.sets.iter().filter_map(|s| scene.states.get(*s as usize));
+                states.map(|state| format!("{state}_after_{}", event.name.ident))
+            });
+            let doc = "New values of the states that each event sets, event by event.";
+            array("RESETS", doc, sets.collect())
+        }
         "energy" => structure(
             "Energy",
             "T, V and the energy of first-order states \\[J\\].",

@@ -14,12 +14,6 @@ use crate::system::Quantity;
 /// Shapes and patterns.
 pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
     let system = &scene.program.system;
-    let count = |name: &str, value: usize, meaning: &str| {
-        let name = format_ident!("{name}");
-        let value = proc_macro2::Literal::usize_unsuffixed(value);
-        let meaning = doc([meaning]);
-        quote!(#meaning pub const #name: usize = #value;)
-    };
     let counts = [
         count("COORDINATES", system.coordinates.len(), "Generalized coordinates, n."),
         count("STATES", scene.program.layout.len(), "Length of the state y."),
@@ -32,6 +26,7 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
         ),
     ];
     let program = scene.program;
+    let counts = counts.into_iter().chain(event_counts(program));
     let patterns = [
         pattern(
             "MASS_MATRIX_PATTERN",
@@ -46,6 +41,23 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
         ),
     ];
     quote!(#(#counts)* #(#patterns)*)
+}
+
+fn count(name: &str, value: usize, meaning: &str) -> TokenStream {
+    let name = format_ident!("{name}");
+    let value = proc_macro2::Literal::usize_unsuffixed(value);
+    let meaning = doc([meaning]);
+    quote!(#meaning pub const #name: usize = #value;)
+}
+
+/// Nothing for a scene without events.
+fn event_counts(program: &Program) -> Vec<TokenStream> {
+    let resets = program.events.iter().map(|event| event.sets.len()).sum();
+    let counts = [
+        count("EVENTS", program.events.len(), "Events."),
+        count("RESETS", resets, "States that events set, those of all events."),
+    ];
+    if program.events.is_empty() { vec![] } else { counts.into() }
 }
 
 fn pattern(name: &str, pattern: &SparsityPattern, meaning: &str) -> TokenStream {

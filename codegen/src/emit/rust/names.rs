@@ -23,6 +23,9 @@ const RESERVED: &[&str] = &[
     "PARAMETERS",
     "OUTPUTS",
     "DISCONTINUITIES",
+    "EVENTS",
+    "RESETS",
+    "EVENT_SHAPES",
     "STATE_QUANTITIES",
     "STATE_SCALES",
     "PARAMETER_QUANTITIES",
@@ -47,6 +50,9 @@ const FUNCTIONS: &[&str] = &[
     "outputs",
     "energy",
     "power_balance",
+    "guards",
+    "guard_rates",
+    "resets",
     "series",
 ];
 
@@ -56,6 +62,8 @@ const TYPES: &[&str] = &[
     "Outputs",
     "CubicTable",
     "Describe",
+    "Direction",
+    "Event",
     "Energy",
     "PowerBalance",
     "Quantity",

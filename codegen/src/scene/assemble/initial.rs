@@ -18,8 +18,8 @@ pub struct Initial {
     pub states: Vec<Expr>,
 }
 
-/// What an entry of `[initial]` sets.
-enum Target {
+/// What an entry of `[initial]` sets, or an event.
+pub enum Target {
     /// Coordinate of the scene, 0 or 1 for its velocity, and the factor by which
     /// the named one follows it.
     Coordinate(usize, usize, Option<Expr>),
@@ -111,6 +111,16 @@ impl Assembler<'_> {
             return Err(Box::new(mistake.help("write \"instance.name\" = value")));
         };
         let instance = find_instance(self.spec, instance, path.span)?;
+        self.target_of(instance, name, path)
+    }
+
+    /// What `name` is of an instance; `path` is how the spec writes it.
+    pub(super) fn target_of(
+        &self,
+        instance: usize,
+        name: &str,
+        path: &Spanned<String>,
+    ) -> Result<(Target, Dimension), Box<Mistake>> {
         let unit_index = self.spec.instances[instance].unit;
         let (unit, names) = (&self.spec.units[unit_index], &self.layout.units[unit_index]);
         let (index, order) = match names.get(name) {

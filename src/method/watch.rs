@@ -150,7 +150,7 @@ impl<'a> Watch<'a> {
                         inner.sides[index] = Side::Known(from);
                     }
                 }
-                Outcome::Stays(Side::Known(_)) if guard != 0.0 => {
+                Outcome::Stays(Side::Known(_)) if guard != 0.0 && time > inner.time => {
                     inner.sides[index] = Side::Known(guard.signum());
                 }
                 Outcome::Stays(_) => {}

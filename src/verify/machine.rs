@@ -1,11 +1,17 @@
 //! A scene under check: its simulator in two kinds of numbers, its parameters,
 //! its quantities by name, and random states.
 
+use machinist_scenes::scenes::bouncing_mass::BouncingMass;
+use machinist_scenes::scenes::contact_oscillator::ContactOscillator;
+use machinist_scenes::scenes::contact_oscillator_smooth::ContactOscillatorSmooth;
+use machinist_scenes::scenes::coulomb_oscillator::CoulombOscillator;
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
+use machinist_scenes::scenes::stick_slip::StickSlip;
+use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
 use machinist_scenes::scenes::two_mass::TwoMass;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
 use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
@@ -46,6 +52,12 @@ pub(crate) fn all() -> Vec<Machine> {
         winder_linear(),
         winder_nonlinear(),
         pendulum_chain(),
+        bouncing_mass(),
+        coulomb_oscillator(),
+        stick_slip(),
+        stick_slip_smooth(),
+        contact_oscillator(),
+        contact_oscillator_smooth(),
     ]
 }
 
@@ -87,6 +99,37 @@ pub(crate) fn winder_nonlinear() -> Machine {
 /// Three pendulums hanging on one another.
 pub(crate) fn pendulum_chain() -> Machine {
     Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
+}
+
+/// A mass bouncing on a shaken plate.
+pub(crate) fn bouncing_mass() -> Machine {
+    Machine::new("bouncing_mass", &BouncingMass, &BouncingMass)
+}
+
+/// An oscillator braked by dry friction.
+pub(crate) fn coulomb_oscillator() -> Machine {
+    Machine::new("coulomb_oscillator", &CoulombOscillator, &CoulombOscillator)
+}
+
+/// A mass that sticks to a belt and slips.
+pub(crate) fn stick_slip() -> Machine {
+    Machine::new("stick_slip", &StickSlip, &StickSlip)
+}
+
+/// Its smooth twin.
+pub(crate) fn stick_slip_smooth() -> Machine {
+    Machine::new("stick_slip_smooth", &StickSlipSmooth, &StickSlipSmooth)
+}
+
+/// An oscillator with a stop on one side.
+pub(crate) fn contact_oscillator() -> Machine {
+    Machine::new("contact_oscillator", &ContactOscillator, &ContactOscillator)
+}
+
+/// Its smooth twin.
+pub(crate) fn contact_oscillator_smooth() -> Machine {
+    let scene = &ContactOscillatorSmooth;
+    Machine::new("contact_oscillator_smooth", scene, scene)
 }
 
 impl Machine {

@@ -18,11 +18,17 @@ macro_rules! builtin {
 /// The units that come with Machinist, by name; the one list of them.
 const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("bobbin_holder"),
+    builtin!("bouncer"),
     builtin!("coupling"),
+    builtin!("friction_slider"),
+    builtin!("friction_slider_smooth"),
     builtin!("induction_motor"),
     builtin!("induction_motor_as_printed"),
     builtin!("induction_motor_stationary"),
     builtin!("rotor"),
+    builtin!("sprung_mass"),
+    builtin!("stop"),
+    builtin!("stop_smooth"),
     builtin!("technological_load"),
     builtin!("three_pendulums"),
     builtin!("yarn_layer"),

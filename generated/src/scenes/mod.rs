@@ -5,6 +5,50 @@
 //! Simulators emitted from the specs, one module a scene.
 use crate::{Real, Simulator};
 
+/// Mass bouncing on a shaken plate
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod bouncing_mass;
+
+/// Oscillator with a one-sided stop
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod contact_oscillator;
+
+/// Oscillator with a one-sided stop, smoothed
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod contact_oscillator_smooth;
+
+/// Oscillator braked by dry friction
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod coulomb_oscillator;
+
 /// Induction motor running up empty
 #[rustfmt::skip]
 #[allow(
@@ -60,6 +104,28 @@ pub mod saw_gin;
 )]
 pub mod saw_gin_as_printed;
 
+/// Stick-slip oscillation on a belt
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod stick_slip;
+
+/// Stick-slip oscillation on a belt, smoothed
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod stick_slip_smooth;
+
 /// Two rotors on an elasto-dissipative coupling
 #[rustfmt::skip]
 #[allow(
@@ -96,11 +162,17 @@ pub mod winder_nonlinear;
 /// Names of all scenes, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &[
+    "bouncing_mass",
+    "contact_oscillator",
+    "contact_oscillator_smooth",
+    "coulomb_oscillator",
     "motor_run_up",
     "motor_stationary_axes",
     "pendulum_chain",
     "saw_gin",
     "saw_gin_as_printed",
+    "stick_slip",
+    "stick_slip_smooth",
     "two_mass",
     "winder_linear",
     "winder_nonlinear",
@@ -110,11 +182,19 @@ pub const NAMES: &[&str] = &[
 #[must_use]
 pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     match name {
+        "bouncing_mass" => Some(&bouncing_mass::BouncingMass),
+        "contact_oscillator" => Some(&contact_oscillator::ContactOscillator),
+        "contact_oscillator_smooth" => {
+            Some(&contact_oscillator_smooth::ContactOscillatorSmooth)
+        }
+        "coulomb_oscillator" => Some(&coulomb_oscillator::CoulombOscillator),
         "motor_run_up" => Some(&motor_run_up::MotorRunUp),
         "motor_stationary_axes" => Some(&motor_stationary_axes::MotorStationaryAxes),
         "pendulum_chain" => Some(&pendulum_chain::PendulumChain),
         "saw_gin" => Some(&saw_gin::SawGin),
         "saw_gin_as_printed" => Some(&saw_gin_as_printed::SawGinAsPrinted),
+        "stick_slip" => Some(&stick_slip::StickSlip),
+        "stick_slip_smooth" => Some(&stick_slip_smooth::StickSlipSmooth),
         "two_mass" => Some(&two_mass::TwoMass),
         "winder_linear" => Some(&winder_linear::WinderLinear),
         "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),

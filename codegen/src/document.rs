@@ -40,6 +40,9 @@ pub struct Document {
     pub motion: Vec<Equation>,
     /// z' = h.
     pub first_order: Vec<Equation>,
+    /// Guards of events, with which way they pass zero and what is then set as their
+    /// meaning.
+    pub events: Vec<Equation>,
     /// Helpers that the equations above use.
     pub helpers: Vec<Equation>,
     /// Wanted outputs.
@@ -56,6 +59,7 @@ impl Document {
             energies: energies(&printer, equations),
             motion: motion(&printer, equations),
             first_order: first_order(&printer, equations),
+            events: events(&printer, equations),
             ..Document::default()
         };
         for (output, expr) in system.outputs.iter().zip(&equations.outputs) {
@@ -82,6 +86,7 @@ impl Document {
             ("Energies", &self.energies),
             ("Equations of motion", &self.motion),
             ("First-order states", &self.first_order),
+            ("Events", &self.events),
             ("with", &self.helpers),
             ("Outputs", &self.outputs),
         ];
@@ -96,6 +101,9 @@ impl Document {
                 };
                 let Equation { left, right, .. } = equation;
                 text.extend(["  ", left, " = ", right, &unit, "\n"]);
+                if heading == "Events" {
+                    text.extend(["    ", &equation.doc, "\n"]);
+                }
             }
             text.push('\n');
         }
@@ -105,8 +113,8 @@ impl Document {
     /// All sections as LaTeX `align*` environments.
     #[must_use]
     pub fn to_latex(&self) -> String {
-        let sections =
-            [&self.energies, &self.motion, &self.first_order, &self.helpers, &self.outputs];
+        let Document { energies, motion, first_order, events, helpers, outputs } = self;
+        let sections = [energies, motion, first_order, events, helpers, outputs];
         let mut text = String::new();
         for equations in sections.into_iter().filter(|equations| !equations.is_empty()) {
             let lines: Vec<String> =
@@ -187,6 +195,30 @@ fn first_order(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation
             doc: state.quantity.doc.clone(),
         })
         .collect()
+}
+
+/// Each guard, zero where its event happens.
+fn events(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let system = &equations.system;
+    let name = |symbol| symbol_name(system, symbol, Notation::Text);
+    let events = equations.events.iter().map(|event| {
+        let mut doc = format!("{}, {}", event.name.path, event.direction.name());
+        for (id, value) in &event.when {
+            doc.push_str(&format!(", while {} is {value}", name(Symbol::FirstOrder(*id))));
+        }
+        let text = Printer::new(equations, Notation::Text);
+        for (symbol, value) in &event.set {
+            doc.push_str(&format!("; {} := {}", name(*symbol), text.print(value)));
+        }
+        Equation {
+            subject: event.name.path.clone(),
+            left: printer.print(&event.guard),
+            right: "0".to_owned(),
+            unit: String::new(),
+            doc,
+        }
+    });
+    events.collect()
 }
 
 fn is_zero(expr: &Expr) -> bool {

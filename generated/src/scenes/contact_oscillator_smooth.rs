@@ -5,7 +5,7 @@
 // Sources, with SHA-256:
 //   623629d455d12d8ac289b2f7651abfa544e0ce4f9b215a11f46b15b633e56a79  scenes/contact_oscillator_smooth.toml
 //   f0db790170b6c3f134330c00617de69bb14585d0c566d62cfa2cc6117d09122a  units/sprung_mass.toml
-//   378900fed07a4bbc617b5dd0c40f218b62814b8d25bb525c3c7523108cde959b  units/stop_smooth.toml
+//   e05d4b59e2dcb3fbd6a15912f703a3764b38a08608fe136fee7b6e165aabff5b  units/stop_smooth.toml
 //
 // Oscillator with a one-sided stop, smoothed
 //
@@ -108,7 +108,7 @@ pub struct Parameters<R> {
     pub stop_distance: R,
     /// stop.stiffness: spring of the stop \[N/m\]. In the spec: 10000.0.
     pub stop_stiffness: R,
-    /// stop.width: travel over which the force bends \[m\]. In the spec: 0.0001.
+    /// stop.width: travel over which the force bends \[m\]. In the spec: 0.0005.
     pub stop_width: R,
 }
 
@@ -152,7 +152,7 @@ impl<R: Real> Default for Parameters<R> {
             oscillator_damping: R::literal(0.0),
             stop_distance: R::literal(0.005),
             stop_stiffness: R::literal(10000.0),
-            stop_width: R::literal(0.0001),
+            stop_width: R::literal(0.0005),
         }
     }
 }
@@ -673,7 +673,7 @@ static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
     0.0,
     0.005,
     10000.0,
-    0.0001,
+    0.0005,
 ];
 
 static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [

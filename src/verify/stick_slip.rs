@@ -26,7 +26,7 @@ pub(super) const CHECKS: &[Check] = &[
 ];
 
 pub(super) const SMOOTH_CHECKS: &[Check] = &[Check {
-    name: "order at which it nears stick-slip by events, widths 0.1 and 0.05 mm/s",
+    name: "order at which it nears stick-slip by events, widths 0.04 and 0.02 mm/s",
     reference: "stick_slip with the same friction over 1 s; what lacks to order 0.9",
     tolerance: 0.0,
     reason: "the mass creeps instead of sticking, by a share of the width",
@@ -72,5 +72,5 @@ fn order(smooth: &Machine) -> Result<Measured, CheckFailure> {
         let run = run(smooth, &[("slider.width", width)], (1.0, 1e-10), Method::Radau)?;
         Ok::<_, CheckFailure>(relative_distance(smooth.column(&run, "slider.x")?, exact))
     };
-    Ok(convergence([error(1e-4)?, error(5e-5)?], 0.9))
+    Ok(convergence([error(4e-5)?, error(2e-5)?], 0.9))
 }

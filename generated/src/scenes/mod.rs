@@ -184,7 +184,9 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     match name {
         "bouncing_mass" => Some(&bouncing_mass::BouncingMass),
         "contact_oscillator" => Some(&contact_oscillator::ContactOscillator),
-        "contact_oscillator_smooth" => Some(&contact_oscillator_smooth::ContactOscillatorSmooth),
+        "contact_oscillator_smooth" => {
+            Some(&contact_oscillator_smooth::ContactOscillatorSmooth)
+        }
         "coulomb_oscillator" => Some(&coulomb_oscillator::CoulombOscillator),
         "motor_run_up" => Some(&motor_run_up::MotorRunUp),
         "motor_stationary_axes" => Some(&motor_stationary_axes::MotorStationaryAxes),

@@ -21,19 +21,22 @@ pub enum Scene {
 }
 
 impl Scene {
-    /// The scene of a name or of a spec file; of its spec in any case if nothing is
-    /// to be left out.
+    /// The scene of a name or of a spec file; a name that is not built in may be that
+    /// of a spec. Of its spec in any case if nothing is to be left out.
     pub fn load(argument: &str, keep_all: bool) -> Result<Self, Failure> {
-        if keep_all || is_path(argument) {
-            let path = spec_path(argument)?;
-            let keep = if keep_all { Keep::All } else { Keep::Needed };
-            let program = during("deriving", || pipeline::generate(&path, keep))?;
-            if !keep_all {
-                admit(&path, &program)?;
-            }
-            return Ok(Self::Interpreted(Box::new(InterpretedSimulator::new(program))));
+        if !keep_all
+            && !is_path(argument)
+            && let Some(simulator) = built_in(argument)
+        {
+            return Ok(Self::Emitted(simulator));
         }
-        scenes::find::<f64>(argument).map(Self::Emitted).ok_or_else(|| unknown(argument))
+        let path = spec_path(argument)?;
+        let keep = if keep_all { Keep::All } else { Keep::Needed };
+        let program = during("deriving", || pipeline::generate(&path, keep))?;
+        if !keep_all {
+            admit(&path, &program)?;
+        }
+        Ok(Self::Interpreted(Box::new(InterpretedSimulator::new(program))))
     }
 
     /// The simulator.
@@ -51,6 +54,15 @@ impl Scene {
             Self::Interpreted(_) => "evaluated from its tapes",
         }
     }
+}
+
+/// The emitted simulator of a name.
+pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
+    #[cfg(feature = "bench")]
+    if let Some(simulator) = machinist_scenes::bench::find(name) {
+        return Some(simulator);
+    }
+    scenes::find(name)
 }
 
 /// The spec file of a name or a path. A name is looked for among the specs of

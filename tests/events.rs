@@ -63,7 +63,7 @@ fn watching() -> impl Iterator<Item = Method> {
     Method::ALL.iter().copied().filter(|method| method.watches_events())
 }
 
-fn from_height<'a>(ball: &'a InterpretedSimulator, method: Method) -> Simulation<'a> {
+fn from_height(ball: &InterpretedSimulator, method: Method) -> Simulation<'_> {
     Simulation::new(ball).initial_state(&[1.0, 0.0, 0.0, 0.0]).method(method)
 }
 
@@ -78,7 +78,7 @@ fn every_watching_method_bounces_at_the_exact_times() {
     for method in watching() {
         let run = from_height(&ball, method).run().expect("it runs");
         let times = times(&run);
-        let expected = ((10.0 / fall + 1.0) / 2.0).floor() as usize;
+        let expected = (0.5 + 5.0 / fall).floor() as usize;
         assert_eq!(times.len(), expected, "{method}");
         assert_eq!(run.work.switches, expected as u64, "{method}");
         assert_eq!(run.last("ball.count"), Some(expected as f64), "{method}");

@@ -204,11 +204,12 @@ fn events(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
     let events = equations.events.iter().map(|event| {
         let mut doc = format!("{}, {}", event.name.path, event.direction.name());
         for (id, value) in &event.when {
-            doc.push_str(&format!(", while {} is {value}", name(Symbol::FirstOrder(*id))));
+            let mode = name(Symbol::FirstOrder(*id));
+            doc.extend([", while ", &mode, " is ", &value.to_string()]);
         }
         let text = Printer::new(equations, Notation::Text);
         for (symbol, value) in &event.set {
-            doc.push_str(&format!("; {} := {}", name(*symbol), text.print(value)));
+            doc.extend(["; ", &name(*symbol), " := ", &text.print(value)]);
         }
         Equation {
             subject: event.name.path.clone(),

@@ -89,18 +89,16 @@ pub(super) fn drive<M: OneStep>(
         {
             let passing = stretch.watch.and_then(|watch| watch.first_passing(method, now));
             if let Some(passing) = passing {
-                match end_at(method, stretch, (time, now), passing, state, samples)? {
-                    true => return Ok(None),
-                    false => {
-                        stretch.system.count(|work| work.rejected += 1);
-                        step = 0.5 * (passing - time);
-                        rejected = true;
-                        if is_too_small(step, time) {
-                            return Err(Stopped { time, cause: StopCause::StepTooSmall });
-                        }
-                        continue;
-                    }
+                if end_at(method, stretch, (time, now), passing, state, samples)? {
+                    return Ok(None);
                 }
+                stretch.system.count(|work| work.rejected += 1);
+                step = 0.5 * (passing - time);
+                rejected = true;
+                if is_too_small(step, time) {
+                    return Err(Stopped { time, cause: StopCause::StepTooSmall });
+                }
+                continue;
             }
             stretch.system.count(|work| work.steps += 1);
             sample(method, stretch, now, state, samples)?;

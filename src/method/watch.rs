@@ -108,7 +108,7 @@ impl<'a> Watch<'a> {
             let outcome = inner.parts.outcome(self.system, method, index, direction, *side);
             inner.outcomes.push(outcome);
         }
-        let passings = inner.outcomes.iter().filter_map(|outcome| outcome.passing());
+        let passings = inner.outcomes.iter().filter_map(Outcome::passing);
         let first = passings.min_by(f64::total_cmp);
         if first.is_none() {
             for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {

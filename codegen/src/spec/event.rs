@@ -33,6 +33,7 @@ pub fn event(entry: &Entry, found: &mut Findings) -> Option<EventSpec> {
 }
 
 /// Reads a mode: a state of no dimension whose rate is 0.
+#[expect(clippy::unnecessary_wraps, reason = "as all that are read by name")]
 pub fn mode(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     let what = format!("mode {}", quoted(&entry.key.value));
     let mut fields = Fields::open(&entry.value, what, found);

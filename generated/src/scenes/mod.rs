@@ -180,6 +180,7 @@ pub const NAMES: &[&str] = &[
 
 /// The scene of a name.
 #[must_use]
+#[rustfmt::skip]
 pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     match name {
         "bouncing_mass" => Some(&bouncing_mass::BouncingMass),

@@ -37,7 +37,8 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
     let entries = program.events.iter().flat_map(|event| {
         event.sets.iter().copied().chain(event.when.iter().map(|(entry, _)| *entry))
     });
-    for entry in entries.filter(|entry| *entry as usize >= states) {
+    let mut beyond = entries.filter(|entry| *entry as usize >= states);
+    if let Some(entry) = beyond.next() {
         let reason = format!("an event mentions state {entry} of {states}");
         return Err(EmitError::Malformed { function: "guards", reason });
     }

@@ -300,6 +300,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
         pub const NAMES: &[&str] = &[#(#names),*];
         #find_doc
         #[must_use]
+        #[rustfmt::skip]
         #find
     }
 }

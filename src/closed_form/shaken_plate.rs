@@ -52,7 +52,7 @@ impl ShakenPlate {
     /// Impacts from 0 until t \[s\].
     #[must_use]
     pub fn impacts(&self, t: f64) -> usize {
-        ((t - self.first_impact()) / self.period()).floor() as usize + 1
+        ((t - self.first_impact()) / self.period() + 1.0).floor() as usize
     }
 
     fn launch(&self) -> f64 {

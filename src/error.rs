@@ -99,6 +99,47 @@ pub enum SimulateError {
         /// The event.
         event: String,
     },
+    /// The method does not keep to constraints.
+    #[error(
+        "scene `{scene}` has constraints, which `{method}` does not keep to; these do: {known}"
+    )]
+    Constraints {
+        /// The scene run.
+        scene: String,
+        /// The method's name.
+        method: &'static str,
+        /// The methods that do.
+        known: String,
+    },
+    /// No start near the guesses fulfils the constraints.
+    #[error(
+        "{scene}: no initial {what} fulfils constraint `{constraint}`. Nearest found: {residuals}. \
+         Hint: what [initial] gives stays as it is, the rest is looked for from [guess]; \
+         parameters may leave no such place"
+    )]
+    ImpossibleStart {
+        /// The scene run.
+        scene: String,
+        /// `position` or `velocity`.
+        what: &'static str,
+        /// The constraint that is farthest off.
+        constraint: String,
+        /// What the constraints are where they are nearest to zero.
+        residuals: String,
+    },
+    /// A constraint says what others say, or nothing.
+    #[error(
+        "{scene}: constraint `{constraint}` {repeats}. \
+         Hint: its force could not be told from theirs; leave it out"
+    )]
+    RedundantConstraint {
+        /// The scene run.
+        scene: String,
+        /// The constraint, the last of those that say the same.
+        constraint: String,
+        /// What is wrong with it.
+        repeats: String,
+    },
     /// The integration could not go on.
     #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]
     Stopped {
@@ -165,6 +206,16 @@ pub enum StopCause {
         event: String,
         /// So many.
         count: usize,
+    },
+    /// The machine cannot be put back onto its constraints.
+    #[error(
+        "the machine comes off constraint `{constraint}` and cannot be put back onto it. \
+         Hint: it may be at a dead point, where constraints lock it or leave it undecided, or \
+         an event has set a position that breaks them"
+    )]
+    OffConstraint {
+        /// The constraint.
+        constraint: String,
     },
     /// Anything else the solver reports.
     #[error("{0}")]

@@ -9,7 +9,7 @@ use machinist_codegen::system;
 use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
 use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
-    Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape, Simulator,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind,
 };
 
@@ -35,6 +35,10 @@ pub struct InterpretedSimulator {
     guards: RefCell<Evaluator>,
     guard_rates: RefCell<Evaluator>,
     resets: RefCell<Evaluator>,
+    constraint_values: RefCell<Evaluator>,
+    constraint_rates: RefCell<Evaluator>,
+    constraint_matrix: RefCell<Evaluator>,
+    is_given: Vec<bool>,
     series: RefCell<SeriesEvaluator>,
 }
 
@@ -58,6 +62,10 @@ impl InterpretedSimulator {
             guards: prepared(&program.guards),
             guard_rates: prepared(&program.guard_rates),
             resets: prepared(&program.resets),
+            constraint_values: prepared(&program.constraint_values),
+            constraint_rates: prepared(&program.constraint_rates),
+            constraint_matrix: prepared(&program.constraint_matrix.tape),
+            is_given: program.is_given(),
             series: RefCell::new(SeriesEvaluator::new(recurrences(&program))),
             program,
         }
@@ -183,6 +191,24 @@ impl Describe for InterpretedSimulator {
             _ => false,
         }
     }
+    fn constraints(&self) -> usize {
+        self.program.constraints.len()
+    }
+    fn constraint(&self, index: usize) -> Constraint<'_> {
+        let constraint = &self.program.constraints[index];
+        Constraint {
+            name: &constraint.name.path,
+            unit: &constraint.unit,
+            doc: &constraint.doc,
+            is_of_positions: constraint.is_of_positions,
+        }
+    }
+    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+        borrowed(&self.program.constraint_matrix.pattern)
+    }
+    fn is_given(&self, index: usize) -> bool {
+        self.is_given[index]
+    }
 }
 
 impl Simulator<f64> for InterpretedSimulator {
@@ -239,6 +265,15 @@ impl Simulator<f64> for InterpretedSimulator {
     }
     fn resets(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
         self.run(&self.resets, time, state, parameters, values);
+    }
+    fn constraint_values(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
+        self.run(&self.constraint_values, time, state, parameters, values);
+    }
+    fn constraint_rates(&self, time: f64, state: &[f64], parameters: &[f64], rates: &mut [f64]) {
+        self.run(&self.constraint_rates, time, state, parameters, rates);
+    }
+    fn constraint_matrix(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
+        self.run(&self.constraint_matrix, time, state, parameters, values);
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<f64>> {
         Some(self)

@@ -7,6 +7,7 @@
 
 pub mod closed_form;
 pub mod complex_step;
+pub mod constraints;
 pub mod error;
 #[cfg(feature = "cli")]
 pub mod interpreted;

@@ -148,6 +148,12 @@ impl Problem<'_> {
         let states = self.system.states();
         let before = state[..states].to_vec();
         let Some(time) = watch.switch(state)? else { return Ok(None) };
+        if let Some(constraints) = self.system.constraints() {
+            constraints.project(time, state).map_err(|lost| {
+                let constraint = constraints.name(lost.0).to_owned();
+                Stopped { time, cause: StopCause::OffConstraint { constraint } }
+            })?;
+        }
         if state.len() > states {
             let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
             let energy = |state: &[f64]| simulator.energy(time, state, parameters).total();
@@ -212,6 +218,14 @@ impl Method {
     pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
         (self != Self::Taylor || simulator.taylor().is_some())
             && (self.watches_events() || simulator.events() == 0)
+            && (self.keeps_constraints() || simulator.constraints() == 0)
+    }
+
+    /// Whether the method puts the state back onto constraints after each step: those
+    /// that watch events do.
+    #[must_use]
+    pub fn keeps_constraints(self) -> bool {
+        self.watches_events()
     }
 
     /// Whether the method stops where guards pass zero: those of our own that step from

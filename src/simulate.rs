@@ -3,6 +3,7 @@
 
 use machinist_scenes::Simulator;
 
+use crate::constraints::consistent;
 use crate::error::{SimulateError, did_you_mean};
 use crate::method::{Method, Problem, Run, System, identically_zero};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
@@ -194,6 +195,7 @@ impl<'a> Simulation<'a> {
         let times = self.checked_times()?;
         let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance);
         self.check_events(method, &system)?;
+        self.check_constraints(method)?;
         let states = system.states();
         let mut initial = self.checked_initial_state()?;
         let mut atol = self.checked_atol(states)?;
@@ -246,6 +248,7 @@ impl<'a> Simulation<'a> {
             work: system.work(),
             notes: system.notes(),
             switches,
+            drift: system.constraints().map(|constraints| constraints.drift()),
             times,
             columns: table.into_columns(energy_balance.as_ref()),
             energy_balance,
@@ -272,6 +275,16 @@ impl<'a> Simulation<'a> {
         }
     }
 
+    fn check_constraints(&self, method: Method) -> Result<(), SimulateError> {
+        if self.simulator.constraints() == 0 || method.keeps_constraints() {
+            return Ok(());
+        }
+        let keeping = Method::ALL.iter().filter(|method| method.keeps_constraints());
+        let known = keeping.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+        let scene = self.simulator.name().to_owned();
+        Err(SimulateError::Constraints { scene, method: method.name(), known })
+    }
+
     fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
         let name = |index| format!("parameter `{}`", self.simulator.parameter(index).name);
         self.check_list("parameters", &self.parameters, self.simulator.shape().parameters, name)?;
@@ -287,7 +300,10 @@ impl<'a> Simulation<'a> {
         });
         let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
         self.check_list("states", &state, states, name)?;
-        Ok(state)
+        // A state of the caller's is near enough to the constraints, or a guess.
+        let is_spec = self.initial_state.is_none();
+        let is_given = |index| is_spec && self.simulator.is_given(index);
+        consistent(self.simulator, &self.parameters, self.from, state, is_given)
     }
 
     fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {

@@ -5,6 +5,7 @@ use std::io;
 
 use serde::Serialize;
 
+use crate::constraints::Drift;
 use crate::method::{Method, Work};
 
 /// The result of a run. All columns are as long as `times`.
@@ -26,6 +27,8 @@ pub struct Trajectory {
     /// Events that happened, in order; those at one time in the order of the spec. A
     /// column at just that time has its value from before.
     pub switches: Vec<Switch>,
+    /// How far the machine came off its constraints, if it has any.
+    pub drift: Option<Drift>,
     /// Output times \[s\].
     pub times: Vec<f64>,
     /// States, then outputs, then energies.

@@ -2,7 +2,8 @@
 
 mod printer;
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, HelperId, ParameterId, Symbol};
+use crate::constraint::Constraints;
+use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, HelperId, ParameterId, Symbol};
 use crate::lagrange::EquationsOfMotion;
 use crate::system::{LagrangianSystem, Quantity};
 use printer::Printer;
@@ -40,6 +41,8 @@ pub struct Document {
     pub motion: Vec<Equation>,
     /// z' = h.
     pub first_order: Vec<Equation>,
+    /// What coordinates must fulfil: each is 0.
+    pub constraints: Vec<Equation>,
     /// Guards of events, with which way they pass zero and what is then set as their
     /// meaning.
     pub events: Vec<Equation>,
@@ -59,6 +62,7 @@ impl Document {
             energies: energies(&printer, equations),
             motion: motion(&printer, equations),
             first_order: first_order(&printer, equations),
+            constraints: constraints(&printer, equations),
             events: events(&printer, equations),
             ..Document::default()
         };
@@ -86,6 +90,7 @@ impl Document {
             ("Energies", &self.energies),
             ("Equations of motion", &self.motion),
             ("First-order states", &self.first_order),
+            ("Constraints", &self.constraints),
             ("Events", &self.events),
             ("with", &self.helpers),
             ("Outputs", &self.outputs),
@@ -113,8 +118,15 @@ impl Document {
     /// All sections as LaTeX `align*` environments.
     #[must_use]
     pub fn to_latex(&self) -> String {
-        let Document { energies, motion, first_order, events, helpers, outputs } = self;
-        let sections = [energies, motion, first_order, events, helpers, outputs];
+        let sections = [
+            &self.energies,
+            &self.motion,
+            &self.first_order,
+            &self.constraints,
+            &self.events,
+            &self.helpers,
+            &self.outputs,
+        ];
         let mut text = String::new();
         for equations in sections.into_iter().filter(|equations| !equations.is_empty()) {
             let lines: Vec<String> =
@@ -176,7 +188,7 @@ fn motion(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
         Equation {
             subject: coordinate.position.name.path.clone(),
             left: printer.print(&left),
-            right: printer.print(&equations.forcing[row]),
+            right: printer.print(&with_constraint_forces(equations, row)),
             unit: String::new(),
             doc: coordinate.position.doc.clone(),
         }
@@ -195,6 +207,37 @@ fn first_order(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation
             doc: state.quantity.doc.clone(),
         })
         .collect()
+}
+
+/// f and G^T lambda of one coordinate; a multiplier bears its constraint's name.
+fn with_constraint_forces(equations: &EquationsOfMotion, row: usize) -> Expr {
+    let forcing = equations.forcing[row].clone();
+    let forces = equations.constraints.matrix.iter().enumerate();
+    let forces = forces.filter(|(_, line)| !is_zero(&line[row])).map(|(index, line)| {
+        let multiplier = Expr::Symbol(Symbol::Multiplier(ConstraintId(index as u32)));
+        Expr::Product(vec![line[row].clone(), multiplier])
+    });
+    let own = (!is_zero(&forcing)).then_some(forcing);
+    let mut terms: Vec<Expr> = own.into_iter().chain(forces).collect();
+    match terms.len() {
+        0 => Expr::integer(0),
+        1 => terms.swap_remove(0),
+        _ => Expr::Sum(terms),
+    }
+}
+
+/// Each constraint, which is zero.
+fn constraints(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let Constraints { values, rates, .. } = &equations.constraints;
+    let constraints = equations.system.constraints.iter().zip(values).zip(rates);
+    let constraints = constraints.map(|((constraint, value), rate)| Equation {
+        subject: constraint.name.path.clone(),
+        left: printer.print(if constraint.is_of_positions { value } else { rate }),
+        right: "0".to_owned(),
+        unit: constraint.unit.clone(),
+        doc: constraint.doc.clone(),
+    });
+    constraints.collect()
 }
 
 /// Each guard, zero where its event happens.
@@ -248,6 +291,13 @@ fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) ->
         }
         (Symbol::FirstOrder(FirstOrderId(index)), _) => {
             name(&system.first_order[index as usize].quantity)
+        }
+        (Symbol::Multiplier(ConstraintId(index)), notation) => {
+            let name = &system.constraints[index as usize].name;
+            match notation {
+                Notation::Text => name.path.clone(),
+                Notation::Latex => name.latex.clone(),
+            }
         }
         (Symbol::Helper(HelperId(index)), _) => name(&system.helpers[index as usize].quantity),
         (Symbol::Parameter(ParameterId(index)), _) => {

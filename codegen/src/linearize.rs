@@ -28,9 +28,9 @@ pub struct Linearization {
 pub struct Partials {
     /// The symbol.
     pub symbol: Symbol,
-    /// (row, column, dM/ds) of the upper triangle.
+    /// (row, column, dM/ds) of the upper triangle of M, bordered by G^T.
     pub mass_matrix: Vec<(usize, usize, Expr)>,
-    /// (row, df/ds).
+    /// (row, df/ds), and dgamma/ds below it.
     pub forcing: Vec<(usize, Expr)>,
     /// (entry of the state, dy'/ds) of positions and first-order states.
     pub rates: Vec<(usize, Expr)>,
@@ -69,7 +69,8 @@ struct Forms {
 impl Forms {
     fn new(cas: &mut Cas, equations: &EquationsOfMotion) -> Self {
         let [kinetic, potential, stored] = equations.energy.each_ref().map(|e| cas.form(e));
-        let rows = equations.mass_matrix.iter();
+        let (matrix, right_side) = equations.bordered();
+        let rows = matrix.iter();
         let entries = equations.layout.states.iter().enumerate();
         let rates = entries.filter_map(|(entry, state)| match &state.motion {
             Motion::Position { rate, .. } => Some((entry, rate)),
@@ -79,7 +80,7 @@ impl Forms {
         let rates = rates.map(|(entry, rate)| (entry, cas.form(rate))).collect();
         Forms {
             mass_matrix: rows.map(|row| row.iter().map(|e| cas.form(e)).collect()).collect(),
-            forcing: equations.forcing.iter().map(|e| cas.form(e)).collect(),
+            forcing: right_side.iter().map(|e| cas.form(e)).collect(),
             rates,
             energy: &(&kinetic + &potential) + &stored,
             time_momentum: cas.form(&equations.time_momentum),

@@ -109,8 +109,10 @@ pub fn reduce(
     if keep >= Keep::Reachable {
         equations = reach::slice(cas, equations);
     }
-    // An event may be watched on a position, or set one, that no rate depends on.
-    if keep >= Keep::Exact && equations.events.is_empty() {
+    // An event may be watched on a position, or set one, that no rate depends on; a
+    // constraint is kept to by positions.
+    let is_plain = equations.events.is_empty() && equations.constraints.is_empty();
+    if keep >= Keep::Exact && is_plain {
         equations = cyclic::relative(cas, equations);
     }
     if keep >= Keep::Tunable {
@@ -167,8 +169,9 @@ impl EquationsOfMotion {
         ])
     }
 
-    /// M, f and h.
+    /// M, f, h and the constraints.
     fn dynamics(&self) -> impl Iterator<Item = &crate::expr::Expr> {
-        self.mass_matrix.iter().flatten().chain(&self.forcing).chain(&self.rates)
+        let free = self.mass_matrix.iter().flatten().chain(&self.forcing).chain(&self.rates);
+        free.chain(self.constraints.exprs())
     }
 }

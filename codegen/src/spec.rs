@@ -3,6 +3,7 @@
 //! Excluded: meanings. Names are not looked up, dimensions not compared, joints
 //! not followed; [`crate::scene`] does that.
 
+mod constraint;
 mod event;
 pub mod expression;
 mod fields;
@@ -67,8 +68,13 @@ pub struct SceneSpec {
     pub forces: Vec<PortForceSpec>,
     /// Events of the scene, on `instance.name`.
     pub events: Vec<EventSpec>,
+    /// Constraints of the scene, of `instance.name`.
+    pub constraints: Vec<ConstraintSpec>,
     /// Initial values, by `instance.name`.
     pub initial: Vec<(Spanned<String>, Formula)>,
+    /// Initial values from which those that the constraints give are looked for,
+    /// likewise.
+    pub guess: Vec<(Spanned<String>, Formula)>,
     /// Wanted outputs.
     pub outputs: Vec<OutputSpec>,
     /// Parameters that runs may change; all, if not given.
@@ -141,6 +147,8 @@ pub struct UnitSpec {
     pub states: Vec<StateSpec>,
     /// What happens where an expression passes zero.
     pub events: Vec<EventSpec>,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<ConstraintSpec>,
     /// T, V, D and the energy of the first-order states.
     pub energy: EnergySpec,
     /// Power of the first-order states.
@@ -274,6 +282,17 @@ pub struct EventSpec {
     pub when: Vec<(Spanned<String>, i32)>,
     /// Coordinates, velocities, states and modes with their new values.
     pub set: Vec<(Spanned<String>, Formula)>,
+    /// Meaning.
+    pub doc: String,
+}
+
+/// What coordinates must fulfil.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConstraintSpec {
+    /// Its name, which stands for its multiplier too.
+    pub name: Spanned<String>,
+    /// What is to be zero, of any dimension.
+    pub expression: Ast,
     /// Meaning.
     pub doc: String,
 }

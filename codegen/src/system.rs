@@ -40,6 +40,8 @@ pub struct Coordinate {
     pub identified: Vec<(String, Expr)>,
     /// Initial position and velocity; of parameters only.
     pub initial: [Expr; 2],
+    /// Whether the spec gives them, so that constraints may not move them.
+    pub is_given: [bool; 2],
     /// Typical sizes of position and velocity, for absolute tolerances.
     pub scale: [f64; 2],
 }
@@ -86,6 +88,21 @@ pub struct Event {
     /// Coordinates, velocities and first-order states with their new values, all of
     /// the state before.
     pub set: Vec<(Symbol, Expr)>,
+}
+
+/// What coordinates must fulfil: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constraint {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// SI unit of the expression.
+    pub unit: String,
+    /// g, or a q' + b.
+    pub expr: Expr,
+    /// Which of the two.
+    pub is_of_positions: bool,
 }
 
 /// A parameter with its value in the spec.
@@ -225,6 +242,8 @@ pub struct LagrangianSystem {
     pub discontinuities: Vec<Expr>,
     /// What happens where guards pass zero.
     pub events: Vec<Event>,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<Constraint>,
     /// The run unless told otherwise.
     pub run: RunDefaults,
     /// Approximations wanted.
@@ -292,6 +311,7 @@ impl LagrangianSystem {
         all.extend(self.outputs.iter_mut().map(|output| &mut output.expr));
         all.extend(&mut self.discontinuities);
         all.extend(self.events.iter_mut().flat_map(Event::exprs_mut));
+        all.extend(self.constraints.iter_mut().map(|constraint| &mut constraint.expr));
         all
     }
 }

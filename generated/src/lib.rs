@@ -38,7 +38,7 @@ mod table;
 pub mod taylor;
 
 pub use contract::{
-    Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape, Simulator,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind,
 };
 pub use real::Real;

@@ -89,6 +89,15 @@ impl<'a> Stretch<'a> {
         self.system.flow_gradient(self.within(time), state)
     }
 
+    /// Puts a state back onto the constraints, if there are any.
+    pub(super) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+        let Some(constraints) = self.system.constraints() else { return Ok(()) };
+        constraints.project(self.within(time), state).map_err(|lost| {
+            let constraint = constraints.name(lost.0).to_owned();
+            Stopped { time, cause: StopCause::OffConstraint { constraint } }
+        })
+    }
+
     /// Whether there is nothing for a method to step on: no states, or a stretch
     /// between jumps that differ by rounding, such as 0.1 + 0.2 and 0.3.
     pub(super) fn is_trivial(&self) -> bool {

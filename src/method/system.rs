@@ -2,6 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 
+use crate::constraints::Constraints;
 use machinist_scenes::{Simulator, SparsityPattern};
 use serde::Serialize;
 
@@ -40,6 +41,7 @@ pub struct System<'a> {
     parameters: &'a [f64],
     states: usize,
     with_flows: bool,
+    constraints: Option<Constraints<'a>>,
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
 }
@@ -54,6 +56,7 @@ impl<'a> System<'a> {
             parameters,
             states,
             with_flows,
+            constraints: Constraints::of(simulator, parameters),
             work: Cell::default(),
             notes: RefCell::default(),
         }
@@ -63,6 +66,11 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
         self.simulator
+    }
+
+    /// The constraints, if there are any.
+    pub(crate) fn constraints(&self) -> Option<&Constraints<'a>> {
+        self.constraints.as_ref()
     }
 
     /// The parameters.

@@ -129,5 +129,12 @@ pub(crate) fn functions(program: &Program) -> Vec<(&'static str, &Tape)> {
             ("resets", &program.resets),
         ]);
     }
+    if !program.constraints.is_empty() {
+        functions.extend([
+            ("constraint_values", &program.constraint_values),
+            ("constraint_rates", &program.constraint_rates),
+            ("constraint_matrix", &program.constraint_matrix.tape),
+        ]);
+    }
     functions
 }

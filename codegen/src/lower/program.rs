@@ -6,7 +6,7 @@ use crate::expr::{Expr, Symbol};
 use crate::factor::{Factorization, factor};
 use crate::lagrange::EquationsOfMotion;
 use crate::linearize::{Linearization, Partials};
-use crate::program::{EventShape, MatrixTape, Program, SparsityPattern};
+use crate::program::{ConstraintShape, EventShape, MatrixTape, Program, SparsityPattern};
 use crate::state::Motion;
 use crate::tape::NodeId;
 
@@ -26,6 +26,7 @@ pub fn lower(linearization: &Linearization) -> Program {
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let balance = build.power_balance();
     let [guards, guard_rates, resets] = build.events();
+    let [constraint_values, constraint_rates] = build.constraints();
     let graph = &build.graph;
     Program {
         initial_state: graph.tape(&initial),
@@ -43,6 +44,10 @@ pub fn lower(linearization: &Linearization) -> Program {
         guard_rates: graph.tape(&guard_rates),
         resets: graph.tape(&resets),
         events: events(&linearization.equations),
+        constraint_values: graph.tape(&constraint_values),
+        constraint_rates: graph.tape(&constraint_rates),
+        constraint_matrix: build.constraint_matrix_tape(),
+        constraints: constraints(&linearization.equations),
         system: system.clone(),
         layout: linearization.equations.layout.clone(),
         reduction: linearization.equations.reduction.clone(),
@@ -69,15 +74,26 @@ fn events(equations: &EquationsOfMotion) -> Vec<EventShape> {
     shapes.collect()
 }
 
+fn constraints(equations: &EquationsOfMotion) -> Vec<ConstraintShape> {
+    let shapes = equations.system.constraints.iter().map(|constraint| ConstraintShape {
+        name: constraint.name.clone(),
+        doc: constraint.doc.clone(),
+        unit: constraint.unit.clone(),
+        is_of_positions: constraint.is_of_positions,
+    });
+    shapes.collect()
+}
+
 struct Build<'a> {
     linearization: &'a Linearization,
     abbreviations: Abbreviations,
     graph: Graph,
-    mass_matrix: Vec<Vec<NodeId>>,
+    /// M, bordered by G below and G^T beside it.
+    matrix: Vec<Vec<NodeId>>,
     factorization: Factorization,
     forcing: Vec<NodeId>,
-    /// q''
-    accelerations: Vec<NodeId>,
+    /// q'', then -lambda.
+    solution: Vec<NodeId>,
     /// y', an entry for each of the state.
     rate: Vec<NodeId>,
 }
@@ -94,24 +110,32 @@ impl<'a> Build<'a> {
             graph.set_helper(*id, node);
         }
         let short = |expr: &Expr| abbreviations.apply(expr);
-        let rows = equations.mass_matrix.iter();
-        let mass_matrix: Vec<Vec<NodeId>> =
-            rows.map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
-        let factorization = factor(&mut graph, &mass_matrix);
-        let forcing: Vec<NodeId> =
-            equations.forcing.iter().map(|f| graph.lower(&short(f))).collect();
-        let accelerations = factorization.solve(&mut graph, &forcing);
-        for (coordinate, node) in system.coordinates.iter().zip(&accelerations) {
+        let (rows, right_side) = equations.bordered();
+        let matrix: Vec<Vec<NodeId>> = rows
+            .iter()
+            .map(|row| row.iter().map(|e| graph.lower(&short(e))).collect())
+            .collect();
+        let factorization = factor(&mut graph, &matrix);
+        let mut forcing: Vec<NodeId> =
+            right_side.iter().map(|f| graph.lower(&short(f))).collect();
+        let solution = factorization.solve(&mut graph, &forcing);
+        forcing.truncate(equations.forcing.len());
+        let (accelerations, negative) = solution.split_at(forcing.len());
+        for (coordinate, node) in system.coordinates.iter().zip(accelerations) {
             graph.name(*node, &format!("{}_dot", coordinate.velocity.name.ident));
         }
-        graph.set_accelerations(accelerations.clone());
+        let multipliers = negative.iter().map(|node| graph.neg(*node)).collect::<Vec<_>>();
+        for (constraint, node) in system.constraints.iter().zip(&multipliers) {
+            graph.name(*node, &constraint.name.ident);
+        }
+        graph.set_accelerations(accelerations.to_vec(), multipliers);
         let rates: Vec<NodeId> = equations.rates.iter().map(|h| graph.lower(&short(h))).collect();
         for (state, node) in system.first_order.iter().zip(&rates) {
             graph.name(*node, &format!("{}_dot", state.quantity.name.ident));
         }
         let rate = equations.layout.states.iter().map(|state| match &state.motion {
             Motion::Position { rate, .. } => graph.lower(&short(rate)),
-            Motion::Velocity(id) => accelerations[id.0 as usize],
+            Motion::Velocity(id) => solution[id.0 as usize],
             Motion::FirstOrder(id) => rates[id.0 as usize],
         });
         let rate = rate.collect();
@@ -119,10 +143,10 @@ impl<'a> Build<'a> {
             linearization,
             abbreviations,
             graph,
-            mass_matrix,
+            matrix,
             factorization,
             forcing,
-            accelerations,
+            solution,
             rate,
         }
     }
@@ -138,9 +162,8 @@ impl<'a> Build<'a> {
 
     /// One column of a Jacobian of the rate: dy'/ds.
     fn column(&mut self, partials: &Partials) -> Vec<NodeId> {
-        let n = self.coordinates();
         let zero = self.graph.literal(0.0);
-        let mut right_side = vec![zero; n];
+        let mut right_side = vec![zero; self.solution.len()];
         for (row, expr) in &partials.forcing {
             right_side[*row] = self.lower(expr);
         }
@@ -164,7 +187,7 @@ impl<'a> Build<'a> {
         column
     }
 
-    /// right_side\[row\] -= entry q''\[column\]
+    /// right_side\[row\] -= entry solution\[column\]
     fn subtract_product(
         &mut self,
         right_side: &mut [NodeId],
@@ -172,7 +195,7 @@ impl<'a> Build<'a> {
         entry: NodeId,
         column: usize,
     ) {
-        let part = self.graph.mul(entry, self.accelerations[column]);
+        let part = self.graph.mul(entry, self.solution[column]);
         right_side[row] = self.graph.sub(right_side[row], part);
     }
 
@@ -184,7 +207,13 @@ impl<'a> Build<'a> {
 
     fn mass_matrix_tape(&self) -> MatrixTape {
         let n = self.coordinates();
-        self.matrix_tape(n, n, |row, column| self.mass_matrix[row][column])
+        self.matrix_tape(n, n, |row, column| self.matrix[row][column])
+    }
+
+    fn constraint_matrix_tape(&self) -> MatrixTape {
+        let n = self.coordinates();
+        let count = self.solution.len() - n;
+        self.matrix_tape(count, n, |row, column| self.matrix[n + row][column])
     }
 
     fn matrix_tape(
@@ -231,6 +260,13 @@ impl<'a> Build<'a> {
         let values = events.iter().flat_map(|event| &event.set);
         let resets = values.map(|(_, value)| self.lower(value)).collect();
         [guards, rates, resets]
+    }
+
+    /// g and g'.
+    fn constraints(&mut self) -> [Vec<NodeId>; 2] {
+        let constraints = &self.linearization.equations.constraints;
+        [&constraints.values, &constraints.rates]
+            .map(|exprs| exprs.iter().map(|expr| self.lower(expr)).collect())
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.

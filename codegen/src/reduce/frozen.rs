@@ -29,6 +29,9 @@ pub enum FreezeError {
     /// Events may set what it would hold.
     #[error("unit `{0}` cannot be frozen: the scene has events, which might set what it holds")]
     Events(String),
+    /// Constraints hold coordinates already.
+    #[error("unit `{0}` cannot be frozen: the scene has constraints, which might say the same")]
+    Constraints(String),
     /// It would have to jump at the start.
     #[error("unit `{0}` cannot be frozen: its spring is not at rest at the start")]
     NotAtRest(String),
@@ -51,6 +54,9 @@ pub(super) fn freeze(
     for unit in system.freeze.rigid.clone() {
         if !system.events.is_empty() {
             return Err(FreezeError::Events(unit));
+        }
+        if !system.constraints.is_empty() {
+            return Err(FreezeError::Constraints(unit));
         }
         let follows = relation(cas, &system, &unit)?;
         let Follows { a, b, .. } = follows;

@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::cas::Cas;
+use crate::constraint::Constraints;
 use crate::expr::{Expr, Function, ParameterId, Symbol, TableId};
 use crate::lagrange::EquationsOfMotion;
 use crate::reduce::{Reduction, What, Why};
@@ -189,6 +190,10 @@ fn consume(equations: &mut EquationsOfMotion) {
         output.expr = expr.clone();
     }
     system.events.clone_from(&equations.events);
+    let Constraints { values, rates, .. } = &equations.constraints;
+    for ((constraint, value), rate) in system.constraints.iter_mut().zip(values).zip(rates) {
+        constraint.expr = if constraint.is_of_positions { value.clone() } else { rate.clone() };
+    }
     for (helper, expr) in system.helpers.iter_mut().zip(&equations.helpers) {
         helper.expr = expr.clone();
     }
@@ -201,6 +206,7 @@ fn renumber(equations: &mut EquationsOfMotion, used: &Used) {
     all.extend(equations.energy.iter_mut().chain(&mut equations.helpers));
     all.extend(&mut equations.outputs);
     all.extend(equations.events.iter_mut().flat_map(Event::exprs_mut));
+    all.extend(equations.constraints.exprs_mut());
     all.extend([
         &mut equations.dissipation,
         &mut equations.supplied,

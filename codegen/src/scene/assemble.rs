@@ -1,5 +1,6 @@
 //! The system of a scene whose coordinates are known.
 
+mod constraints;
 mod events;
 mod initial;
 mod outputs;
@@ -61,6 +62,7 @@ pub fn assemble(
         energies;
     let generalized_force = assembler.forces();
     let events = assembler.events();
+    let constraints = assembler.constraints();
     let initial = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
@@ -93,6 +95,7 @@ pub fn assemble(
         tables,
         discontinuities,
         events,
+        constraints,
         run: RunDefaults {
             from: run.from,
             until: run.until,
@@ -251,8 +254,9 @@ impl<'a> Assembler<'a> {
 
     fn coordinates(&mut self, initial: &initial::Initial) -> Vec<Coordinate> {
         let layout = self.layout;
-        let coordinates = layout.representatives.iter().zip(&initial.coordinates);
-        let coordinates = coordinates.enumerate().map(|(id, (slot, initial))| {
+        let values = initial.coordinates.iter().zip(&initial.given);
+        let coordinates = layout.representatives.iter().zip(values);
+        let coordinates = coordinates.enumerate().map(|(id, (slot, (initial, given)))| {
             let spec = coordinate_spec(self.spec, layout, *slot);
             let instance = &self.spec.instances[layout.coordinate(*slot).0].name.value;
             let position = quantity(Some(instance), &spec.name.value, &spec.unit.text, &spec.doc);
@@ -276,6 +280,7 @@ impl<'a> Assembler<'a> {
                 velocity,
                 identified,
                 initial: initial.clone(),
+                is_given: *given,
                 scale: spec.scale,
             }
         });

@@ -1,6 +1,7 @@
 //! A scene's table to plain data, before its units are looked for.
 
 use crate::diagnostic::{FileId, Mistake, Span, Spanned};
+use crate::spec::constraint::constraint;
 use crate::spec::event;
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
@@ -8,7 +9,7 @@ use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    DefinitionSpec, EventSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec,
+    ConstraintSpec, DefinitionSpec, EventSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec,
     RunSpec, UnitSpec,
 };
 use crate::system::METHODS;
@@ -29,7 +30,9 @@ pub struct SceneText {
     pub helpers: Vec<DefinitionSpec>,
     pub forces: Vec<PortForceSpec>,
     pub events: Vec<EventSpec>,
+    pub constraints: Vec<ConstraintSpec>,
     pub initial: Vec<(Spanned<String>, Formula)>,
+    pub guess: Vec<(Spanned<String>, Formula)>,
     pub outputs: Vec<OutputSpec>,
     pub tunable: Option<Vec<Spanned<String>>>,
     pub rigid: Vec<Spanned<String>>,
@@ -73,8 +76,11 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let forces = fields.list("forces");
     let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
     let events = each(&mut fields, "events", event::event);
+    let constraints = each(&mut fields, "constraints", constraint);
     let initial = fields.entries("initial");
     let initial = values_by_name(initial, &mut fields);
+    let guess = fields.entries("guess");
+    let guess = values_by_name(guess, &mut fields);
     let outputs = each(&mut fields, "outputs", output);
     let tunable = fields.take("tunable").map(|tree| tunable(tree, fields.found()));
     let freeze = fields.take("freeze").map(|tree| freeze(tree, fields.found()));
@@ -90,7 +96,9 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         helpers,
         forces,
         events,
+        constraints,
         initial,
+        guess,
         outputs,
         tunable,
         rigid,

@@ -1,6 +1,7 @@
 //! A unit's table to a [`UnitSpec`].
 
 use crate::diagnostic::{FileId, Mistake, Spanned};
+use crate::spec::constraint::constraint;
 use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, did_you_mean, quoted};
@@ -31,6 +32,7 @@ pub fn read(
     let mut states = each(&mut fields, "states", state);
     states.extend(each(&mut fields, "modes", event::mode));
     let events = each(&mut fields, "events", event::event);
+    let constraints = each(&mut fields, "constraints", constraint);
     let energy = fields.take("energy").map(|tree| energy(tree, fields.found()));
     let power = fields.take("power").map(|tree| power(tree, fields.found()));
     let forces = fields.list("forces");
@@ -50,6 +52,7 @@ pub fn read(
         helpers,
         states,
         events,
+        constraints,
         energy: energy.unwrap_or_default(),
         power: power.unwrap_or_default(),
         forces,

@@ -134,9 +134,13 @@ pub fn pendulum() -> Program {
         energy: tape(energy),
         power_balance: tape(power_balance),
         events: vec![],
+        constraints: vec![],
         guards: Tape::default(),
         guard_rates: Tape::default(),
         resets: Tape::default(),
+        constraint_values: Tape::default(),
+        constraint_rates: Tape::default(),
+        constraint_matrix: MatrixTape::default(),
     }
 }
 
@@ -151,6 +155,7 @@ fn pendulum_system() -> LagrangianSystem {
             velocity: quantity("arm.phi_dot", "rad/s", "speed of arm.phi"),
             identified: vec![],
             initial: [zero(), zero()],
+            is_given: [true; 2],
             scale: [1.0, 10.0],
         }],
         first_order: vec![FirstOrderState {
@@ -188,6 +193,7 @@ fn pendulum_system() -> LagrangianSystem {
         }],
         discontinuities: vec![zero()],
         events: vec![],
+        constraints: vec![],
         run: RunDefaults {
             from: 0.0,
             until: 2.0,

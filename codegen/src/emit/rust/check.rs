@@ -10,7 +10,7 @@ use crate::tape::{NodeId, Op, Tape};
 /// [`EmitError::Malformed`] names the function and the rule.
 pub(super) fn check(program: &Program) -> Result<(), EmitError> {
     let states = program.layout.len();
-    let expected = [
+    let mut expected = vec![
         states,
         program.system.discontinuities.len(),
         states,
@@ -22,10 +22,14 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
         program.system.outputs.len(),
         3,
         3,
-        program.events.len(),
-        program.events.len(),
-        program.events.iter().map(|event| event.sets.len()).sum(),
     ];
+    if !program.events.is_empty() {
+        let resets = program.events.iter().map(|event| event.sets.len()).sum();
+        expected.extend([program.events.len(), program.events.len(), resets]);
+    }
+    let constraints = program.constraints.len();
+    let entries = program.constraint_matrix.pattern.entries.len();
+    expected.extend([constraints, constraints, entries]);
     for ((function, tape), expected) in functions(program).into_iter().zip(expected) {
         let malformed = |reason| EmitError::Malformed { function, reason };
         check_tape(tape, program).map_err(malformed)?;

@@ -58,6 +58,7 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             }
         )
     });
+    let constraint_methods = constraint_methods(scene);
     quote! {
         impl Describe for #machine {
             fn name(&self) -> &'static str { #name }
@@ -87,8 +88,55 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             fn run_defaults(&self) -> RunDefaults<'_> { RUN_DEFAULTS }
             #event_methods
             #is_mode
+            #constraint_methods
         }
     }
+}
+
+/// Nothing for a scene without constraints.
+fn constraint_methods(scene: &Scene<'_>) -> Option<TokenStream> {
+    let program = scene.program;
+    let is_given = program.is_given();
+    let given = is_given.iter().enumerate().filter(|(_, given)| **given);
+    let given = given.map(|(index, _)| proc_macro2::Literal::usize_unsuffixed(index));
+    let given: Vec<_> = given.collect();
+    let given = if given.is_empty() { quote!(false) } else { quote!(matches!(index, #(#given)|*)) };
+    let index = if is_given.contains(&true) { quote!(index) } else { quote!(_index) };
+    (!program.constraints.is_empty()).then(|| {
+        quote!(
+            fn constraints(&self) -> usize {
+                CONSTRAINTS
+            }
+            fn constraint(&self, index: usize) -> Constraint<'_> {
+                CONSTRAINT_SHAPES[index]
+            }
+            fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+                CONSTRAINT_MATRIX_PATTERN
+            }
+            fn is_given(&self, #index: usize) -> bool {
+                #given
+            }
+        )
+    })
+}
+
+/// What the scene's constraints are, if it has any.
+fn constraint_shapes(scene: &Scene<'_>) -> Option<TokenStream> {
+    let constraints = &scene.program.constraints;
+    let shapes = constraints.iter().map(|constraint| {
+        let (name, unit, doc) = (&constraint.name.path, &constraint.unit, &constraint.doc);
+        let is_of_positions = constraint.is_of_positions;
+        quote! {
+            Constraint { name: #name, unit: #unit, doc: #doc, is_of_positions: #is_of_positions }
+        }
+    });
+    let docs = doc(["What coordinates must fulfil."]);
+    (!constraints.is_empty()).then(|| {
+        quote! {
+            #docs
+            pub static CONSTRAINT_SHAPES: [Constraint<'static>; CONSTRAINTS] = [#(#shapes),*];
+        }
+    })
 }
 
 fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
@@ -131,6 +179,11 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
         _ => &["guards", "guard_rates", "resets"],
     };
     let event_functions = event_functions.iter().map(|name| delegate(name, None));
+    let constraint_functions: &[&str] = match scene.program.constraints.len() {
+        0 => &[],
+        _ => &["constraint_values", "constraint_rates", "constraint_matrix"],
+    };
+    let constraint_functions = constraint_functions.iter().map(|name| delegate(name, None));
     let outputs = delegate("outputs", Some(quote!(.to_array())));
     let structs =
         [("energy", "Energy"), ("power_balance", "PowerBalance")].map(|(name, result)| {
@@ -148,6 +201,7 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
             #outputs
             #(#structs)*
             #(#event_functions)*
+            #(#constraint_functions)*
             #taylor
         }
         #[inline]
@@ -174,6 +228,7 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let run = run_defaults(scene)?;
     let layout = layout_statics(scene);
     let events = event_shapes(scene)?;
+    let constraints = constraint_shapes(scene);
     Ok(quote! {
         #layout
         static STATE_QUANTITIES: [Quantity<'static>; STATES] = [#(#states),*];
@@ -183,6 +238,7 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [#(#outputs),*];
         #run
         #events
+        #constraints
     })
 }
 

@@ -137,6 +137,10 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
         let events = scene.program.events.iter();
         events.map(|event| format!("{}_{what}", event.name.ident)).collect()
     };
+    let constraints = |what: &str| {
+        let constraints = scene.program.constraints.iter();
+        constraints.map(|constraint| format!("{}_{what}", constraint.name.ident)).collect()
+    };
     match function {
         "initial_state" => Manner {
             of_parameters_only: true,
@@ -146,9 +150,15 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             of_parameters_only: true,
             ..array("DISCONTINUITIES", "Times at which the right-hand side jumps \\[s\\].", vec![])
         },
-        "rate" => array(
+        "rate" if scene.program.constraints.is_empty() => array(
             "STATES",
             "`y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.",
+            rates,
+        ),
+        "rate" => array(
+            "STATES",
+            "`y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the \
+             units of the states per second.",
             rates,
         ),
         "mass_matrix" => {
@@ -190,6 +200,19 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             });
             let doc = "New values of the states that each event sets, event by event.";
             array("RESETS", doc, sets.collect())
+        }
+        "constraint_values" => array(
+            "CONSTRAINTS",
+            "`g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.",
+            constraints("value"),
+        ),
+        "constraint_rates" => {
+            array("CONSTRAINTS", "`g'`, zero on the constraints too.", constraints("rate"))
+        }
+        "constraint_matrix" => {
+            let pattern = &scene.program.constraint_matrix.pattern;
+            let doc = "`G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.";
+            matrix(pattern, doc, vec![])
         }
         "energy" => structure(
             "Energy",

@@ -74,6 +74,9 @@ fn shapes(program: &Program) -> Vec<String> {
     if !program.events.is_empty() {
         rows.push(row("events", program.events.len()));
     }
+    if !program.constraints.is_empty() {
+        rows.push(row("constraints", program.constraints.len()));
+    }
     rows
 }
 

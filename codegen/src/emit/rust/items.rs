@@ -26,6 +26,16 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
         ),
     ];
     let program = scene.program;
+    let constraints = &program.constraints;
+    let of_constraints = (!constraints.is_empty()).then(|| {
+        let pattern = pattern(
+            "CONSTRAINT_MATRIX_PATTERN",
+            &program.constraint_matrix.pattern,
+            "Nonzeros of G = dg'/dq'.",
+        );
+        let count = count("CONSTRAINTS", constraints.len(), "Constraints.");
+        quote!(#count #pattern)
+    });
     let counts = counts.into_iter().chain(event_counts(program));
     let patterns = [
         pattern(
@@ -40,7 +50,7 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
             "Nonzeros of dy'/dp.",
         ),
     ];
-    quote!(#(#counts)* #(#patterns)*)
+    quote!(#(#counts)* #(#patterns)* #of_constraints)
 }
 
 fn count(name: &str, value: usize, meaning: &str) -> TokenStream {

@@ -26,6 +26,9 @@ const RESERVED: &[&str] = &[
     "EVENTS",
     "RESETS",
     "EVENT_SHAPES",
+    "CONSTRAINTS",
+    "CONSTRAINT_SHAPES",
+    "CONSTRAINT_MATRIX_PATTERN",
     "STATE_QUANTITIES",
     "STATE_SCALES",
     "PARAMETER_QUANTITIES",
@@ -53,6 +56,9 @@ const FUNCTIONS: &[&str] = &[
     "guards",
     "guard_rates",
     "resets",
+    "constraint_values",
+    "constraint_rates",
+    "constraint_matrix",
     "series",
 ];
 
@@ -60,6 +66,7 @@ const FUNCTIONS: &[&str] = &[
 const TYPES: &[&str] = &[
     "Parameters",
     "Outputs",
+    "Constraint",
     "CubicTable",
     "Describe",
     "Direction",

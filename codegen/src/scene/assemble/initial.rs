@@ -14,6 +14,8 @@ use crate::spec::{Formula, did_you_mean, quoted};
 pub struct Initial {
     /// Position and velocity of each coordinate of the scene.
     pub coordinates: Vec<[Expr; 2]>,
+    /// Whether the spec gives them, so that constraints may not move them.
+    pub given: Vec<[bool; 2]>,
     /// Of each first-order state.
     pub states: Vec<Expr>,
 }
@@ -29,9 +31,16 @@ pub enum Target {
 impl Assembler<'_> {
     pub(super) fn initial(&mut self) -> Initial {
         let coordinates = self.layout.representatives.iter().map(|_| [integer(0), integer(0)]);
-        let mut initial = Initial { coordinates: coordinates.collect(), states: self.of_units() };
+        let mut initial = Initial {
+            coordinates: coordinates.collect(),
+            given: vec![[false; 2]; self.layout.representatives.len()],
+            states: self.of_units(),
+        };
         let mut set: Vec<(usize, usize)> = Vec::new();
-        for (name, formula) in &self.spec.initial {
+        self.refuse_guesses();
+        let spec = self.spec;
+        let given = spec.initial.iter().map(|entry| (true, entry));
+        for (is_given, (name, formula)) in given.chain(spec.guess.iter().map(|g| (false, g))) {
             let (target, dimension) = match self.target(name) {
                 Ok(found) => found,
                 Err(mistake) => {
@@ -48,6 +57,7 @@ impl Assembler<'_> {
                         Some(factor) => product(vec![value, reciprocal(factor)]),
                         None => value,
                     };
+                    initial.given[index][order] = is_given;
                     (&mut initial.coordinates[index][order], value, (index, order))
                 }
             };
@@ -60,6 +70,27 @@ impl Assembler<'_> {
             set.push(key);
         }
         initial
+    }
+
+    /// Guesses are of what constraints leave to be solved for.
+    fn refuse_guesses(&mut self) {
+        let spec = self.spec;
+        let mut constraints = spec.constraints.len();
+        constraints += self.instances().map(|(_, _, unit)| unit.constraints.len()).sum::<usize>();
+        if constraints == 0
+            && let Some((name, _)) = spec.guess.first()
+        {
+            let message = "a scene without constraints has nothing to guess";
+            let mistake = Mistake::new(name.span, message, "a guess");
+            self.mistakes.push(mistake.help("write it in [initial]"));
+        }
+        for (name, _) in &spec.guess {
+            if let Ok((Target::State(_), _)) = self.target(name) {
+                let message = format!("{} is no coordinate or velocity", quoted(&name.value));
+                let mistake = Mistake::new(name.span, message, "a first-order state");
+                self.mistakes.push(mistake.help("constraints do not move it: see [initial]"));
+            }
+        }
     }
 
     /// Initial values of states as their units say.

@@ -21,7 +21,8 @@ use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 pub use mobility::{Mobility, Redundant, mobility};
-pub(crate) use start::consistent;
+pub use start::start;
+pub(crate) use start::{consistent, require_independent};
 
 /// How far the states of a run were off the constraints at most, each constraint
 /// measured by the move of typical size of its coordinates that it would take.

@@ -129,7 +129,7 @@ pub enum SimulateError {
     },
     /// A constraint says what others say, or nothing.
     #[error(
-        "{scene}: constraint `{constraint}` {repeats}. \
+        "{scene}: constraint `{constraint}` {why}. \
          Hint: its force could not be told from theirs; leave it out"
     )]
     RedundantConstraint {
@@ -138,7 +138,7 @@ pub enum SimulateError {
         /// The constraint, the last of those that say the same.
         constraint: String,
         /// What is wrong with it.
-        repeats: String,
+        why: String,
     },
     /// The integration could not go on.
     #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]

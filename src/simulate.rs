@@ -3,7 +3,7 @@
 
 use machinist_scenes::Simulator;
 
-use crate::constraints::consistent;
+use crate::constraints::{consistent, require_independent};
 use crate::error::{SimulateError, did_you_mean};
 use crate::method::{Method, Problem, Run, System, identically_zero};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
@@ -303,7 +303,9 @@ impl<'a> Simulation<'a> {
         // A state of the caller's is near enough to the constraints, or a guess.
         let is_spec = self.initial_state.is_none();
         let is_given = |index| is_spec && self.simulator.is_given(index);
-        consistent(self.simulator, &self.parameters, self.from, state, is_given)
+        let state = consistent(self.simulator, &self.parameters, self.from, state, is_given)?;
+        require_independent(self.simulator, &self.parameters, self.from, &state)?;
+        Ok(state)
     }
 
     fn checked_jumps(&self) -> Result<Vec<f64>, SimulateError> {

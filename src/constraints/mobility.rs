@@ -42,6 +42,18 @@ impl Mobility {
     }
 }
 
+impl Redundant {
+    /// What is wrong with it, for people.
+    #[must_use]
+    pub fn why(&self) -> String {
+        if self.repeats.is_empty() {
+            return "does not change with any coordinate".to_owned();
+        }
+        let names = self.repeats.iter().map(|name| format!("`{name}`"));
+        format!("says nothing that is new beside {}", names.collect::<Vec<_>>().join(", "))
+    }
+}
+
 /// The mobility of a simulator at a state, \[q, q', z\]; nothing if it has no
 /// constraints.
 #[must_use]

@@ -3,8 +3,7 @@
 use machinist_scenes::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::mobility::independent_rows;
-use super::{Constraints, Level, largest};
+use super::{Constraints, Level, largest, mobility};
 use crate::error::SimulateError;
 
 /// A state that fulfils the constraints: what is given stays, the rest is solved for
@@ -14,7 +13,7 @@ use crate::error::SimulateError;
 /// so that neither too few nor repeated constraints stop it.
 ///
 /// # Errors
-/// If constraints repeat one another, or cannot be fulfilled.
+/// [`SimulateError::ImpossibleStart`] if that does not succeed.
 pub(crate) fn consistent(
     simulator: &dyn Simulator<f64>,
     parameters: &[f64],
@@ -46,11 +45,44 @@ pub(crate) fn consistent(
                 residuals: format!("{}{others}", named(worst)),
             });
         }
-        if level == Level::Positions {
-            constraints.require_independent(time, &state)?;
-        }
     }
     Ok(state)
+}
+
+/// The state at which a simulator's spec has it start at `time` \[s\]: what the spec
+/// gives stays, the rest fulfils the constraints.
+///
+/// # Errors
+/// [`SimulateError::ImpossibleStart`] if there is none near the spec's guesses.
+pub fn start(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+) -> Result<Vec<f64>, SimulateError> {
+    let mut state = vec![0.0; simulator.shape().states()];
+    simulator.initial_state(parameters, &mut state);
+    consistent(simulator, parameters, time, state, |index| simulator.is_given(index))
+}
+
+/// Refuses constraints that repeat others at a state, or that nothing can move.
+///
+/// # Errors
+/// [`SimulateError::RedundantConstraint`] names the first.
+pub(crate) fn require_independent(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+    state: &[f64],
+) -> Result<(), SimulateError> {
+    let found = mobility(simulator, parameters, time, state);
+    let redundant = found.into_iter().flat_map(|mobility| mobility.redundant).next();
+    redundant.map_or(Ok(()), |redundant| {
+        Err(SimulateError::RedundantConstraint {
+            scene: simulator.name().to_owned(),
+            why: redundant.why(),
+            constraint: redundant.constraint,
+        })
+    })
 }
 
 impl Constraints<'_> {
@@ -119,25 +151,6 @@ impl Constraints<'_> {
             if largest(worst.1, &off.1) > worst.1 || off.1.is_nan() { off } else { worst }
         });
         (!(worst.1 <= ROUNDING)).then_some(worst)
-    }
-
-    /// Refuses constraints that repeat others, or that nothing can move.
-    fn require_independent(&self, time: f64, state: &[f64]) -> Result<(), SimulateError> {
-        let matrix = self.matrix(time, state);
-        let (_, redundant) = independent_rows(self, &matrix);
-        match redundant.into_iter().next() {
-            None => Ok(()),
-            Some(found) => Err(SimulateError::RedundantConstraint {
-                scene: self.simulator.name().to_owned(),
-                constraint: found.constraint,
-                repeats: if found.repeats.is_empty() {
-                    "does not change with any coordinate at the start".to_owned()
-                } else {
-                    let names = found.repeats.iter().map(|name| format!("`{name}`"));
-                    format!("says nothing that is new beside {}", names.collect::<Vec<_>>().join(", "))
-                },
-            }),
-        }
     }
 }
 

@@ -49,6 +49,17 @@ pub mod contact_oscillator_smooth;
 )]
 pub mod coulomb_oscillator;
 
+/// Four-bar linkage under gravity
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod four_bar;
+
 /// Induction motor running up empty
 #[rustfmt::skip]
 #[allow(
@@ -82,6 +93,17 @@ pub mod motor_stationary_axes;
 )]
 pub mod pendulum_chain;
 
+/// Chain of three pendulums, by constraints
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod pendulum_constrained;
+
 /// Saw gin: motor, coupling and saw cylinder
 #[rustfmt::skip]
 #[allow(
@@ -103,6 +125,17 @@ pub mod saw_gin;
     reason = "the spec's own names and numbers, in bodies as long as its equations"
 )]
 pub mod saw_gin_as_printed;
+
+/// Slider-crank turned at constant speed
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod slider_crank;
 
 /// Stick-slip oscillation on a belt
 #[rustfmt::skip]
@@ -166,11 +199,14 @@ pub const NAMES: &[&str] = &[
     "contact_oscillator",
     "contact_oscillator_smooth",
     "coulomb_oscillator",
+    "four_bar",
     "motor_run_up",
     "motor_stationary_axes",
     "pendulum_chain",
+    "pendulum_constrained",
     "saw_gin",
     "saw_gin_as_printed",
+    "slider_crank",
     "stick_slip",
     "stick_slip_smooth",
     "two_mass",
@@ -189,11 +225,14 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
             Some(&contact_oscillator_smooth::ContactOscillatorSmooth)
         }
         "coulomb_oscillator" => Some(&coulomb_oscillator::CoulombOscillator),
+        "four_bar" => Some(&four_bar::FourBar),
         "motor_run_up" => Some(&motor_run_up::MotorRunUp),
         "motor_stationary_axes" => Some(&motor_stationary_axes::MotorStationaryAxes),
         "pendulum_chain" => Some(&pendulum_chain::PendulumChain),
+        "pendulum_constrained" => Some(&pendulum_constrained::PendulumConstrained),
         "saw_gin" => Some(&saw_gin::SawGin),
         "saw_gin_as_printed" => Some(&saw_gin_as_printed::SawGinAsPrinted),
+        "slider_crank" => Some(&slider_crank::SliderCrank),
         "stick_slip" => Some(&stick_slip::StickSlip),
         "stick_slip_smooth" => Some(&stick_slip_smooth::StickSlipSmooth),
         "two_mass" => Some(&two_mass::TwoMass),

@@ -1,0 +1,2316 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo run --release -- gen
+//
+// Sources, with SHA-256:
+//   5b7ba03a7b8c7607f85575b24543e580d5eb9c851c7ddafd50b456286de295fe  scenes/pendulum_constrained.toml
+//   4c8ee37f2c8ba7febb53cb3d6b92bd44186fef63303e4ee1f9467038bf69e830  units/point_mass.toml
+//
+// Chain of three pendulums, by constraints
+//
+// The chain of `pendulum_chain` once more: three point masses in a plane, each held at its
+// distance from the one above. The forces of the constraints are those in the links.
+//
+// Source:
+//   Textbook.
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               6
+//   first-order states        0
+//   states                   12
+//   parameters               12
+//   outputs                   5
+//   discontinuities           0
+//   constraints               3
+//
+// State:
+//     0  first.x     [m]    place, sideways
+//     1  first.y     [m]    place, upwards
+//     2  second.x    [m]    place, sideways
+//     3  second.y    [m]    place, upwards
+//     4  third.x     [m]    place, sideways
+//     5  third.y     [m]    place, upwards
+//     6  first.v_x   [m/s]  rate of place, sideways
+//     7  first.v_y   [m/s]  rate of place, upwards
+//     8  second.v_x  [m/s]  rate of place, sideways
+//     9  second.v_y  [m/s]  rate of place, upwards
+//    10  third.v_x   [m/s]  rate of place, sideways
+//    11  third.v_y   [m/s]  rate of place, upwards
+//
+// Nonzeros:
+//   mass_matrix               6 of 6 by 6
+//   rate_jacobian            78 of 12 by 12
+//   parameter_jacobian       54 of 12 by 12
+//
+// Operations:
+//   initial_state             8
+//   discontinuities           0
+//   rate                    149
+//   mass_matrix               0
+//   forcing                   6
+//   rate_jacobian           560
+//   parameter_jacobian      524
+//   time_derivative           0
+//   outputs                 125
+//   energy                   25
+//   power_balance           171
+//   constraint_values        25
+//   constraint_rates         33
+//   constraint_matrix        21
+
+use crate::{
+    Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
+    Simulator, SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 6;
+
+/// Length of the state y.
+pub const STATES: usize = 12;
+
+/// Parameters.
+pub const PARAMETERS: usize = 12;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 5;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 6,
+    columns: 6,
+    entries: &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5)],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 12,
+    columns: 12,
+    entries: &[
+        (0, 6),
+        (1, 7),
+        (2, 8),
+        (3, 9),
+        (4, 10),
+        (5, 11),
+        (6, 0),
+        (6, 1),
+        (6, 2),
+        (6, 3),
+        (6, 4),
+        (6, 5),
+        (6, 6),
+        (6, 7),
+        (6, 8),
+        (6, 9),
+        (6, 10),
+        (6, 11),
+        (7, 0),
+        (7, 1),
+        (7, 2),
+        (7, 3),
+        (7, 4),
+        (7, 5),
+        (7, 6),
+        (7, 7),
+        (7, 8),
+        (7, 9),
+        (7, 10),
+        (7, 11),
+        (8, 0),
+        (8, 1),
+        (8, 2),
+        (8, 3),
+        (8, 4),
+        (8, 5),
+        (8, 6),
+        (8, 7),
+        (8, 8),
+        (8, 9),
+        (8, 10),
+        (8, 11),
+        (9, 0),
+        (9, 1),
+        (9, 2),
+        (9, 3),
+        (9, 4),
+        (9, 5),
+        (9, 6),
+        (9, 7),
+        (9, 8),
+        (9, 9),
+        (9, 10),
+        (9, 11),
+        (10, 0),
+        (10, 1),
+        (10, 2),
+        (10, 3),
+        (10, 4),
+        (10, 5),
+        (10, 6),
+        (10, 7),
+        (10, 8),
+        (10, 9),
+        (10, 10),
+        (10, 11),
+        (11, 0),
+        (11, 1),
+        (11, 2),
+        (11, 3),
+        (11, 4),
+        (11, 5),
+        (11, 6),
+        (11, 7),
+        (11, 8),
+        (11, 9),
+        (11, 10),
+        (11, 11),
+    ],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 12,
+    columns: 12,
+    entries: &[
+        (6, 0),
+        (6, 1),
+        (6, 2),
+        (6, 6),
+        (6, 7),
+        (6, 8),
+        (6, 9),
+        (6, 10),
+        (6, 11),
+        (7, 0),
+        (7, 1),
+        (7, 2),
+        (7, 6),
+        (7, 7),
+        (7, 8),
+        (7, 9),
+        (7, 10),
+        (7, 11),
+        (8, 0),
+        (8, 1),
+        (8, 2),
+        (8, 6),
+        (8, 7),
+        (8, 8),
+        (8, 9),
+        (8, 10),
+        (8, 11),
+        (9, 0),
+        (9, 1),
+        (9, 2),
+        (9, 6),
+        (9, 7),
+        (9, 8),
+        (9, 9),
+        (9, 10),
+        (9, 11),
+        (10, 0),
+        (10, 1),
+        (10, 2),
+        (10, 6),
+        (10, 7),
+        (10, 8),
+        (10, 9),
+        (10, 10),
+        (10, 11),
+        (11, 0),
+        (11, 1),
+        (11, 2),
+        (11, 6),
+        (11, 7),
+        (11, 8),
+        (11, 9),
+        (11, 10),
+        (11, 11),
+    ],
+};
+
+/// Constraints.
+pub const CONSTRAINTS: usize = 3;
+
+/// Nonzeros of G = dg'/dq'.
+pub const CONSTRAINT_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 3,
+    columns: 6,
+    entries: &[
+        (0, 0),
+        (0, 1),
+        (1, 0),
+        (1, 1),
+        (1, 2),
+        (1, 3),
+        (2, 2),
+        (2, 3),
+        (2, 4),
+        (2, 5),
+    ],
+};
+
+/// Chain of three pendulums, by constraints
+///
+/// The chain of \`pendulum_chain\` once more: three point masses in a plane, each held at its
+/// distance from the one above. The forces of the constraints are those in the links.
+///
+/// Source: Textbook.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PendulumConstrained;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// l_1: length of the first link \[m\]. In the spec: 1.0.
+    pub l_1: R,
+    /// l_2: length of the second link \[m\]. In the spec: 0.7.
+    pub l_2: R,
+    /// l_3: length of the third link \[m\]. In the spec: 0.4.
+    pub l_3: R,
+    /// th_1: angle of the first link at the start \[rad\]. In the spec: 0.9.
+    pub th_1: R,
+    /// th_2: angle of the second link at the start \[rad\]. In the spec: 1.1.
+    pub th_2: R,
+    /// th_3: angle of the third link at the start \[rad\]. In the spec: 1.4.
+    pub th_3: R,
+    /// first.mass: the mass \[kg\]. In the spec: 1.0.
+    pub first_mass: R,
+    /// first.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub first_gravity: R,
+    /// second.mass: the mass \[kg\]. In the spec: 0.8.
+    pub second_mass: R,
+    /// second.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub second_gravity: R,
+    /// third.mass: the mass \[kg\]. In the spec: 0.5.
+    pub third_mass: R,
+    /// third.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub third_gravity: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            l_1: values[0],
+            l_2: values[1],
+            l_3: values[2],
+            th_1: values[3],
+            th_2: values[4],
+            th_3: values[5],
+            first_mass: values[6],
+            first_gravity: values[7],
+            second_mass: values[8],
+            second_gravity: values[9],
+            third_mass: values[10],
+            third_gravity: values[11],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.l_1,
+            self.l_2,
+            self.l_3,
+            self.th_1,
+            self.th_2,
+            self.th_3,
+            self.first_mass,
+            self.first_gravity,
+            self.second_mass,
+            self.second_gravity,
+            self.third_mass,
+            self.third_gravity,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            l_1: R::literal(1.0),
+            l_2: R::literal(0.7),
+            l_3: R::literal(0.4),
+            th_1: R::literal(0.9),
+            th_2: R::literal(1.1),
+            th_3: R::literal(1.4),
+            first_mass: R::literal(1.0),
+            first_gravity: R::literal(9.81),
+            second_mass: R::literal(0.8),
+            second_gravity: R::literal(9.81),
+            third_mass: R::literal(0.5),
+            third_gravity: R::literal(9.81),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// end_x: place, sideways \[m\].
+    pub end_x: R,
+    /// end_y: place, upwards \[m\].
+    pub end_y: R,
+    /// force_1: force in the first link, pushing \[N\].
+    pub force_1: R,
+    /// force_2: force in the second link, pushing \[N\].
+    pub force_2: R,
+    /// force_3: force in the third link, pushing \[N\].
+    pub force_3: R,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; OUTPUTS]) -> Self {
+        Self {
+            end_x: values[0],
+            end_y: values[1],
+            force_1: values[2],
+            force_2: values[3],
+            force_3: values[4],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        [self.end_x, self.end_y, self.force_1, self.force_2, self.force_3]
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// first.x: place, sideways \[m\].
+    pub const FIRST_X: usize = 0;
+    /// first.y: place, upwards \[m\].
+    pub const FIRST_Y: usize = 1;
+    /// second.x: place, sideways \[m\].
+    pub const SECOND_X: usize = 2;
+    /// second.y: place, upwards \[m\].
+    pub const SECOND_Y: usize = 3;
+    /// third.x: place, sideways \[m\].
+    pub const THIRD_X: usize = 4;
+    /// third.y: place, upwards \[m\].
+    pub const THIRD_Y: usize = 5;
+    /// first.v_x: rate of place, sideways \[m/s\].
+    pub const FIRST_V_X: usize = 6;
+    /// first.v_y: rate of place, upwards \[m/s\].
+    pub const FIRST_V_Y: usize = 7;
+    /// second.v_x: rate of place, sideways \[m/s\].
+    pub const SECOND_V_X: usize = 8;
+    /// second.v_y: rate of place, upwards \[m/s\].
+    pub const SECOND_V_Y: usize = 9;
+    /// third.v_x: rate of place, sideways \[m/s\].
+    pub const THIRD_V_X: usize = 10;
+    /// third.v_y: rate of place, upwards \[m/s\].
+    pub const THIRD_V_Y: usize = 11;
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// 8 operations.
+#[must_use]
+pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
+    let l_1_times_sin_th_1 = p.l_1 * p.th_1.sin();
+    let t0 = l_1_times_sin_th_1 + p.l_2 * p.th_2.sin();
+    [
+        l_1_times_sin_th_1,
+        R::literal(-0.5),
+        t0,
+        R::literal(-1.0),
+        t0 + p.l_3 * p.th_3.sin(),
+        R::literal(-1.1),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the units of the states per second.
+///
+/// 149 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y,
+    second_v_x, second_v_y, third_v_x, third_v_y] = *state;
+    let inverse_l_1 = R::literal(1.0) / p.l_1;
+    let inverse_l_1_times_first_x = inverse_l_1 * first_x;
+    let inverse_l_2 = R::literal(1.0) / p.l_2;
+    let t0 = inverse_l_2 * (first_x - second_x);
+    let inverse_l_1_times_first_y = inverse_l_1 * first_y;
+    let t1 = inverse_l_2 * (first_y - second_y);
+    let t2 = inverse_l_2 * (second_x - first_x);
+    let inverse_l_3 = R::literal(1.0) / p.l_3;
+    let t3 = inverse_l_3 * (second_x - third_x);
+    let t4 = inverse_l_2 * (second_y - first_y);
+    let t5 = inverse_l_3 * (second_y - third_y);
+    let t6 = inverse_l_3 * (third_x - second_x);
+    let t7 = inverse_l_3 * (third_y - second_y);
+    let inverse_first_mass = R::literal(1.0) / p.first_mass;
+    let t8 = inverse_l_1_times_first_x * inverse_first_mass;
+    let t9 = t0 * inverse_first_mass;
+    let t10 = inverse_l_1_times_first_y * inverse_first_mass;
+    let t11 = t1 * inverse_first_mass;
+    let inverse_second_mass = R::literal(1.0) / p.second_mass;
+    let t12 = t2 * inverse_second_mass;
+    let t13 = t3 * inverse_second_mass;
+    let t14 = t4 * inverse_second_mass;
+    let t15 = t5 * inverse_second_mass;
+    let inverse_third_mass = R::literal(1.0) / p.third_mass;
+    let t16 = t6 * inverse_third_mass;
+    let t17 = t7 * inverse_third_mass;
+    let t18 = R::literal(1.0)
+        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
+    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+    let t20 = t19 * t18;
+    let t21 = R::literal(1.0)
+        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
+    let t22 = -(t13 * t2) - t15 * t4;
+    let t23 = t22 * t21;
+    let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
+    let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
+    let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
+    let first_v_x_squared = first_v_x * first_v_x;
+    let first_v_y_squared = first_v_y * first_v_y;
+    let second_v_x_squared = second_v_x * second_v_x;
+    let second_v_y_squared = second_v_y * second_v_y;
+    let t24 = t10 * first_mass_times_first_gravity
+        - inverse_l_1 * (first_v_x_squared + first_v_y_squared);
+    let t25 = inverse_l_2
+        * (R::literal(2.0) * first_v_x * second_v_x
+            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
+            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
+        + t11 * first_mass_times_first_gravity + t14 * second_mass_times_second_gravity
+        - t20 * t24;
+    let t26 = inverse_l_3
+        * (R::literal(2.0) * second_v_x * third_v_x
+            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
+            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
+        + t15 * second_mass_times_second_gravity + t17 * third_mass_times_third_gravity
+        - t23 * t25;
+    let t27 = t26
+        * (R::literal(1.0) / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22));
+    let t28 = t25 * t21 - t23 * t27;
+    let t29 = t24 * t18 - t20 * t28;
+    let third_v_y_dot = -(third_mass_times_third_gravity * inverse_third_mass)
+        - t17 * t27;
+    let third_v_x_dot = -(t16 * t27);
+    let second_v_y_dot = -(second_mass_times_second_gravity * inverse_second_mass)
+        - t14 * t28 - t15 * t27;
+    let second_v_x_dot = -(t12 * t28) - t13 * t27;
+    let first_v_y_dot = -(first_mass_times_first_gravity * inverse_first_mass)
+        - t10 * t29 - t11 * t28;
+    let first_v_x_dot = -(t8 * t29) - t9 * t28;
+    [
+        first_v_x,
+        first_v_y,
+        second_v_x,
+        second_v_y,
+        third_v_x,
+        third_v_y,
+        first_v_x_dot,
+        first_v_y_dot,
+        second_v_x_dot,
+        second_v_y_dot,
+        third_v_x_dot,
+        third_v_y_dot,
+    ]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// No operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 6] {
+    [
+        p.first_mass,
+        p.first_mass,
+        p.second_mass,
+        p.second_mass,
+        p.third_mass,
+        p.third_mass,
+    ]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 6 operations.
+#[must_use]
+pub fn forcing<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let first_y_forcing = -(p.first_mass * p.first_gravity);
+    let second_y_forcing = -(p.second_mass * p.second_gravity);
+    let third_y_forcing = -(p.third_mass * p.third_gravity);
+    [
+        R::literal(0.0),
+        first_y_forcing,
+        R::literal(0.0),
+        second_y_forcing,
+        R::literal(0.0),
+        third_y_forcing,
+    ]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// 560 operations.
+#[must_use]
+pub fn rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 78] {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y,
+    second_v_x, second_v_y, third_v_x, third_v_y] = *state;
+    let inverse_l_1 = R::literal(1.0) / p.l_1;
+    let inverse_l_1_times_first_x = inverse_l_1 * first_x;
+    let inverse_l_2 = R::literal(1.0) / p.l_2;
+    let t0 = inverse_l_2 * (first_x - second_x);
+    let inverse_l_1_times_first_y = inverse_l_1 * first_y;
+    let t1 = inverse_l_2 * (first_y - second_y);
+    let t2 = inverse_l_2 * (second_x - first_x);
+    let inverse_l_3 = R::literal(1.0) / p.l_3;
+    let t3 = inverse_l_3 * (second_x - third_x);
+    let t4 = inverse_l_2 * (second_y - first_y);
+    let t5 = inverse_l_3 * (second_y - third_y);
+    let t6 = inverse_l_3 * (third_x - second_x);
+    let t7 = inverse_l_3 * (third_y - second_y);
+    let inverse_first_mass = R::literal(1.0) / p.first_mass;
+    let t8 = inverse_l_1_times_first_x * inverse_first_mass;
+    let t9 = t0 * inverse_first_mass;
+    let t10 = inverse_l_1_times_first_y * inverse_first_mass;
+    let t11 = t1 * inverse_first_mass;
+    let inverse_second_mass = R::literal(1.0) / p.second_mass;
+    let t12 = t2 * inverse_second_mass;
+    let t13 = t3 * inverse_second_mass;
+    let t14 = t4 * inverse_second_mass;
+    let t15 = t5 * inverse_second_mass;
+    let inverse_third_mass = R::literal(1.0) / p.third_mass;
+    let t16 = t6 * inverse_third_mass;
+    let t17 = t7 * inverse_third_mass;
+    let t18 = R::literal(1.0)
+        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
+    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+    let t20 = t19 * t18;
+    let t21 = R::literal(1.0)
+        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
+    let t22 = -(t13 * t2) - t15 * t4;
+    let t23 = t22 * t21;
+    let t24 = R::literal(1.0)
+        / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22);
+    let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
+    let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
+    let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
+    let first_v_x_squared = first_v_x * first_v_x;
+    let first_v_y_squared = first_v_y * first_v_y;
+    let second_v_x_squared = second_v_x * second_v_x;
+    let second_v_y_squared = second_v_y * second_v_y;
+    let t25 = t10 * first_mass_times_first_gravity
+        - inverse_l_1 * (first_v_x_squared + first_v_y_squared);
+    let t26 = inverse_l_2
+        * (R::literal(2.0) * first_v_x * second_v_x
+            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
+            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
+        + t11 * first_mass_times_first_gravity + t14 * second_mass_times_second_gravity
+        - t20 * t25;
+    let t27 = (inverse_l_3
+        * (R::literal(2.0) * second_v_x * third_v_x
+            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
+            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
+        + t15 * second_mass_times_second_gravity + t17 * third_mass_times_third_gravity
+        - t23 * t26) * t24;
+    let t28 = t26 * t21 - t23 * t27;
+    let t29 = t25 * t18 - t20 * t28;
+    let third_v_y_dot = -(third_mass_times_third_gravity * inverse_third_mass)
+        - t17 * t27;
+    let second_v_y_dot = -(second_mass_times_second_gravity * inverse_second_mass)
+        - t14 * t28 - t15 * t27;
+    let second_v_x_dot = -(t12 * t28) - t13 * t27;
+    let first_v_y_dot = -(first_mass_times_first_gravity * inverse_first_mass)
+        - t10 * t29 - t11 * t28;
+    let first_v_x_dot = -(t8 * t29) - t9 * t28;
+    let t30 = inverse_l_2 * t28;
+    let t31 = -(inverse_l_1 * t29) - t30;
+    let inverse_l_2_times_first_v_x_dot = inverse_l_2 * first_v_x_dot;
+    let inverse_l_2_times_second_v_x_dot = inverse_l_2 * second_v_x_dot;
+    let t32 = -(inverse_l_1 * first_v_x_dot) - t8 * t31;
+    let t33 = inverse_l_2_times_second_v_x_dot - inverse_l_2_times_first_v_x_dot
+        - t9 * t31 - t12 * t30 - t20 * t32;
+    let t34 = t31 * inverse_first_mass;
+    let t35 = t30 * inverse_second_mass;
+    let t36 = (-(t13 * t30) - t23 * t33) * t24;
+    let t37 = t33 * t21 - t23 * t36;
+    let t38 = t32 * t18 - t20 * t37;
+    let third_v_y_dot_by_first_x = -(t17 * t36);
+    let third_v_x_dot_by_first_x = -(t16 * t36);
+    let second_v_y_dot_by_first_x = -(t14 * t37) - t15 * t36;
+    let second_v_x_dot_by_first_x = t35 - t12 * t37 - t13 * t36;
+    let first_v_y_dot_by_first_x = -(t10 * t38) - t11 * t37;
+    let first_v_x_dot_by_first_x = t34 - t8 * t38 - t9 * t37;
+    let inverse_l_2_times_first_v_y_dot = inverse_l_2 * first_v_y_dot;
+    let inverse_l_2_times_second_v_y_dot = inverse_l_2 * second_v_y_dot;
+    let t39 = -(inverse_l_1 * first_v_y_dot) - t10 * t31;
+    let t40 = inverse_l_2_times_second_v_y_dot - inverse_l_2_times_first_v_y_dot
+        - t11 * t31 - t14 * t30 - t20 * t39;
+    let t41 = (-(t15 * t30) - t23 * t40) * t24;
+    let t42 = t40 * t21 - t23 * t41;
+    let t43 = t39 * t18 - t20 * t42;
+    let third_v_y_dot_by_first_y = -(t17 * t41);
+    let third_v_x_dot_by_first_y = -(t16 * t41);
+    let second_v_y_dot_by_first_y = t35 - t14 * t42 - t15 * t41;
+    let second_v_x_dot_by_first_y = -(t12 * t42) - t13 * t41;
+    let first_v_y_dot_by_first_y = t34 - t10 * t43 - t11 * t42;
+    let first_v_x_dot_by_first_y = -(t8 * t43) - t9 * t42;
+    let t44 = inverse_l_3 * t27;
+    let t45 = -t30 - t44;
+    let inverse_l_3_times_second_v_x_dot = inverse_l_3 * second_v_x_dot;
+    let t46 = inverse_l_3 * (t16 * t27);
+    let t47 = t8 * t30;
+    let t48 = inverse_l_2_times_first_v_x_dot - inverse_l_2_times_second_v_x_dot
+        - t9 * t30 - t12 * t45 + t20 * t47;
+    let t49 = t16 * t44;
+    let t50 = t30 * inverse_first_mass;
+    let t51 = t45 * inverse_second_mass;
+    let t52 = t44 * inverse_third_mass;
+    let t53 = (-inverse_l_3_times_second_v_x_dot - t46 - t13 * t45 - t49 - t23 * t48)
+        * t24;
+    let t54 = t48 * t21 - t23 * t53;
+    let t55 = -(t47 * t18) - t20 * t54;
+    let third_v_y_dot_by_second_x = -(t17 * t53);
+    let third_v_x_dot_by_second_x = t52 - t16 * t53;
+    let second_v_y_dot_by_second_x = -(t14 * t54) - t15 * t53;
+    let second_v_x_dot_by_second_x = t51 - t12 * t54 - t13 * t53;
+    let first_v_y_dot_by_second_x = -(t10 * t55) - t11 * t54;
+    let first_v_x_dot_by_second_x = t50 - t8 * t55 - t9 * t54;
+    let inverse_l_3_times_second_v_y_dot = inverse_l_3 * second_v_y_dot;
+    let inverse_l_3_times_third_v_y_dot = inverse_l_3 * third_v_y_dot;
+    let t56 = t10 * t30;
+    let t57 = inverse_l_2_times_first_v_y_dot - inverse_l_2_times_second_v_y_dot
+        - t11 * t30 - t14 * t45 + t20 * t56;
+    let t58 = t17 * t44;
+    let t59 = (inverse_l_3_times_third_v_y_dot - inverse_l_3_times_second_v_y_dot
+        - t15 * t45 - t58 - t23 * t57) * t24;
+    let t60 = t57 * t21 - t23 * t59;
+    let t61 = -(t56 * t18) - t20 * t60;
+    let third_v_y_dot_by_second_y = t52 - t17 * t59;
+    let third_v_x_dot_by_second_y = -(t16 * t59);
+    let second_v_y_dot_by_second_y = t51 - t14 * t60 - t15 * t59;
+    let second_v_x_dot_by_second_y = -(t12 * t60) - t13 * t59;
+    let first_v_y_dot_by_second_y = t50 - t10 * t61 - t11 * t60;
+    let first_v_x_dot_by_second_y = -(t8 * t61) - t9 * t60;
+    let t62 = t12 * t44;
+    let t63 = t44 * inverse_second_mass;
+    let t64 = -t52;
+    let t65 = (inverse_l_3_times_second_v_x_dot + t46 - t13 * t44 + t49 + t23 * t62)
+        * t24;
+    let t66 = -(t62 * t21) - t23 * t65;
+    let t67 = t20 * t66;
+    let third_v_y_dot_by_third_x = -(t17 * t65);
+    let third_v_x_dot_by_third_x = t64 - t16 * t65;
+    let second_v_y_dot_by_third_x = -(t14 * t66) - t15 * t65;
+    let second_v_x_dot_by_third_x = t63 - t12 * t66 - t13 * t65;
+    let first_v_y_dot_by_third_x = t10 * t67 - t11 * t66;
+    let first_v_x_dot_by_third_x = t8 * t67 - t9 * t66;
+    let t68 = t14 * t44;
+    let t69 = (inverse_l_3_times_second_v_y_dot - inverse_l_3_times_third_v_y_dot
+        - t15 * t44 + t58 + t23 * t68) * t24;
+    let t70 = -(t68 * t21) - t23 * t69;
+    let t71 = t20 * t70;
+    let third_v_y_dot_by_third_y = t64 - t17 * t69;
+    let third_v_x_dot_by_third_y = -(t16 * t69);
+    let second_v_y_dot_by_third_y = t63 - t14 * t70 - t15 * t69;
+    let second_v_x_dot_by_third_y = -(t12 * t70) - t13 * t69;
+    let first_v_y_dot_by_third_y = t10 * t71 - t11 * t70;
+    let first_v_x_dot_by_third_y = t8 * t71 - t9 * t70;
+    let t72 = R::literal(2.0) / p.l_1;
+    let t73 = t72 * first_v_x;
+    let t74 = R::literal(2.0) / p.l_2;
+    let t75 = t74 * (first_v_x - second_v_x);
+    let t76 = t20 * t73 - t75;
+    let t77 = t23 * t76 * t24;
+    let t78 = t76 * t21 + t23 * t77;
+    let t79 = -(t73 * t18) - t20 * t78;
+    let third_v_y_dot_by_first_v_x = t17 * t77;
+    let third_v_x_dot_by_first_v_x = t16 * t77;
+    let second_v_y_dot_by_first_v_x = t15 * t77 - t14 * t78;
+    let second_v_x_dot_by_first_v_x = t13 * t77 - t12 * t78;
+    let first_v_y_dot_by_first_v_x = -(t10 * t79) - t11 * t78;
+    let first_v_x_dot_by_first_v_x = -(t8 * t79) - t9 * t78;
+    let t80 = t72 * first_v_y;
+    let t81 = t74 * (first_v_y - second_v_y);
+    let t82 = t20 * t80 - t81;
+    let t83 = t23 * t82 * t24;
+    let t84 = t82 * t21 + t23 * t83;
+    let t85 = -(t80 * t18) - t20 * t84;
+    let third_v_y_dot_by_first_v_y = t17 * t83;
+    let third_v_x_dot_by_first_v_y = t16 * t83;
+    let second_v_y_dot_by_first_v_y = t15 * t83 - t14 * t84;
+    let second_v_x_dot_by_first_v_y = t13 * t83 - t12 * t84;
+    let first_v_y_dot_by_first_v_y = -(t10 * t85) - t11 * t84;
+    let first_v_x_dot_by_first_v_y = -(t8 * t85) - t9 * t84;
+    let t86 = R::literal(2.0) / p.l_3;
+    let t87 = t86 * (second_v_x - third_v_x);
+    let t88 = (-t87 - t23 * t75) * t24;
+    let t89 = t75 * t21 - t23 * t88;
+    let t90 = t20 * t89;
+    let third_v_y_dot_by_second_v_x = -(t17 * t88);
+    let third_v_x_dot_by_second_v_x = -(t16 * t88);
+    let second_v_y_dot_by_second_v_x = -(t14 * t89) - t15 * t88;
+    let second_v_x_dot_by_second_v_x = -(t12 * t89) - t13 * t88;
+    let first_v_y_dot_by_second_v_x = t10 * t90 - t11 * t89;
+    let first_v_x_dot_by_second_v_x = t8 * t90 - t9 * t89;
+    let t91 = t86 * (second_v_y - third_v_y);
+    let t92 = (-t91 - t23 * t81) * t24;
+    let t93 = t81 * t21 - t23 * t92;
+    let t94 = t20 * t93;
+    let third_v_y_dot_by_second_v_y = -(t17 * t92);
+    let third_v_x_dot_by_second_v_y = -(t16 * t92);
+    let second_v_y_dot_by_second_v_y = -(t14 * t93) - t15 * t92;
+    let second_v_x_dot_by_second_v_y = -(t12 * t93) - t13 * t92;
+    let first_v_y_dot_by_second_v_y = t10 * t94 - t11 * t93;
+    let first_v_x_dot_by_second_v_y = t8 * t94 - t9 * t93;
+    let t95 = t87 * t24;
+    let t96 = t23 * t95;
+    let t97 = t20 * t96;
+    let third_v_y_dot_by_third_v_x = -(t17 * t95);
+    let third_v_x_dot_by_third_v_x = -(t16 * t95);
+    let second_v_y_dot_by_third_v_x = t14 * t96 - t15 * t95;
+    let second_v_x_dot_by_third_v_x = t12 * t96 - t13 * t95;
+    let first_v_y_dot_by_third_v_x = t11 * t96 - t10 * t97;
+    let first_v_x_dot_by_third_v_x = t9 * t96 - t8 * t97;
+    let t98 = t91 * t24;
+    let t99 = t23 * t98;
+    let t100 = t20 * t99;
+    let third_v_y_dot_by_third_v_y = -(t17 * t98);
+    let third_v_x_dot_by_third_v_y = -(t16 * t98);
+    let second_v_y_dot_by_third_v_y = t14 * t99 - t15 * t98;
+    let second_v_x_dot_by_third_v_y = t12 * t99 - t13 * t98;
+    let first_v_y_dot_by_third_v_y = t11 * t99 - t10 * t100;
+    let first_v_x_dot_by_third_v_y = t9 * t99 - t8 * t100;
+    [
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        first_v_x_dot_by_first_x,
+        first_v_x_dot_by_first_y,
+        first_v_x_dot_by_second_x,
+        first_v_x_dot_by_second_y,
+        first_v_x_dot_by_third_x,
+        first_v_x_dot_by_third_y,
+        first_v_x_dot_by_first_v_x,
+        first_v_x_dot_by_first_v_y,
+        first_v_x_dot_by_second_v_x,
+        first_v_x_dot_by_second_v_y,
+        first_v_x_dot_by_third_v_x,
+        first_v_x_dot_by_third_v_y,
+        first_v_y_dot_by_first_x,
+        first_v_y_dot_by_first_y,
+        first_v_y_dot_by_second_x,
+        first_v_y_dot_by_second_y,
+        first_v_y_dot_by_third_x,
+        first_v_y_dot_by_third_y,
+        first_v_y_dot_by_first_v_x,
+        first_v_y_dot_by_first_v_y,
+        first_v_y_dot_by_second_v_x,
+        first_v_y_dot_by_second_v_y,
+        first_v_y_dot_by_third_v_x,
+        first_v_y_dot_by_third_v_y,
+        second_v_x_dot_by_first_x,
+        second_v_x_dot_by_first_y,
+        second_v_x_dot_by_second_x,
+        second_v_x_dot_by_second_y,
+        second_v_x_dot_by_third_x,
+        second_v_x_dot_by_third_y,
+        second_v_x_dot_by_first_v_x,
+        second_v_x_dot_by_first_v_y,
+        second_v_x_dot_by_second_v_x,
+        second_v_x_dot_by_second_v_y,
+        second_v_x_dot_by_third_v_x,
+        second_v_x_dot_by_third_v_y,
+        second_v_y_dot_by_first_x,
+        second_v_y_dot_by_first_y,
+        second_v_y_dot_by_second_x,
+        second_v_y_dot_by_second_y,
+        second_v_y_dot_by_third_x,
+        second_v_y_dot_by_third_y,
+        second_v_y_dot_by_first_v_x,
+        second_v_y_dot_by_first_v_y,
+        second_v_y_dot_by_second_v_x,
+        second_v_y_dot_by_second_v_y,
+        second_v_y_dot_by_third_v_x,
+        second_v_y_dot_by_third_v_y,
+        third_v_x_dot_by_first_x,
+        third_v_x_dot_by_first_y,
+        third_v_x_dot_by_second_x,
+        third_v_x_dot_by_second_y,
+        third_v_x_dot_by_third_x,
+        third_v_x_dot_by_third_y,
+        third_v_x_dot_by_first_v_x,
+        third_v_x_dot_by_first_v_y,
+        third_v_x_dot_by_second_v_x,
+        third_v_x_dot_by_second_v_y,
+        third_v_x_dot_by_third_v_x,
+        third_v_x_dot_by_third_v_y,
+        third_v_y_dot_by_first_x,
+        third_v_y_dot_by_first_y,
+        third_v_y_dot_by_second_x,
+        third_v_y_dot_by_second_y,
+        third_v_y_dot_by_third_x,
+        third_v_y_dot_by_third_y,
+        third_v_y_dot_by_first_v_x,
+        third_v_y_dot_by_first_v_y,
+        third_v_y_dot_by_second_v_x,
+        third_v_y_dot_by_second_v_y,
+        third_v_y_dot_by_third_v_x,
+        third_v_y_dot_by_third_v_y,
+    ]
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// 524 operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 54] {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y,
+    second_v_x, second_v_y, third_v_x, third_v_y] = *state;
+    let inverse_l_1 = R::literal(1.0) / p.l_1;
+    let inverse_l_1_times_first_x = inverse_l_1 * first_x;
+    let first_x_minus_second_x = first_x - second_x;
+    let inverse_l_2 = R::literal(1.0) / p.l_2;
+    let t0 = inverse_l_2 * first_x_minus_second_x;
+    let inverse_l_1_times_first_y = inverse_l_1 * first_y;
+    let first_y_minus_second_y = first_y - second_y;
+    let t1 = inverse_l_2 * first_y_minus_second_y;
+    let second_x_minus_first_x = second_x - first_x;
+    let t2 = inverse_l_2 * second_x_minus_first_x;
+    let second_x_minus_third_x = second_x - third_x;
+    let inverse_l_3 = R::literal(1.0) / p.l_3;
+    let t3 = inverse_l_3 * second_x_minus_third_x;
+    let second_y_minus_first_y = second_y - first_y;
+    let t4 = inverse_l_2 * second_y_minus_first_y;
+    let second_y_minus_third_y = second_y - third_y;
+    let t5 = inverse_l_3 * second_y_minus_third_y;
+    let third_x_minus_second_x = third_x - second_x;
+    let t6 = inverse_l_3 * third_x_minus_second_x;
+    let third_y_minus_second_y = third_y - second_y;
+    let t7 = inverse_l_3 * third_y_minus_second_y;
+    let inverse_first_mass = R::literal(1.0) / p.first_mass;
+    let t8 = inverse_l_1_times_first_x * inverse_first_mass;
+    let t9 = t0 * inverse_first_mass;
+    let t10 = inverse_l_1_times_first_y * inverse_first_mass;
+    let t11 = t1 * inverse_first_mass;
+    let inverse_second_mass = R::literal(1.0) / p.second_mass;
+    let t12 = t2 * inverse_second_mass;
+    let t13 = t3 * inverse_second_mass;
+    let t14 = t4 * inverse_second_mass;
+    let t15 = t5 * inverse_second_mass;
+    let inverse_third_mass = R::literal(1.0) / p.third_mass;
+    let t16 = t6 * inverse_third_mass;
+    let t17 = t7 * inverse_third_mass;
+    let t18 = R::literal(1.0)
+        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
+    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+    let t20 = t19 * t18;
+    let t21 = R::literal(1.0)
+        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
+    let t22 = -(t13 * t2) - t15 * t4;
+    let t23 = t22 * t21;
+    let t24 = R::literal(1.0)
+        / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22);
+    let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
+    let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
+    let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
+    let first_v_x_squared = first_v_x * first_v_x;
+    let first_v_y_squared = first_v_y * first_v_y;
+    let t25 = first_v_x_squared + first_v_y_squared;
+    let second_v_x_squared = second_v_x * second_v_x;
+    let second_v_y_squared = second_v_y * second_v_y;
+    let t26 = R::literal(2.0) * first_v_x * second_v_x;
+    let t27 = R::literal(2.0) * first_v_y * second_v_y;
+    let third_v_x_squared = third_v_x * third_v_x;
+    let third_v_y_squared = third_v_y * third_v_y;
+    let t28 = R::literal(2.0) * second_v_x * third_v_x;
+    let t29 = R::literal(2.0) * second_v_y * third_v_y;
+    let t30 = t10 * first_mass_times_first_gravity - inverse_l_1 * t25;
+    let t31 = inverse_l_2
+        * (t26 + t27 - first_v_x_squared - first_v_y_squared - second_v_x_squared
+            - second_v_y_squared) + t11 * first_mass_times_first_gravity
+        + t14 * second_mass_times_second_gravity - t20 * t30;
+    let t32 = (inverse_l_3
+        * (t28 + t29 - second_v_x_squared - second_v_y_squared - third_v_x_squared
+            - third_v_y_squared) + t15 * second_mass_times_second_gravity
+        + t17 * third_mass_times_third_gravity - t23 * t31) * t24;
+    let t33 = t31 * t21 - t23 * t32;
+    let t34 = t30 * t18 - t20 * t33;
+    let third_v_y_dot = -(third_mass_times_third_gravity * inverse_third_mass)
+        - t17 * t32;
+    let t35 = t16 * t32;
+    let second_v_y_dot = -(second_mass_times_second_gravity * inverse_second_mass)
+        - t14 * t33 - t15 * t32;
+    let t36 = t12 * t33;
+    let t37 = t13 * t32;
+    let second_v_x_dot = -t36 - t37;
+    let first_v_y_dot = -(first_mass_times_first_gravity * inverse_first_mass)
+        - t10 * t34 - t11 * t33;
+    let t38 = t8 * t34;
+    let t39 = t9 * t33;
+    let first_v_x_dot = -t38 - t39;
+    let inverse_l_1_squared = R::literal(1.0) / (p.l_1 * p.l_1);
+    let inverse_l_1_squared_times_first_x = inverse_l_1_squared * first_x;
+    let t40 = inverse_l_1_squared_times_first_x * t34;
+    let inverse_l_1_squared_times_first_y = inverse_l_1_squared * first_y;
+    let t41 = inverse_l_1_squared_times_first_y * t34;
+    let t42 = inverse_l_1_squared * t25
+        + inverse_l_1_squared_times_first_x * first_v_x_dot
+        + inverse_l_1_squared_times_first_y * first_v_y_dot - t8 * t40 - t10 * t41;
+    let t43 = -(t9 * t40) - t11 * t41 - t20 * t42;
+    let t44 = t23 * t43 * t24;
+    let t45 = t43 * t21 + t23 * t44;
+    let t46 = t42 * t18 - t20 * t45;
+    let third_v_y_dot_by_l_1 = t17 * t44;
+    let third_v_x_dot_by_l_1 = t16 * t44;
+    let second_v_y_dot_by_l_1 = t15 * t44 - t14 * t45;
+    let second_v_x_dot_by_l_1 = t13 * t44 - t12 * t45;
+    let first_v_y_dot_by_l_1 = t41 * inverse_first_mass - t10 * t46 - t11 * t45;
+    let first_v_x_dot_by_l_1 = t40 * inverse_first_mass - t8 * t46 - t9 * t45;
+    let inverse_l_2_squared = R::literal(1.0) / (p.l_2 * p.l_2);
+    let t47 = inverse_l_2_squared * second_x_minus_first_x;
+    let t48 = t47 * t33;
+    let t49 = inverse_l_2_squared * second_y_minus_first_y;
+    let t50 = t49 * t33;
+    let t51 = inverse_l_2_squared * first_x_minus_second_x;
+    let t52 = t51 * t33;
+    let t53 = inverse_l_2_squared * first_y_minus_second_y;
+    let t54 = t53 * t33;
+    let t55 = t8 * t48 + t10 * t50;
+    let t56 = inverse_l_2_squared
+        * (t25 + second_v_x_squared + second_v_y_squared - t26 - t27)
+        - t47 * first_v_x_dot - t49 * first_v_y_dot - t51 * second_v_x_dot
+        - t53 * second_v_y_dot + t9 * t48 + t11 * t50 + t12 * t52 + t14 * t54
+        - t20 * t55;
+    let t57 = (t13 * t52 + t15 * t54 - t23 * t56) * t24;
+    let t58 = t56 * t21 - t23 * t57;
+    let t59 = t55 * t18 - t20 * t58;
+    let third_v_y_dot_by_l_2 = -(t17 * t57);
+    let third_v_x_dot_by_l_2 = -(t16 * t57);
+    let second_v_y_dot_by_l_2 = -(t54 * inverse_second_mass) - t14 * t58 - t15 * t57;
+    let second_v_x_dot_by_l_2 = -(t52 * inverse_second_mass) - t12 * t58 - t13 * t57;
+    let first_v_y_dot_by_l_2 = -(t50 * inverse_first_mass) - t10 * t59 - t11 * t58;
+    let first_v_x_dot_by_l_2 = -(t48 * inverse_first_mass) - t8 * t59 - t9 * t58;
+    let inverse_l_3_squared = R::literal(1.0) / (p.l_3 * p.l_3);
+    let t60 = inverse_l_3_squared * third_x_minus_second_x;
+    let t61 = t60 * t32;
+    let t62 = inverse_l_3_squared * third_y_minus_second_y;
+    let t63 = t62 * t32;
+    let t64 = inverse_l_3_squared * second_x_minus_third_x;
+    let t65 = t64 * t32;
+    let t66 = inverse_l_3_squared * second_y_minus_third_y;
+    let t67 = t66 * t32;
+    let t68 = t12 * t61 + t14 * t63;
+    let t69 = inverse_l_3_squared
+        * (second_v_x_squared + second_v_y_squared + third_v_x_squared
+            + third_v_y_squared - t28 - t29) - t60 * second_v_x_dot
+        - t62 * second_v_y_dot + t64 * t35 - t66 * third_v_y_dot + t13 * t61 + t15 * t63
+        + t16 * t65 + t17 * t67 - t23 * t68;
+    let t70 = t69 * t24;
+    let t71 = t68 * t21 - t23 * t70;
+    let t72 = t20 * t71;
+    let third_v_y_dot_by_l_3 = -(t67 * inverse_third_mass) - t17 * t70;
+    let third_v_x_dot_by_l_3 = -(t65 * inverse_third_mass) - t16 * t70;
+    let second_v_y_dot_by_l_3 = -(t63 * inverse_second_mass) - t14 * t71 - t15 * t70;
+    let second_v_x_dot_by_l_3 = -(t61 * inverse_second_mass) - t12 * t71 - t13 * t70;
+    let first_v_y_dot_by_l_3 = t10 * t72 - t11 * t71;
+    let first_v_x_dot_by_l_3 = t8 * t72 - t9 * t71;
+    let t73 = t39 + t38;
+    let t74 = -p.first_gravity - first_v_y_dot;
+    let t75 = -(t8 * t73) - t10 * t74;
+    let t76 = -(t9 * t73) - t11 * t74 - t20 * t75;
+    let t77 = t23 * t76 * t24;
+    let t78 = t76 * t21 + t23 * t77;
+    let t79 = t75 * t18 - t20 * t78;
+    let third_v_y_dot_by_first_mass = t17 * t77;
+    let third_v_x_dot_by_first_mass = t16 * t77;
+    let second_v_y_dot_by_first_mass = t15 * t77 - t14 * t78;
+    let second_v_x_dot_by_first_mass = t13 * t77 - t12 * t78;
+    let first_v_y_dot_by_first_mass = t74 * inverse_first_mass - t10 * t79 - t11 * t78;
+    let first_v_x_dot_by_first_mass = t73 * inverse_first_mass - t8 * t79 - t9 * t78;
+    let t80 = t10 * p.first_mass;
+    let t81 = t11 * p.first_mass - t20 * t80;
+    let t82 = t23 * t81 * t24;
+    let t83 = t81 * t21 + t23 * t82;
+    let t84 = t80 * t18 - t20 * t83;
+    let third_v_y_dot_by_first_gravity = t17 * t82;
+    let third_v_x_dot_by_first_gravity = t16 * t82;
+    let second_v_y_dot_by_first_gravity = t15 * t82 - t14 * t83;
+    let second_v_x_dot_by_first_gravity = t13 * t82 - t12 * t83;
+    let first_v_y_dot_by_first_gravity = -(p.first_mass * inverse_first_mass) - t10 * t84
+        - t11 * t83;
+    let first_v_x_dot_by_first_gravity = -(t8 * t84) - t9 * t83;
+    let t85 = t37 + t36;
+    let t86 = -p.second_gravity - second_v_y_dot;
+    let t87 = -(t12 * t85) - t14 * t86;
+    let t88 = (-(t13 * t85) - t15 * t86 - t23 * t87) * t24;
+    let t89 = t87 * t21 - t23 * t88;
+    let t90 = t20 * t89;
+    let third_v_y_dot_by_second_mass = -(t17 * t88);
+    let third_v_x_dot_by_second_mass = -(t16 * t88);
+    let second_v_y_dot_by_second_mass = t86 * inverse_second_mass - t14 * t89
+        - t15 * t88;
+    let second_v_x_dot_by_second_mass = t85 * inverse_second_mass - t12 * t89
+        - t13 * t88;
+    let first_v_y_dot_by_second_mass = t10 * t90 - t11 * t89;
+    let first_v_x_dot_by_second_mass = t8 * t90 - t9 * t89;
+    let t91 = t14 * p.second_mass;
+    let t92 = (t15 * p.second_mass - t23 * t91) * t24;
+    let t93 = t91 * t21 - t23 * t92;
+    let t94 = t20 * t93;
+    let third_v_y_dot_by_second_gravity = -(t17 * t92);
+    let third_v_x_dot_by_second_gravity = -(t16 * t92);
+    let second_v_y_dot_by_second_gravity = -(p.second_mass * inverse_second_mass)
+        - t14 * t93 - t15 * t92;
+    let second_v_x_dot_by_second_gravity = -(t12 * t93) - t13 * t92;
+    let first_v_y_dot_by_second_gravity = t10 * t94 - t11 * t93;
+    let first_v_x_dot_by_second_gravity = t8 * t94 - t9 * t93;
+    let t95 = -p.third_gravity - third_v_y_dot;
+    let t96 = (-(t16 * t35) - t17 * t95) * t24;
+    let t97 = t23 * t96;
+    let t98 = t20 * t97;
+    let third_v_y_dot_by_third_mass = t95 * inverse_third_mass - t17 * t96;
+    let third_v_x_dot_by_third_mass = t35 * inverse_third_mass - t16 * t96;
+    let second_v_y_dot_by_third_mass = t14 * t97 - t15 * t96;
+    let second_v_x_dot_by_third_mass = t12 * t97 - t13 * t96;
+    let first_v_y_dot_by_third_mass = t11 * t97 - t10 * t98;
+    let first_v_x_dot_by_third_mass = t9 * t97 - t8 * t98;
+    let t99 = t17 * p.third_mass * t24;
+    let t100 = t23 * t99;
+    let t101 = t20 * t100;
+    let third_v_y_dot_by_third_gravity = -(p.third_mass * inverse_third_mass)
+        - t17 * t99;
+    let third_v_x_dot_by_third_gravity = -(t16 * t99);
+    let second_v_y_dot_by_third_gravity = t14 * t100 - t15 * t99;
+    let second_v_x_dot_by_third_gravity = t12 * t100 - t13 * t99;
+    let first_v_y_dot_by_third_gravity = t11 * t100 - t10 * t101;
+    let first_v_x_dot_by_third_gravity = t9 * t100 - t8 * t101;
+    [
+        first_v_x_dot_by_l_1,
+        first_v_x_dot_by_l_2,
+        first_v_x_dot_by_l_3,
+        first_v_x_dot_by_first_mass,
+        first_v_x_dot_by_first_gravity,
+        first_v_x_dot_by_second_mass,
+        first_v_x_dot_by_second_gravity,
+        first_v_x_dot_by_third_mass,
+        first_v_x_dot_by_third_gravity,
+        first_v_y_dot_by_l_1,
+        first_v_y_dot_by_l_2,
+        first_v_y_dot_by_l_3,
+        first_v_y_dot_by_first_mass,
+        first_v_y_dot_by_first_gravity,
+        first_v_y_dot_by_second_mass,
+        first_v_y_dot_by_second_gravity,
+        first_v_y_dot_by_third_mass,
+        first_v_y_dot_by_third_gravity,
+        second_v_x_dot_by_l_1,
+        second_v_x_dot_by_l_2,
+        second_v_x_dot_by_l_3,
+        second_v_x_dot_by_first_mass,
+        second_v_x_dot_by_first_gravity,
+        second_v_x_dot_by_second_mass,
+        second_v_x_dot_by_second_gravity,
+        second_v_x_dot_by_third_mass,
+        second_v_x_dot_by_third_gravity,
+        second_v_y_dot_by_l_1,
+        second_v_y_dot_by_l_2,
+        second_v_y_dot_by_l_3,
+        second_v_y_dot_by_first_mass,
+        second_v_y_dot_by_first_gravity,
+        second_v_y_dot_by_second_mass,
+        second_v_y_dot_by_second_gravity,
+        second_v_y_dot_by_third_mass,
+        second_v_y_dot_by_third_gravity,
+        third_v_x_dot_by_l_1,
+        third_v_x_dot_by_l_2,
+        third_v_x_dot_by_l_3,
+        third_v_x_dot_by_first_mass,
+        third_v_x_dot_by_first_gravity,
+        third_v_x_dot_by_second_mass,
+        third_v_x_dot_by_second_gravity,
+        third_v_x_dot_by_third_mass,
+        third_v_x_dot_by_third_gravity,
+        third_v_y_dot_by_l_1,
+        third_v_y_dot_by_l_2,
+        third_v_y_dot_by_l_3,
+        third_v_y_dot_by_first_mass,
+        third_v_y_dot_by_first_gravity,
+        third_v_y_dot_by_second_mass,
+        third_v_y_dot_by_second_gravity,
+        third_v_y_dot_by_third_mass,
+        third_v_y_dot_by_third_gravity,
+    ]
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// No operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Wanted outputs.
+///
+/// 125 operations.
+#[must_use]
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y,
+    second_v_x, second_v_y, third_v_x, third_v_y] = *state;
+    let inverse_l_1 = R::literal(1.0) / p.l_1;
+    let inverse_l_1_times_first_x = inverse_l_1 * first_x;
+    let inverse_l_2 = R::literal(1.0) / p.l_2;
+    let t0 = inverse_l_2 * (first_x - second_x);
+    let inverse_l_1_times_first_y = inverse_l_1 * first_y;
+    let t1 = inverse_l_2 * (first_y - second_y);
+    let t2 = inverse_l_2 * (second_x - first_x);
+    let inverse_l_3 = R::literal(1.0) / p.l_3;
+    let t3 = inverse_l_3 * (second_x - third_x);
+    let t4 = inverse_l_2 * (second_y - first_y);
+    let t5 = inverse_l_3 * (second_y - third_y);
+    let t6 = inverse_l_3 * (third_x - second_x);
+    let t7 = inverse_l_3 * (third_y - second_y);
+    let inverse_first_mass = R::literal(1.0) / p.first_mass;
+    let t8 = t0 * inverse_first_mass;
+    let t9 = inverse_l_1_times_first_y * inverse_first_mass;
+    let t10 = t1 * inverse_first_mass;
+    let inverse_second_mass = R::literal(1.0) / p.second_mass;
+    let t11 = t3 * inverse_second_mass;
+    let t12 = t4 * inverse_second_mass;
+    let t13 = t5 * inverse_second_mass;
+    let inverse_third_mass = R::literal(1.0) / p.third_mass;
+    let t14 = t7 * inverse_third_mass;
+    let t15 = R::literal(1.0)
+        / (-(inverse_l_1_times_first_x * inverse_first_mass * inverse_l_1_times_first_x)
+            - t9 * inverse_l_1_times_first_y);
+    let t16 = -(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y;
+    let t17 = t16 * t15;
+    let t18 = R::literal(1.0)
+        / (-(t8 * t0) - t10 * t1 - t2 * inverse_second_mass * t2 - t12 * t4 - t17 * t16);
+    let t19 = -(t11 * t2) - t13 * t4;
+    let t20 = t19 * t18;
+    let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
+    let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
+    let first_v_x_squared = first_v_x * first_v_x;
+    let first_v_y_squared = first_v_y * first_v_y;
+    let second_v_x_squared = second_v_x * second_v_x;
+    let second_v_y_squared = second_v_y * second_v_y;
+    let t21 = t9 * first_mass_times_first_gravity
+        - inverse_l_1 * (first_v_x_squared + first_v_y_squared);
+    let t22 = inverse_l_2
+        * (R::literal(2.0) * first_v_x * second_v_x
+            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
+            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
+        + t10 * first_mass_times_first_gravity + t12 * second_mass_times_second_gravity
+        - t17 * t21;
+    let t23 = inverse_l_3
+        * (R::literal(2.0) * second_v_x * third_v_x
+            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
+            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
+        + t13 * second_mass_times_second_gravity + t14 * (p.third_mass * p.third_gravity)
+        - t20 * t22;
+    let t24 = t22 * t18;
+    let t25 = t23
+        * (R::literal(1.0)
+            / (-(t11 * t3) - t13 * t5 - t6 * inverse_third_mass * t6 - t14 * t7
+                - t20 * t19));
+    let t26 = t20 * t25;
+    let link_1 = t17 * (t24 - t26) - t21 * t15;
+    let link_2 = t26 - t24;
+    let link_3 = -t25;
+    Outputs {
+        end_x: third_x,
+        end_y: third_y,
+        force_1: link_1,
+        force_2: link_2,
+        force_3: link_3,
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 25 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [_, first_y, _, second_y, _, third_y, first_v_x, first_v_y, second_v_x,
+    second_v_y, third_v_x, third_v_y] = *state;
+    Energy {
+        kinetic: R::literal(0.5) * p.first_mass
+            * (first_v_x * first_v_x + first_v_y * first_v_y)
+            + R::literal(0.5) * p.second_mass
+                * (second_v_x * second_v_x + second_v_y * second_v_y)
+            + R::literal(0.5) * p.third_mass
+                * (third_v_x * third_v_x + third_v_y * third_v_y),
+        potential: p.first_mass * p.first_gravity * first_y
+            + p.second_mass * p.second_gravity * second_y
+            + p.third_mass * p.third_gravity * third_y,
+        stored: R::literal(0.0),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 171 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y,
+    second_v_x, second_v_y, third_v_x, third_v_y] = *state;
+    let inverse_l_1 = R::literal(1.0) / p.l_1;
+    let inverse_l_1_times_first_x = inverse_l_1 * first_x;
+    let inverse_l_2 = R::literal(1.0) / p.l_2;
+    let t0 = inverse_l_2 * (first_x - second_x);
+    let inverse_l_1_times_first_y = inverse_l_1 * first_y;
+    let t1 = inverse_l_2 * (first_y - second_y);
+    let t2 = inverse_l_2 * (second_x - first_x);
+    let inverse_l_3 = R::literal(1.0) / p.l_3;
+    let t3 = inverse_l_3 * (second_x - third_x);
+    let t4 = inverse_l_2 * (second_y - first_y);
+    let t5 = inverse_l_3 * (second_y - third_y);
+    let t6 = inverse_l_3 * (third_x - second_x);
+    let t7 = inverse_l_3 * (third_y - second_y);
+    let inverse_first_mass = R::literal(1.0) / p.first_mass;
+    let t8 = inverse_l_1_times_first_x * inverse_first_mass;
+    let t9 = t0 * inverse_first_mass;
+    let t10 = inverse_l_1_times_first_y * inverse_first_mass;
+    let t11 = t1 * inverse_first_mass;
+    let inverse_second_mass = R::literal(1.0) / p.second_mass;
+    let t12 = t2 * inverse_second_mass;
+    let t13 = t3 * inverse_second_mass;
+    let t14 = t4 * inverse_second_mass;
+    let t15 = t5 * inverse_second_mass;
+    let inverse_third_mass = R::literal(1.0) / p.third_mass;
+    let t16 = t6 * inverse_third_mass;
+    let t17 = t7 * inverse_third_mass;
+    let t18 = R::literal(1.0)
+        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
+    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+    let t20 = t19 * t18;
+    let t21 = R::literal(1.0)
+        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
+    let t22 = -(t13 * t2) - t15 * t4;
+    let t23 = t22 * t21;
+    let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
+    let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
+    let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
+    let first_v_x_squared = first_v_x * first_v_x;
+    let first_v_y_squared = first_v_y * first_v_y;
+    let second_v_x_squared = second_v_x * second_v_x;
+    let second_v_y_squared = second_v_y * second_v_y;
+    let t24 = t10 * first_mass_times_first_gravity
+        - inverse_l_1 * (first_v_x_squared + first_v_y_squared);
+    let t25 = inverse_l_2
+        * (R::literal(2.0) * first_v_x * second_v_x
+            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
+            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
+        + t11 * first_mass_times_first_gravity + t14 * second_mass_times_second_gravity
+        - t20 * t24;
+    let t26 = inverse_l_3
+        * (R::literal(2.0) * second_v_x * third_v_x
+            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
+            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
+        + t15 * second_mass_times_second_gravity + t17 * third_mass_times_third_gravity
+        - t23 * t25;
+    let t27 = t26
+        * (R::literal(1.0) / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22));
+    let t28 = t25 * t21 - t23 * t27;
+    let t29 = t24 * t18 - t20 * t28;
+    let third_v_y_dot = -(third_mass_times_third_gravity * inverse_third_mass)
+        - t17 * t27;
+    let second_v_y_dot = -(second_mass_times_second_gravity * inverse_second_mass)
+        - t14 * t28 - t15 * t27;
+    let second_v_x_dot = -(t12 * t28) - t13 * t27;
+    let first_v_y_dot = -(first_mass_times_first_gravity * inverse_first_mass)
+        - t10 * t29 - t11 * t28;
+    let first_v_x_dot = -(t8 * t29) - t9 * t28;
+    PowerBalance {
+        stored_rate: first_mass_times_first_gravity * first_v_y
+            + second_mass_times_second_gravity * second_v_y
+            + third_mass_times_third_gravity * third_v_y
+            + p.first_mass * first_v_x * first_v_x_dot
+            + p.first_mass * first_v_y * first_v_y_dot
+            + p.second_mass * second_v_x * second_v_x_dot
+            + p.second_mass * second_v_y * second_v_y_dot
+            - p.third_mass * third_v_x * (t16 * t27)
+            + p.third_mass * third_v_y * third_v_y_dot,
+        supplied: R::literal(0.0),
+        dissipated: R::literal(0.0),
+    }
+}
+
+/// `g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.
+///
+/// 25 operations.
+#[must_use]
+pub fn constraint_values<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; CONSTRAINTS] {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, ..] = *state;
+    let second_x_minus_first_x = second_x - first_x;
+    let second_y_minus_first_y = second_y - first_y;
+    let third_x_minus_second_x = third_x - second_x;
+    let third_y_minus_second_y = third_y - second_y;
+    let link_1_value = R::literal(0.5) / p.l_1
+        * (first_x * first_x - p.l_1 * p.l_1 + first_y * first_y);
+    let link_2_value = R::literal(0.5) / p.l_2
+        * (second_x_minus_first_x * second_x_minus_first_x - p.l_2 * p.l_2
+            + second_y_minus_first_y * second_y_minus_first_y);
+    let link_3_value = R::literal(0.5) / p.l_3
+        * (third_x_minus_second_x * third_x_minus_second_x - p.l_3 * p.l_3
+            + third_y_minus_second_y * third_y_minus_second_y);
+    [link_1_value, link_2_value, link_3_value]
+}
+
+/// `g'`, zero on the constraints too.
+///
+/// 33 operations.
+#[must_use]
+pub fn constraint_rates<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; CONSTRAINTS] {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y,
+    second_v_x, second_v_y, third_v_x, third_v_y] = *state;
+    let inverse_l_2 = R::literal(1.0) / p.l_2;
+    let second_x_minus_first_x = second_x - first_x;
+    let inverse_l_3 = R::literal(1.0) / p.l_3;
+    let second_y_minus_first_y = second_y - first_y;
+    let third_x_minus_second_x = third_x - second_x;
+    let third_y_minus_second_y = third_y - second_y;
+    let link_1_rate = R::literal(1.0) / p.l_1
+        * (first_x * first_v_x + first_y * first_v_y);
+    let link_2_rate = inverse_l_2 * second_v_x * second_x_minus_first_x
+        + inverse_l_2 * second_v_y * second_y_minus_first_y
+        - inverse_l_2 * first_v_x * second_x_minus_first_x
+        - inverse_l_2 * first_v_y * second_y_minus_first_y;
+    let link_3_rate = inverse_l_3 * third_v_x * third_x_minus_second_x
+        + inverse_l_3 * third_v_y * third_y_minus_second_y
+        - inverse_l_3 * second_v_x * third_x_minus_second_x
+        - inverse_l_3 * second_v_y * third_y_minus_second_y;
+    [link_1_rate, link_2_rate, link_3_rate]
+}
+
+/// `G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.
+///
+/// 21 operations.
+#[must_use]
+pub fn constraint_matrix<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 10] {
+    let [first_x, first_y, second_x, second_y, third_x, third_y, ..] = *state;
+    let inverse_l_1 = R::literal(1.0) / p.l_1;
+    let inverse_l_2 = R::literal(1.0) / p.l_2;
+    let inverse_l_3 = R::literal(1.0) / p.l_3;
+    [
+        inverse_l_1 * first_x,
+        inverse_l_1 * first_y,
+        inverse_l_2 * (first_x - second_x),
+        inverse_l_2 * (first_y - second_y),
+        inverse_l_2 * (second_x - first_x),
+        inverse_l_2 * (second_y - first_y),
+        inverse_l_3 * (second_x - third_x),
+        inverse_l_3 * (second_y - third_y),
+        inverse_l_3 * (third_x - second_x),
+        inverse_l_3 * (third_y - second_y),
+    ]
+}
+
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 172 recurrences. 48 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_4, _) = Lanes::<R, 8>::new(workspace, coefficients.len());
+    let [first_x, first_y, second_x, second_y, third_x, third_y, first_v_x, first_v_y,
+    second_v_x, second_v_y, third_v_x, third_v_y] = *state;
+    let t0 = R::literal(1.0) / p.l_1;
+    let t1 = first_x * t0;
+    let t2 = first_x - second_x;
+    let t3 = R::literal(1.0) / p.l_2;
+    let t4 = t2 * t3;
+    let t5 = first_y * t0;
+    let t6 = first_y - second_y;
+    let t7 = t6 * t3;
+    let t8 = -t2;
+    let t9 = t8 * t3;
+    let t10 = second_x - third_x;
+    let t11 = R::literal(1.0) / p.l_3;
+    let t12 = t10 * t11;
+    let t13 = -t6;
+    let t14 = t13 * t3;
+    let t15 = second_y - third_y;
+    let t16 = t15 * t11;
+    let t17 = -t10;
+    let t18 = t17 * t11;
+    let t19 = -t15;
+    let t20 = t19 * t11;
+    let t21 = R::literal(1.0) / p.first_mass;
+    let t22 = t1 * t21;
+    let t23 = t4 * t21;
+    let t24 = t5 * t21;
+    let t25 = t7 * t21;
+    let t26 = R::literal(1.0) / p.second_mass;
+    let t27 = t9 * t26;
+    let t28 = t12 * t26;
+    let t29 = t14 * t26;
+    let t30 = t16 * t26;
+    let t31 = R::literal(1.0) / p.third_mass;
+    let t32 = t18 * t31;
+    let t33 = t20 * t31;
+    let t34 = t22 * t1;
+    let t35 = -t34;
+    let t36 = t24 * t5;
+    let t37 = t35 - t36;
+    let t38 = R::literal(1.0) / t37;
+    let t39 = t23 * t1;
+    let t40 = -t39;
+    let t41 = t25 * t5;
+    let t42 = t40 - t41;
+    let t43 = t42 * t38;
+    let t44 = t23 * t4;
+    let t45 = -t44;
+    let t46 = t25 * t7;
+    let t47 = t45 - t46;
+    let t48 = t27 * t9;
+    let t49 = t47 - t48;
+    let t50 = t29 * t14;
+    let t51 = t49 - t50;
+    let t52 = t43 * t42;
+    let t53 = t51 - t52;
+    let t54 = R::literal(1.0) / t53;
+    let t55 = t28 * t9;
+    let t56 = -t55;
+    let t57 = t30 * t14;
+    let t58 = t56 - t57;
+    let t59 = t58 * t54;
+    let t60 = t28 * t12;
+    let t61 = -t60;
+    let t62 = t30 * t16;
+    let t63 = t61 - t62;
+    let t64 = t32 * t18;
+    let t65 = t63 - t64;
+    let t66 = t33 * t20;
+    let t67 = t65 - t66;
+    let t68 = t59 * t58;
+    let t69 = t67 - t68;
+    let t70 = R::literal(1.0) / t69;
+    let t71 = p.first_mass * p.first_gravity;
+    let t72 = p.second_mass * p.second_gravity;
+    let t73 = p.third_mass * p.third_gravity;
+    let t74 = first_v_x * first_v_x;
+    let t75 = first_v_y * first_v_y;
+    let t76 = t74 + t75;
+    let t77 = t76 * t0;
+    let t78 = second_v_x * second_v_x;
+    let t79 = second_v_y * second_v_y;
+    let t80 = first_v_x * R::literal(2.0);
+    let t81 = t80 * second_v_x;
+    let t82 = first_v_y * R::literal(2.0);
+    let t83 = t82 * second_v_y;
+    let t84 = t81 + t83;
+    let t85 = t84 - t74;
+    let t86 = t85 - t75;
+    let t87 = t86 - t78;
+    let t88 = t87 - t79;
+    let t89 = t88 * t3;
+    let t90 = third_v_x * third_v_x;
+    let t91 = third_v_y * third_v_y;
+    let t92 = second_v_x * R::literal(2.0);
+    let t93 = t92 * third_v_x;
+    let t94 = second_v_y * R::literal(2.0);
+    let t95 = t94 * third_v_y;
+    let t96 = t93 + t95;
+    let t97 = t96 - t78;
+    let t98 = t97 - t79;
+    let t99 = t98 - t90;
+    let t100 = t99 - t91;
+    let t101 = t100 * t11;
+    let t102 = t24 * t71;
+    let t103 = t102 - t77;
+    let t104 = t25 * t71;
+    let t105 = t89 + t104;
+    let t106 = t29 * t72;
+    let t107 = t105 + t106;
+    let t108 = t43 * t103;
+    let t109 = t107 - t108;
+    let t110 = t30 * t72;
+    let t111 = t101 + t110;
+    let t112 = t33 * t73;
+    let t113 = t111 + t112;
+    let t114 = t59 * t109;
+    let t115 = t113 - t114;
+    let t116 = t71 * t21;
+    let t117 = -t116;
+    let t118 = t72 * t26;
+    let t119 = -t118;
+    let t120 = t73 * t31;
+    let t121 = -t120;
+    let t122 = t103 * t38;
+    let t123 = t109 * t54;
+    let t124 = t115 * t70;
+    let t125 = t59 * t124;
+    let t126 = t123 - t125;
+    let t127 = t43 * t126;
+    let t128 = t122 - t127;
+    let t129 = t33 * t124;
+    let third_v_y_dot = t121 - t129;
+    let t130 = t32 * t124;
+    let third_v_x_dot = -t130;
+    let t131 = t29 * t126;
+    let t132 = t119 - t131;
+    let t133 = t30 * t124;
+    let second_v_y_dot = t132 - t133;
+    let t134 = t27 * t126;
+    let t135 = -t134;
+    let t136 = t28 * t124;
+    let second_v_x_dot = t135 - t136;
+    let t137 = t24 * t128;
+    let t138 = t117 - t137;
+    let t139 = t25 * t126;
+    let first_v_y_dot = t138 - t139;
+    let t140 = t22 * t128;
+    let t141 = -t140;
+    let t142 = t23 * t126;
+    let first_v_x_dot = t141 - t142;
+    let inverse_t37 = R::literal(1.0) / t37;
+    let inverse_t53 = R::literal(1.0) / t53;
+    let inverse_t69 = R::literal(1.0) / t69;
+    let mut rates = [
+        first_v_x,
+        first_v_y,
+        second_v_x,
+        second_v_y,
+        third_v_x,
+        third_v_y,
+        first_v_x_dot,
+        first_v_y_dot,
+        second_v_x_dot,
+        second_v_y_dot,
+        third_v_x_dot,
+        third_v_y_dot,
+    ];
+    coefficients[0] = *state;
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
+        let (_, inverse) = order_and_inverse::<R>(order);
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [first_x_k, first_y_k, second_x_k, second_y_k, third_x_k, third_y_k,
+        first_v_x_k, first_v_y_k, second_v_x_k, second_v_y_k, third_v_x_k, third_v_y_k,
+        ] = *state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let sums_4 = lanes_4.sums(order);
+        let t1_k = first_x_k * t0;
+        let t2_k = first_x_k - second_x_k;
+        let t4_k = t2_k * t3;
+        let t5_k = first_y_k * t0;
+        let t6_k = first_y_k - second_y_k;
+        let t7_k = t6_k * t3;
+        let t8_k = -t2_k;
+        let t9_k = t8_k * t3;
+        let t10_k = second_x_k - third_x_k;
+        let t12_k = t10_k * t11;
+        let t13_k = -t6_k;
+        let t14_k = t13_k * t3;
+        let t15_k = second_y_k - third_y_k;
+        let t16_k = t15_k * t11;
+        let t17_k = -t10_k;
+        let t18_k = t17_k * t11;
+        let t19_k = -t15_k;
+        let t20_k = t19_k * t11;
+        let t22_k = t1_k * t21;
+        let t23_k = t4_k * t21;
+        let t24_k = t5_k * t21;
+        let t25_k = t7_k * t21;
+        let t27_k = t9_k * t26;
+        let t28_k = t12_k * t26;
+        let t29_k = t14_k * t26;
+        let t30_k = t16_k * t26;
+        let t32_k = t18_k * t31;
+        let t33_k = t20_k * t31;
+        let t34_k = sums[0] + t22 * t1_k + t22_k * t1;
+        let t35_k = -t34_k;
+        let t36_k = sums[1] + t24 * t5_k + t24_k * t5;
+        let t37_k = t35_k - t36_k;
+        let t38_k = -(sums[2] + t37_k * t38) * inverse_t37;
+        let t39_k = sums[3] + t23 * t1_k + t23_k * t1;
+        let t40_k = -t39_k;
+        let t41_k = sums[4] + t25 * t5_k + t25_k * t5;
+        let t42_k = t40_k - t41_k;
+        let t43_k = sums[5] + t42 * t38_k + t42_k * t38;
+        let t44_k = sums[6] + t23 * t4_k + t23_k * t4;
+        let t45_k = -t44_k;
+        let t46_k = sums[7] + t25 * t7_k + t25_k * t7;
+        let t47_k = t45_k - t46_k;
+        let t48_k = sums[8] + t27 * t9_k + t27_k * t9;
+        let t49_k = t47_k - t48_k;
+        let t50_k = sums[9] + t29 * t14_k + t29_k * t14;
+        let t51_k = t49_k - t50_k;
+        let t52_k = sums_1[0] + t43 * t42_k + t43_k * t42;
+        let t53_k = t51_k - t52_k;
+        let t54_k = -(sums_1[1] + t53_k * t54) * inverse_t53;
+        let t55_k = sums_1[2] + t28 * t9_k + t28_k * t9;
+        let t56_k = -t55_k;
+        let t57_k = sums_1[3] + t30 * t14_k + t30_k * t14;
+        let t58_k = t56_k - t57_k;
+        let t59_k = sums_1[4] + t58 * t54_k + t58_k * t54;
+        let t60_k = sums_1[5] + t28 * t12_k + t28_k * t12;
+        let t61_k = -t60_k;
+        let t62_k = sums_1[6] + t30 * t16_k + t30_k * t16;
+        let t63_k = t61_k - t62_k;
+        let t64_k = sums_1[7] + t32 * t18_k + t32_k * t18;
+        let t65_k = t63_k - t64_k;
+        let t66_k = sums_1[8] + t33 * t20_k + t33_k * t20;
+        let t67_k = t65_k - t66_k;
+        let t68_k = sums_1[9] + t59 * t58_k + t59_k * t58;
+        let t69_k = t67_k - t68_k;
+        let t70_k = -(sums_2[0] + t69_k * t70) * inverse_t69;
+        let t74_k = sums_2[1] + first_v_x * first_v_x_k + first_v_x_k * first_v_x;
+        let t75_k = sums_2[2] + first_v_y * first_v_y_k + first_v_y_k * first_v_y;
+        let t76_k = t74_k + t75_k;
+        let t77_k = t76_k * t0;
+        let t78_k = sums_2[3] + second_v_x * second_v_x_k + second_v_x_k * second_v_x;
+        let t79_k = sums_2[4] + second_v_y * second_v_y_k + second_v_y_k * second_v_y;
+        let t80_k = first_v_x_k * R::literal(2.0);
+        let t81_k = sums_2[5] + t80 * second_v_x_k + t80_k * second_v_x;
+        let t82_k = first_v_y_k * R::literal(2.0);
+        let t83_k = sums_2[6] + t82 * second_v_y_k + t82_k * second_v_y;
+        let t84_k = t81_k + t83_k;
+        let t85_k = t84_k - t74_k;
+        let t86_k = t85_k - t75_k;
+        let t87_k = t86_k - t78_k;
+        let t88_k = t87_k - t79_k;
+        let t89_k = t88_k * t3;
+        let t90_k = sums_2[7] + third_v_x * third_v_x_k + third_v_x_k * third_v_x;
+        let t91_k = sums_2[8] + third_v_y * third_v_y_k + third_v_y_k * third_v_y;
+        let t92_k = second_v_x_k * R::literal(2.0);
+        let t93_k = sums_2[9] + t92 * third_v_x_k + t92_k * third_v_x;
+        let t94_k = second_v_y_k * R::literal(2.0);
+        let t95_k = sums_3[0] + t94 * third_v_y_k + t94_k * third_v_y;
+        let t96_k = t93_k + t95_k;
+        let t97_k = t96_k - t78_k;
+        let t98_k = t97_k - t79_k;
+        let t99_k = t98_k - t90_k;
+        let t100_k = t99_k - t91_k;
+        let t101_k = t100_k * t11;
+        let t102_k = t24_k * t71;
+        let t103_k = t102_k - t77_k;
+        let t104_k = t25_k * t71;
+        let t105_k = t89_k + t104_k;
+        let t106_k = t29_k * t72;
+        let t107_k = t105_k + t106_k;
+        let t108_k = sums_3[1] + t43 * t103_k + t43_k * t103;
+        let t109_k = t107_k - t108_k;
+        let t110_k = t30_k * t72;
+        let t111_k = t101_k + t110_k;
+        let t112_k = t33_k * t73;
+        let t113_k = t111_k + t112_k;
+        let t114_k = sums_3[2] + t59 * t109_k + t59_k * t109;
+        let t115_k = t113_k - t114_k;
+        let t122_k = sums_3[3] + t103 * t38_k + t103_k * t38;
+        let t123_k = sums_3[4] + t109 * t54_k + t109_k * t54;
+        let t124_k = sums_3[5] + t115 * t70_k + t115_k * t70;
+        let t125_k = sums_3[6] + t59 * t124_k + t59_k * t124;
+        let t126_k = t123_k - t125_k;
+        let t127_k = sums_3[7] + t43 * t126_k + t43_k * t126;
+        let t128_k = t122_k - t127_k;
+        let t129_k = sums_3[8] + t33 * t124_k + t33_k * t124;
+        let third_v_y_dot_k = -t129_k;
+        let t130_k = sums_3[9] + t32 * t124_k + t32_k * t124;
+        let third_v_x_dot_k = -t130_k;
+        let t131_k = sums_4[0] + t29 * t126_k + t29_k * t126;
+        let t132_k = -t131_k;
+        let t133_k = sums_4[1] + t30 * t124_k + t30_k * t124;
+        let second_v_y_dot_k = t132_k - t133_k;
+        let t134_k = sums_4[2] + t27 * t126_k + t27_k * t126;
+        let t135_k = -t134_k;
+        let t136_k = sums_4[3] + t28 * t124_k + t28_k * t124;
+        let second_v_x_dot_k = t135_k - t136_k;
+        let t137_k = sums_4[4] + t24 * t128_k + t24_k * t128;
+        let t138_k = -t137_k;
+        let t139_k = sums_4[5] + t25 * t126_k + t25_k * t126;
+        let first_v_y_dot_k = t138_k - t139_k;
+        let t140_k = sums_4[6] + t22 * t128_k + t22_k * t128;
+        let t141_k = -t140_k;
+        let t142_k = sums_4[7] + t23 * t126_k + t23_k * t126;
+        let first_v_x_dot_k = t141_k - t142_k;
+        lanes
+            .set(
+                order,
+                [t1_k, t5_k, t37_k, t1_k, t5_k, t38_k, t4_k, t7_k, t9_k, t14_k],
+                [t22_k, t24_k, t38_k, t23_k, t25_k, t42_k, t23_k, t25_k, t27_k, t29_k],
+            );
+        lanes_1
+            .set(
+                order,
+                [t42_k, t53_k, t9_k, t14_k, t54_k, t12_k, t16_k, t18_k, t20_k, t58_k],
+                [t43_k, t54_k, t28_k, t30_k, t58_k, t28_k, t30_k, t32_k, t33_k, t59_k],
+            );
+        lanes_2
+            .set(
+                order,
+                [
+                    t69_k,
+                    first_v_x_k,
+                    first_v_y_k,
+                    second_v_x_k,
+                    second_v_y_k,
+                    second_v_x_k,
+                    second_v_y_k,
+                    third_v_x_k,
+                    third_v_y_k,
+                    third_v_x_k,
+                ],
+                [
+                    t70_k,
+                    first_v_x_k,
+                    first_v_y_k,
+                    second_v_x_k,
+                    second_v_y_k,
+                    t80_k,
+                    t82_k,
+                    third_v_x_k,
+                    third_v_y_k,
+                    t92_k,
+                ],
+            );
+        lanes_3
+            .set(
+                order,
+                [
+                    third_v_y_k,
+                    t43_k,
+                    t59_k,
+                    t38_k,
+                    t54_k,
+                    t70_k,
+                    t59_k,
+                    t43_k,
+                    t33_k,
+                    t32_k,
+                ],
+                [
+                    t94_k,
+                    t103_k,
+                    t109_k,
+                    t103_k,
+                    t109_k,
+                    t115_k,
+                    t124_k,
+                    t126_k,
+                    t124_k,
+                    t124_k,
+                ],
+            );
+        lanes_4
+            .set(
+                order,
+                [t29_k, t30_k, t27_k, t28_k, t24_k, t25_k, t22_k, t23_k],
+                [t126_k, t124_k, t126_k, t124_k, t128_k, t126_k, t128_k, t126_k],
+            );
+        rates = [
+            first_v_x_k,
+            first_v_y_k,
+            second_v_x_k,
+            second_v_y_k,
+            third_v_x_k,
+            third_v_y_k,
+            first_v_x_dot_k,
+            first_v_y_dot_k,
+            second_v_x_dot_k,
+            second_v_y_dot_k,
+            third_v_x_dot_k,
+            third_v_y_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for PendulumConstrained {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 8>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
+impl Describe for PendulumConstrained {
+    fn name(&self) -> &'static str {
+        "pendulum_constrained"
+    }
+    fn title(&self) -> &'static str {
+        "Chain of three pendulums, by constraints"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            positions: 6,
+            first_order: 0,
+            quadratures: 0,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+    fn constraints(&self) -> usize {
+        CONSTRAINTS
+    }
+    fn constraint(&self, index: usize) -> Constraint<'_> {
+        CONSTRAINT_SHAPES[index]
+    }
+    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+        CONSTRAINT_MATRIX_PATTERN
+    }
+    fn is_given(&self, index: usize) -> bool {
+        matches!(index, 0 | 2 | 4)
+    }
+}
+
+impl<R: Real> Simulator<R> for PendulumConstrained {
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn constraint_values(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = constraint_values(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn constraint_rates(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = constraint_rates(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn constraint_matrix(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = constraint_matrix(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "first.x",
+        unit: "m",
+        doc: "place, sideways",
+    },
+    Quantity {
+        name: "first.y",
+        unit: "m",
+        doc: "place, upwards",
+    },
+    Quantity {
+        name: "second.x",
+        unit: "m",
+        doc: "place, sideways",
+    },
+    Quantity {
+        name: "second.y",
+        unit: "m",
+        doc: "place, upwards",
+    },
+    Quantity {
+        name: "third.x",
+        unit: "m",
+        doc: "place, sideways",
+    },
+    Quantity {
+        name: "third.y",
+        unit: "m",
+        doc: "place, upwards",
+    },
+    Quantity {
+        name: "first.v_x",
+        unit: "m/s",
+        doc: "rate of place, sideways",
+    },
+    Quantity {
+        name: "first.v_y",
+        unit: "m/s",
+        doc: "rate of place, upwards",
+    },
+    Quantity {
+        name: "second.v_x",
+        unit: "m/s",
+        doc: "rate of place, sideways",
+    },
+    Quantity {
+        name: "second.v_y",
+        unit: "m/s",
+        doc: "rate of place, upwards",
+    },
+    Quantity {
+        name: "third.v_x",
+        unit: "m/s",
+        doc: "rate of place, sideways",
+    },
+    Quantity {
+        name: "third.v_y",
+        unit: "m/s",
+        doc: "rate of place, upwards",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+    1.0,
+];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "l_1",
+        unit: "m",
+        doc: "length of the first link",
+    },
+    Quantity {
+        name: "l_2",
+        unit: "m",
+        doc: "length of the second link",
+    },
+    Quantity {
+        name: "l_3",
+        unit: "m",
+        doc: "length of the third link",
+    },
+    Quantity {
+        name: "th_1",
+        unit: "rad",
+        doc: "angle of the first link at the start",
+    },
+    Quantity {
+        name: "th_2",
+        unit: "rad",
+        doc: "angle of the second link at the start",
+    },
+    Quantity {
+        name: "th_3",
+        unit: "rad",
+        doc: "angle of the third link at the start",
+    },
+    Quantity {
+        name: "first.mass",
+        unit: "kg",
+        doc: "the mass",
+    },
+    Quantity {
+        name: "first.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+    Quantity {
+        name: "second.mass",
+        unit: "kg",
+        doc: "the mass",
+    },
+    Quantity {
+        name: "second.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+    Quantity {
+        name: "third.mass",
+        unit: "kg",
+        doc: "the mass",
+    },
+    Quantity {
+        name: "third.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
+    1.0,
+    0.7,
+    0.4,
+    0.9,
+    1.1,
+    1.4,
+    1.0,
+    9.81,
+    0.8,
+    9.81,
+    0.5,
+    9.81,
+];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
+    Quantity {
+        name: "end_x",
+        unit: "m",
+        doc: "place, sideways",
+    },
+    Quantity {
+        name: "end_y",
+        unit: "m",
+        doc: "place, upwards",
+    },
+    Quantity {
+        name: "force_1",
+        unit: "N",
+        doc: "force in the first link, pushing",
+    },
+    Quantity {
+        name: "force_2",
+        unit: "N",
+        doc: "force in the second link, pushing",
+    },
+    Quantity {
+        name: "force_3",
+        unit: "N",
+        doc: "force in the third link, pushing",
+    },
+];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 5.0,
+    points: 1001,
+    rtol: 1e-8,
+    method: "dop853",
+};
+
+/// What coordinates must fulfil.
+pub static CONSTRAINT_SHAPES: [Constraint<'static>; CONSTRAINTS] = [
+    Constraint {
+        name: "link_1",
+        unit: "m",
+        doc: "length of the first link",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "link_2",
+        unit: "m",
+        doc: "length of the second link",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "link_3",
+        unit: "m",
+        doc: "length of the third link",
+        is_of_positions: true,
+    },
+];

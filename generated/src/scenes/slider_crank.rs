@@ -1,0 +1,3255 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo run --release -- gen
+//
+// Sources, with SHA-256:
+//   5aa30d4253a9899d4f39237de04cfe3095f1ceeaee0ffeccd40e4148beadb747  scenes/slider_crank.toml
+//   9a762adbfc1a5274e20c09a9124cd9ffddd7de915c4b34cf3f83bad127699f37  units/planar_body.toml
+//
+// Slider-crank turned at constant speed
+//
+// Crank, rod and slider as three bodies in a plane, held together by pins, a guide and a
+// drive that turns the crank. The force of the drive's constraint is the torque it takes.
+//
+// Source:
+//   Textbook.
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               8
+//   first-order states        0
+//   states                   16
+//   parameters               12
+//   outputs                   7
+//   discontinuities           0
+//   constraints               8
+//
+// State:
+//     0  crank.x      [m]      centre of mass, sideways
+//     1  crank.y      [m]      centre of mass, upwards
+//     2  crank.phi    [rad]    angle of the bar from sideways
+//     3  rod.x        [m]      centre of mass, sideways
+//     4  rod.y        [m]      centre of mass, upwards
+//     5  rod.phi      [rad]    angle of the bar from sideways
+//     6  slider.x     [m]      centre of mass, sideways
+//     7  slider.y     [m]      centre of mass, upwards
+//     8  crank.v_x    [m/s]    rate of centre of mass, sideways
+//     9  crank.v_y    [m/s]    rate of centre of mass, upwards
+//    10  crank.omega  [rad/s]  rate of angle of the bar from sideways
+//    11  rod.v_x      [m/s]    rate of centre of mass, sideways
+//    12  rod.v_y      [m/s]    rate of centre of mass, upwards
+//    13  rod.omega    [rad/s]  rate of angle of the bar from sideways
+//    14  slider.v_x   [m/s]    rate of centre of mass, sideways
+//    15  slider.v_y   [m/s]    rate of centre of mass, upwards
+//
+// Nonzeros:
+//   mass_matrix               8 of 8 by 8
+//   rate_jacobian            40 of 16 by 16
+//   parameter_jacobian       80 of 16 by 12
+//
+// Operations:
+//   initial_state             0
+//   discontinuities           0
+//   rate                    300
+//   mass_matrix               0
+//   forcing                   6
+//   rate_jacobian           753
+//   parameter_jacobian     1395
+//   time_derivative           0
+//   outputs                 232
+//   energy                   33
+//   power_balance           330
+//   constraint_values        25
+//   constraint_rates         25
+//   constraint_matrix        12
+
+use crate::{
+    Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
+    Simulator, SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 8;
+
+/// Length of the state y.
+pub const STATES: usize = 16;
+
+/// Parameters.
+pub const PARAMETERS: usize = 12;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 7;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 8,
+    columns: 8,
+    entries: &[(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5), (6, 6), (7, 7)],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 16,
+    columns: 16,
+    entries: &[
+        (0, 8),
+        (1, 9),
+        (2, 10),
+        (3, 11),
+        (4, 12),
+        (5, 13),
+        (6, 14),
+        (7, 15),
+        (8, 2),
+        (8, 5),
+        (8, 10),
+        (8, 13),
+        (9, 2),
+        (9, 5),
+        (9, 10),
+        (9, 13),
+        (10, 2),
+        (10, 5),
+        (10, 10),
+        (10, 13),
+        (11, 2),
+        (11, 5),
+        (11, 10),
+        (11, 13),
+        (12, 2),
+        (12, 5),
+        (12, 10),
+        (12, 13),
+        (13, 2),
+        (13, 5),
+        (13, 10),
+        (13, 13),
+        (14, 2),
+        (14, 5),
+        (14, 10),
+        (14, 13),
+        (15, 2),
+        (15, 5),
+        (15, 10),
+        (15, 13),
+    ],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 16,
+    columns: 12,
+    entries: &[
+        (8, 2),
+        (8, 3),
+        (8, 4),
+        (8, 5),
+        (8, 6),
+        (8, 7),
+        (8, 8),
+        (8, 9),
+        (8, 10),
+        (8, 11),
+        (9, 2),
+        (9, 3),
+        (9, 4),
+        (9, 5),
+        (9, 6),
+        (9, 7),
+        (9, 8),
+        (9, 9),
+        (9, 10),
+        (9, 11),
+        (10, 2),
+        (10, 3),
+        (10, 4),
+        (10, 5),
+        (10, 6),
+        (10, 7),
+        (10, 8),
+        (10, 9),
+        (10, 10),
+        (10, 11),
+        (11, 2),
+        (11, 3),
+        (11, 4),
+        (11, 5),
+        (11, 6),
+        (11, 7),
+        (11, 8),
+        (11, 9),
+        (11, 10),
+        (11, 11),
+        (12, 2),
+        (12, 3),
+        (12, 4),
+        (12, 5),
+        (12, 6),
+        (12, 7),
+        (12, 8),
+        (12, 9),
+        (12, 10),
+        (12, 11),
+        (13, 2),
+        (13, 3),
+        (13, 4),
+        (13, 5),
+        (13, 6),
+        (13, 7),
+        (13, 8),
+        (13, 9),
+        (13, 10),
+        (13, 11),
+        (14, 2),
+        (14, 3),
+        (14, 4),
+        (14, 5),
+        (14, 6),
+        (14, 7),
+        (14, 8),
+        (14, 9),
+        (14, 10),
+        (14, 11),
+        (15, 2),
+        (15, 3),
+        (15, 4),
+        (15, 5),
+        (15, 6),
+        (15, 7),
+        (15, 8),
+        (15, 9),
+        (15, 10),
+        (15, 11),
+    ],
+};
+
+/// Constraints.
+pub const CONSTRAINTS: usize = 8;
+
+/// Nonzeros of G = dg'/dq'.
+pub const CONSTRAINT_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 8,
+    columns: 8,
+    entries: &[
+        (0, 0),
+        (0, 2),
+        (1, 1),
+        (1, 2),
+        (2, 0),
+        (2, 2),
+        (2, 3),
+        (2, 5),
+        (3, 1),
+        (3, 2),
+        (3, 4),
+        (3, 5),
+        (4, 3),
+        (4, 5),
+        (4, 6),
+        (5, 4),
+        (5, 5),
+        (5, 7),
+        (6, 7),
+        (7, 2),
+    ],
+};
+
+/// Slider-crank turned at constant speed
+///
+/// Crank, rod and slider as three bodies in a plane, held together by pins, a guide and a
+/// drive that turns the crank. The force of the drive's constraint is the torque it takes.
+///
+/// Source: Textbook.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SliderCrank;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// speed: speed of the crank \[rad/s\]. In the spec: 30.0.
+    pub speed: R,
+    /// start: angle of the crank at the start \[rad\]. In the spec: 0.4.
+    pub start: R,
+    /// crank.length: length of the bar \[m\]. In the spec: 0.05.
+    pub crank_length: R,
+    /// crank.mass: the mass \[kg\]. In the spec: 0.8.
+    pub crank_mass: R,
+    /// crank.inertia: moment of inertia about the centre of mass \[kg m^2\]. In the spec: 0.0002.
+    pub crank_inertia: R,
+    /// crank.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub crank_gravity: R,
+    /// rod.length: length of the bar \[m\]. In the spec: 0.2.
+    pub rod_length: R,
+    /// rod.mass: the mass \[kg\]. In the spec: 0.6.
+    pub rod_mass: R,
+    /// rod.inertia: moment of inertia about the centre of mass \[kg m^2\]. In the spec: 0.002.
+    pub rod_inertia: R,
+    /// rod.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub rod_gravity: R,
+    /// slider.mass: the mass \[kg\]. In the spec: 1.1.
+    pub slider_mass: R,
+    /// slider.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub slider_gravity: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            speed: values[0],
+            start: values[1],
+            crank_length: values[2],
+            crank_mass: values[3],
+            crank_inertia: values[4],
+            crank_gravity: values[5],
+            rod_length: values[6],
+            rod_mass: values[7],
+            rod_inertia: values[8],
+            rod_gravity: values[9],
+            slider_mass: values[10],
+            slider_gravity: values[11],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.speed,
+            self.start,
+            self.crank_length,
+            self.crank_mass,
+            self.crank_inertia,
+            self.crank_gravity,
+            self.rod_length,
+            self.rod_mass,
+            self.rod_inertia,
+            self.rod_gravity,
+            self.slider_mass,
+            self.slider_gravity,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            speed: R::literal(30.0),
+            start: R::literal(0.4),
+            crank_length: R::literal(0.05),
+            crank_mass: R::literal(0.8),
+            crank_inertia: R::literal(0.0002),
+            crank_gravity: R::literal(9.81),
+            rod_length: R::literal(0.2),
+            rod_mass: R::literal(0.6),
+            rod_inertia: R::literal(0.002),
+            rod_gravity: R::literal(9.81),
+            slider_mass: R::literal(1.1),
+            slider_gravity: R::literal(9.81),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// angle: angle of the bar from sideways \[rad\].
+    pub angle: R,
+    /// rod_angle: angle of the bar from sideways \[rad\].
+    pub rod_angle: R,
+    /// stroke: centre of mass, sideways \[m\].
+    pub stroke: R,
+    /// slider_speed: rate of centre of mass, sideways \[m/s\].
+    pub slider_speed: R,
+    /// slider_acceleration: acceleration of the slider \[m/s^2\].
+    pub slider_acceleration: R,
+    /// torque: torque of the drive on the crank \[N m\].
+    pub torque: R,
+    /// guide_force: force of the guide on the slider, upwards \[N\].
+    pub guide_force: R,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; OUTPUTS]) -> Self {
+        Self {
+            angle: values[0],
+            rod_angle: values[1],
+            stroke: values[2],
+            slider_speed: values[3],
+            slider_acceleration: values[4],
+            torque: values[5],
+            guide_force: values[6],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        [
+            self.angle,
+            self.rod_angle,
+            self.stroke,
+            self.slider_speed,
+            self.slider_acceleration,
+            self.torque,
+            self.guide_force,
+        ]
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// crank.x: centre of mass, sideways \[m\].
+    pub const CRANK_X: usize = 0;
+    /// crank.y: centre of mass, upwards \[m\].
+    pub const CRANK_Y: usize = 1;
+    /// crank.phi: angle of the bar from sideways \[rad\].
+    pub const CRANK_PHI: usize = 2;
+    /// rod.x: centre of mass, sideways \[m\].
+    pub const ROD_X: usize = 3;
+    /// rod.y: centre of mass, upwards \[m\].
+    pub const ROD_Y: usize = 4;
+    /// rod.phi: angle of the bar from sideways \[rad\].
+    pub const ROD_PHI: usize = 5;
+    /// slider.x: centre of mass, sideways \[m\].
+    pub const SLIDER_X: usize = 6;
+    /// slider.y: centre of mass, upwards \[m\].
+    pub const SLIDER_Y: usize = 7;
+    /// crank.v_x: rate of centre of mass, sideways \[m/s\].
+    pub const CRANK_V_X: usize = 8;
+    /// crank.v_y: rate of centre of mass, upwards \[m/s\].
+    pub const CRANK_V_Y: usize = 9;
+    /// crank.omega: rate of angle of the bar from sideways \[rad/s\].
+    pub const CRANK_OMEGA: usize = 10;
+    /// rod.v_x: rate of centre of mass, sideways \[m/s\].
+    pub const ROD_V_X: usize = 11;
+    /// rod.v_y: rate of centre of mass, upwards \[m/s\].
+    pub const ROD_V_Y: usize = 12;
+    /// rod.omega: rate of angle of the bar from sideways \[rad/s\].
+    pub const ROD_OMEGA: usize = 13;
+    /// slider.v_x: rate of centre of mass, sideways \[m/s\].
+    pub const SLIDER_V_X: usize = 14;
+    /// slider.v_y: rate of centre of mass, upwards \[m/s\].
+    pub const SLIDER_V_Y: usize = 15;
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// No operations.
+#[must_use]
+pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.15),
+        R::literal(0.0),
+        R::literal(-0.1),
+        R::literal(0.24),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the units of the states per second.
+///
+/// 300 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    let [_, _, crank_phi, _, _, rod_phi, _, _, crank_v_x, crank_v_y, crank_omega,
+    rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
+    let cos_crank_phi = crank_phi.cos();
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = t0 * cos_crank_phi;
+    let sin_crank_phi = crank_phi.sin();
+    let t2 = t0 * sin_crank_phi;
+    let cos_rod_phi = rod_phi.cos();
+    let t3 = R::literal(0.5) * p.rod_length;
+    let t4 = t3 * cos_rod_phi;
+    let sin_rod_phi = rod_phi.sin();
+    let t5 = t3 * sin_rod_phi;
+    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
+    let minus_inverse_crank_mass = -inverse_crank_mass;
+    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
+    let t6 = t2 * inverse_crank_inertia;
+    let t7 = t1 * inverse_crank_inertia;
+    let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
+    let minus_inverse_rod_mass = -inverse_rod_mass;
+    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
+    let t8 = t5 * inverse_rod_inertia;
+    let t9 = t4 * inverse_rod_inertia;
+    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
+    let t10 = t6 * t2;
+    let t11 = minus_inverse_crank_mass - t10;
+    let t12 = R::literal(1.0) / t11;
+    let t13 = t7 * t2;
+    let t14 = t13 * t12;
+    let t15 = inverse_crank_mass - t10;
+    let t16 = t15 * t12;
+    let t17 = t6 * t12;
+    let t18 = t7 * t1;
+    let t19 = minus_inverse_crank_mass - t18;
+    let t20 = t14 * t13;
+    let t21 = R::literal(1.0) / (t19 - t20);
+    let t22 = t6 * t1 - t16 * t13;
+    let t23 = t22 * t21;
+    let t24 = inverse_crank_mass - t18 - t20;
+    let t25 = t24 * t21;
+    let t26 = t7 + t17 * t13;
+    let t27 = t26 * t21;
+    let t28 = t8 * t5;
+    let t29 = R::literal(1.0) / (t11 - inverse_rod_mass - t28 - t16 * t15 - t23 * t22);
+    let t30 = t9 * t5;
+    let t31 = t13 + t30 - t14 * t15 - t25 * t22;
+    let t32 = t31 * t29;
+    let t33 = inverse_rod_mass - t28;
+    let t34 = t33 * t29;
+    let t35 = t30 * t29;
+    let t36 = t17 * t15 - t6 - t27 * t22;
+    let t37 = t36 * t29;
+    let t38 = t9 * t4;
+    let t39 = R::literal(1.0)
+        / (t19 - inverse_rod_mass - t38 - t20 - t25 * t24 - t32 * t31);
+    let t40 = t8 * t4 - t34 * t31;
+    let t41 = t40 * t39;
+    let t42 = inverse_rod_mass - t38 - t35 * t31;
+    let t43 = t42 * t39;
+    let t44 = t26 - t27 * t24 - t37 * t31;
+    let t45 = t44 * t39;
+    let t46 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t28 - inverse_slider_mass - t34 * t33 - t41 * t40);
+    let t47 = t30 - t35 * t33 - t43 * t40;
+    let t48 = t47 * t46;
+    let t49 = -(t37 * t33) - t45 * t40;
+    let t50 = t49 * t46;
+    let t51 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t38 - inverse_slider_mass - t35 * t30 - t43 * t42
+            - t48 * t47);
+    let t52 = inverse_slider_mass * t51;
+    let t53 = -(t37 * t30) - t45 * t42 - t50 * t47;
+    let t54 = t53 * t51;
+    let t55 = R::literal(1.0) / (-inverse_slider_mass - t52 * inverse_slider_mass);
+    let t56 = t54 * inverse_slider_mass;
+    let t57 = t56 * t55;
+    let t58 = R::literal(1.0)
+        / (-inverse_crank_inertia - t17 * t6 - t27 * t26 - t37 * t36 - t45 * t44
+            - t50 * t49 - t54 * t53 - t57 * t56);
+    let crank_omega_squared = crank_omega * crank_omega;
+    let t59 = t0 * crank_omega_squared;
+    let t60 = t59 * cos_crank_phi;
+    let t61 = p.crank_length * crank_omega_squared;
+    let rod_omega_squared = rod_omega * rod_omega;
+    let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
+    let t62 = t3 * rod_omega_squared;
+    let t63 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
+    let t64 = t14 * t60;
+    let t65 = t63 - t59 * sin_crank_phi + t64;
+    let t66 = t16 * t60
+        - R::literal(0.5)
+            * (t61 * cos_crank_phi + rod_length_times_rod_omega_squared * cos_rod_phi)
+        - t23 * t65;
+    let t67 = inverse_rod_mass * (p.rod_mass * p.rod_gravity);
+    let t68 = -(R::literal(0.5)
+        * (t61 * sin_crank_phi + rod_length_times_rod_omega_squared * sin_rod_phi)) - t63
+        + t67 + t64 - t25 * t65 - t32 * t66;
+    let t69 = -(t62 * cos_rod_phi) - t34 * t66 - t41 * t68;
+    let t70 = inverse_slider_mass * (p.slider_mass * p.slider_gravity);
+    let t71 = -(t62 * sin_rod_phi) - t67 + t70 - t35 * t66 - t43 * t68 - t48 * t69;
+    let t72 = t70 + t52 * t71;
+    let t73 = (-(t17 * t60) - t27 * t65 - t37 * t66 - t45 * t68 - t50 * t69 - t54 * t71
+        - t57 * t72) * t58;
+    let t74 = t72 * t55 - t57 * t73;
+    let t75 = t71 * t51 + t52 * t74 - t54 * t73;
+    let t76 = t69 * t46 - t48 * t75 - t50 * t73;
+    let t77 = t68 * t39 - t41 * t76 - t43 * t75 - t45 * t73;
+    let t78 = t66 * t29 - t32 * t77 - t34 * t76 - t35 * t75 - t37 * t73;
+    let t79 = t65 * t21 - t23 * t78 - t25 * t77 - t27 * t73;
+    let t80 = -(t60 * t12) - t14 * t79 - t16 * t78 - t14 * t77 + t17 * t73;
+    let slider_v_y_dot = -t70 - inverse_slider_mass * t75 - inverse_slider_mass * t74;
+    let slider_v_x_dot = -(inverse_slider_mass * t76);
+    let rod_omega_dot = t9 * t77 - t8 * t78 - t8 * t76 + t9 * t75;
+    let rod_v_y_dot = -t67 - inverse_rod_mass * t77 + inverse_rod_mass * t75;
+    let rod_v_x_dot = inverse_rod_mass * t76 - inverse_rod_mass * t78;
+    let crank_omega_dot = t7 * t79 - t6 * t80 - t6 * t78 + t7 * t77
+        - inverse_crank_inertia * t73;
+    let crank_v_y_dot = -t63 - inverse_crank_mass * t79 + inverse_crank_mass * t77;
+    let crank_v_x_dot = inverse_crank_mass * t78 - inverse_crank_mass * t80;
+    [
+        crank_v_x,
+        crank_v_y,
+        crank_omega,
+        rod_v_x,
+        rod_v_y,
+        rod_omega,
+        slider_v_x,
+        slider_v_y,
+        crank_v_x_dot,
+        crank_v_y_dot,
+        crank_omega_dot,
+        rod_v_x_dot,
+        rod_v_y_dot,
+        rod_omega_dot,
+        slider_v_x_dot,
+        slider_v_y_dot,
+    ]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// No operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 8] {
+    [
+        p.crank_mass,
+        p.crank_mass,
+        p.crank_inertia,
+        p.rod_mass,
+        p.rod_mass,
+        p.rod_inertia,
+        p.slider_mass,
+        p.slider_mass,
+    ]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 6 operations.
+#[must_use]
+pub fn forcing<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let crank_y_forcing = -(p.crank_mass * p.crank_gravity);
+    let rod_y_forcing = -(p.rod_mass * p.rod_gravity);
+    let slider_y_forcing = -(p.slider_mass * p.slider_gravity);
+    [
+        R::literal(0.0),
+        crank_y_forcing,
+        R::literal(0.0),
+        R::literal(0.0),
+        rod_y_forcing,
+        R::literal(0.0),
+        R::literal(0.0),
+        slider_y_forcing,
+    ]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// 753 operations.
+#[must_use]
+pub fn rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 40] {
+    let crank_phi = state[2];
+    let rod_phi = state[5];
+    let crank_omega = state[10];
+    let rod_omega = state[13];
+    let cos_crank_phi = crank_phi.cos();
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = t0 * cos_crank_phi;
+    let sin_crank_phi = crank_phi.sin();
+    let t2 = t0 * sin_crank_phi;
+    let cos_rod_phi = rod_phi.cos();
+    let t3 = R::literal(0.5) * p.rod_length;
+    let t4 = t3 * cos_rod_phi;
+    let sin_rod_phi = rod_phi.sin();
+    let t5 = t3 * sin_rod_phi;
+    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
+    let minus_inverse_crank_mass = -inverse_crank_mass;
+    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
+    let t6 = t2 * inverse_crank_inertia;
+    let t7 = t1 * inverse_crank_inertia;
+    let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
+    let minus_inverse_rod_mass = -inverse_rod_mass;
+    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
+    let t8 = t5 * inverse_rod_inertia;
+    let t9 = t4 * inverse_rod_inertia;
+    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
+    let t10 = t6 * t2;
+    let t11 = minus_inverse_crank_mass - t10;
+    let t12 = R::literal(1.0) / t11;
+    let t13 = t7 * t2;
+    let t14 = t13 * t12;
+    let t15 = inverse_crank_mass - t10;
+    let t16 = t15 * t12;
+    let t17 = t6 * t12;
+    let t18 = t7 * t1;
+    let t19 = minus_inverse_crank_mass - t18;
+    let t20 = t14 * t13;
+    let t21 = R::literal(1.0) / (t19 - t20);
+    let t22 = t6 * t1 - t16 * t13;
+    let t23 = t22 * t21;
+    let t24 = inverse_crank_mass - t18 - t20;
+    let t25 = t24 * t21;
+    let t26 = t7 + t17 * t13;
+    let t27 = t26 * t21;
+    let t28 = t8 * t5;
+    let t29 = R::literal(1.0) / (t11 - inverse_rod_mass - t28 - t16 * t15 - t23 * t22);
+    let t30 = t9 * t5;
+    let t31 = t13 + t30 - t14 * t15 - t25 * t22;
+    let t32 = t31 * t29;
+    let t33 = inverse_rod_mass - t28;
+    let t34 = t33 * t29;
+    let t35 = t30 * t29;
+    let t36 = t17 * t15 - t6 - t27 * t22;
+    let t37 = t36 * t29;
+    let t38 = t9 * t4;
+    let t39 = R::literal(1.0)
+        / (t19 - inverse_rod_mass - t38 - t20 - t25 * t24 - t32 * t31);
+    let t40 = t8 * t4 - t34 * t31;
+    let t41 = t40 * t39;
+    let t42 = inverse_rod_mass - t38 - t35 * t31;
+    let t43 = t42 * t39;
+    let t44 = t26 - t27 * t24 - t37 * t31;
+    let t45 = t44 * t39;
+    let t46 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t28 - inverse_slider_mass - t34 * t33 - t41 * t40);
+    let t47 = t30 - t35 * t33 - t43 * t40;
+    let t48 = t47 * t46;
+    let t49 = -(t37 * t33) - t45 * t40;
+    let t50 = t49 * t46;
+    let t51 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t38 - inverse_slider_mass - t35 * t30 - t43 * t42
+            - t48 * t47);
+    let t52 = inverse_slider_mass * t51;
+    let t53 = -(t37 * t30) - t45 * t42 - t50 * t47;
+    let t54 = t53 * t51;
+    let t55 = R::literal(1.0) / (-inverse_slider_mass - t52 * inverse_slider_mass);
+    let t56 = t54 * inverse_slider_mass;
+    let t57 = t56 * t55;
+    let t58 = R::literal(1.0)
+        / (-inverse_crank_inertia - t17 * t6 - t27 * t26 - t37 * t36 - t45 * t44
+            - t50 * t49 - t54 * t53 - t57 * t56);
+    let crank_omega_squared = crank_omega * crank_omega;
+    let t59 = t0 * crank_omega_squared;
+    let t60 = t59 * cos_crank_phi;
+    let t61 = t59 * sin_crank_phi;
+    let t62 = p.crank_length * crank_omega_squared;
+    let rod_omega_squared = rod_omega * rod_omega;
+    let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
+    let t63 = t3 * rod_omega_squared;
+    let t64 = -(t63 * cos_rod_phi);
+    let t65 = t63 * sin_rod_phi;
+    let t66 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
+    let t67 = t14 * t60;
+    let t68 = t66 - t61 + t67;
+    let t69 = t16 * t60
+        - R::literal(0.5)
+            * (t62 * cos_crank_phi + rod_length_times_rod_omega_squared * cos_rod_phi)
+        - t23 * t68;
+    let t70 = inverse_rod_mass * (p.rod_mass * p.rod_gravity);
+    let t71 = -(R::literal(0.5)
+        * (t62 * sin_crank_phi + rod_length_times_rod_omega_squared * sin_rod_phi)) - t66
+        + t70 + t67 - t25 * t68 - t32 * t69;
+    let t72 = t64 - t34 * t69 - t41 * t71;
+    let t73 = inverse_slider_mass * (p.slider_mass * p.slider_gravity);
+    let t74 = -t65 - t70 + t73 - t35 * t69 - t43 * t71 - t48 * t72;
+    let t75 = t73 + t52 * t74;
+    let t76 = (-(t17 * t60) - t27 * t68 - t37 * t69 - t45 * t71 - t50 * t72 - t54 * t74
+        - t57 * t75) * t58;
+    let t77 = t74 * t51 + t52 * (t75 * t55 - t57 * t76) - t54 * t76;
+    let t78 = t72 * t46 - t48 * t77 - t50 * t76;
+    let t79 = t71 * t39 - t41 * t78 - t43 * t77 - t45 * t76;
+    let t80 = t69 * t29 - t32 * t79 - t34 * t78 - t35 * t77 - t37 * t76;
+    let t81 = t68 * t21 - t23 * t80 - t25 * t79 - t27 * t76;
+    let t82 = -(t60 * t12) - t14 * t81 - t16 * t80 - t14 * t79 + t17 * t76;
+    let rod_omega_dot = t9 * t79 - t8 * t80 - t8 * t78 + t9 * t77;
+    let crank_omega_dot = t7 * t81 - t6 * t82 - t6 * t80 + t7 * t79
+        - inverse_crank_inertia * t76;
+    let t83 = -(t1 * t82) - t2 * t81 - t1 * t80 - t2 * t79;
+    let t84 = t61 - t1 * crank_omega_dot - t6 * t83;
+    let t85 = -t60 - t2 * crank_omega_dot + t7 * t83 - t14 * t84;
+    let t86 = t84 - t16 * t84 - t23 * t85;
+    let t87 = t85 - t25 * t85 - t32 * t86;
+    let t88 = -(t34 * t86) - t41 * t87;
+    let t89 = -(t35 * t86) - t43 * t87 - t48 * t88;
+    let t90 = t52 * t89;
+    let t91 = inverse_crank_inertia * t83;
+    let t92 = (t17 * t84 - t91 - t27 * t85 - t37 * t86 - t45 * t87 - t50 * t88
+        - t54 * t89 - t57 * t90) * t58;
+    let t93 = t90 * t55 - t57 * t92;
+    let t94 = t89 * t51 + t52 * t93 - t54 * t92;
+    let t95 = t88 * t46 - t48 * t94 - t50 * t92;
+    let t96 = t87 * t39 - t41 * t95 - t43 * t94 - t45 * t92;
+    let t97 = t86 * t29 - t32 * t96 - t34 * t95 - t35 * t94 - t37 * t92;
+    let t98 = t85 * t21 - t23 * t97 - t25 * t96 - t27 * t92;
+    let t99 = t84 * t12 - t14 * t98 - t16 * t97 - t14 * t96 + t17 * t92;
+    let slider_v_y_dot_by_crank_phi = -(inverse_slider_mass * t94)
+        - inverse_slider_mass * t93;
+    let slider_v_x_dot_by_crank_phi = -(inverse_slider_mass * t95);
+    let rod_omega_dot_by_crank_phi = t9 * t96 - t8 * t97 - t8 * t95 + t9 * t94;
+    let rod_v_y_dot_by_crank_phi = inverse_rod_mass * t94 - inverse_rod_mass * t96;
+    let rod_v_x_dot_by_crank_phi = inverse_rod_mass * t95 - inverse_rod_mass * t97;
+    let crank_omega_dot_by_crank_phi = t91 - t6 * t99 + t7 * t98 - t6 * t97 + t7 * t96
+        - inverse_crank_inertia * t92;
+    let crank_v_y_dot_by_crank_phi = inverse_crank_mass * t96 - inverse_crank_mass * t98;
+    let crank_v_x_dot_by_crank_phi = inverse_crank_mass * t97 - inverse_crank_mass * t99;
+    let t100 = -(t4 * t80) - t5 * t79 - t4 * t78 - t5 * t77;
+    let t101 = t65 - t4 * rod_omega_dot - t8 * t100;
+    let t102 = t64 - t5 * rod_omega_dot + t9 * t100;
+    let t103 = t102 - t32 * t101;
+    let t104 = t101 - t34 * t101 - t41 * t103;
+    let t105 = t102 - t35 * t101 - t43 * t103 - t48 * t104;
+    let t106 = t52 * t105;
+    let t107 = (-(t37 * t101) - t45 * t103 - t50 * t104 - t54 * t105 - t57 * t106) * t58;
+    let t108 = t106 * t55 - t57 * t107;
+    let t109 = t105 * t51 + t52 * t108 - t54 * t107;
+    let t110 = t104 * t46 - t48 * t109 - t50 * t107;
+    let t111 = t103 * t39 - t41 * t110 - t43 * t109 - t45 * t107;
+    let t112 = t101 * t29 - t32 * t111 - t34 * t110 - t35 * t109 - t37 * t107;
+    let t113 = -(t23 * t112) - t25 * t111 - t27 * t107;
+    let t114 = -(t14 * t113) - t16 * t112 - t14 * t111 + t17 * t107;
+    let slider_v_y_dot_by_rod_phi = -(inverse_slider_mass * t109)
+        - inverse_slider_mass * t108;
+    let slider_v_x_dot_by_rod_phi = -(inverse_slider_mass * t110);
+    let rod_omega_dot_by_rod_phi = t100 * inverse_rod_inertia - t8 * t112 + t9 * t111
+        - t8 * t110 + t9 * t109;
+    let rod_v_y_dot_by_rod_phi = inverse_rod_mass * t109 - inverse_rod_mass * t111;
+    let rod_v_x_dot_by_rod_phi = inverse_rod_mass * t110 - inverse_rod_mass * t112;
+    let crank_omega_dot_by_rod_phi = t7 * t113 - t6 * t114 - t6 * t112 + t7 * t111
+        - inverse_crank_inertia * t107;
+    let crank_v_y_dot_by_rod_phi = inverse_crank_mass * t111 - inverse_crank_mass * t113;
+    let crank_v_x_dot_by_rod_phi = inverse_crank_mass * t112 - inverse_crank_mass * t114;
+    let crank_length_times_crank_omega = p.crank_length * crank_omega;
+    let t115 = crank_length_times_crank_omega * cos_crank_phi;
+    let t116 = t14 * t115 - crank_length_times_crank_omega * sin_crank_phi;
+    let t117 = t16 * t115 - t115 - t23 * t116;
+    let t118 = t116 - t25 * t116 - t32 * t117;
+    let t119 = -(t34 * t117) - t41 * t118;
+    let t120 = -(t35 * t117) - t43 * t118 - t48 * t119;
+    let t121 = t52 * t120;
+    let t122 = (-(t17 * t115) - t27 * t116 - t37 * t117 - t45 * t118 - t50 * t119
+        - t54 * t120 - t57 * t121) * t58;
+    let t123 = t121 * t55 - t57 * t122;
+    let t124 = t120 * t51 + t52 * t123 - t54 * t122;
+    let t125 = t119 * t46 - t48 * t124 - t50 * t122;
+    let t126 = t118 * t39 - t41 * t125 - t43 * t124 - t45 * t122;
+    let t127 = t117 * t29 - t32 * t126 - t34 * t125 - t35 * t124 - t37 * t122;
+    let t128 = t116 * t21 - t23 * t127 - t25 * t126 - t27 * t122;
+    let t129 = -(t115 * t12) - t14 * t128 - t16 * t127 - t14 * t126 + t17 * t122;
+    let slider_v_y_dot_by_crank_omega = -(inverse_slider_mass * t124)
+        - inverse_slider_mass * t123;
+    let slider_v_x_dot_by_crank_omega = -(inverse_slider_mass * t125);
+    let rod_omega_dot_by_crank_omega = t9 * t126 - t8 * t127 - t8 * t125 + t9 * t124;
+    let rod_v_y_dot_by_crank_omega = inverse_rod_mass * t124 - inverse_rod_mass * t126;
+    let rod_v_x_dot_by_crank_omega = inverse_rod_mass * t125 - inverse_rod_mass * t127;
+    let crank_omega_dot_by_crank_omega = t7 * t128 - t6 * t129 - t6 * t127 + t7 * t126
+        - inverse_crank_inertia * t122;
+    let crank_v_y_dot_by_crank_omega = inverse_crank_mass * t126
+        - inverse_crank_mass * t128;
+    let crank_v_x_dot_by_crank_omega = inverse_crank_mass * t127
+        - inverse_crank_mass * t129;
+    let rod_length_times_rod_omega = p.rod_length * rod_omega;
+    let t130 = rod_length_times_rod_omega * cos_rod_phi;
+    let t131 = rod_length_times_rod_omega * sin_rod_phi;
+    let t132 = t32 * t130 - t131;
+    let t133 = t34 * t130 - t130 - t41 * t132;
+    let t134 = t35 * t130 - t131 - t43 * t132 - t48 * t133;
+    let t135 = t52 * t134;
+    let t136 = (t37 * t130 - t45 * t132 - t50 * t133 - t54 * t134 - t57 * t135) * t58;
+    let t137 = t135 * t55 - t57 * t136;
+    let t138 = t134 * t51 + t52 * t137 - t54 * t136;
+    let t139 = t133 * t46 - t48 * t138 - t50 * t136;
+    let t140 = t132 * t39 - t41 * t139 - t43 * t138 - t45 * t136;
+    let t141 = -(t130 * t29) - t32 * t140 - t34 * t139 - t35 * t138 - t37 * t136;
+    let t142 = -(t23 * t141) - t25 * t140 - t27 * t136;
+    let t143 = -(t14 * t142) - t16 * t141 - t14 * t140 + t17 * t136;
+    let slider_v_y_dot_by_rod_omega = -(inverse_slider_mass * t138)
+        - inverse_slider_mass * t137;
+    let slider_v_x_dot_by_rod_omega = -(inverse_slider_mass * t139);
+    let rod_omega_dot_by_rod_omega = t9 * t140 - t8 * t141 - t8 * t139 + t9 * t138;
+    let rod_v_y_dot_by_rod_omega = inverse_rod_mass * t138 - inverse_rod_mass * t140;
+    let rod_v_x_dot_by_rod_omega = inverse_rod_mass * t139 - inverse_rod_mass * t141;
+    let crank_omega_dot_by_rod_omega = t7 * t142 - t6 * t143 - t6 * t141 + t7 * t140
+        - inverse_crank_inertia * t136;
+    let crank_v_y_dot_by_rod_omega = inverse_crank_mass * t140
+        - inverse_crank_mass * t142;
+    let crank_v_x_dot_by_rod_omega = inverse_crank_mass * t141
+        - inverse_crank_mass * t143;
+    [
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        crank_v_x_dot_by_crank_phi,
+        crank_v_x_dot_by_rod_phi,
+        crank_v_x_dot_by_crank_omega,
+        crank_v_x_dot_by_rod_omega,
+        crank_v_y_dot_by_crank_phi,
+        crank_v_y_dot_by_rod_phi,
+        crank_v_y_dot_by_crank_omega,
+        crank_v_y_dot_by_rod_omega,
+        crank_omega_dot_by_crank_phi,
+        crank_omega_dot_by_rod_phi,
+        crank_omega_dot_by_crank_omega,
+        crank_omega_dot_by_rod_omega,
+        rod_v_x_dot_by_crank_phi,
+        rod_v_x_dot_by_rod_phi,
+        rod_v_x_dot_by_crank_omega,
+        rod_v_x_dot_by_rod_omega,
+        rod_v_y_dot_by_crank_phi,
+        rod_v_y_dot_by_rod_phi,
+        rod_v_y_dot_by_crank_omega,
+        rod_v_y_dot_by_rod_omega,
+        rod_omega_dot_by_crank_phi,
+        rod_omega_dot_by_rod_phi,
+        rod_omega_dot_by_crank_omega,
+        rod_omega_dot_by_rod_omega,
+        slider_v_x_dot_by_crank_phi,
+        slider_v_x_dot_by_rod_phi,
+        slider_v_x_dot_by_crank_omega,
+        slider_v_x_dot_by_rod_omega,
+        slider_v_y_dot_by_crank_phi,
+        slider_v_y_dot_by_rod_phi,
+        slider_v_y_dot_by_crank_omega,
+        slider_v_y_dot_by_rod_omega,
+    ]
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// 1395 operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 80] {
+    let crank_phi = state[2];
+    let rod_phi = state[5];
+    let crank_omega = state[10];
+    let rod_omega = state[13];
+    let cos_crank_phi = crank_phi.cos();
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = t0 * cos_crank_phi;
+    let sin_crank_phi = crank_phi.sin();
+    let t2 = t0 * sin_crank_phi;
+    let cos_rod_phi = rod_phi.cos();
+    let t3 = R::literal(0.5) * p.rod_length;
+    let t4 = t3 * cos_rod_phi;
+    let sin_rod_phi = rod_phi.sin();
+    let t5 = t3 * sin_rod_phi;
+    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
+    let minus_inverse_crank_mass = -inverse_crank_mass;
+    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
+    let t6 = t2 * inverse_crank_inertia;
+    let t7 = t1 * inverse_crank_inertia;
+    let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
+    let minus_inverse_rod_mass = -inverse_rod_mass;
+    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
+    let t8 = t5 * inverse_rod_inertia;
+    let t9 = t4 * inverse_rod_inertia;
+    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
+    let t10 = t6 * t2;
+    let t11 = minus_inverse_crank_mass - t10;
+    let t12 = R::literal(1.0) / t11;
+    let t13 = t7 * t2;
+    let t14 = t13 * t12;
+    let t15 = inverse_crank_mass - t10;
+    let t16 = t15 * t12;
+    let t17 = t6 * t12;
+    let t18 = t7 * t1;
+    let t19 = minus_inverse_crank_mass - t18;
+    let t20 = t14 * t13;
+    let t21 = R::literal(1.0) / (t19 - t20);
+    let t22 = t6 * t1 - t16 * t13;
+    let t23 = t22 * t21;
+    let t24 = inverse_crank_mass - t18 - t20;
+    let t25 = t24 * t21;
+    let t26 = t7 + t17 * t13;
+    let t27 = t26 * t21;
+    let t28 = t8 * t5;
+    let t29 = R::literal(1.0) / (t11 - inverse_rod_mass - t28 - t16 * t15 - t23 * t22);
+    let t30 = t9 * t5;
+    let t31 = t13 + t30 - t14 * t15 - t25 * t22;
+    let t32 = t31 * t29;
+    let t33 = inverse_rod_mass - t28;
+    let t34 = t33 * t29;
+    let t35 = t30 * t29;
+    let t36 = t17 * t15 - t6 - t27 * t22;
+    let t37 = t36 * t29;
+    let t38 = t9 * t4;
+    let t39 = R::literal(1.0)
+        / (t19 - inverse_rod_mass - t38 - t20 - t25 * t24 - t32 * t31);
+    let t40 = t8 * t4 - t34 * t31;
+    let t41 = t40 * t39;
+    let t42 = inverse_rod_mass - t38 - t35 * t31;
+    let t43 = t42 * t39;
+    let t44 = t26 - t27 * t24 - t37 * t31;
+    let t45 = t44 * t39;
+    let t46 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t28 - inverse_slider_mass - t34 * t33 - t41 * t40);
+    let t47 = t30 - t35 * t33 - t43 * t40;
+    let t48 = t47 * t46;
+    let t49 = -(t37 * t33) - t45 * t40;
+    let t50 = t49 * t46;
+    let t51 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t38 - inverse_slider_mass - t35 * t30 - t43 * t42
+            - t48 * t47);
+    let t52 = inverse_slider_mass * t51;
+    let t53 = -(t37 * t30) - t45 * t42 - t50 * t47;
+    let t54 = t53 * t51;
+    let t55 = R::literal(1.0) / (-inverse_slider_mass - t52 * inverse_slider_mass);
+    let t56 = t54 * inverse_slider_mass;
+    let t57 = t56 * t55;
+    let t58 = R::literal(1.0)
+        / (-inverse_crank_inertia - t17 * t6 - t27 * t26 - t37 * t36 - t45 * t44
+            - t50 * t49 - t54 * t53 - t57 * t56);
+    let crank_omega_squared = crank_omega * crank_omega;
+    let t59 = t0 * crank_omega_squared;
+    let t60 = t59 * cos_crank_phi;
+    let t61 = p.crank_length * crank_omega_squared;
+    let rod_omega_squared = rod_omega * rod_omega;
+    let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
+    let t62 = t3 * rod_omega_squared;
+    let t63 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
+    let t64 = t14 * t60;
+    let t65 = t63 - t59 * sin_crank_phi + t64;
+    let t66 = t16 * t60
+        - R::literal(0.5)
+            * (t61 * cos_crank_phi + rod_length_times_rod_omega_squared * cos_rod_phi)
+        - t23 * t65;
+    let t67 = inverse_rod_mass * (p.rod_mass * p.rod_gravity);
+    let t68 = -(R::literal(0.5)
+        * (t61 * sin_crank_phi + rod_length_times_rod_omega_squared * sin_rod_phi)) - t63
+        + t67 + t64 - t25 * t65 - t32 * t66;
+    let t69 = -(t62 * cos_rod_phi) - t34 * t66 - t41 * t68;
+    let t70 = inverse_slider_mass * (p.slider_mass * p.slider_gravity);
+    let t71 = -(t62 * sin_rod_phi) - t67 + t70 - t35 * t66 - t43 * t68 - t48 * t69;
+    let t72 = t70 + t52 * t71;
+    let t73 = (-(t17 * t60) - t27 * t65 - t37 * t66 - t45 * t68 - t50 * t69 - t54 * t71
+        - t57 * t72) * t58;
+    let t74 = t72 * t55 - t57 * t73;
+    let t75 = t71 * t51 + t52 * t74 - t54 * t73;
+    let t76 = t69 * t46 - t48 * t75 - t50 * t73;
+    let t77 = t68 * t39 - t41 * t76 - t43 * t75 - t45 * t73;
+    let t78 = t66 * t29 - t32 * t77 - t34 * t76 - t35 * t75 - t37 * t73;
+    let t79 = t65 * t21 - t23 * t78 - t25 * t77 - t27 * t73;
+    let t80 = -(t60 * t12) - t14 * t79 - t16 * t78 - t14 * t77 + t17 * t73;
+    let slider_v_y_dot = -t70 - inverse_slider_mass * t75 - inverse_slider_mass * t74;
+    let rod_omega_dot = t9 * t77 - t8 * t78 - t8 * t76 + t9 * t75;
+    let rod_v_y_dot = -t67 - inverse_rod_mass * t77 + inverse_rod_mass * t75;
+    let t81 = t7 * t79 - t6 * t80 - t6 * t78 + t7 * t77;
+    let t82 = inverse_crank_inertia * t73;
+    let crank_omega_dot = t81 - t82;
+    let crank_v_y_dot = -t63 - inverse_crank_mass * t79 + inverse_crank_mass * t77;
+    let t83 = R::literal(0.5) * crank_omega_squared;
+    let t84 = R::literal(0.5) * sin_crank_phi;
+    let t85 = R::literal(0.5) * cos_crank_phi;
+    let t86 = t85 * t79 - t84 * t80 - t84 * t78 + t85 * t77;
+    let t87 = -(t83 * cos_crank_phi) - t84 * crank_omega_dot - t6 * t86;
+    let t88 = t85 * crank_omega_dot - t83 * sin_crank_phi + t7 * t86 - t14 * t87;
+    let t89 = t87 - t16 * t87 - t23 * t88;
+    let t90 = t88 - t25 * t88 - t32 * t89;
+    let t91 = -(t34 * t89) - t41 * t90;
+    let t92 = -(t35 * t89) - t43 * t90 - t48 * t91;
+    let t93 = t52 * t92;
+    let t94 = inverse_crank_inertia * t86;
+    let t95 = (t17 * t87 - t94 - t27 * t88 - t37 * t89 - t45 * t90 - t50 * t91
+        - t54 * t92 - t57 * t93) * t58;
+    let t96 = t93 * t55 - t57 * t95;
+    let t97 = t92 * t51 + t52 * t96 - t54 * t95;
+    let t98 = t91 * t46 - t48 * t97 - t50 * t95;
+    let t99 = t90 * t39 - t41 * t98 - t43 * t97 - t45 * t95;
+    let t100 = t89 * t29 - t32 * t99 - t34 * t98 - t35 * t97 - t37 * t95;
+    let t101 = t88 * t21 - t23 * t100 - t25 * t99 - t27 * t95;
+    let t102 = t87 * t12 - t14 * t101 - t16 * t100 - t14 * t99 + t17 * t95;
+    let slider_v_y_dot_by_crank_length = -(inverse_slider_mass * t97)
+        - inverse_slider_mass * t96;
+    let slider_v_x_dot_by_crank_length = -(inverse_slider_mass * t98);
+    let rod_omega_dot_by_crank_length = t9 * t99 - t8 * t100 - t8 * t98 + t9 * t97;
+    let rod_v_y_dot_by_crank_length = inverse_rod_mass * t97 - inverse_rod_mass * t99;
+    let rod_v_x_dot_by_crank_length = inverse_rod_mass * t98 - inverse_rod_mass * t100;
+    let crank_omega_dot_by_crank_length = t94 - t6 * t102 + t7 * t101 - t6 * t100
+        + t7 * t99 - inverse_crank_inertia * t95;
+    let crank_v_y_dot_by_crank_length = inverse_crank_mass * t99
+        - inverse_crank_mass * t101;
+    let crank_v_x_dot_by_crank_length = inverse_crank_mass * t100
+        - inverse_crank_mass * t102;
+    let t103 = inverse_crank_mass
+        * (inverse_crank_mass * t80 - inverse_crank_mass * t78);
+    let t104 = inverse_crank_mass * (-p.crank_gravity - crank_v_y_dot);
+    let t105 = t14 * t103;
+    let t106 = t105 - t104;
+    let t107 = t103 + t16 * t103 - t23 * t106;
+    let t108 = t104 + t105 - t25 * t106 - t32 * t107;
+    let t109 = -(t34 * t107) - t41 * t108;
+    let t110 = -(t35 * t107) - t43 * t108 - t48 * t109;
+    let t111 = t52 * t110;
+    let t112 = (-(t17 * t103) - t27 * t106 - t37 * t107 - t45 * t108 - t50 * t109
+        - t54 * t110 - t57 * t111) * t58;
+    let t113 = t111 * t55 - t57 * t112;
+    let t114 = t110 * t51 + t52 * t113 - t54 * t112;
+    let t115 = t109 * t46 - t48 * t114 - t50 * t112;
+    let t116 = t108 * t39 - t41 * t115 - t43 * t114 - t45 * t112;
+    let t117 = t107 * t29 - t32 * t116 - t34 * t115 - t35 * t114 - t37 * t112;
+    let t118 = t106 * t21 - t23 * t117 - t25 * t116 - t27 * t112;
+    let t119 = -(t103 * t12) - t14 * t118 - t16 * t117 - t14 * t116 + t17 * t112;
+    let slider_v_y_dot_by_crank_mass = -(inverse_slider_mass * t114)
+        - inverse_slider_mass * t113;
+    let slider_v_x_dot_by_crank_mass = -(inverse_slider_mass * t115);
+    let rod_omega_dot_by_crank_mass = t9 * t116 - t8 * t117 - t8 * t115 + t9 * t114;
+    let rod_v_y_dot_by_crank_mass = inverse_rod_mass * t114 - inverse_rod_mass * t116;
+    let rod_v_x_dot_by_crank_mass = inverse_rod_mass * t115 - inverse_rod_mass * t117;
+    let crank_omega_dot_by_crank_mass = t7 * t118 - t6 * t119 - t6 * t117 + t7 * t116
+        - inverse_crank_inertia * t112;
+    let crank_v_y_dot_by_crank_mass = t104 - inverse_crank_mass * t118
+        + inverse_crank_mass * t116;
+    let crank_v_x_dot_by_crank_mass = t103 - inverse_crank_mass * t119
+        + inverse_crank_mass * t117;
+    let t120 = t82 - t81;
+    let t121 = t6 * t120;
+    let t122 = t7 * t120 + t14 * t121;
+    let t123 = t16 * t121 - t121 - t23 * t122;
+    let t124 = t122 - t25 * t122 - t32 * t123;
+    let t125 = -(t34 * t123) - t41 * t124;
+    let t126 = -(t35 * t123) - t43 * t124 - t48 * t125;
+    let t127 = t52 * t126;
+    let t128 = inverse_crank_inertia * t120;
+    let t129 = (-t128 - t17 * t121 - t27 * t122 - t37 * t123 - t45 * t124 - t50 * t125
+        - t54 * t126 - t57 * t127) * t58;
+    let t130 = t127 * t55 - t57 * t129;
+    let t131 = t126 * t51 + t52 * t130 - t54 * t129;
+    let t132 = t125 * t46 - t48 * t131 - t50 * t129;
+    let t133 = t124 * t39 - t41 * t132 - t43 * t131 - t45 * t129;
+    let t134 = t123 * t29 - t32 * t133 - t34 * t132 - t35 * t131 - t37 * t129;
+    let t135 = t122 * t21 - t23 * t134 - t25 * t133 - t27 * t129;
+    let t136 = -(t121 * t12) - t14 * t135 - t16 * t134 - t14 * t133 + t17 * t129;
+    let slider_v_y_dot_by_crank_inertia = -(inverse_slider_mass * t131)
+        - inverse_slider_mass * t130;
+    let slider_v_x_dot_by_crank_inertia = -(inverse_slider_mass * t132);
+    let rod_omega_dot_by_crank_inertia = t9 * t133 - t8 * t134 - t8 * t132 + t9 * t131;
+    let rod_v_y_dot_by_crank_inertia = inverse_rod_mass * t131 - inverse_rod_mass * t133;
+    let rod_v_x_dot_by_crank_inertia = inverse_rod_mass * t132 - inverse_rod_mass * t134;
+    let crank_omega_dot_by_crank_inertia = t128 - t6 * t136 + t7 * t135 - t6 * t134
+        + t7 * t133 - inverse_crank_inertia * t129;
+    let crank_v_y_dot_by_crank_inertia = inverse_crank_mass * t133
+        - inverse_crank_mass * t135;
+    let crank_v_x_dot_by_crank_inertia = inverse_crank_mass * t134
+        - inverse_crank_mass * t136;
+    let inverse_crank_mass_times_crank_mass = inverse_crank_mass * p.crank_mass;
+    let t137 = -inverse_crank_mass_times_crank_mass;
+    let t138 = t23 * inverse_crank_mass_times_crank_mass;
+    let t139 = t137 - t25 * inverse_crank_mass_times_crank_mass + t32 * t138;
+    let t140 = t34 * t138 - t41 * t139;
+    let t141 = t35 * t138 - t43 * t139 - t48 * t140;
+    let t142 = t52 * t141;
+    let t143 = (t37 * t138 - t27 * inverse_crank_mass_times_crank_mass - t45 * t139
+        - t50 * t140 - t54 * t141 - t57 * t142) * t58;
+    let t144 = t142 * t55 - t57 * t143;
+    let t145 = t141 * t51 + t52 * t144 - t54 * t143;
+    let t146 = t140 * t46 - t48 * t145 - t50 * t143;
+    let t147 = t139 * t39 - t41 * t146 - t43 * t145 - t45 * t143;
+    let t148 = -(t138 * t29) - t32 * t147 - t34 * t146 - t35 * t145 - t37 * t143;
+    let t149 = inverse_crank_mass_times_crank_mass * t21 - t23 * t148 - t25 * t147
+        - t27 * t143;
+    let t150 = -(t14 * t149) - t16 * t148 - t14 * t147 + t17 * t143;
+    let slider_v_y_dot_by_crank_gravity = -(inverse_slider_mass * t145)
+        - inverse_slider_mass * t144;
+    let slider_v_x_dot_by_crank_gravity = -(inverse_slider_mass * t146);
+    let rod_omega_dot_by_crank_gravity = t9 * t147 - t8 * t148 - t8 * t146 + t9 * t145;
+    let rod_v_y_dot_by_crank_gravity = inverse_rod_mass * t145 - inverse_rod_mass * t147;
+    let rod_v_x_dot_by_crank_gravity = inverse_rod_mass * t146 - inverse_rod_mass * t148;
+    let crank_omega_dot_by_crank_gravity = t7 * t149 - t6 * t150 - t6 * t148 + t7 * t147
+        - inverse_crank_inertia * t143;
+    let crank_v_y_dot_by_crank_gravity = t137 - inverse_crank_mass * t149
+        + inverse_crank_mass * t147;
+    let crank_v_x_dot_by_crank_gravity = inverse_crank_mass * t148
+        - inverse_crank_mass * t150;
+    let t151 = R::literal(0.5) * rod_omega_squared;
+    let t152 = R::literal(0.5) * sin_rod_phi;
+    let t153 = R::literal(0.5) * cos_rod_phi;
+    let t154 = t153 * t77 - t152 * t78 - t152 * t76 + t153 * t75;
+    let t155 = -(t151 * cos_rod_phi) - t152 * rod_omega_dot - t8 * t154;
+    let t156 = t153 * rod_omega_dot - t151 * sin_rod_phi + t9 * t154;
+    let t157 = t156 - t32 * t155;
+    let t158 = t155 - t34 * t155 - t41 * t157;
+    let t159 = t156 - t35 * t155 - t43 * t157 - t48 * t158;
+    let t160 = t52 * t159;
+    let t161 = (-(t37 * t155) - t45 * t157 - t50 * t158 - t54 * t159 - t57 * t160) * t58;
+    let t162 = t160 * t55 - t57 * t161;
+    let t163 = t159 * t51 + t52 * t162 - t54 * t161;
+    let t164 = t158 * t46 - t48 * t163 - t50 * t161;
+    let t165 = t157 * t39 - t41 * t164 - t43 * t163 - t45 * t161;
+    let t166 = t155 * t29 - t32 * t165 - t34 * t164 - t35 * t163 - t37 * t161;
+    let t167 = -(t23 * t166) - t25 * t165 - t27 * t161;
+    let t168 = -(t14 * t167) - t16 * t166 - t14 * t165 + t17 * t161;
+    let slider_v_y_dot_by_rod_length = -(inverse_slider_mass * t163)
+        - inverse_slider_mass * t162;
+    let slider_v_x_dot_by_rod_length = -(inverse_slider_mass * t164);
+    let rod_omega_dot_by_rod_length = t154 * inverse_rod_inertia - t8 * t166 + t9 * t165
+        - t8 * t164 + t9 * t163;
+    let rod_v_y_dot_by_rod_length = inverse_rod_mass * t163 - inverse_rod_mass * t165;
+    let rod_v_x_dot_by_rod_length = inverse_rod_mass * t164 - inverse_rod_mass * t166;
+    let crank_omega_dot_by_rod_length = t7 * t167 - t6 * t168 - t6 * t166 + t7 * t165
+        - inverse_crank_inertia * t161;
+    let crank_v_y_dot_by_rod_length = inverse_crank_mass * t165
+        - inverse_crank_mass * t167;
+    let crank_v_x_dot_by_rod_length = inverse_crank_mass * t166
+        - inverse_crank_mass * t168;
+    let t169 = inverse_rod_mass * (inverse_rod_mass * t78 - inverse_rod_mass * t76);
+    let t170 = inverse_rod_mass * (-p.rod_gravity - rod_v_y_dot);
+    let t171 = t32 * t169 - t170;
+    let t172 = t169 + t34 * t169 - t41 * t171;
+    let t173 = t170 + t35 * t169 - t43 * t171 - t48 * t172;
+    let t174 = t52 * t173;
+    let t175 = (t37 * t169 - t45 * t171 - t50 * t172 - t54 * t173 - t57 * t174) * t58;
+    let t176 = t174 * t55 - t57 * t175;
+    let t177 = t173 * t51 + t52 * t176 - t54 * t175;
+    let t178 = t172 * t46 - t48 * t177 - t50 * t175;
+    let t179 = t171 * t39 - t41 * t178 - t43 * t177 - t45 * t175;
+    let t180 = -(t169 * t29) - t32 * t179 - t34 * t178 - t35 * t177 - t37 * t175;
+    let t181 = -(t23 * t180) - t25 * t179 - t27 * t175;
+    let t182 = -(t14 * t181) - t16 * t180 - t14 * t179 + t17 * t175;
+    let slider_v_y_dot_by_rod_mass = -(inverse_slider_mass * t177)
+        - inverse_slider_mass * t176;
+    let slider_v_x_dot_by_rod_mass = -(inverse_slider_mass * t178);
+    let rod_omega_dot_by_rod_mass = t9 * t179 - t8 * t180 - t8 * t178 + t9 * t177;
+    let rod_v_y_dot_by_rod_mass = t170 - inverse_rod_mass * t179
+        + inverse_rod_mass * t177;
+    let rod_v_x_dot_by_rod_mass = t169 - inverse_rod_mass * t180
+        + inverse_rod_mass * t178;
+    let crank_omega_dot_by_rod_mass = t7 * t181 - t6 * t182 - t6 * t180 + t7 * t179
+        - inverse_crank_inertia * t175;
+    let crank_v_y_dot_by_rod_mass = inverse_crank_mass * t179
+        - inverse_crank_mass * t181;
+    let crank_v_x_dot_by_rod_mass = inverse_crank_mass * t180
+        - inverse_crank_mass * t182;
+    let t183 = t8 * rod_omega_dot;
+    let t184 = -(t9 * rod_omega_dot);
+    let t185 = t184 - t32 * t183;
+    let t186 = t183 - t34 * t183 - t41 * t185;
+    let t187 = t184 - t35 * t183 - t43 * t185 - t48 * t186;
+    let t188 = t52 * t187;
+    let t189 = (-(t37 * t183) - t45 * t185 - t50 * t186 - t54 * t187 - t57 * t188) * t58;
+    let t190 = t188 * t55 - t57 * t189;
+    let t191 = t187 * t51 + t52 * t190 - t54 * t189;
+    let t192 = t186 * t46 - t48 * t191 - t50 * t189;
+    let t193 = t185 * t39 - t41 * t192 - t43 * t191 - t45 * t189;
+    let t194 = t183 * t29 - t32 * t193 - t34 * t192 - t35 * t191 - t37 * t189;
+    let t195 = -(t23 * t194) - t25 * t193 - t27 * t189;
+    let t196 = -(t14 * t195) - t16 * t194 - t14 * t193 + t17 * t189;
+    let slider_v_y_dot_by_rod_inertia = -(inverse_slider_mass * t191)
+        - inverse_slider_mass * t190;
+    let slider_v_x_dot_by_rod_inertia = -(inverse_slider_mass * t192);
+    let rod_omega_dot_by_rod_inertia = -(rod_omega_dot * inverse_rod_inertia) - t8 * t194
+        + t9 * t193 - t8 * t192 + t9 * t191;
+    let rod_v_y_dot_by_rod_inertia = inverse_rod_mass * t191 - inverse_rod_mass * t193;
+    let rod_v_x_dot_by_rod_inertia = inverse_rod_mass * t192 - inverse_rod_mass * t194;
+    let crank_omega_dot_by_rod_inertia = t7 * t195 - t6 * t196 - t6 * t194 + t7 * t193
+        - inverse_crank_inertia * t189;
+    let crank_v_y_dot_by_rod_inertia = inverse_crank_mass * t193
+        - inverse_crank_mass * t195;
+    let crank_v_x_dot_by_rod_inertia = inverse_crank_mass * t194
+        - inverse_crank_mass * t196;
+    let inverse_rod_mass_times_rod_mass = inverse_rod_mass * p.rod_mass;
+    let t197 = -inverse_rod_mass_times_rod_mass;
+    let t198 = t41 * inverse_rod_mass_times_rod_mass;
+    let t199 = t197 - t43 * inverse_rod_mass_times_rod_mass + t48 * t198;
+    let t200 = t52 * t199;
+    let t201 = (t50 * t198 - t45 * inverse_rod_mass_times_rod_mass - t54 * t199
+        - t57 * t200) * t58;
+    let t202 = t200 * t55 - t57 * t201;
+    let t203 = t199 * t51 + t52 * t202 - t54 * t201;
+    let t204 = -(t198 * t46) - t48 * t203 - t50 * t201;
+    let t205 = inverse_rod_mass_times_rod_mass * t39 - t41 * t204 - t43 * t203
+        - t45 * t201;
+    let t206 = -(t32 * t205) - t34 * t204 - t35 * t203 - t37 * t201;
+    let t207 = -(t23 * t206) - t25 * t205 - t27 * t201;
+    let t208 = -(t14 * t207) - t16 * t206 - t14 * t205 + t17 * t201;
+    let slider_v_y_dot_by_rod_gravity = -(inverse_slider_mass * t203)
+        - inverse_slider_mass * t202;
+    let slider_v_x_dot_by_rod_gravity = -(inverse_slider_mass * t204);
+    let rod_omega_dot_by_rod_gravity = t9 * t205 - t8 * t206 - t8 * t204 + t9 * t203;
+    let rod_v_y_dot_by_rod_gravity = t197 - inverse_rod_mass * t205
+        + inverse_rod_mass * t203;
+    let rod_v_x_dot_by_rod_gravity = inverse_rod_mass * t204 - inverse_rod_mass * t206;
+    let crank_omega_dot_by_rod_gravity = t7 * t207 - t6 * t208 - t6 * t206 + t7 * t205
+        - inverse_crank_inertia * t201;
+    let crank_v_y_dot_by_rod_gravity = inverse_crank_mass * t205
+        - inverse_crank_mass * t207;
+    let crank_v_x_dot_by_rod_gravity = inverse_crank_mass * t206
+        - inverse_crank_mass * t208;
+    let t209 = inverse_slider_mass * (inverse_slider_mass * t76);
+    let t210 = inverse_slider_mass * (-p.slider_gravity - slider_v_y_dot);
+    let t211 = t48 * t209 - t210;
+    let t212 = t52 * t211 - t210;
+    let t213 = (t50 * t209 - t54 * t211 - t57 * t212) * t58;
+    let t214 = t212 * t55 - t57 * t213;
+    let t215 = t211 * t51 + t52 * t214 - t54 * t213;
+    let t216 = -(t209 * t46) - t48 * t215 - t50 * t213;
+    let t217 = -(t41 * t216) - t43 * t215 - t45 * t213;
+    let t218 = -(t32 * t217) - t34 * t216 - t35 * t215 - t37 * t213;
+    let t219 = -(t23 * t218) - t25 * t217 - t27 * t213;
+    let t220 = -(t14 * t219) - t16 * t218 - t14 * t217 + t17 * t213;
+    let slider_v_y_dot_by_slider_mass = t210 - inverse_slider_mass * t215
+        - inverse_slider_mass * t214;
+    let slider_v_x_dot_by_slider_mass = t209 - inverse_slider_mass * t216;
+    let rod_omega_dot_by_slider_mass = t9 * t217 - t8 * t218 - t8 * t216 + t9 * t215;
+    let rod_v_y_dot_by_slider_mass = inverse_rod_mass * t215 - inverse_rod_mass * t217;
+    let rod_v_x_dot_by_slider_mass = inverse_rod_mass * t216 - inverse_rod_mass * t218;
+    let crank_omega_dot_by_slider_mass = t7 * t219 - t6 * t220 - t6 * t218 + t7 * t217
+        - inverse_crank_inertia * t213;
+    let crank_v_y_dot_by_slider_mass = inverse_crank_mass * t217
+        - inverse_crank_mass * t219;
+    let crank_v_x_dot_by_slider_mass = inverse_crank_mass * t218
+        - inverse_crank_mass * t220;
+    let t221 = inverse_slider_mass * p.slider_mass;
+    let t222 = t221 + t52 * t221;
+    let t223 = (-(t54 * t221) - t57 * t222) * t58;
+    let t224 = t222 * t55 - t57 * t223;
+    let t225 = t221 * t51 + t52 * t224 - t54 * t223;
+    let t226 = -(t48 * t225) - t50 * t223;
+    let t227 = -(t41 * t226) - t43 * t225 - t45 * t223;
+    let t228 = -(t32 * t227) - t34 * t226 - t35 * t225 - t37 * t223;
+    let t229 = -(t23 * t228) - t25 * t227 - t27 * t223;
+    let t230 = -(t14 * t229) - t16 * t228 - t14 * t227 + t17 * t223;
+    let slider_v_y_dot_by_slider_gravity = -t221 - inverse_slider_mass * t225
+        - inverse_slider_mass * t224;
+    let slider_v_x_dot_by_slider_gravity = -(inverse_slider_mass * t226);
+    let rod_omega_dot_by_slider_gravity = t9 * t227 - t8 * t228 - t8 * t226 + t9 * t225;
+    let rod_v_y_dot_by_slider_gravity = inverse_rod_mass * t225
+        - inverse_rod_mass * t227;
+    let rod_v_x_dot_by_slider_gravity = inverse_rod_mass * t226
+        - inverse_rod_mass * t228;
+    let crank_omega_dot_by_slider_gravity = t7 * t229 - t6 * t230 - t6 * t228 + t7 * t227
+        - inverse_crank_inertia * t223;
+    let crank_v_y_dot_by_slider_gravity = inverse_crank_mass * t227
+        - inverse_crank_mass * t229;
+    let crank_v_x_dot_by_slider_gravity = inverse_crank_mass * t228
+        - inverse_crank_mass * t230;
+    [
+        crank_v_x_dot_by_crank_length,
+        crank_v_x_dot_by_crank_mass,
+        crank_v_x_dot_by_crank_inertia,
+        crank_v_x_dot_by_crank_gravity,
+        crank_v_x_dot_by_rod_length,
+        crank_v_x_dot_by_rod_mass,
+        crank_v_x_dot_by_rod_inertia,
+        crank_v_x_dot_by_rod_gravity,
+        crank_v_x_dot_by_slider_mass,
+        crank_v_x_dot_by_slider_gravity,
+        crank_v_y_dot_by_crank_length,
+        crank_v_y_dot_by_crank_mass,
+        crank_v_y_dot_by_crank_inertia,
+        crank_v_y_dot_by_crank_gravity,
+        crank_v_y_dot_by_rod_length,
+        crank_v_y_dot_by_rod_mass,
+        crank_v_y_dot_by_rod_inertia,
+        crank_v_y_dot_by_rod_gravity,
+        crank_v_y_dot_by_slider_mass,
+        crank_v_y_dot_by_slider_gravity,
+        crank_omega_dot_by_crank_length,
+        crank_omega_dot_by_crank_mass,
+        crank_omega_dot_by_crank_inertia,
+        crank_omega_dot_by_crank_gravity,
+        crank_omega_dot_by_rod_length,
+        crank_omega_dot_by_rod_mass,
+        crank_omega_dot_by_rod_inertia,
+        crank_omega_dot_by_rod_gravity,
+        crank_omega_dot_by_slider_mass,
+        crank_omega_dot_by_slider_gravity,
+        rod_v_x_dot_by_crank_length,
+        rod_v_x_dot_by_crank_mass,
+        rod_v_x_dot_by_crank_inertia,
+        rod_v_x_dot_by_crank_gravity,
+        rod_v_x_dot_by_rod_length,
+        rod_v_x_dot_by_rod_mass,
+        rod_v_x_dot_by_rod_inertia,
+        rod_v_x_dot_by_rod_gravity,
+        rod_v_x_dot_by_slider_mass,
+        rod_v_x_dot_by_slider_gravity,
+        rod_v_y_dot_by_crank_length,
+        rod_v_y_dot_by_crank_mass,
+        rod_v_y_dot_by_crank_inertia,
+        rod_v_y_dot_by_crank_gravity,
+        rod_v_y_dot_by_rod_length,
+        rod_v_y_dot_by_rod_mass,
+        rod_v_y_dot_by_rod_inertia,
+        rod_v_y_dot_by_rod_gravity,
+        rod_v_y_dot_by_slider_mass,
+        rod_v_y_dot_by_slider_gravity,
+        rod_omega_dot_by_crank_length,
+        rod_omega_dot_by_crank_mass,
+        rod_omega_dot_by_crank_inertia,
+        rod_omega_dot_by_crank_gravity,
+        rod_omega_dot_by_rod_length,
+        rod_omega_dot_by_rod_mass,
+        rod_omega_dot_by_rod_inertia,
+        rod_omega_dot_by_rod_gravity,
+        rod_omega_dot_by_slider_mass,
+        rod_omega_dot_by_slider_gravity,
+        slider_v_x_dot_by_crank_length,
+        slider_v_x_dot_by_crank_mass,
+        slider_v_x_dot_by_crank_inertia,
+        slider_v_x_dot_by_crank_gravity,
+        slider_v_x_dot_by_rod_length,
+        slider_v_x_dot_by_rod_mass,
+        slider_v_x_dot_by_rod_inertia,
+        slider_v_x_dot_by_rod_gravity,
+        slider_v_x_dot_by_slider_mass,
+        slider_v_x_dot_by_slider_gravity,
+        slider_v_y_dot_by_crank_length,
+        slider_v_y_dot_by_crank_mass,
+        slider_v_y_dot_by_crank_inertia,
+        slider_v_y_dot_by_crank_gravity,
+        slider_v_y_dot_by_rod_length,
+        slider_v_y_dot_by_rod_mass,
+        slider_v_y_dot_by_rod_inertia,
+        slider_v_y_dot_by_rod_gravity,
+        slider_v_y_dot_by_slider_mass,
+        slider_v_y_dot_by_slider_gravity,
+    ]
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// No operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Wanted outputs.
+///
+/// 232 operations.
+#[must_use]
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
+    let [_, _, crank_phi, _, _, rod_phi, slider_x, _, _, _, crank_omega, _, _, rod_omega,
+    slider_v_x, ..] = *state;
+    let cos_crank_phi = crank_phi.cos();
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = t0 * cos_crank_phi;
+    let sin_crank_phi = crank_phi.sin();
+    let t2 = t0 * sin_crank_phi;
+    let cos_rod_phi = rod_phi.cos();
+    let t3 = R::literal(0.5) * p.rod_length;
+    let t4 = t3 * cos_rod_phi;
+    let sin_rod_phi = rod_phi.sin();
+    let t5 = t3 * sin_rod_phi;
+    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
+    let minus_inverse_crank_mass = -inverse_crank_mass;
+    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
+    let t6 = t2 * inverse_crank_inertia;
+    let t7 = t1 * inverse_crank_inertia;
+    let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
+    let minus_inverse_rod_mass = -inverse_rod_mass;
+    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
+    let t8 = t5 * inverse_rod_inertia;
+    let t9 = t4 * inverse_rod_inertia;
+    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
+    let t10 = t6 * t2;
+    let t11 = minus_inverse_crank_mass - t10;
+    let t12 = R::literal(1.0) / t11;
+    let t13 = t7 * t2;
+    let t14 = t13 * t12;
+    let t15 = inverse_crank_mass - t10;
+    let t16 = t15 * t12;
+    let t17 = t6 * t12;
+    let t18 = t7 * t1;
+    let t19 = minus_inverse_crank_mass - t18;
+    let t20 = t14 * t13;
+    let t21 = R::literal(1.0) / (t19 - t20);
+    let t22 = t6 * t1 - t16 * t13;
+    let t23 = t22 * t21;
+    let t24 = inverse_crank_mass - t18 - t20;
+    let t25 = t24 * t21;
+    let t26 = t7 + t17 * t13;
+    let t27 = t26 * t21;
+    let t28 = t8 * t5;
+    let t29 = R::literal(1.0) / (t11 - inverse_rod_mass - t28 - t16 * t15 - t23 * t22);
+    let t30 = t9 * t5;
+    let t31 = t13 + t30 - t14 * t15 - t25 * t22;
+    let t32 = t31 * t29;
+    let t33 = inverse_rod_mass - t28;
+    let t34 = t33 * t29;
+    let t35 = t30 * t29;
+    let t36 = t17 * t15 - t6 - t27 * t22;
+    let t37 = t36 * t29;
+    let t38 = t9 * t4;
+    let t39 = R::literal(1.0)
+        / (t19 - inverse_rod_mass - t38 - t20 - t25 * t24 - t32 * t31);
+    let t40 = t8 * t4 - t34 * t31;
+    let t41 = t40 * t39;
+    let t42 = inverse_rod_mass - t38 - t35 * t31;
+    let t43 = t42 * t39;
+    let t44 = t26 - t27 * t24 - t37 * t31;
+    let t45 = t44 * t39;
+    let t46 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t28 - inverse_slider_mass - t34 * t33 - t41 * t40);
+    let t47 = t30 - t35 * t33 - t43 * t40;
+    let t48 = t47 * t46;
+    let t49 = -(t37 * t33) - t45 * t40;
+    let t50 = t49 * t46;
+    let t51 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t38 - inverse_slider_mass - t35 * t30 - t43 * t42
+            - t48 * t47);
+    let t52 = inverse_slider_mass * t51;
+    let t53 = -(t37 * t30) - t45 * t42 - t50 * t47;
+    let t54 = t53 * t51;
+    let t55 = R::literal(1.0) / (-inverse_slider_mass - t52 * inverse_slider_mass);
+    let t56 = t54 * inverse_slider_mass;
+    let t57 = t56 * t55;
+    let t58 = R::literal(1.0)
+        / (-inverse_crank_inertia - t17 * t6 - t27 * t26 - t37 * t36 - t45 * t44
+            - t50 * t49 - t54 * t53 - t57 * t56);
+    let crank_omega_squared = crank_omega * crank_omega;
+    let t59 = t0 * crank_omega_squared;
+    let t60 = t59 * cos_crank_phi;
+    let t61 = p.crank_length * crank_omega_squared;
+    let rod_omega_squared = rod_omega * rod_omega;
+    let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
+    let t62 = t3 * rod_omega_squared;
+    let t63 = inverse_crank_mass * (p.crank_mass * p.crank_gravity);
+    let t64 = t14 * t60;
+    let t65 = t63 - t59 * sin_crank_phi + t64;
+    let t66 = t16 * t60
+        - R::literal(0.5)
+            * (t61 * cos_crank_phi + rod_length_times_rod_omega_squared * cos_rod_phi)
+        - t23 * t65;
+    let t67 = inverse_rod_mass * (p.rod_mass * p.rod_gravity);
+    let t68 = -(R::literal(0.5)
+        * (t61 * sin_crank_phi + rod_length_times_rod_omega_squared * sin_rod_phi)) - t63
+        + t67 + t64 - t25 * t65 - t32 * t66;
+    let t69 = -(t62 * cos_rod_phi) - t34 * t66 - t41 * t68;
+    let t70 = inverse_slider_mass * (p.slider_mass * p.slider_gravity);
+    let t71 = -(t62 * sin_rod_phi) - t67 + t70 - t35 * t66 - t43 * t68 - t48 * t69;
+    let t72 = t70 + t52 * t71;
+    let t73 = t72 * t55;
+    let t74 = (-(t17 * t60) - t27 * t65 - t37 * t66 - t45 * t68 - t50 * t69 - t54 * t71
+        - t57 * t72) * t58;
+    let t75 = t57 * t74;
+    let slider_v_x_dot = -(inverse_slider_mass
+        * (t69 * t46 - t48 * (t71 * t51 + t52 * (t73 - t75) - t54 * t74) - t50 * t74));
+    let guide = t75 - t73;
+    let drive = -t74;
+    Outputs {
+        angle: crank_phi,
+        rod_angle: rod_phi,
+        stroke: slider_x,
+        slider_speed: slider_v_x,
+        slider_acceleration: slider_v_x_dot,
+        torque: drive,
+        guide_force: guide,
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 33 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [_, crank_y, _, _, rod_y, _, _, slider_y, crank_v_x, crank_v_y, crank_omega,
+    rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
+    let t0 = R::literal(0.5) * p.crank_mass
+        * (crank_v_x * crank_v_x + crank_v_y * crank_v_y)
+        + R::literal(0.5) * p.crank_inertia * (crank_omega * crank_omega)
+        + R::literal(0.5) * p.rod_mass * (rod_v_x * rod_v_x + rod_v_y * rod_v_y)
+        + R::literal(0.5) * p.rod_inertia * (rod_omega * rod_omega);
+    Energy {
+        kinetic: t0
+            + R::literal(0.5) * p.slider_mass
+                * (slider_v_x * slider_v_x + slider_v_y * slider_v_y),
+        potential: p.crank_mass * p.crank_gravity * crank_y
+            + p.rod_mass * p.rod_gravity * rod_y
+            + p.slider_mass * p.slider_gravity * slider_y,
+        stored: R::literal(0.0),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 330 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [_, _, crank_phi, _, _, rod_phi, _, _, crank_v_x, crank_v_y, crank_omega,
+    rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
+    let cos_crank_phi = crank_phi.cos();
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = t0 * cos_crank_phi;
+    let sin_crank_phi = crank_phi.sin();
+    let t2 = t0 * sin_crank_phi;
+    let cos_rod_phi = rod_phi.cos();
+    let t3 = R::literal(0.5) * p.rod_length;
+    let t4 = t3 * cos_rod_phi;
+    let sin_rod_phi = rod_phi.sin();
+    let t5 = t3 * sin_rod_phi;
+    let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
+    let minus_inverse_crank_mass = -inverse_crank_mass;
+    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
+    let t6 = t2 * inverse_crank_inertia;
+    let t7 = t1 * inverse_crank_inertia;
+    let inverse_rod_mass = R::literal(1.0) / p.rod_mass;
+    let minus_inverse_rod_mass = -inverse_rod_mass;
+    let inverse_rod_inertia = R::literal(1.0) / p.rod_inertia;
+    let t8 = t5 * inverse_rod_inertia;
+    let t9 = t4 * inverse_rod_inertia;
+    let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
+    let t10 = t6 * t2;
+    let t11 = minus_inverse_crank_mass - t10;
+    let t12 = R::literal(1.0) / t11;
+    let t13 = t7 * t2;
+    let t14 = t13 * t12;
+    let t15 = inverse_crank_mass - t10;
+    let t16 = t15 * t12;
+    let t17 = t6 * t12;
+    let t18 = t7 * t1;
+    let t19 = minus_inverse_crank_mass - t18;
+    let t20 = t14 * t13;
+    let t21 = R::literal(1.0) / (t19 - t20);
+    let t22 = t6 * t1 - t16 * t13;
+    let t23 = t22 * t21;
+    let t24 = inverse_crank_mass - t18 - t20;
+    let t25 = t24 * t21;
+    let t26 = t7 + t17 * t13;
+    let t27 = t26 * t21;
+    let t28 = t8 * t5;
+    let t29 = R::literal(1.0) / (t11 - inverse_rod_mass - t28 - t16 * t15 - t23 * t22);
+    let t30 = t9 * t5;
+    let t31 = t13 + t30 - t14 * t15 - t25 * t22;
+    let t32 = t31 * t29;
+    let t33 = inverse_rod_mass - t28;
+    let t34 = t33 * t29;
+    let t35 = t30 * t29;
+    let t36 = t17 * t15 - t6 - t27 * t22;
+    let t37 = t36 * t29;
+    let t38 = t9 * t4;
+    let t39 = R::literal(1.0)
+        / (t19 - inverse_rod_mass - t38 - t20 - t25 * t24 - t32 * t31);
+    let t40 = t8 * t4 - t34 * t31;
+    let t41 = t40 * t39;
+    let t42 = inverse_rod_mass - t38 - t35 * t31;
+    let t43 = t42 * t39;
+    let t44 = t26 - t27 * t24 - t37 * t31;
+    let t45 = t44 * t39;
+    let t46 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t28 - inverse_slider_mass - t34 * t33 - t41 * t40);
+    let t47 = t30 - t35 * t33 - t43 * t40;
+    let t48 = t47 * t46;
+    let t49 = -(t37 * t33) - t45 * t40;
+    let t50 = t49 * t46;
+    let t51 = R::literal(1.0)
+        / (minus_inverse_rod_mass - t38 - inverse_slider_mass - t35 * t30 - t43 * t42
+            - t48 * t47);
+    let t52 = inverse_slider_mass * t51;
+    let t53 = -(t37 * t30) - t45 * t42 - t50 * t47;
+    let t54 = t53 * t51;
+    let t55 = R::literal(1.0) / (-inverse_slider_mass - t52 * inverse_slider_mass);
+    let t56 = t54 * inverse_slider_mass;
+    let t57 = t56 * t55;
+    let t58 = R::literal(1.0)
+        / (-inverse_crank_inertia - t17 * t6 - t27 * t26 - t37 * t36 - t45 * t44
+            - t50 * t49 - t54 * t53 - t57 * t56);
+    let crank_mass_times_crank_gravity = p.crank_mass * p.crank_gravity;
+    let rod_mass_times_rod_gravity = p.rod_mass * p.rod_gravity;
+    let slider_mass_times_slider_gravity = p.slider_mass * p.slider_gravity;
+    let crank_omega_squared = crank_omega * crank_omega;
+    let t59 = t0 * crank_omega_squared;
+    let t60 = t59 * cos_crank_phi;
+    let t61 = p.crank_length * crank_omega_squared;
+    let rod_omega_squared = rod_omega * rod_omega;
+    let rod_length_times_rod_omega_squared = p.rod_length * rod_omega_squared;
+    let t62 = t3 * rod_omega_squared;
+    let t63 = inverse_crank_mass * crank_mass_times_crank_gravity;
+    let t64 = t14 * t60;
+    let t65 = t63 - t59 * sin_crank_phi + t64;
+    let t66 = t16 * t60
+        - R::literal(0.5)
+            * (t61 * cos_crank_phi + rod_length_times_rod_omega_squared * cos_rod_phi)
+        - t23 * t65;
+    let t67 = inverse_rod_mass * rod_mass_times_rod_gravity;
+    let t68 = -(R::literal(0.5)
+        * (t61 * sin_crank_phi + rod_length_times_rod_omega_squared * sin_rod_phi)) - t63
+        + t67 + t64 - t25 * t65 - t32 * t66;
+    let t69 = -(t62 * cos_rod_phi) - t34 * t66 - t41 * t68;
+    let t70 = inverse_slider_mass * slider_mass_times_slider_gravity;
+    let t71 = -(t62 * sin_rod_phi) - t67 + t70 - t35 * t66 - t43 * t68 - t48 * t69;
+    let t72 = t70 + t52 * t71;
+    let t73 = (-(t17 * t60) - t27 * t65 - t37 * t66 - t45 * t68 - t50 * t69 - t54 * t71
+        - t57 * t72) * t58;
+    let t74 = t72 * t55 - t57 * t73;
+    let t75 = t71 * t51 + t52 * t74 - t54 * t73;
+    let t76 = t69 * t46 - t48 * t75 - t50 * t73;
+    let t77 = t68 * t39 - t41 * t76 - t43 * t75 - t45 * t73;
+    let t78 = t66 * t29 - t32 * t77 - t34 * t76 - t35 * t75 - t37 * t73;
+    let t79 = t65 * t21 - t23 * t78 - t25 * t77 - t27 * t73;
+    let t80 = -(t60 * t12) - t14 * t79 - t16 * t78 - t14 * t77 + t17 * t73;
+    let slider_v_y_dot = -t70 - inverse_slider_mass * t75 - inverse_slider_mass * t74;
+    let rod_omega_dot = t9 * t77 - t8 * t78 - t8 * t76 + t9 * t75;
+    let rod_v_y_dot = -t67 - inverse_rod_mass * t77 + inverse_rod_mass * t75;
+    let rod_v_x_dot = inverse_rod_mass * t76 - inverse_rod_mass * t78;
+    let crank_omega_dot = t7 * t79 - t6 * t80 - t6 * t78 + t7 * t77
+        - inverse_crank_inertia * t73;
+    let crank_v_y_dot = -t63 - inverse_crank_mass * t79 + inverse_crank_mass * t77;
+    let crank_v_x_dot = inverse_crank_mass * t78 - inverse_crank_mass * t80;
+    let t81 = crank_mass_times_crank_gravity * crank_v_y
+        + rod_mass_times_rod_gravity * rod_v_y
+        + slider_mass_times_slider_gravity * slider_v_y
+        + p.crank_mass * crank_v_x * crank_v_x_dot
+        + p.crank_mass * crank_v_y * crank_v_y_dot
+        + p.crank_inertia * crank_omega * crank_omega_dot
+        + p.rod_mass * rod_v_x * rod_v_x_dot + p.rod_mass * rod_v_y * rod_v_y_dot
+        + p.rod_inertia * rod_omega * rod_omega_dot;
+    PowerBalance {
+        stored_rate: t81 - p.slider_mass * slider_v_x * (inverse_slider_mass * t76)
+            + p.slider_mass * slider_v_y * slider_v_y_dot,
+        supplied: -(p.speed * t73),
+        dissipated: R::literal(0.0),
+    }
+}
+
+/// `g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.
+///
+/// 25 operations.
+#[must_use]
+pub fn constraint_values<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; CONSTRAINTS] {
+    let [crank_x, crank_y, crank_phi, rod_x, rod_y, rod_phi, slider_x, slider_y, ..] = *state;
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = t0 * crank_phi.cos();
+    let crank_start_x = crank_x - t1;
+    let t2 = t0 * crank_phi.sin();
+    let crank_start_y = crank_y - t2;
+    let crank_end_x = crank_x + t1;
+    let crank_end_y = crank_y + t2;
+    let t3 = R::literal(0.5) * p.rod_length;
+    let t4 = t3 * rod_phi.cos();
+    let rod_start_x = rod_x - t4;
+    let t5 = t3 * rod_phi.sin();
+    let rod_start_y = rod_y - t5;
+    let rod_end_x = rod_x + t4;
+    let rod_end_y = rod_y + t5;
+    let pin_a_x_value = rod_start_x - crank_end_x;
+    let pin_a_y_value = rod_start_y - crank_end_y;
+    let pin_b_x_value = slider_x - rod_end_x;
+    let pin_b_y_value = slider_y - rod_end_y;
+    let drive_value = crank_phi - p.start - p.speed * time;
+    [
+        crank_start_x,
+        crank_start_y,
+        pin_a_x_value,
+        pin_a_y_value,
+        pin_b_x_value,
+        pin_b_y_value,
+        slider_y,
+        drive_value,
+    ]
+}
+
+/// `g'`, zero on the constraints too.
+///
+/// 25 operations.
+#[must_use]
+pub fn constraint_rates<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; CONSTRAINTS] {
+    let [_, _, crank_phi, _, _, rod_phi, _, _, crank_v_x, crank_v_y, crank_omega,
+    rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
+    let t0 = R::literal(0.5) * p.crank_length * crank_omega;
+    let t1 = t0 * crank_phi.sin();
+    let pin_o_x_rate = crank_v_x + t1;
+    let t2 = t0 * crank_phi.cos();
+    let pin_o_y_rate = crank_v_y - t2;
+    let t3 = R::literal(0.5) * p.rod_length * rod_omega;
+    let t4 = t3 * rod_phi.sin();
+    let pin_a_x_rate = rod_v_x + t1 + t4 - crank_v_x;
+    let t5 = t3 * rod_phi.cos();
+    let pin_a_y_rate = rod_v_y - crank_v_y - t2 - t5;
+    let pin_b_x_rate = slider_v_x + t4 - rod_v_x;
+    let pin_b_y_rate = slider_v_y - rod_v_y - t5;
+    let drive_rate = crank_omega - p.speed;
+    [
+        pin_o_x_rate,
+        pin_o_y_rate,
+        pin_a_x_rate,
+        pin_a_y_rate,
+        pin_b_x_rate,
+        pin_b_y_rate,
+        slider_v_y,
+        drive_rate,
+    ]
+}
+
+/// `G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.
+///
+/// 12 operations.
+#[must_use]
+pub fn constraint_matrix<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 20] {
+    let [_, _, crank_phi, _, _, rod_phi, ..] = *state;
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = t0 * crank_phi.sin();
+    let t2 = R::literal(0.5) * p.rod_length;
+    let t3 = t2 * rod_phi.sin();
+    let t4 = -(t0 * crank_phi.cos());
+    let t5 = -(t2 * rod_phi.cos());
+    [
+        R::literal(1.0),
+        t1,
+        R::literal(1.0),
+        t4,
+        R::literal(-1.0),
+        t1,
+        R::literal(1.0),
+        t3,
+        R::literal(-1.0),
+        t4,
+        R::literal(1.0),
+        t5,
+        R::literal(-1.0),
+        t3,
+        R::literal(1.0),
+        R::literal(-1.0),
+        t5,
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+    ]
+}
+
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 322 recurrences. 134 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_5, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_6, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_7, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_8, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_9, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_10, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_11, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_12, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_13, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let [_, _, crank_phi, _, _, rod_phi, _, _, crank_v_x, crank_v_y, crank_omega,
+    rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
+    let sin_crank_phi = crank_phi.sin();
+    let cos_crank_phi = crank_phi.cos();
+    let t0 = R::literal(0.5) * p.crank_length;
+    let t1 = cos_crank_phi * t0;
+    let t2 = sin_crank_phi * t0;
+    let sin_rod_phi = rod_phi.sin();
+    let cos_rod_phi = rod_phi.cos();
+    let t3 = R::literal(0.5) * p.rod_length;
+    let t4 = cos_rod_phi * t3;
+    let t5 = sin_rod_phi * t3;
+    let t6 = R::literal(1.0) / p.crank_mass;
+    let t7 = -t6;
+    let t8 = R::literal(1.0) / p.crank_inertia;
+    let t9 = t2 * t8;
+    let t10 = t1 * t8;
+    let t11 = R::literal(1.0) / p.rod_mass;
+    let t12 = -t11;
+    let t13 = R::literal(1.0) / p.rod_inertia;
+    let t14 = t5 * t13;
+    let t15 = t4 * t13;
+    let t16 = R::literal(1.0) / p.slider_mass;
+    let t17 = t9 * t2;
+    let t18 = t7 - t17;
+    let t19 = R::literal(1.0) / t18;
+    let t20 = t10 * t2;
+    let t21 = t20 * t19;
+    let t22 = t6 - t17;
+    let t23 = t22 * t19;
+    let t24 = t9 * t19;
+    let t25 = t10 * t1;
+    let t26 = t7 - t25;
+    let t27 = t21 * t20;
+    let t28 = t26 - t27;
+    let t29 = R::literal(1.0) / t28;
+    let t30 = t9 * t1;
+    let t31 = t23 * t20;
+    let t32 = t30 - t31;
+    let t33 = t32 * t29;
+    let t34 = t6 - t25;
+    let t35 = t34 - t27;
+    let t36 = t35 * t29;
+    let t37 = t24 * t20;
+    let t38 = t10 + t37;
+    let t39 = t38 * t29;
+    let t40 = t18 - t11;
+    let t41 = t14 * t5;
+    let t42 = t40 - t41;
+    let t43 = t23 * t22;
+    let t44 = t42 - t43;
+    let t45 = t33 * t32;
+    let t46 = t44 - t45;
+    let t47 = R::literal(1.0) / t46;
+    let t48 = t15 * t5;
+    let t49 = t20 + t48;
+    let t50 = t21 * t22;
+    let t51 = t49 - t50;
+    let t52 = t36 * t32;
+    let t53 = t51 - t52;
+    let t54 = t53 * t47;
+    let t55 = t11 - t41;
+    let t56 = t55 * t47;
+    let t57 = t48 * t47;
+    let t58 = t24 * t22;
+    let t59 = t58 - t9;
+    let t60 = t39 * t32;
+    let t61 = t59 - t60;
+    let t62 = t61 * t47;
+    let t63 = t26 - t11;
+    let t64 = t15 * t4;
+    let t65 = t63 - t64;
+    let t66 = t65 - t27;
+    let t67 = t36 * t35;
+    let t68 = t66 - t67;
+    let t69 = t54 * t53;
+    let t70 = t68 - t69;
+    let t71 = R::literal(1.0) / t70;
+    let t72 = t14 * t4;
+    let t73 = t56 * t53;
+    let t74 = t72 - t73;
+    let t75 = t74 * t71;
+    let t76 = t11 - t64;
+    let t77 = t57 * t53;
+    let t78 = t76 - t77;
+    let t79 = t78 * t71;
+    let t80 = t39 * t35;
+    let t81 = t38 - t80;
+    let t82 = t62 * t53;
+    let t83 = t81 - t82;
+    let t84 = t83 * t71;
+    let t85 = t12 - t41;
+    let t86 = t85 - t16;
+    let t87 = t56 * t55;
+    let t88 = t86 - t87;
+    let t89 = t75 * t74;
+    let t90 = t88 - t89;
+    let t91 = R::literal(1.0) / t90;
+    let t92 = t57 * t55;
+    let t93 = t48 - t92;
+    let t94 = t79 * t74;
+    let t95 = t93 - t94;
+    let t96 = t95 * t91;
+    let t97 = t62 * t55;
+    let t98 = -t97;
+    let t99 = t84 * t74;
+    let t100 = t98 - t99;
+    let t101 = t100 * t91;
+    let t102 = t12 - t64;
+    let t103 = t102 - t16;
+    let t104 = t57 * t48;
+    let t105 = t103 - t104;
+    let t106 = t79 * t78;
+    let t107 = t105 - t106;
+    let t108 = t96 * t95;
+    let t109 = t107 - t108;
+    let t110 = R::literal(1.0) / t109;
+    let t111 = -t16;
+    let t112 = t110 * t16;
+    let t113 = t62 * t48;
+    let t114 = -t113;
+    let t115 = t84 * t78;
+    let t116 = t114 - t115;
+    let t117 = t101 * t95;
+    let t118 = t116 - t117;
+    let t119 = t118 * t110;
+    let t120 = t112 * t16;
+    let t121 = t111 - t120;
+    let t122 = R::literal(1.0) / t121;
+    let t123 = t119 * t16;
+    let t124 = t123 * t122;
+    let t125 = -t8;
+    let t126 = t24 * t9;
+    let t127 = t125 - t126;
+    let t128 = t39 * t38;
+    let t129 = t127 - t128;
+    let t130 = t62 * t61;
+    let t131 = t129 - t130;
+    let t132 = t84 * t83;
+    let t133 = t131 - t132;
+    let t134 = t101 * t100;
+    let t135 = t133 - t134;
+    let t136 = t119 * t118;
+    let t137 = t135 - t136;
+    let t138 = t124 * t123;
+    let t139 = t137 - t138;
+    let t140 = R::literal(1.0) / t139;
+    let t141 = p.crank_mass * p.crank_gravity;
+    let t142 = p.rod_mass * p.rod_gravity;
+    let t143 = p.slider_mass * p.slider_gravity;
+    let t144 = crank_omega * crank_omega;
+    let t145 = t144 * t0;
+    let t146 = t145 * cos_crank_phi;
+    let t147 = t145 * sin_crank_phi;
+    let t148 = t144 * p.crank_length;
+    let t149 = t148 * cos_crank_phi;
+    let t150 = rod_omega * rod_omega;
+    let t151 = t150 * p.rod_length;
+    let t152 = t151 * cos_rod_phi;
+    let t153 = t149 + t152;
+    let t154 = t153 * R::literal(0.5);
+    let t155 = t148 * sin_crank_phi;
+    let t156 = t151 * sin_rod_phi;
+    let t157 = t155 + t156;
+    let t158 = t157 * R::literal(0.5);
+    let t159 = -t158;
+    let t160 = t150 * t3;
+    let t161 = t160 * cos_rod_phi;
+    let t162 = -t161;
+    let t163 = t160 * sin_rod_phi;
+    let t164 = -t163;
+    let t165 = t6 * t141;
+    let t166 = -t165;
+    let t167 = t165 - t147;
+    let t168 = t21 * t146;
+    let t169 = t167 + t168;
+    let t170 = t23 * t146;
+    let t171 = t170 - t154;
+    let t172 = t33 * t169;
+    let t173 = t171 - t172;
+    let t174 = t159 - t165;
+    let t175 = t11 * t142;
+    let t176 = -t175;
+    let t177 = t174 + t175;
+    let t178 = t177 + t168;
+    let t179 = t36 * t169;
+    let t180 = t178 - t179;
+    let t181 = t54 * t173;
+    let t182 = t180 - t181;
+    let t183 = t56 * t173;
+    let t184 = t162 - t183;
+    let t185 = t75 * t182;
+    let t186 = t184 - t185;
+    let t187 = t164 - t175;
+    let t188 = t16 * t143;
+    let t189 = -t188;
+    let t190 = t187 + t188;
+    let t191 = t57 * t173;
+    let t192 = t190 - t191;
+    let t193 = t79 * t182;
+    let t194 = t192 - t193;
+    let t195 = t96 * t186;
+    let t196 = t194 - t195;
+    let t197 = t112 * t196;
+    let t198 = t188 + t197;
+    let t199 = t24 * t146;
+    let t200 = -t199;
+    let t201 = t39 * t169;
+    let t202 = t200 - t201;
+    let t203 = t62 * t173;
+    let t204 = t202 - t203;
+    let t205 = t84 * t182;
+    let t206 = t204 - t205;
+    let t207 = t101 * t186;
+    let t208 = t206 - t207;
+    let t209 = t119 * t196;
+    let t210 = t208 - t209;
+    let t211 = t124 * t198;
+    let t212 = t210 - t211;
+    let t213 = t146 * t19;
+    let t214 = -t213;
+    let t215 = t169 * t29;
+    let t216 = t173 * t47;
+    let t217 = t182 * t71;
+    let t218 = t186 * t91;
+    let t219 = t196 * t110;
+    let t220 = t198 * t122;
+    let t221 = t212 * t140;
+    let t222 = t124 * t221;
+    let t223 = t220 - t222;
+    let t224 = t112 * t223;
+    let t225 = t219 + t224;
+    let t226 = t119 * t221;
+    let t227 = t225 - t226;
+    let t228 = t96 * t227;
+    let t229 = t218 - t228;
+    let t230 = t101 * t221;
+    let t231 = t229 - t230;
+    let t232 = t75 * t231;
+    let t233 = t217 - t232;
+    let t234 = t79 * t227;
+    let t235 = t233 - t234;
+    let t236 = t84 * t221;
+    let t237 = t235 - t236;
+    let t238 = t54 * t237;
+    let t239 = t216 - t238;
+    let t240 = t56 * t231;
+    let t241 = t239 - t240;
+    let t242 = t57 * t227;
+    let t243 = t241 - t242;
+    let t244 = t62 * t221;
+    let t245 = t243 - t244;
+    let t246 = t33 * t245;
+    let t247 = t215 - t246;
+    let t248 = t36 * t237;
+    let t249 = t247 - t248;
+    let t250 = t39 * t221;
+    let t251 = t249 - t250;
+    let t252 = t21 * t251;
+    let t253 = t214 - t252;
+    let t254 = t23 * t245;
+    let t255 = t253 - t254;
+    let t256 = t21 * t237;
+    let t257 = t255 - t256;
+    let t258 = t24 * t221;
+    let t259 = t257 + t258;
+    let t260 = t227 * t16;
+    let t261 = t189 - t260;
+    let t262 = t223 * t16;
+    let slider_v_y_dot = t261 - t262;
+    let t263 = t231 * t16;
+    let slider_v_x_dot = -t263;
+    let t264 = t14 * t245;
+    let t265 = t15 * t237;
+    let t266 = t265 - t264;
+    let t267 = t14 * t231;
+    let t268 = t266 - t267;
+    let t269 = t15 * t227;
+    let rod_omega_dot = t268 + t269;
+    let t270 = t237 * t11;
+    let t271 = t176 - t270;
+    let t272 = t227 * t11;
+    let rod_v_y_dot = t271 + t272;
+    let t273 = t245 * t11;
+    let t274 = t231 * t11;
+    let rod_v_x_dot = t274 - t273;
+    let t275 = t9 * t259;
+    let t276 = t10 * t251;
+    let t277 = t276 - t275;
+    let t278 = t9 * t245;
+    let t279 = t277 - t278;
+    let t280 = t10 * t237;
+    let t281 = t279 + t280;
+    let t282 = t221 * t8;
+    let crank_omega_dot = t281 - t282;
+    let t283 = t251 * t6;
+    let t284 = t166 - t283;
+    let t285 = t237 * t6;
+    let crank_v_y_dot = t284 + t285;
+    let t286 = t259 * t6;
+    let t287 = t245 * t6;
+    let crank_v_x_dot = t287 - t286;
+    let inverse_t18 = R::literal(1.0) / t18;
+    let inverse_t28 = R::literal(1.0) / t28;
+    let inverse_t46 = R::literal(1.0) / t46;
+    let inverse_t70 = R::literal(1.0) / t70;
+    let inverse_t90 = R::literal(1.0) / t90;
+    let inverse_t109 = R::literal(1.0) / t109;
+    let inverse_t121 = R::literal(1.0) / t121;
+    let inverse_t139 = R::literal(1.0) / t139;
+    let mut rates = [
+        crank_v_x,
+        crank_v_y,
+        crank_omega,
+        rod_v_x,
+        rod_v_y,
+        rod_omega,
+        slider_v_x,
+        slider_v_y,
+        crank_v_x_dot,
+        crank_v_y_dot,
+        crank_omega_dot,
+        rod_v_x_dot,
+        rod_v_y_dot,
+        rod_omega_dot,
+        slider_v_x_dot,
+        slider_v_y_dot,
+    ];
+    coefficients[0] = *state;
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [_, _, crank_phi_k, _, _, rod_phi_k, _, _, crank_v_x_k, crank_v_y_k,
+        crank_omega_k, rod_v_x_k, rod_v_y_k, rod_omega_k, slider_v_x_k, slider_v_y_k] = *state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let sums_4 = lanes_4.sums(order);
+        let sums_5 = lanes_5.sums(order);
+        let sums_6 = lanes_6.sums(order);
+        let sums_7 = lanes_7.sums(order);
+        let sums_8 = lanes_8.sums(order);
+        let sums_9 = lanes_9.sums(order);
+        let sums_10 = lanes_10.sums(order);
+        let sums_11 = lanes_11.sums(order);
+        let sums_12 = lanes_12.sums(order);
+        let sums_13 = lanes_13.sums(order);
+        let sin_crank_phi_k = inverse * sums[0] + crank_phi_k * cos_crank_phi;
+        let cos_crank_phi_k = -(inverse * sums[1] + crank_phi_k * sin_crank_phi);
+        let t1_k = cos_crank_phi_k * t0;
+        let t2_k = sin_crank_phi_k * t0;
+        let sin_rod_phi_k = inverse * sums[2] + rod_phi_k * cos_rod_phi;
+        let cos_rod_phi_k = -(inverse * sums[3] + rod_phi_k * sin_rod_phi);
+        let t4_k = cos_rod_phi_k * t3;
+        let t5_k = sin_rod_phi_k * t3;
+        let t9_k = t2_k * t8;
+        let t10_k = t1_k * t8;
+        let t14_k = t5_k * t13;
+        let t15_k = t4_k * t13;
+        let t17_k = sums[4] + t9 * t2_k + t9_k * t2;
+        let t18_k = -t17_k;
+        let t19_k = -(sums[5] + t18_k * t19) * inverse_t18;
+        let t20_k = sums[6] + t10 * t2_k + t10_k * t2;
+        let t21_k = sums[7] + t20 * t19_k + t20_k * t19;
+        let t22_k = -t17_k;
+        let t23_k = sums[8] + t22 * t19_k + t22_k * t19;
+        let t24_k = sums[9] + t9 * t19_k + t9_k * t19;
+        let t25_k = sums_1[0] + t10 * t1_k + t10_k * t1;
+        let t26_k = -t25_k;
+        let t27_k = sums_1[1] + t21 * t20_k + t21_k * t20;
+        let t28_k = t26_k - t27_k;
+        let t29_k = -(sums_1[2] + t28_k * t29) * inverse_t28;
+        let t30_k = sums_1[3] + t9 * t1_k + t9_k * t1;
+        let t31_k = sums_1[4] + t23 * t20_k + t23_k * t20;
+        let t32_k = t30_k - t31_k;
+        let t33_k = sums_1[5] + t32 * t29_k + t32_k * t29;
+        let t34_k = -t25_k;
+        let t35_k = t34_k - t27_k;
+        let t36_k = sums_1[6] + t35 * t29_k + t35_k * t29;
+        let t37_k = sums_1[7] + t24 * t20_k + t24_k * t20;
+        let t38_k = t10_k + t37_k;
+        let t39_k = sums_1[8] + t38 * t29_k + t38_k * t29;
+        let t41_k = sums_1[9] + t14 * t5_k + t14_k * t5;
+        let t42_k = t18_k - t41_k;
+        let t43_k = sums_2[0] + t23 * t22_k + t23_k * t22;
+        let t44_k = t42_k - t43_k;
+        let t45_k = sums_2[1] + t33 * t32_k + t33_k * t32;
+        let t46_k = t44_k - t45_k;
+        let t47_k = -(sums_2[2] + t46_k * t47) * inverse_t46;
+        let t48_k = sums_2[3] + t15 * t5_k + t15_k * t5;
+        let t49_k = t20_k + t48_k;
+        let t50_k = sums_2[4] + t21 * t22_k + t21_k * t22;
+        let t51_k = t49_k - t50_k;
+        let t52_k = sums_2[5] + t36 * t32_k + t36_k * t32;
+        let t53_k = t51_k - t52_k;
+        let t54_k = sums_2[6] + t53 * t47_k + t53_k * t47;
+        let t55_k = -t41_k;
+        let t56_k = sums_2[7] + t55 * t47_k + t55_k * t47;
+        let t57_k = sums_2[8] + t48 * t47_k + t48_k * t47;
+        let t58_k = sums_2[9] + t24 * t22_k + t24_k * t22;
+        let t59_k = t58_k - t9_k;
+        let t60_k = sums_3[0] + t39 * t32_k + t39_k * t32;
+        let t61_k = t59_k - t60_k;
+        let t62_k = sums_3[1] + t61 * t47_k + t61_k * t47;
+        let t64_k = sums_3[2] + t15 * t4_k + t15_k * t4;
+        let t65_k = t26_k - t64_k;
+        let t66_k = t65_k - t27_k;
+        let t67_k = sums_3[3] + t36 * t35_k + t36_k * t35;
+        let t68_k = t66_k - t67_k;
+        let t69_k = sums_3[4] + t54 * t53_k + t54_k * t53;
+        let t70_k = t68_k - t69_k;
+        let t71_k = -(sums_3[5] + t70_k * t71) * inverse_t70;
+        let t72_k = sums_3[6] + t14 * t4_k + t14_k * t4;
+        let t73_k = sums_3[7] + t56 * t53_k + t56_k * t53;
+        let t74_k = t72_k - t73_k;
+        let t75_k = sums_3[8] + t74 * t71_k + t74_k * t71;
+        let t76_k = -t64_k;
+        let t77_k = sums_3[9] + t57 * t53_k + t57_k * t53;
+        let t78_k = t76_k - t77_k;
+        let t79_k = sums_4[0] + t78 * t71_k + t78_k * t71;
+        let t80_k = sums_4[1] + t39 * t35_k + t39_k * t35;
+        let t81_k = t38_k - t80_k;
+        let t82_k = sums_4[2] + t62 * t53_k + t62_k * t53;
+        let t83_k = t81_k - t82_k;
+        let t84_k = sums_4[3] + t83 * t71_k + t83_k * t71;
+        let t85_k = -t41_k;
+        let t87_k = sums_4[4] + t56 * t55_k + t56_k * t55;
+        let t88_k = t85_k - t87_k;
+        let t89_k = sums_4[5] + t75 * t74_k + t75_k * t74;
+        let t90_k = t88_k - t89_k;
+        let t91_k = -(sums_4[6] + t90_k * t91) * inverse_t90;
+        let t92_k = sums_4[7] + t57 * t55_k + t57_k * t55;
+        let t93_k = t48_k - t92_k;
+        let t94_k = sums_4[8] + t79 * t74_k + t79_k * t74;
+        let t95_k = t93_k - t94_k;
+        let t96_k = sums_4[9] + t95 * t91_k + t95_k * t91;
+        let t97_k = sums_5[0] + t62 * t55_k + t62_k * t55;
+        let t98_k = -t97_k;
+        let t99_k = sums_5[1] + t84 * t74_k + t84_k * t74;
+        let t100_k = t98_k - t99_k;
+        let t101_k = sums_5[2] + t100 * t91_k + t100_k * t91;
+        let t102_k = -t64_k;
+        let t104_k = sums_5[3] + t57 * t48_k + t57_k * t48;
+        let t105_k = t102_k - t104_k;
+        let t106_k = sums_5[4] + t79 * t78_k + t79_k * t78;
+        let t107_k = t105_k - t106_k;
+        let t108_k = sums_5[5] + t96 * t95_k + t96_k * t95;
+        let t109_k = t107_k - t108_k;
+        let t110_k = -(sums_5[6] + t109_k * t110) * inverse_t109;
+        let t112_k = t110_k * t16;
+        let t113_k = sums_5[7] + t62 * t48_k + t62_k * t48;
+        let t114_k = -t113_k;
+        let t115_k = sums_5[8] + t84 * t78_k + t84_k * t78;
+        let t116_k = t114_k - t115_k;
+        let t117_k = sums_5[9] + t101 * t95_k + t101_k * t95;
+        let t118_k = t116_k - t117_k;
+        let t119_k = sums_6[0] + t118 * t110_k + t118_k * t110;
+        let t120_k = t112_k * t16;
+        let t121_k = -t120_k;
+        let t122_k = -(sums_6[1] + t121_k * t122) * inverse_t121;
+        let t123_k = t119_k * t16;
+        let t124_k = sums_6[2] + t123 * t122_k + t123_k * t122;
+        let t126_k = sums_6[3] + t24 * t9_k + t24_k * t9;
+        let t127_k = -t126_k;
+        let t128_k = sums_6[4] + t39 * t38_k + t39_k * t38;
+        let t129_k = t127_k - t128_k;
+        let t130_k = sums_6[5] + t62 * t61_k + t62_k * t61;
+        let t131_k = t129_k - t130_k;
+        let t132_k = sums_6[6] + t84 * t83_k + t84_k * t83;
+        let t133_k = t131_k - t132_k;
+        let t134_k = sums_6[7] + t101 * t100_k + t101_k * t100;
+        let t135_k = t133_k - t134_k;
+        let t136_k = sums_6[8] + t119 * t118_k + t119_k * t118;
+        let t137_k = t135_k - t136_k;
+        let t138_k = sums_6[9] + t124 * t123_k + t124_k * t123;
+        let t139_k = t137_k - t138_k;
+        let t140_k = -(sums_7[0] + t139_k * t140) * inverse_t139;
+        let t144_k = sums_7[1] + crank_omega * crank_omega_k
+            + crank_omega_k * crank_omega;
+        let t145_k = t144_k * t0;
+        let t146_k = sums_7[2] + t145 * cos_crank_phi_k + t145_k * cos_crank_phi;
+        let t147_k = sums_7[3] + t145 * sin_crank_phi_k + t145_k * sin_crank_phi;
+        let t148_k = t144_k * p.crank_length;
+        let t149_k = sums_7[4] + t148 * cos_crank_phi_k + t148_k * cos_crank_phi;
+        let t150_k = sums_7[5] + rod_omega * rod_omega_k + rod_omega_k * rod_omega;
+        let t151_k = t150_k * p.rod_length;
+        let t152_k = sums_7[6] + t151 * cos_rod_phi_k + t151_k * cos_rod_phi;
+        let t153_k = t149_k + t152_k;
+        let t154_k = t153_k * R::literal(0.5);
+        let t155_k = sums_7[7] + t148 * sin_crank_phi_k + t148_k * sin_crank_phi;
+        let t156_k = sums_7[8] + t151 * sin_rod_phi_k + t151_k * sin_rod_phi;
+        let t157_k = t155_k + t156_k;
+        let t158_k = t157_k * R::literal(0.5);
+        let t159_k = -t158_k;
+        let t160_k = t150_k * t3;
+        let t161_k = sums_7[9] + t160 * cos_rod_phi_k + t160_k * cos_rod_phi;
+        let t162_k = -t161_k;
+        let t163_k = sums_8[0] + t160 * sin_rod_phi_k + t160_k * sin_rod_phi;
+        let t164_k = -t163_k;
+        let t167_k = -t147_k;
+        let t168_k = sums_8[1] + t21 * t146_k + t21_k * t146;
+        let t169_k = t167_k + t168_k;
+        let t170_k = sums_8[2] + t23 * t146_k + t23_k * t146;
+        let t171_k = t170_k - t154_k;
+        let t172_k = sums_8[3] + t33 * t169_k + t33_k * t169;
+        let t173_k = t171_k - t172_k;
+        let t178_k = t159_k + t168_k;
+        let t179_k = sums_8[4] + t36 * t169_k + t36_k * t169;
+        let t180_k = t178_k - t179_k;
+        let t181_k = sums_8[5] + t54 * t173_k + t54_k * t173;
+        let t182_k = t180_k - t181_k;
+        let t183_k = sums_8[6] + t56 * t173_k + t56_k * t173;
+        let t184_k = t162_k - t183_k;
+        let t185_k = sums_8[7] + t75 * t182_k + t75_k * t182;
+        let t186_k = t184_k - t185_k;
+        let t191_k = sums_8[8] + t57 * t173_k + t57_k * t173;
+        let t192_k = t164_k - t191_k;
+        let t193_k = sums_8[9] + t79 * t182_k + t79_k * t182;
+        let t194_k = t192_k - t193_k;
+        let t195_k = sums_9[0] + t96 * t186_k + t96_k * t186;
+        let t196_k = t194_k - t195_k;
+        let t197_k = sums_9[1] + t112 * t196_k + t112_k * t196;
+        let t199_k = sums_9[2] + t24 * t146_k + t24_k * t146;
+        let t200_k = -t199_k;
+        let t201_k = sums_9[3] + t39 * t169_k + t39_k * t169;
+        let t202_k = t200_k - t201_k;
+        let t203_k = sums_9[4] + t62 * t173_k + t62_k * t173;
+        let t204_k = t202_k - t203_k;
+        let t205_k = sums_9[5] + t84 * t182_k + t84_k * t182;
+        let t206_k = t204_k - t205_k;
+        let t207_k = sums_9[6] + t101 * t186_k + t101_k * t186;
+        let t208_k = t206_k - t207_k;
+        let t209_k = sums_9[7] + t119 * t196_k + t119_k * t196;
+        let t210_k = t208_k - t209_k;
+        let t211_k = sums_9[8] + t124 * t197_k + t124_k * t198;
+        let t212_k = t210_k - t211_k;
+        let t213_k = sums_9[9] + t146 * t19_k + t146_k * t19;
+        let t214_k = -t213_k;
+        let t215_k = sums_10[0] + t169 * t29_k + t169_k * t29;
+        let t216_k = sums_10[1] + t173 * t47_k + t173_k * t47;
+        let t217_k = sums_10[2] + t182 * t71_k + t182_k * t71;
+        let t218_k = sums_10[3] + t186 * t91_k + t186_k * t91;
+        let t219_k = sums_10[4] + t196 * t110_k + t196_k * t110;
+        let t220_k = sums_10[5] + t198 * t122_k + t197_k * t122;
+        let t221_k = sums_10[6] + t212 * t140_k + t212_k * t140;
+        let t222_k = sums_10[7] + t124 * t221_k + t124_k * t221;
+        let t223_k = t220_k - t222_k;
+        let t224_k = sums_10[8] + t112 * t223_k + t112_k * t223;
+        let t225_k = t219_k + t224_k;
+        let t226_k = sums_10[9] + t119 * t221_k + t119_k * t221;
+        let t227_k = t225_k - t226_k;
+        let t228_k = sums_11[0] + t96 * t227_k + t96_k * t227;
+        let t229_k = t218_k - t228_k;
+        let t230_k = sums_11[1] + t101 * t221_k + t101_k * t221;
+        let t231_k = t229_k - t230_k;
+        let t232_k = sums_11[2] + t75 * t231_k + t75_k * t231;
+        let t233_k = t217_k - t232_k;
+        let t234_k = sums_11[3] + t79 * t227_k + t79_k * t227;
+        let t235_k = t233_k - t234_k;
+        let t236_k = sums_11[4] + t84 * t221_k + t84_k * t221;
+        let t237_k = t235_k - t236_k;
+        let t238_k = sums_11[5] + t54 * t237_k + t54_k * t237;
+        let t239_k = t216_k - t238_k;
+        let t240_k = sums_11[6] + t56 * t231_k + t56_k * t231;
+        let t241_k = t239_k - t240_k;
+        let t242_k = sums_11[7] + t57 * t227_k + t57_k * t227;
+        let t243_k = t241_k - t242_k;
+        let t244_k = sums_11[8] + t62 * t221_k + t62_k * t221;
+        let t245_k = t243_k - t244_k;
+        let t246_k = sums_11[9] + t33 * t245_k + t33_k * t245;
+        let t247_k = t215_k - t246_k;
+        let t248_k = sums_12[0] + t36 * t237_k + t36_k * t237;
+        let t249_k = t247_k - t248_k;
+        let t250_k = sums_12[1] + t39 * t221_k + t39_k * t221;
+        let t251_k = t249_k - t250_k;
+        let t252_k = sums_12[2] + t21 * t251_k + t21_k * t251;
+        let t253_k = t214_k - t252_k;
+        let t254_k = sums_12[3] + t23 * t245_k + t23_k * t245;
+        let t255_k = t253_k - t254_k;
+        let t256_k = sums_12[4] + t21 * t237_k + t21_k * t237;
+        let t257_k = t255_k - t256_k;
+        let t258_k = sums_12[5] + t24 * t221_k + t24_k * t221;
+        let t259_k = t257_k + t258_k;
+        let t260_k = t227_k * t16;
+        let t261_k = -t260_k;
+        let t262_k = t223_k * t16;
+        let slider_v_y_dot_k = t261_k - t262_k;
+        let t263_k = t231_k * t16;
+        let slider_v_x_dot_k = -t263_k;
+        let t264_k = sums_12[6] + t14 * t245_k + t14_k * t245;
+        let t265_k = sums_12[7] + t15 * t237_k + t15_k * t237;
+        let t266_k = t265_k - t264_k;
+        let t267_k = sums_12[8] + t14 * t231_k + t14_k * t231;
+        let t268_k = t266_k - t267_k;
+        let t269_k = sums_12[9] + t15 * t227_k + t15_k * t227;
+        let rod_omega_dot_k = t268_k + t269_k;
+        let t270_k = t237_k * t11;
+        let t271_k = -t270_k;
+        let t272_k = t227_k * t11;
+        let rod_v_y_dot_k = t271_k + t272_k;
+        let t273_k = t245_k * t11;
+        let t274_k = t231_k * t11;
+        let rod_v_x_dot_k = t274_k - t273_k;
+        let t275_k = sums_13[0] + t9 * t259_k + t9_k * t259;
+        let t276_k = sums_13[1] + t10 * t251_k + t10_k * t251;
+        let t277_k = t276_k - t275_k;
+        let t278_k = sums_13[2] + t9 * t245_k + t9_k * t245;
+        let t279_k = t277_k - t278_k;
+        let t280_k = sums_13[3] + t10 * t237_k + t10_k * t237;
+        let t281_k = t279_k + t280_k;
+        let t282_k = t221_k * t8;
+        let crank_omega_dot_k = t281_k - t282_k;
+        let t283_k = t251_k * t6;
+        let t284_k = -t283_k;
+        let t285_k = t237_k * t6;
+        let crank_v_y_dot_k = t284_k + t285_k;
+        let t286_k = t259_k * t6;
+        let t287_k = t245_k * t6;
+        let crank_v_x_dot_k = t287_k - t286_k;
+        lanes
+            .set(
+                order,
+                [
+                    k * crank_phi_k,
+                    k * crank_phi_k,
+                    k * rod_phi_k,
+                    k * rod_phi_k,
+                    t2_k,
+                    t18_k,
+                    t2_k,
+                    t19_k,
+                    t19_k,
+                    t9_k,
+                ],
+                [
+                    cos_crank_phi_k,
+                    sin_crank_phi_k,
+                    cos_rod_phi_k,
+                    sin_rod_phi_k,
+                    t9_k,
+                    t19_k,
+                    t10_k,
+                    t20_k,
+                    t22_k,
+                    t19_k,
+                ],
+            );
+        lanes_1
+            .set(
+                order,
+                [t1_k, t20_k, t28_k, t1_k, t20_k, t29_k, t29_k, t20_k, t29_k, t5_k],
+                [t10_k, t21_k, t29_k, t9_k, t23_k, t32_k, t35_k, t24_k, t38_k, t14_k],
+            );
+        lanes_2
+            .set(
+                order,
+                [t22_k, t32_k, t46_k, t5_k, t21_k, t32_k, t47_k, t47_k, t47_k, t22_k],
+                [t23_k, t33_k, t47_k, t15_k, t22_k, t36_k, t53_k, t55_k, t48_k, t24_k],
+            );
+        lanes_3
+            .set(
+                order,
+                [t32_k, t47_k, t4_k, t35_k, t53_k, t70_k, t4_k, t53_k, t71_k, t53_k],
+                [t39_k, t61_k, t15_k, t36_k, t54_k, t71_k, t14_k, t56_k, t74_k, t57_k],
+            );
+        lanes_4
+            .set(
+                order,
+                [t71_k, t35_k, t53_k, t71_k, t55_k, t74_k, t90_k, t55_k, t74_k, t91_k],
+                [t78_k, t39_k, t62_k, t83_k, t56_k, t75_k, t91_k, t57_k, t79_k, t95_k],
+            );
+        lanes_5
+            .set(
+                order,
+                [t55_k, t74_k, t91_k, t48_k, t78_k, t95_k, t109_k, t48_k, t78_k, t95_k],
+                [t62_k, t84_k, t100_k, t57_k, t79_k, t96_k, t110_k, t62_k, t84_k, t101_k],
+            );
+        lanes_6
+            .set(
+                order,
+                [
+                    t110_k,
+                    t121_k,
+                    t122_k,
+                    t9_k,
+                    t38_k,
+                    t61_k,
+                    t83_k,
+                    t100_k,
+                    t118_k,
+                    t123_k,
+                ],
+                [
+                    t118_k,
+                    t122_k,
+                    t123_k,
+                    t24_k,
+                    t39_k,
+                    t62_k,
+                    t84_k,
+                    t101_k,
+                    t119_k,
+                    t124_k,
+                ],
+            );
+        lanes_7
+            .set(
+                order,
+                [
+                    t139_k,
+                    crank_omega_k,
+                    cos_crank_phi_k,
+                    sin_crank_phi_k,
+                    cos_crank_phi_k,
+                    rod_omega_k,
+                    cos_rod_phi_k,
+                    sin_crank_phi_k,
+                    sin_rod_phi_k,
+                    cos_rod_phi_k,
+                ],
+                [
+                    t140_k,
+                    crank_omega_k,
+                    t145_k,
+                    t145_k,
+                    t148_k,
+                    rod_omega_k,
+                    t151_k,
+                    t148_k,
+                    t151_k,
+                    t160_k,
+                ],
+            );
+        lanes_8
+            .set(
+                order,
+                [
+                    sin_rod_phi_k,
+                    t21_k,
+                    t23_k,
+                    t33_k,
+                    t36_k,
+                    t54_k,
+                    t56_k,
+                    t75_k,
+                    t57_k,
+                    t79_k,
+                ],
+                [
+                    t160_k,
+                    t146_k,
+                    t146_k,
+                    t169_k,
+                    t169_k,
+                    t173_k,
+                    t173_k,
+                    t182_k,
+                    t173_k,
+                    t182_k,
+                ],
+            );
+        lanes_9
+            .set(
+                order,
+                [
+                    t96_k,
+                    t112_k,
+                    t24_k,
+                    t39_k,
+                    t62_k,
+                    t84_k,
+                    t101_k,
+                    t119_k,
+                    t124_k,
+                    t19_k,
+                ],
+                [
+                    t186_k,
+                    t196_k,
+                    t146_k,
+                    t169_k,
+                    t173_k,
+                    t182_k,
+                    t186_k,
+                    t196_k,
+                    t197_k,
+                    t146_k,
+                ],
+            );
+        lanes_10
+            .set(
+                order,
+                [
+                    t29_k,
+                    t47_k,
+                    t71_k,
+                    t91_k,
+                    t110_k,
+                    t122_k,
+                    t140_k,
+                    t124_k,
+                    t112_k,
+                    t119_k,
+                ],
+                [
+                    t169_k,
+                    t173_k,
+                    t182_k,
+                    t186_k,
+                    t196_k,
+                    t197_k,
+                    t212_k,
+                    t221_k,
+                    t223_k,
+                    t221_k,
+                ],
+            );
+        lanes_11
+            .set(
+                order,
+                [t96_k, t101_k, t75_k, t79_k, t84_k, t54_k, t56_k, t57_k, t62_k, t33_k],
+                [
+                    t227_k,
+                    t221_k,
+                    t231_k,
+                    t227_k,
+                    t221_k,
+                    t237_k,
+                    t231_k,
+                    t227_k,
+                    t221_k,
+                    t245_k,
+                ],
+            );
+        lanes_12
+            .set(
+                order,
+                [t36_k, t39_k, t21_k, t23_k, t21_k, t24_k, t14_k, t15_k, t14_k, t15_k],
+                [
+                    t237_k,
+                    t221_k,
+                    t251_k,
+                    t245_k,
+                    t237_k,
+                    t221_k,
+                    t245_k,
+                    t237_k,
+                    t231_k,
+                    t227_k,
+                ],
+            );
+        lanes_13
+            .set(order, [t9_k, t10_k, t9_k, t10_k], [t259_k, t251_k, t245_k, t237_k]);
+        rates = [
+            crank_v_x_k,
+            crank_v_y_k,
+            crank_omega_k,
+            rod_v_x_k,
+            rod_v_y_k,
+            rod_omega_k,
+            slider_v_x_k,
+            slider_v_y_k,
+            crank_v_x_dot_k,
+            crank_v_y_dot_k,
+            crank_omega_dot_k,
+            rod_v_x_dot_k,
+            rod_v_y_dot_k,
+            rod_omega_dot_k,
+            slider_v_x_dot_k,
+            slider_v_y_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for SliderCrank {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
+impl Describe for SliderCrank {
+    fn name(&self) -> &'static str {
+        "slider_crank"
+    }
+    fn title(&self) -> &'static str {
+        "Slider-crank turned at constant speed"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            positions: 8,
+            first_order: 0,
+            quadratures: 0,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+    fn constraints(&self) -> usize {
+        CONSTRAINTS
+    }
+    fn constraint(&self, index: usize) -> Constraint<'_> {
+        CONSTRAINT_SHAPES[index]
+    }
+    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+        CONSTRAINT_MATRIX_PATTERN
+    }
+    fn is_given(&self, _index: usize) -> bool {
+        false
+    }
+}
+
+impl<R: Real> Simulator<R> for SliderCrank {
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn constraint_values(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = constraint_values(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn constraint_rates(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = constraint_rates(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn constraint_matrix(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = constraint_matrix(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "crank.x",
+        unit: "m",
+        doc: "centre of mass, sideways",
+    },
+    Quantity {
+        name: "crank.y",
+        unit: "m",
+        doc: "centre of mass, upwards",
+    },
+    Quantity {
+        name: "crank.phi",
+        unit: "rad",
+        doc: "angle of the bar from sideways",
+    },
+    Quantity {
+        name: "rod.x",
+        unit: "m",
+        doc: "centre of mass, sideways",
+    },
+    Quantity {
+        name: "rod.y",
+        unit: "m",
+        doc: "centre of mass, upwards",
+    },
+    Quantity {
+        name: "rod.phi",
+        unit: "rad",
+        doc: "angle of the bar from sideways",
+    },
+    Quantity {
+        name: "slider.x",
+        unit: "m",
+        doc: "centre of mass, sideways",
+    },
+    Quantity {
+        name: "slider.y",
+        unit: "m",
+        doc: "centre of mass, upwards",
+    },
+    Quantity {
+        name: "crank.v_x",
+        unit: "m/s",
+        doc: "rate of centre of mass, sideways",
+    },
+    Quantity {
+        name: "crank.v_y",
+        unit: "m/s",
+        doc: "rate of centre of mass, upwards",
+    },
+    Quantity {
+        name: "crank.omega",
+        unit: "rad/s",
+        doc: "rate of angle of the bar from sideways",
+    },
+    Quantity {
+        name: "rod.v_x",
+        unit: "m/s",
+        doc: "rate of centre of mass, sideways",
+    },
+    Quantity {
+        name: "rod.v_y",
+        unit: "m/s",
+        doc: "rate of centre of mass, upwards",
+    },
+    Quantity {
+        name: "rod.omega",
+        unit: "rad/s",
+        doc: "rate of angle of the bar from sideways",
+    },
+    Quantity {
+        name: "slider.v_x",
+        unit: "m/s",
+        doc: "rate of centre of mass, sideways",
+    },
+    Quantity {
+        name: "slider.v_y",
+        unit: "m/s",
+        doc: "rate of centre of mass, upwards",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [
+    0.1,
+    0.1,
+    1.0,
+    0.1,
+    0.1,
+    1.0,
+    0.1,
+    0.1,
+    1.0,
+    1.0,
+    10.0,
+    1.0,
+    1.0,
+    10.0,
+    1.0,
+    1.0,
+];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "speed",
+        unit: "rad/s",
+        doc: "speed of the crank",
+    },
+    Quantity {
+        name: "start",
+        unit: "rad",
+        doc: "angle of the crank at the start",
+    },
+    Quantity {
+        name: "crank.length",
+        unit: "m",
+        doc: "length of the bar",
+    },
+    Quantity {
+        name: "crank.mass",
+        unit: "kg",
+        doc: "the mass",
+    },
+    Quantity {
+        name: "crank.inertia",
+        unit: "kg m^2",
+        doc: "moment of inertia about the centre of mass",
+    },
+    Quantity {
+        name: "crank.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+    Quantity {
+        name: "rod.length",
+        unit: "m",
+        doc: "length of the bar",
+    },
+    Quantity {
+        name: "rod.mass",
+        unit: "kg",
+        doc: "the mass",
+    },
+    Quantity {
+        name: "rod.inertia",
+        unit: "kg m^2",
+        doc: "moment of inertia about the centre of mass",
+    },
+    Quantity {
+        name: "rod.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+    Quantity {
+        name: "slider.mass",
+        unit: "kg",
+        doc: "the mass",
+    },
+    Quantity {
+        name: "slider.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [
+    30.0,
+    0.4,
+    0.05,
+    0.8,
+    0.0002,
+    9.81,
+    0.2,
+    0.6,
+    0.002,
+    9.81,
+    1.1,
+    9.81,
+];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
+    Quantity {
+        name: "angle",
+        unit: "rad",
+        doc: "angle of the bar from sideways",
+    },
+    Quantity {
+        name: "rod_angle",
+        unit: "rad",
+        doc: "angle of the bar from sideways",
+    },
+    Quantity {
+        name: "stroke",
+        unit: "m",
+        doc: "centre of mass, sideways",
+    },
+    Quantity {
+        name: "slider_speed",
+        unit: "m/s",
+        doc: "rate of centre of mass, sideways",
+    },
+    Quantity {
+        name: "slider_acceleration",
+        unit: "m/s^2",
+        doc: "acceleration of the slider",
+    },
+    Quantity {
+        name: "torque",
+        unit: "N m",
+        doc: "torque of the drive on the crank",
+    },
+    Quantity {
+        name: "guide_force",
+        unit: "N",
+        doc: "force of the guide on the slider, upwards",
+    },
+];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 1.0,
+    points: 1001,
+    rtol: 1e-8,
+    method: "dop853",
+};
+
+/// What coordinates must fulfil.
+pub static CONSTRAINT_SHAPES: [Constraint<'static>; CONSTRAINTS] = [
+    Constraint {
+        name: "pin_o_x",
+        unit: "m",
+        doc: "the crank's pin in the frame, sideways",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "pin_o_y",
+        unit: "m",
+        doc: "the crank's pin in the frame, upwards",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "pin_a_x",
+        unit: "m",
+        doc: "pin between crank and rod, sideways",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "pin_a_y",
+        unit: "m",
+        doc: "pin between crank and rod, upwards",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "pin_b_x",
+        unit: "m",
+        doc: "pin between rod and slider, sideways",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "pin_b_y",
+        unit: "m",
+        doc: "pin between rod and slider, upwards",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "guide",
+        unit: "m",
+        doc: "the slider on its guide",
+        is_of_positions: true,
+    },
+    Constraint {
+        name: "drive",
+        unit: "1",
+        doc: "the crank turns at constant speed",
+        is_of_positions: true,
+    },
+];

@@ -7,6 +7,7 @@
 
 pub mod coulomb;
 pub mod duffing;
+pub mod four_bar;
 pub mod induction_motor;
 pub mod motor_windings;
 pub mod one_sided_stop;
@@ -17,6 +18,7 @@ mod roots;
 pub mod saw_gin_by_hand;
 pub mod shaft;
 pub mod shaken_plate;
+pub mod slider_crank;
 pub mod stick_slip;
 pub mod two_mass;
 pub mod winder;
@@ -24,6 +26,7 @@ pub mod winding_pair;
 
 pub use coulomb::CoulombOscillator;
 pub use duffing::Duffing;
+pub use four_bar::FourBar;
 pub use induction_motor::{InductionMotor, Nameplate};
 pub use motor_windings::MotorWindings;
 pub use one_sided_stop::OneSidedStop;
@@ -33,6 +36,7 @@ pub use reed::ReedShaft;
 pub use saw_gin_by_hand::SawGinByHand;
 pub use shaft::Shaft;
 pub use shaken_plate::ShakenPlate;
+pub use slider_crank::SliderCrank;
 pub use stick_slip::StickSlip;
 pub use two_mass::TwoMass;
 pub use winder::BobbinOscillator;

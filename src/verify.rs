@@ -13,6 +13,7 @@ mod bouncing_mass;
 mod contact_oscillator;
 mod coulomb_oscillator;
 mod every_scene;
+mod linkages;
 pub(crate) mod machine;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
@@ -114,6 +115,9 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "winder_linear" => winder_linear::CHECKS,
         "winder_nonlinear" => winder_nonlinear::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
+        "pendulum_constrained" => linkages::PENDULUM_CHECKS,
+        "slider_crank" => linkages::SLIDER_CRANK_CHECKS,
+        "four_bar" => linkages::FOUR_BAR_CHECKS,
         "bouncing_mass" => bouncing_mass::CHECKS,
         "coulomb_oscillator" => coulomb_oscillator::CHECKS,
         "stick_slip" => stick_slip::CHECKS,

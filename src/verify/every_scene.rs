@@ -58,7 +58,7 @@ fn rate_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
     let sizes = state_sizes(machine);
     over_points(machine, |p| {
         let exact = complex_step::rate_jacobian(machine.complex, p.time, &p.state, &p.parameters);
-        matrix_error(&machine.rate_jacobian(p), &exact, &sizes, &sizes)
+        matrix_error(machine, &machine.rate_jacobian(p), &exact, (&sizes, &sizes))
     })
 }
 
@@ -69,7 +69,7 @@ fn parameter_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
         let exact =
             complex_step::parameter_jacobian(machine.complex, p.time, &p.state, &p.parameters);
         let sizes: Vec<f64> = p.parameters.iter().map(size).collect();
-        matrix_error(&machine.parameter_jacobian(p), &exact, &states, &sizes)
+        matrix_error(machine, &machine.parameter_jacobian(p), &exact, (&states, &sizes))
     })
 }
 
@@ -82,7 +82,7 @@ fn time_derivative(machine: &Machine) -> Result<Measured, CheckFailure> {
         let exact: DVector<f64> =
             complex_step::time_derivative(machine.complex, p.time, &p.state, &p.parameters);
         let exact = DMatrix::from_column_slice(exact.len(), 1, exact.as_slice());
-        matrix_error(&ours, &exact, &states, &[1.0])
+        matrix_error(machine, &ours, &exact, (&states, &[1.0]))
     })
 }
 
@@ -107,7 +107,16 @@ fn over_points(
 /// matrix is solved: by the rotor's angle a motor's rotor currents change by 1e6, and
 /// the stator's, solved along with them, by some tens that such numbers leave. An entry
 /// outside a pattern is zero in A.
-fn matrix_error(ours: &DMatrix<f64>, exact: &DMatrix<f64>, rows: &[f64], columns: &[f64]) -> f64 {
+///
+/// Constraints solve all coordinates together, and may leave nothing but rounding in
+/// whole rows and columns, as masses do of a machine that is driven. There F is ten
+/// times the largest of all of B.
+fn matrix_error(
+    machine: &Machine,
+    ours: &DMatrix<f64>,
+    exact: &DMatrix<f64>,
+    (rows, columns): (&[f64], &[f64]),
+) -> f64 {
     if ours.shape() != exact.shape() || (rows.len(), columns.len()) != exact.shape() {
         return f64::NAN;
     }
@@ -118,11 +127,15 @@ fn matrix_error(ours: &DMatrix<f64>, exact: &DMatrix<f64>, rows: &[f64], columns
     let by_row: Vec<f64> = weighed.row_iter().map(|row| largest(&mut row.iter())).collect();
     let by_column: Vec<f64> =
         weighed.column_iter().map(|column| largest(&mut column.iter())).collect();
+    let is_constrained = machine.real.constraints() > 0;
+    let of_all = largest(&mut by_row.iter());
     let mut error = 0.0;
     for (i, row) in rows.iter().enumerate() {
         for (j, column) in columns.iter().enumerate() {
             let (a, b) = (ours[(i, j)], exact[(i, j)]);
-            let floor = 1e-2 * worse(by_row[i], by_column[j]) * row / column;
+            let size =
+                if is_constrained { 10.0 * of_all } else { worse(by_row[i], by_column[j]) };
+            let floor = 1e-2 * size * row / column;
             // Both zero, as where a load is saturated, is no error over no scale.
             let distance = (a - b).abs();
             error = worse(error, if distance == 0.0 { 0.0 } else { distance / b.abs().max(floor) });

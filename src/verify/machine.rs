@@ -5,11 +5,14 @@ use machinist_scenes::scenes::bouncing_mass::BouncingMass;
 use machinist_scenes::scenes::contact_oscillator::ContactOscillator;
 use machinist_scenes::scenes::contact_oscillator_smooth::ContactOscillatorSmooth;
 use machinist_scenes::scenes::coulomb_oscillator::CoulombOscillator;
+use machinist_scenes::scenes::four_bar::FourBar;
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
+use machinist_scenes::scenes::pendulum_constrained::PendulumConstrained;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
+use machinist_scenes::scenes::slider_crank::SliderCrank;
 use machinist_scenes::scenes::stick_slip::StickSlip;
 use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
 use machinist_scenes::scenes::two_mass::TwoMass;
@@ -20,6 +23,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 use crate::complex_step::{self, ComplexStep};
+use crate::constraints::consistent;
 use crate::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
 use crate::{Method, Simulation, Trajectory};
 
@@ -35,6 +39,7 @@ pub(crate) struct Machine {
 }
 
 /// Time, state and parameters at which to evaluate.
+#[derive(Clone)]
 pub(crate) struct Point {
     pub(crate) time: f64,
     pub(crate) state: Vec<f64>,
@@ -52,6 +57,9 @@ pub(crate) fn all() -> Vec<Machine> {
         winder_linear(),
         winder_nonlinear(),
         pendulum_chain(),
+        pendulum_constrained(),
+        slider_crank(),
+        four_bar(),
         bouncing_mass(),
         coulomb_oscillator(),
         stick_slip(),
@@ -99,6 +107,21 @@ pub(crate) fn winder_nonlinear() -> Machine {
 /// Three pendulums hanging on one another.
 pub(crate) fn pendulum_chain() -> Machine {
     Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
+}
+
+/// The same by constraints.
+pub(crate) fn pendulum_constrained() -> Machine {
+    Machine::new("pendulum_constrained", &PendulumConstrained, &PendulumConstrained)
+}
+
+/// A slider-crank turned at constant speed.
+pub(crate) fn slider_crank() -> Machine {
+    Machine::new("slider_crank", &SliderCrank, &SliderCrank)
+}
+
+/// A four-bar linkage under gravity.
+pub(crate) fn four_bar() -> Machine {
+    Machine::new("four_bar", &FourBar, &FourBar)
 }
 
 /// A mass bouncing on a shaken plate.
@@ -329,20 +352,22 @@ impl Machine {
 
     /// Points drawn evenly from the times of the scene's run and from states within
     /// their scales, the same ones every time. Every fourth state is a hundredth as
-    /// large, so that loads are seen near standstill too.
+    /// large, so that loads are seen near standstill too. Of a machine with constraints,
+    /// the states nearest to those that fulfil them, where there are any.
     pub(crate) fn random_points(&self, count: usize) -> Result<Vec<Point>, CheckFailure> {
         let defaults = self.real.run_defaults();
         let parameters = self.parameters(&[])?;
         let mut random = SplitMix(0x5eed);
-        let points = (0..count).map(|number| {
+        let points = (0..).take(4 * count).filter_map(|number| {
             let size = if number % 4 == 3 { 0.01 } else { 1.0 };
             let time = defaults.from + (defaults.until - defaults.from) * random.unit();
             let states = 0..self.real.shape().states();
             let state =
                 states.map(|index| size * self.real.state_scale(index) * random.signed()).collect();
-            Point { time, state, parameters: parameters.clone() }
+            let state = consistent(self.real, &parameters, time, state, |_| false).ok()?;
+            Some(Point { time, state, parameters: parameters.clone() })
         });
-        Ok(points.collect())
+        Ok(points.take(count).collect())
     }
 }
 

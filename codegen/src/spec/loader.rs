@@ -25,6 +25,7 @@ const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("induction_motor"),
     builtin!("induction_motor_as_printed"),
     builtin!("induction_motor_stationary"),
+    builtin!("one_sided_contact"),
     builtin!("planar_body"),
     builtin!("point_mass"),
     builtin!("rotor"),

@@ -181,6 +181,17 @@ pub mod two_mass;
 )]
 pub mod winder_linear;
 
+/// Four-link bobbin holder, at work
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_linkage;
+
 /// Bobbin on a winding drum, stiffening layer
 #[rustfmt::skip]
 #[allow(
@@ -211,6 +222,7 @@ pub const NAMES: &[&str] = &[
     "stick_slip_smooth",
     "two_mass",
     "winder_linear",
+    "winder_linkage",
     "winder_nonlinear",
 ];
 
@@ -237,6 +249,7 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "stick_slip_smooth" => Some(&stick_slip_smooth::StickSlipSmooth),
         "two_mass" => Some(&two_mass::TwoMass),
         "winder_linear" => Some(&winder_linear::WinderLinear),
+        "winder_linkage" => Some(&winder_linkage::WinderLinkage),
         "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),
         _ => None,
     }

@@ -4,7 +4,7 @@
 //
 // Sources, with SHA-256:
 //   5aa30d4253a9899d4f39237de04cfe3095f1ceeaee0ffeccd40e4148beadb747  scenes/slider_crank.toml
-//   9a762adbfc1a5274e20c09a9124cd9ffddd7de915c4b34cf3f83bad127699f37  units/planar_body.toml
+//   fa69a391ab85c57533a93c32c47f18b29da038e678b6c6fe99931f82ce4979fa  units/planar_body.toml
 //
 // Slider-crank turned at constant speed
 //

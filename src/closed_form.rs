@@ -5,6 +5,7 @@
 //! units, angles in rad. No function fails; numbers outside the stated ranges
 //! (such as a negative inertia) give NaN or infinities, as their formulas do.
 
+pub mod bobbin_holder;
 pub mod coulomb;
 pub mod duffing;
 pub mod four_bar;
@@ -24,6 +25,7 @@ pub mod two_mass;
 pub mod winder;
 pub mod winding_pair;
 
+pub use bobbin_holder::BobbinHolder;
 pub use coulomb::CoulombOscillator;
 pub use duffing::Duffing;
 pub use four_bar::FourBar;

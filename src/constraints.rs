@@ -84,12 +84,7 @@ impl<'a> Constraints<'a> {
     }
 
     /// Newton's iteration along the shortest way, while it gets nearer.
-    pub(crate) fn put_back(
-        &self,
-        level: Level,
-        time: f64,
-        state: &mut [f64],
-    ) -> Result<(), Lost> {
+    pub(crate) fn put_back(&self, level: Level, time: f64, state: &mut [f64]) -> Result<(), Lost> {
         const ROUNDS: usize = 10;
         let first = self.first(level);
         let mut matrix = self.matrix(time, state);
@@ -100,9 +95,8 @@ impl<'a> Constraints<'a> {
                 return Ok(());
             }
             let Some(shift) = self.shortest(time, state, &matrix, &residual) else { break };
-            let trial: Vec<f64> = (0..self.coordinates)
-                .map(|index| state[first + index] - shift[index])
-                .collect();
+            let trial: Vec<f64> =
+                (0..self.coordinates).map(|index| state[first + index] - shift[index]).collect();
             let kept = state[first..first + self.coordinates].to_vec();
             state[first..first + self.coordinates].copy_from_slice(&trial);
             matrix = self.matrix(time, state);

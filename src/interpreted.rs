@@ -9,8 +9,8 @@ use machinist_codegen::system;
 use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
 use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
-    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape, Simulator,
-    SparsityPattern, StateKind,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
+    Simulator, SparsityPattern, StateKind,
 };
 
 /// A program as a simulator: the numbers of the emitted code, to the last bit, at

@@ -24,6 +24,7 @@ pub(crate) mod saw_gin_as_printed;
 mod stick_slip;
 mod two_mass;
 pub(crate) mod winder_linear;
+mod winder_linkage;
 mod winder_nonlinear;
 
 use comfy_table::{Table, presets};
@@ -118,6 +119,8 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "pendulum_constrained" => linkages::PENDULUM_CHECKS,
         "slider_crank" => linkages::SLIDER_CRANK_CHECKS,
         "four_bar" => linkages::FOUR_BAR_CHECKS,
+        "winder_linkage" => winder_linkage::CHECKS,
+        "winder_holder_drop" => winder_linkage::DROP_CHECKS,
         "bouncing_mass" => bouncing_mass::CHECKS,
         "coulomb_oscillator" => coulomb_oscillator::CHECKS,
         "stick_slip" => stick_slip::CHECKS,

@@ -83,10 +83,11 @@ fn an_impossible_velocity_is_refused_by_the_constraint_s_name() {
 
 #[test]
 fn inconsistent_constraints_are_refused() {
-    let two = scene(&RODS.replace(
-        "[initial]",
-        "other = { expression = \"a.x^2 + a.y^2 - 2 [m^2]\" }\n[initial]",
-    ));
+    let two =
+        scene(&RODS.replace(
+            "[initial]",
+            "other = { expression = \"a.x^2 + a.y^2 - 2 [m^2]\" }\n[initial]",
+        ));
     let refused = start_of(&two).expect_err("no place has two distances");
     assert!(matches!(refused, SimulateError::ImpossibleStart { .. }), "{refused}");
 }

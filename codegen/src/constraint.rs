@@ -71,9 +71,7 @@ impl Constraints {
     #[must_use]
     pub fn supplied_power(&self) -> Vec<Expr> {
         let at_rest = |rate: &Expr| {
-            rate.replace(&|symbol| {
-                matches!(symbol, Symbol::Velocity(_)).then(|| Expr::integer(0))
-            })
+            rate.replace(&|symbol| matches!(symbol, Symbol::Velocity(_)).then(|| Expr::integer(0)))
         };
         let ids = (0..).map(ConstraintId);
         let powers = ids.zip(&self.rates).map(|(id, rate)| {
@@ -105,11 +103,7 @@ impl Constraints {
     /// Likewise.
     pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         let matrix = self.matrix.iter_mut().flatten();
-        self.values
-            .iter_mut()
-            .chain(&mut self.rates)
-            .chain(matrix)
-            .chain(&mut self.accelerations)
+        self.values.iter_mut().chain(&mut self.rates).chain(matrix).chain(&mut self.accelerations)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A scene ready to be emitted or evaluated: one tape for each function.
 
-use crate::reduce::Reduction;
 use crate::expr::CoordinateId;
+use crate::reduce::Reduction;
 use crate::state::{Layout, Motion};
 use crate::system::{Direction, LagrangianSystem, Name};
 use crate::tape::Tape;

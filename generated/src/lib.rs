@@ -38,8 +38,8 @@ mod table;
 pub mod taylor;
 
 pub use contract::{
-    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape, Simulator,
-    SparsityPattern, StateKind,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
+    Simulator, SparsityPattern, StateKind,
 };
 pub use real::Real;
 pub use table::CubicTable;

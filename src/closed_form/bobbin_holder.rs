@@ -74,17 +74,11 @@ impl BobbinHolder {
         let t = [-n[1], n[0]];
         let k = [a[0] - self.radii[0] * n[0], a[1] - self.radii[0] * n[1]];
         let plate_x = 0.5 * (c[0] + d[0]);
-        let weights = |x: f64| {
-            -GRAVITY * (plate_mass * (plate_x - x) + bobbin_mass * (a[0] - x))
-        };
-        let about_c = moment(c, d, of_strut)
-            + weights(c[0])
-            + self.winding_force * moment(c, k, t);
+        let weights = |x: f64| -GRAVITY * (plate_mass * (plate_x - x) + bobbin_mass * (a[0] - x));
+        let about_c = moment(c, d, of_strut) + weights(c[0]) + self.winding_force * moment(c, k, t);
         let normal = -about_c / moment(c, k, n);
         let o = [0.0, 0.0];
-        let about_o = moment(o, d, of_strut)
-            + weights(0.0)
-            - GRAVITY * post_mass * 0.5 * c[0]
+        let about_o = moment(o, d, of_strut) + weights(0.0) - GRAVITY * post_mass * 0.5 * c[0]
             + self.winding_force * moment(o, k, t)
             + normal * moment(o, k, n);
         [normal, -about_o / distance_t]

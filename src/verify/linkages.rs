@@ -155,8 +155,7 @@ fn distances(
     wanted: &[(&str, fn(&SliderCrankState) -> f64)],
 ) -> Result<Measured, CheckFailure> {
     let run = run(machine, 1e-12)?;
-    let states: Vec<_> =
-        run.times.iter().map(|time| CRANK.at(0.4 + CRANK.speed * time)).collect();
+    let states: Vec<_> = run.times.iter().map(|time| CRANK.at(0.4 + CRANK.speed * time)).collect();
     let mut error = 0.0;
     for (name, of) in wanted {
         let exact: Vec<f64> = states.iter().map(of).collect();

@@ -16,14 +16,16 @@ use machinist_scenes::scenes::slider_crank::SliderCrank;
 use machinist_scenes::scenes::stick_slip::StickSlip;
 use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
 use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::scenes::winder_holder_drop::WinderHolderDrop;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
+use machinist_scenes::scenes::winder_linkage::WinderLinkage;
 use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
 use machinist_scenes::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 use crate::complex_step::{self, ComplexStep};
-use crate::constraints::consistent;
+use crate::constraints::start;
 use crate::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
 use crate::{Method, Simulation, Trajectory};
 
@@ -60,6 +62,8 @@ pub(crate) fn all() -> Vec<Machine> {
         pendulum_constrained(),
         slider_crank(),
         four_bar(),
+        winder_linkage(),
+        winder_holder_drop(),
         bouncing_mass(),
         coulomb_oscillator(),
         stick_slip(),
@@ -122,6 +126,16 @@ pub(crate) fn slider_crank() -> Machine {
 /// A four-bar linkage under gravity.
 pub(crate) fn four_bar() -> Machine {
     Machine::new("four_bar", &FourBar, &FourBar)
+}
+
+/// The four-link bobbin holder.
+pub(crate) fn winder_linkage() -> Machine {
+    Machine::new("winder_linkage", &WinderLinkage, &WinderLinkage)
+}
+
+/// The holder let go, its contacts one-sided.
+pub(crate) fn winder_holder_drop() -> Machine {
+    Machine::new("winder_holder_drop", &WinderHolderDrop, &WinderHolderDrop)
 }
 
 /// A mass bouncing on a shaken plate.
@@ -353,21 +367,25 @@ impl Machine {
     /// Points drawn evenly from the times of the scene's run and from states within
     /// their scales, the same ones every time. Every fourth state is a hundredth as
     /// large, so that loads are seen near standstill too. Of a machine with constraints,
-    /// the states nearest to those that fulfil them, where there are any.
+    /// states about its start, off it by a tenth of their scales: elsewhere it may be near
+    /// a dead point.
     pub(crate) fn random_points(&self, count: usize) -> Result<Vec<Point>, CheckFailure> {
         let defaults = self.real.run_defaults();
         let parameters = self.parameters(&[])?;
         let mut random = SplitMix(0x5eed);
-        let points = (0..).take(4 * count).filter_map(|number| {
+        let is_constrained = self.real.constraints() > 0;
+        let start = start(self.real, &parameters, defaults.from)?;
+        let points = (0..count).map(|number| {
             let size = if number % 4 == 3 { 0.01 } else { 1.0 };
             let time = defaults.from + (defaults.until - defaults.from) * random.unit();
             let states = 0..self.real.shape().states();
-            let state =
-                states.map(|index| size * self.real.state_scale(index) * random.signed()).collect();
-            let state = consistent(self.real, &parameters, time, state, |_| false).ok()?;
-            Some(Point { time, state, parameters: parameters.clone() })
+            let state = states.map(|index| {
+                let value = size * self.real.state_scale(index) * random.signed();
+                if is_constrained { start[index] + 0.1 * value } else { value }
+            });
+            Point { time, state: state.collect(), parameters: parameters.clone() }
         });
-        Ok(points.take(count).collect())
+        Ok(points.collect())
     }
 }
 

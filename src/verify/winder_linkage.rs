@@ -33,6 +33,23 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
+pub(super) const DROP_CHECKS: &[Check] = &[
+    Check {
+        name: "forces at contact and stop once it has settled",
+        reference: "balances of moments with both contacts pressed, relative to the larger",
+        tolerance: 1e-6,
+        reason: "what is left of its swinging after 3 s, and second orders of contacts that give",
+        measure: settled,
+    },
+    Check {
+        name: "loop closure along the run at rtol 1e-10, largest over the shortest link",
+        reference: "zero",
+        tolerance: 1e-10,
+        reason: "every state is put back onto the constraints, at impacts too",
+        measure: |machine| closure(machine, 0.1),
+    },
+];
+
 /// What each position lacks of the first: coordinates and constraints that begin so.
 const LACKING: [&[&str]; 5] = [
     &[],
@@ -80,6 +97,30 @@ fn forces(machine: &Machine) -> Result<Measured, CheckFailure> {
             let found = machine.column(&run, name)?[0];
             error = worse(error, (found - exact).abs() / largest);
         }
+    }
+    Ok(Measured::error(error))
+}
+
+/// Forces after 3 s, against those of a rigid holder whose package and stop are moved by as
+/// much as the contacts give.
+fn settled(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let stiffness = machine.value("contact.stiffness")?;
+    let run = machine.simulation(&[])?.until(3.0).points(2).rtol(1e-9).method(Method::Auto);
+    let run = run.run()?;
+    let (mut holder, mut forces) = (HOLDER, [0.0, 0.0]);
+    for _ in 0..20 {
+        forces = holder.forces();
+        holder.radii[0] = HOLDER.radii[0] - forces[0] / stiffness;
+        // The stop gives along the post's circle.
+        let [x, y] = HOLDER.stop;
+        let arm = x.hypot(y);
+        let angle = y.atan2(x) - (forces[1] / stiffness / arm).asin();
+        holder.stop = [arm * angle.cos(), arm * angle.sin()];
+    }
+    let mut error = 0.0;
+    for (name, exact) in [("contact_force", forces[0]), ("stop_force", forces[1])] {
+        let found = machine.last(&run, name)?;
+        error = worse(error, (found - exact).abs() / worse(forces[0], forces[1]));
     }
     Ok(Measured::error(error))
 }

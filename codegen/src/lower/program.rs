@@ -111,13 +111,10 @@ impl<'a> Build<'a> {
         }
         let short = |expr: &Expr| abbreviations.apply(expr);
         let (rows, right_side) = equations.bordered();
-        let matrix: Vec<Vec<NodeId>> = rows
-            .iter()
-            .map(|row| row.iter().map(|e| graph.lower(&short(e))).collect())
-            .collect();
+        let matrix: Vec<Vec<NodeId>> =
+            rows.iter().map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
         let factorization = factor(&mut graph, &matrix);
-        let mut forcing: Vec<NodeId> =
-            right_side.iter().map(|f| graph.lower(&short(f))).collect();
+        let mut forcing: Vec<NodeId> = right_side.iter().map(|f| graph.lower(&short(f))).collect();
         let solution = factorization.solve(&mut graph, &forcing);
         forcing.truncate(equations.forcing.len());
         let (accelerations, negative) = solution.split_at(forcing.len());

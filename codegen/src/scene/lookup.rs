@@ -72,7 +72,9 @@ impl Resolver<'_> {
                 let message =
                     format!("{} depends on {what}, which is not allowed here", quoted(name));
                 let help = match what {
-                    "an acceleration" => "accelerations may be used in outputs only",
+                    "an acceleration" => {
+                        "accelerations and forces of constraints may be used in outputs only"
+                    }
                     "a velocity" => "write it with coordinates, states, time and parameters",
                     _ => "write it with numbers and parameters",
                 };
@@ -118,8 +120,7 @@ impl Resolver<'_> {
     /// if it is of velocities.
     fn multiplier(&mut self, scope: Scope, index: usize, span: Span) -> Resolved {
         let constraint = self.definition(Definition::Constraint(scope, index), span)?;
-        let work =
-            if constraint.uses.velocity { Dimension::POWER } else { Dimension::ENERGY };
+        let work = if constraint.uses.velocity { Dimension::POWER } else { Dimension::ENERGY };
         let dimension = work.over(constraint.dimension.unwrap_or(Dimension::ONE));
         let dimension = dimension.ok_or_else(|| beyond_reason(span))?;
         let unit = Unit { dimension, rad: 0 };

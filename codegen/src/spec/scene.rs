@@ -9,8 +9,8 @@ use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    ConstraintSpec, DefinitionSpec, EventSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec,
-    RunSpec, UnitSpec,
+    ConstraintSpec, DefinitionSpec, EventSpec, Formula, JointSpec, OutputSpec, ParameterSpec,
+    PortForceSpec, RunSpec, UnitSpec,
 };
 use crate::system::METHODS;
 

@@ -170,6 +170,17 @@ pub mod stick_slip_smooth;
 )]
 pub mod two_mass;
 
+/// Four-link bobbin holder, let go
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_holder_drop;
+
 /// Bobbin on a winding drum, linear layer
 #[rustfmt::skip]
 #[allow(
@@ -221,6 +232,7 @@ pub const NAMES: &[&str] = &[
     "stick_slip",
     "stick_slip_smooth",
     "two_mass",
+    "winder_holder_drop",
     "winder_linear",
     "winder_linkage",
     "winder_nonlinear",
@@ -248,6 +260,7 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "stick_slip" => Some(&stick_slip::StickSlip),
         "stick_slip_smooth" => Some(&stick_slip_smooth::StickSlipSmooth),
         "two_mass" => Some(&two_mass::TwoMass),
+        "winder_holder_drop" => Some(&winder_holder_drop::WinderHolderDrop),
         "winder_linear" => Some(&winder_linear::WinderLinear),
         "winder_linkage" => Some(&winder_linkage::WinderLinkage),
         "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),

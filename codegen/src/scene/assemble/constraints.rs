@@ -52,8 +52,9 @@ fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
         Some(Mistake::new(constraint.expression.span, message, label).help(help))
     };
     let is_state = |symbol| matches!(symbol, Symbol::FirstOrder(_));
-    let moves =
-        |symbol| matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::FirstOrder(_));
+    let moves = |symbol| {
+        matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::FirstOrder(_))
+    };
     if typed.expr.mentions(is_state) {
         let message = format!("constraint {name} depends on a state or mode");
         let help = "a constraint is of coordinates, velocities, time and parameters";

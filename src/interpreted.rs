@@ -276,7 +276,7 @@ impl Simulator<f64> for InterpretedSimulator {
         self.run(&self.constraint_matrix, time, state, parameters, values);
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<f64>> {
-        Some(self)
+        self.program.constraints.is_empty().then_some(self as &dyn TaylorSeries<f64>)
     }
 }
 

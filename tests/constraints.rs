@@ -155,7 +155,7 @@ fn a_constraint_of_velocities_is_kept_and_its_force_does_no_work() {
     let run = Simulation::new(&blade).with_energy_balance(true).run().expect("it runs");
     let slip = run.column("slip").expect("an output");
     assert!(slip.iter().all(|slip| slip.abs() < 1e-12), "{slip:?}");
-    let balance = run.energy_balance.expect("it was asked for");
+    let balance = run.energy_balance.as_ref().expect("it was asked for");
     assert!(balance.max_residual_relative() < 1e-7);
     assert_eq!(run.find("side_force").map(|column| column.unit.as_str()), Some("kg/s^2"));
 }

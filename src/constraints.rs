@@ -86,6 +86,7 @@ impl<'a> Constraints<'a> {
     /// Newton's iteration along the shortest way, while it gets nearer.
     pub(crate) fn put_back(&self, level: Level, time: f64, state: &mut [f64]) -> Result<(), Lost> {
         const ROUNDS: usize = 10;
+        const ROUNDING: f64 = 1e-12;
         let first = self.first(level);
         let mut matrix = self.matrix(time, state);
         let mut residual = self.residual(level, time, state);
@@ -102,15 +103,15 @@ impl<'a> Constraints<'a> {
             matrix = self.matrix(time, state);
             residual = self.residual(level, time, state);
             let now = self.relative(level, &matrix, &residual, state);
-            if !(now.iter().fold(0.0, largest) < off.iter().fold(0.0, largest)) {
+            let is_nearer = largest_of(&now) < largest_of(&off);
+            if !is_nearer {
                 state[first..first + self.coordinates].copy_from_slice(&kept);
                 break;
             }
             off = now;
         }
         // What is left is rounding, or the state is lost.
-        const ROUNDING: f64 = 1e-12;
-        match off.iter().position(|off| !(*off <= ROUNDING)) {
+        match off.iter().position(|off| off.is_nan() || *off > ROUNDING) {
             None => Ok(()),
             Some(constraint) => Err(Lost(constraint)),
         }
@@ -197,7 +198,7 @@ impl<'a> Constraints<'a> {
         let matrix = self.matrix(time, state);
         let residual = self.residual(Level::Positions, time, state);
         let off = self.relative(Level::Positions, &matrix, &residual, state);
-        off.iter().fold(0.0, largest)
+        largest_of(&off)
     }
 
     /// Typical sizes of positions or velocities.
@@ -212,7 +213,12 @@ impl<'a> Constraints<'a> {
     }
 }
 
-/// The larger one; NaN if either is.
-fn largest(a: f64, b: &f64) -> f64 {
-    if a.is_nan() || *b <= a { a } else { *b }
+/// The largest; NaN if one is.
+fn largest_of(values: &[f64]) -> f64 {
+    values.iter().fold(
+        0.0,
+        |most: f64, value| {
+            if most.is_nan() || *value <= most { most } else { *value }
+        },
+    )
 }

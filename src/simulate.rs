@@ -3,7 +3,7 @@
 
 use machinist_scenes::Simulator;
 
-use crate::constraints::{consistent, require_independent};
+use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{SimulateError, did_you_mean};
 use crate::method::{Method, Problem, Run, System, identically_zero};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
@@ -248,7 +248,7 @@ impl<'a> Simulation<'a> {
             work: system.work(),
             notes: system.notes(),
             switches,
-            drift: system.constraints().map(|constraints| constraints.drift()),
+            drift: system.constraints().map(Constraints::drift),
             times,
             columns: table.into_columns(energy_balance.as_ref()),
             energy_balance,

@@ -3,7 +3,7 @@
 use machinist_scenes::Simulator;
 use nalgebra::{DMatrix, DVector};
 
-use super::{Constraints, Level, largest, mobility};
+use super::{Constraints, Level, largest_of, mobility};
 use crate::error::SimulateError;
 
 /// A state that fulfils the constraints: what is given stays, the rest is solved for
@@ -24,7 +24,7 @@ pub(crate) fn consistent(
     let Some(constraints) = Constraints::of(simulator, parameters) else { return Ok(state) };
     for (level, what) in [(Level::Positions, "position"), (Level::Velocities, "velocity")] {
         let off = constraints.solve(level, time, &mut state, &is_given);
-        if let Some((worst, _)) = off {
+        if let Some(worst) = off {
             let residuals = constraints.residual(level, time, &state);
             let unit = if level == Level::Positions { "" } else { " per second" };
             let named = |index: usize| {
@@ -93,7 +93,7 @@ impl Constraints<'_> {
         time: f64,
         state: &mut [f64],
         is_given: &impl Fn(usize) -> bool,
-    ) -> Option<(usize, f64)> {
+    ) -> Option<usize> {
         const ROUNDS: usize = 200;
         const HALVINGS: usize = 30;
         let first = self.first(level);
@@ -103,9 +103,7 @@ impl Constraints<'_> {
         let mut residual = self.residual(level, time, state);
         for _ in 0..ROUNDS {
             let matrix = self.matrix(time, state);
-            if self.worst(level, &matrix, &residual, state).is_none() {
-                return None;
-            }
+            self.worst(level, &matrix, &residual, state)?;
             let weighed = DMatrix::from_fn(self.count, free.len(), |row, column| {
                 matrix[(row, free[column])] * scales[free[column]]
             });
@@ -144,13 +142,14 @@ impl Constraints<'_> {
         matrix: &DMatrix<f64>,
         residual: &DVector<f64>,
         state: &[f64],
-    ) -> Option<(usize, f64)> {
+    ) -> Option<usize> {
         const ROUNDING: f64 = 1e-13;
-        let off = self.relative(level, matrix, residual, state).into_iter().enumerate();
-        let worst = off.fold((0, 0.0), |worst: (usize, f64), off| {
-            if largest(worst.1, &off.1) > worst.1 || off.1.is_nan() { off } else { worst }
-        });
-        (!(worst.1 <= ROUNDING)).then_some(worst)
+        let off = self.relative(level, matrix, residual, state);
+        let worst = largest_of(&off);
+        if worst <= ROUNDING {
+            return None;
+        }
+        off.iter().position(|off| off.is_nan() || *off >= worst)
     }
 }
 

@@ -150,10 +150,10 @@ const CRANK: SliderCrank = SliderCrank {
     speed: 30.0,
 };
 
-fn distances(
-    machine: &Machine,
-    wanted: &[(&str, fn(&SliderCrankState) -> f64)],
-) -> Result<Measured, CheckFailure> {
+/// A column and what it should be.
+type Wanted = (&'static str, fn(&SliderCrankState) -> f64);
+
+fn distances(machine: &Machine, wanted: &[Wanted]) -> Result<Measured, CheckFailure> {
     let run = run(machine, 1e-12)?;
     let states: Vec<_> = run.times.iter().map(|time| CRANK.at(0.4 + CRANK.speed * time)).collect();
     let mut error = 0.0;

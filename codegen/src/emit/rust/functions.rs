@@ -137,10 +137,6 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
         let events = scene.program.events.iter();
         events.map(|event| format!("{}_{what}", event.name.ident)).collect()
     };
-    let constraints = |what: &str| {
-        let constraints = scene.program.constraints.iter();
-        constraints.map(|constraint| format!("{}_{what}", constraint.name.ident)).collect()
-    };
     match function {
         "initial_state" => Manner {
             of_parameters_only: true,
@@ -201,18 +197,8 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             let doc = "New values of the states that each event sets, event by event.";
             array("RESETS", doc, sets.collect())
         }
-        "constraint_values" => array(
-            "CONSTRAINTS",
-            "`g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.",
-            constraints("value"),
-        ),
-        "constraint_rates" => {
-            array("CONSTRAINTS", "`g'`, zero on the constraints too.", constraints("rate"))
-        }
-        "constraint_matrix" => {
-            let pattern = &scene.program.constraint_matrix.pattern;
-            let doc = "`G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.";
-            matrix(pattern, doc, vec![])
+        "constraint_values" | "constraint_rates" | "constraint_matrix" => {
+            of_constraints(scene, function)
         }
         "energy" => structure(
             "Energy",
@@ -225,6 +211,28 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             fields(["stored_rate", "supplied", "dissipated"]),
         ),
     }
+}
+
+/// How the functions of constraints are presented.
+fn of_constraints(scene: &Scene<'_>, function: &str) -> Manner {
+    let (doc, what) = match function {
+        "constraint_values" => {
+            ("`g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.", "value")
+        }
+        "constraint_rates" => ("`g'`, zero on the constraints too.", "rate"),
+        _ => ("`G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.", ""),
+    };
+    let (length, names) = if what.is_empty() {
+        let entries = scene.program.constraint_matrix.pattern.entries.len();
+        let length = Literal::usize_unsuffixed(entries);
+        (quote!(#length), vec![])
+    } else {
+        let constraints = scene.program.constraints.iter();
+        let names = constraints.map(|constraint| format!("{}_{what}", constraint.name.ident));
+        (quote!(CONSTRAINTS), names.collect())
+    };
+    let returns = Returns::Array(length);
+    Manner { doc: doc.to_owned(), returns, names: spread(names), of_parameters_only: false }
 }
 
 /// `phi_dot_dot_by_phi` for every nonzero of a Jacobian.

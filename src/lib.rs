@@ -15,6 +15,7 @@
 pub mod closed_form;
 #[cfg(feature = "linear")]
 pub mod complex_step;
+pub mod constraints;
 pub mod error;
 #[cfg(feature = "cli")]
 pub mod interpreted;

@@ -9,7 +9,11 @@
 //! References never follow a parameter that is overridden: they are those of the
 //! published numbers, so that a broken parameter makes rows fail.
 
+mod bouncing_mass;
+mod contact_oscillator;
+mod coulomb_oscillator;
 mod every_scene;
+mod linkages;
 pub(crate) mod machine;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
@@ -17,8 +21,10 @@ mod pendulum_chain;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
+mod stick_slip;
 mod two_mass;
 pub(crate) mod winder_linear;
+mod winder_linkage;
 mod winder_nonlinear;
 
 use comfy_table::{Table, presets};
@@ -120,6 +126,17 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "winder_linear" => winder_linear::CHECKS,
         "winder_nonlinear" => winder_nonlinear::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
+        "pendulum_constrained" => linkages::PENDULUM_CHECKS,
+        "slider_crank" => linkages::SLIDER_CRANK_CHECKS,
+        "four_bar" => linkages::FOUR_BAR_CHECKS,
+        "winder_linkage" => winder_linkage::CHECKS,
+        "winder_holder_drop" => winder_linkage::DROP_CHECKS,
+        "bouncing_mass" => bouncing_mass::CHECKS,
+        "coulomb_oscillator" => coulomb_oscillator::CHECKS,
+        "stick_slip" => stick_slip::CHECKS,
+        "stick_slip_smooth" => stick_slip::SMOOTH_CHECKS,
+        "contact_oscillator" => contact_oscillator::CHECKS,
+        "contact_oscillator_smooth" => contact_oscillator::SMOOTH_CHECKS,
         _ => &[],
     }
 }
@@ -244,6 +261,19 @@ impl Measured {
         let error = ((value - expected) / expected).abs();
         Self { error, value: Some(value), expected: Some(expected) }
     }
+}
+
+/// Whether two counts agree: their difference, with both.
+fn counted(found: u64, expected: usize) -> Measured {
+    Measured::absolute(found as f64, expected as f64)
+}
+
+/// How fast a smooth twin nears the machine with events: log2 of the ratio of its
+/// errors at a width and half of it. The error of the check is what lacks to `order`.
+fn convergence([coarse, fine]: [f64; 2], order: f64) -> Measured {
+    let found = (coarse / fine).log2();
+    let error = if found.is_nan() { f64::NAN } else { (order - found).max(0.0) };
+    Measured { error, value: Some(found), expected: Some(order) }
 }
 
 /// The larger of two errors; NaN if one is, so that no NaN is lost.

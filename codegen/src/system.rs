@@ -3,7 +3,7 @@
 //! Excluded: units of the scene as separate things, joints (their coordinates
 //! are identified), names to look up, dimensions (they have been checked).
 
-use crate::expr::{Expr, ParameterId};
+use crate::expr::{Expr, FirstOrderId, ParameterId, Symbol};
 
 /// The name of a thing, in its three spellings.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,6 +40,8 @@ pub struct Coordinate {
     pub identified: Vec<(String, Expr)>,
     /// Initial position and velocity; of parameters only.
     pub initial: [Expr; 2],
+    /// Whether the spec gives them, so that constraints may not move them.
+    pub is_given: [bool; 2],
     /// Typical sizes of position and velocity, for absolute tolerances.
     pub scale: [f64; 2],
 }
@@ -55,6 +57,52 @@ pub struct FirstOrderState {
     pub initial: Expr,
     /// Typical size, for absolute tolerance.
     pub scale: f64,
+    /// Whether it is a mode: a whole number, of rate 0, that only events change.
+    pub is_mode: bool,
+}
+
+/// Which way a guard passes zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From below to above.
+    Rising,
+    /// From above to below.
+    Falling,
+    /// Either way.
+    Both,
+}
+
+/// What happens where a guard passes zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// The expression that passes zero.
+    pub guard: Expr,
+    /// Which way.
+    pub direction: Direction,
+    /// Modes with the values that they must have for it to happen.
+    pub when: Vec<(FirstOrderId, i32)>,
+    /// Coordinates, velocities and first-order states with their new values, all of
+    /// the state before.
+    pub set: Vec<(Symbol, Expr)>,
+}
+
+/// What coordinates must fulfil: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constraint {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// SI unit of the expression.
+    pub unit: String,
+    /// g, or a q' + b.
+    pub expr: Expr,
+    /// Which of the two.
+    pub is_of_positions: bool,
 }
 
 /// A parameter with its value in the spec.
@@ -193,12 +241,43 @@ pub struct LagrangianSystem {
     pub tables: Vec<Table>,
     /// Times at which the right-hand side jumps; of parameters only.
     pub discontinuities: Vec<Expr>,
+    /// What happens where guards pass zero.
+    pub events: Vec<Event>,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<Constraint>,
     /// The run unless told otherwise.
     pub run: RunDefaults,
     /// Approximations wanted.
     pub freeze: Freeze,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,
+}
+
+impl Direction {
+    /// All of them.
+    pub const ALL: [Direction; 3] = [Direction::Rising, Direction::Falling, Direction::Both];
+
+    /// The spec's word for it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Direction::Rising => "rising",
+            Direction::Falling => "falling",
+            Direction::Both => "both",
+        }
+    }
+}
+
+impl Event {
+    /// Its guard and its new values.
+    pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
+        std::iter::once(&self.guard).chain(self.set.iter().map(|(_, value)| value))
+    }
+
+    /// Likewise.
+    pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        std::iter::once(&mut self.guard).chain(self.set.iter_mut().map(|(_, value)| value))
+    }
 }
 
 impl LagrangianSystem {
@@ -232,6 +311,8 @@ impl LagrangianSystem {
         all.extend(self.helpers.iter_mut().map(|helper| &mut helper.expr));
         all.extend(self.outputs.iter_mut().map(|output| &mut output.expr));
         all.extend(&mut self.discontinuities);
+        all.extend(self.events.iter_mut().flat_map(Event::exprs_mut));
+        all.extend(self.constraints.iter_mut().map(|constraint| &mut constraint.expr));
         all
     }
 }

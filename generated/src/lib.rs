@@ -40,8 +40,8 @@ mod table;
 pub mod taylor;
 
 pub use contract::{
-    Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
-    StateKind,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
+    Simulator, SparsityPattern, StateKind,
 };
 pub use real::Real;
 pub use sources::SOURCES;

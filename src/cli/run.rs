@@ -142,7 +142,7 @@ impl Run {
         let mut text = format!(
             "{}: {} ({})\n{}, rtol {:e}, {from} s to {until} s, {} points\n\
              {} steps, {} rejected, {} rate evaluations, {} Jacobians, {} factorizations, \
-             {} Newton iterations\n\n",
+             {} Newton iterations{}{}\n\n",
             trajectory.scene,
             trajectory.title,
             scene.how(),
@@ -155,6 +155,8 @@ impl Run {
             work.jacobian_evaluations,
             work.factorizations,
             work.newton_iterations,
+            switches(trajectory),
+            drift(trajectory),
         );
         let header = ["", "unit", "final", "least", "greatest"].map(str::to_owned);
         let shown = |column: &&Column| !self.columns.is_empty() || is_short(trajectory, column);
@@ -165,6 +167,33 @@ impl Run {
         }
         text.trim_end().to_owned() + "\n"
     }
+}
+
+/// How often each event happened, in a line of its own; nothing without events.
+fn switches(trajectory: &Trajectory) -> String {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for switch in &trajectory.switches {
+        match counts.iter_mut().find(|(event, _)| *event == switch.event) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((&switch.event, 1)),
+        }
+    }
+    if counts.is_empty() {
+        return String::new();
+    }
+    let counts = counts.iter().map(|(event, count)| format!("{event} {count}"));
+    let counts = counts.collect::<Vec<_>>().join(", ");
+    format!("\n{} switches: {counts}", trajectory.work.switches)
+}
+
+/// How far a machine came off its constraints, in a line of its own.
+fn drift(trajectory: &Trajectory) -> String {
+    trajectory.drift.map_or_else(String::new, |drift| {
+        format!(
+            "\nconstraints off by at most {:.1e} before and {:.1e} after being put back",
+            drift.before, drift.after
+        )
+    })
 }
 
 /// States and outputs; an output that bears the name of a state is one line.

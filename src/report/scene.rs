@@ -42,6 +42,7 @@ fn motion(document: &Document) -> Markup {
         (equations::section("Energies", &document.energies))
         (equations::section("Coordinates", &document.motion))
         (equations::section("First-order states", &document.first_order))
+        (equations::section("Events", &document.events))
         (equations::section("With", &document.helpers))
         (equations::section("Outputs", &document.outputs))
     }
@@ -114,6 +115,7 @@ fn run(scene: &SceneData, trajectory: &Trajectory) -> Markup {
         ("Jacobians", work.jacobian_evaluations),
         ("factorizations", work.factorizations),
         ("Newton iterations", work.newton_iterations),
+        ("switches", work.switches),
     ];
     let how = if scene.is_built_in { "Emitted code" } else { "Evaluated from its tapes" };
     let (first, last) = match trajectory.times.as_slice() {

@@ -173,11 +173,13 @@ fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) ->
     let series = series.map(Series::imports);
     let linear = program.excitation.is_some().then(|| quote!(linear::LinearEquations,));
     let contract = &options.contract;
+    let events = (!program.events.is_empty()).then(|| quote!(Direction, Event,));
+    let constraint = (!program.constraints.is_empty()).then(|| quote!(Constraint,));
     let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
     let kinds = (!program.layout.is_of_all(&program.system)).then(|| quote!(StateKind,));
     quote! {
         use #contract::{
-            #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+            #constraint #table Describe, #events Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
             SparsityPattern, #kinds #linear #series
         };
     }

@@ -1,5 +1,7 @@
 //! The system of a scene whose coordinates are known.
 
+mod constraints;
+mod events;
 mod initial;
 mod outputs;
 mod precision;
@@ -59,6 +61,8 @@ pub fn assemble(
     let [kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
     let generalized_force = assembler.forces();
+    let events = assembler.events();
+    let constraints = assembler.constraints();
     let initial = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
@@ -90,6 +94,8 @@ pub fn assemble(
         outputs,
         tables,
         discontinuities,
+        events,
+        constraints,
         run: RunDefaults {
             from: run.from,
             until: run.until,
@@ -248,8 +254,9 @@ impl<'a> Assembler<'a> {
 
     fn coordinates(&mut self, initial: &initial::Initial) -> Vec<Coordinate> {
         let layout = self.layout;
-        let coordinates = layout.representatives.iter().zip(&initial.coordinates);
-        let coordinates = coordinates.enumerate().map(|(id, (slot, initial))| {
+        let values = initial.coordinates.iter().zip(&initial.given);
+        let coordinates = layout.representatives.iter().zip(values);
+        let coordinates = coordinates.enumerate().map(|(id, (slot, (initial, given)))| {
             let spec = coordinate_spec(self.spec, layout, *slot);
             let instance = &self.spec.instances[layout.coordinate(*slot).0].name.value;
             let position = quantity(Some(instance), &spec.name.value, &spec.unit.text, &spec.doc);
@@ -273,6 +280,7 @@ impl<'a> Assembler<'a> {
                 velocity,
                 identified,
                 initial: initial.clone(),
+                is_given: *given,
                 scale: spec.scale,
             }
         });
@@ -291,7 +299,8 @@ impl<'a> Assembler<'a> {
                 let instance = Some(instance.name.value.as_str());
                 let quantity = quantity(instance, &state.name.value, &state.unit.text, &state.doc);
                 let initial = initial.states[states.len()].clone();
-                states.push(FirstOrderState { quantity, rate, initial, scale: state.scale });
+                let (scale, is_mode) = (state.scale, state.is_mode);
+                states.push(FirstOrderState { quantity, rate, initial, scale, is_mode });
             }
         }
         states

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::{Mistake, Span, Spanned};
 use crate::dimension::{Dimension, Unit};
-use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId};
+use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, ParameterId};
 use crate::scene::typed::integer;
 use crate::spec::{
     CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, quoted,
@@ -25,6 +25,8 @@ pub enum Local {
     State(usize),
     Helper(usize),
     Output(usize),
+    /// Stands for the multiplier.
+    Constraint(usize),
 }
 
 /// Whose names an expression uses.
@@ -56,7 +58,7 @@ impl Names {
         if self.by_name.contains_key(&name.value) {
             let message = format!("the name {} is given twice", quoted(&name.value));
             let help = "coordinates, velocities, accelerations, parameters, inputs, states, \
-                        helpers and outputs share their names";
+                        helpers, outputs and constraints share their names";
             mistakes.push(Mistake::new(name.span, message, "given again").help(help));
             return;
         }
@@ -78,8 +80,10 @@ pub struct Link {
 pub struct Layout {
     pub units: Vec<Names>,
     pub scene: Names,
-    /// First coordinate, parameter and state of each instance.
-    first: Vec<[usize; 3]>,
+    /// First coordinate, parameter, state and constraint of each instance.
+    first: Vec<[usize; 4]>,
+    /// Constraints of all instances.
+    constraints: usize,
     /// How each coordinate of each instance follows one of the scene.
     pub links: Vec<Link>,
     /// For each coordinate of the scene, the one that stands for it.
@@ -100,7 +104,10 @@ impl Layout {
         for (index, helper) in spec.helpers.iter().enumerate() {
             scene.add(&helper.name, Local::Helper(index), mistakes);
         }
-        let mut next = [0, spec.parameters.len(), 0];
+        for (index, constraint) in spec.constraints.iter().enumerate() {
+            scene.add(&constraint.name, Local::Constraint(index), mistakes);
+        }
+        let mut next = [0, spec.parameters.len(), 0, 0];
         let mut first = Vec::new();
         let mut size = 0;
         for instance in &spec.instances {
@@ -109,6 +116,7 @@ impl Layout {
             next[0] += unit.coordinates.len();
             next[1] += unit.parameters.len();
             next[2] += unit.states.len();
+            next[3] += unit.constraints.len();
             let names = units[instance.unit].order.len();
             if size <= MAX_NAMES && size + names > MAX_NAMES {
                 let message = format!("a scene has at most {MAX_NAMES} named things");
@@ -119,7 +127,7 @@ impl Layout {
         let slots = next[0];
         let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });
         let (links, representatives) = (links.collect(), (0..slots).collect());
-        Layout { units, scene, first, links, representatives }
+        Layout { units, scene, first, constraints: next[3], links, representatives }
     }
 
     /// Index of a coordinate of an instance among those of all instances.
@@ -139,6 +147,15 @@ impl Layout {
     /// Id of a first-order state.
     pub fn state(&self, instance: usize, index: usize) -> FirstOrderId {
         FirstOrderId((self.first[instance][2] + index) as u32)
+    }
+
+    /// Id of a constraint; those of the scene come last.
+    pub fn constraint(&self, scope: Scope, index: usize) -> ConstraintId {
+        let first = match scope {
+            Scope::Scene => self.constraints,
+            Scope::Instance(instance) => self.first[instance][3],
+        };
+        ConstraintId((first + index) as u32)
     }
 
     /// Instance and index of a slot.
@@ -231,6 +248,9 @@ fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
     }
     for (index, output) in unit.outputs.iter().enumerate() {
         names.add(&output.name, Local::Output(index), mistakes);
+    }
+    for (index, constraint) in unit.constraints.iter().enumerate() {
+        names.add(&constraint.name, Local::Constraint(index), mistakes);
     }
     names
 }

@@ -25,6 +25,7 @@ pub(super) enum Definition {
     Helper(Scope, usize),
     Input(usize, usize),
     Output(usize, usize),
+    Constraint(Scope, usize),
 }
 
 pub(super) enum State {
@@ -71,7 +72,9 @@ impl Resolver<'_> {
                 let message =
                     format!("{} depends on {what}, which is not allowed here", quoted(name));
                 let help = match what {
-                    "an acceleration" => "accelerations may be used in outputs only",
+                    "an acceleration" => {
+                        "accelerations and forces of constraints may be used in outputs only"
+                    }
                     "a velocity" => "write it with coordinates, states, time and parameters",
                     _ => "write it with numbers and parameters",
                 };
@@ -105,11 +108,24 @@ impl Resolver<'_> {
                 let symbol = Symbol::Parameter(self.layout.parameter(scope, index));
                 self.leaf(symbol, unit, Uses::default(), span)
             }
+            (scope, Local::Constraint(index)) => self.multiplier(scope, index, span),
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
             (Scope::Scene, _) => {
                 Err(Box::new(Mistake::new(span, "this name has no value", "not a value")))
             }
         }
+    }
+
+    /// The force of a constraint: energy over what it constrains, or power over that
+    /// if it is of velocities.
+    fn multiplier(&mut self, scope: Scope, index: usize, span: Span) -> Resolved {
+        let constraint = self.definition(Definition::Constraint(scope, index), span)?;
+        let work = if constraint.uses.velocity { Dimension::POWER } else { Dimension::ENERGY };
+        let dimension = work.over(constraint.dimension.unwrap_or(Dimension::ONE));
+        let dimension = dimension.ok_or_else(|| beyond_reason(span))?;
+        let unit = Unit { dimension, rad: 0 };
+        let uses = Uses { acceleration: true, ..Uses::default() };
+        self.leaf(Symbol::Multiplier(self.layout.constraint(scope, index)), unit, uses, span)
     }
 
     fn parameter_unit(&self, scope: Scope, index: usize) -> Unit {
@@ -210,6 +226,13 @@ impl Resolver<'_> {
             Definition::Output(instance, index) => {
                 let output = &unit(instance).outputs[index];
                 self.named(output, Scope::Instance(instance), "output", Uses::ANYTHING)
+            }
+            Definition::Constraint(scope, index) => {
+                let constraint = match scope {
+                    Scope::Scene => &spec.constraints[index],
+                    Scope::Instance(instance) => &unit(instance).constraints[index],
+                };
+                self.resolve(&constraint.expression, scope, Uses::MOTION)
             }
             Definition::Input(instance, index) => {
                 let input = &unit(instance).inputs[index];

@@ -1,6 +1,8 @@
 //! A unit's table to a [`UnitSpec`].
 
 use crate::diagnostic::{FileId, Mistake, Spanned};
+use crate::spec::constraint::constraint;
+use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
@@ -27,7 +29,10 @@ pub fn read(
     let parameters = each(&mut fields, "parameters", parameter);
     let inputs = each(&mut fields, "inputs", input);
     let helpers = each(&mut fields, "helpers", definition);
-    let states = each(&mut fields, "states", state);
+    let mut states = each(&mut fields, "states", state);
+    states.extend(each(&mut fields, "modes", event::mode));
+    let events = each(&mut fields, "events", event::event);
+    let constraints = each(&mut fields, "constraints", constraint);
     let energy = fields.take("energy").map(|tree| energy(tree, fields.found()));
     let power = fields.take("power").map(|tree| power(tree, fields.found()));
     let forces = fields.list("forces");
@@ -46,6 +51,8 @@ pub fn read(
         inputs,
         helpers,
         states,
+        events,
+        constraints,
         energy: energy.unwrap_or_default(),
         power: power.unwrap_or_default(),
         forces,
@@ -154,7 +161,15 @@ fn state(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     let initial = fields.formula("initial");
     let scale = fields.scale("scale");
     fields.close();
-    Some(StateSpec { name: entry.key.clone(), unit: unit?, doc, rate: rate?, initial, scale })
+    Some(StateSpec {
+        name: entry.key.clone(),
+        unit: unit?,
+        doc,
+        rate: rate?,
+        is_mode: false,
+        initial,
+        scale,
+    })
 }
 
 fn energy(tree: &Spanned<Tree>, found: &mut Findings) -> EnergySpec {

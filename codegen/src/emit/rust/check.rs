@@ -10,7 +10,7 @@ use crate::tape::{NodeId, Op, Tape};
 /// [`EmitError::Malformed`] names the function and the rule.
 pub(super) fn check(program: &Program) -> Result<(), EmitError> {
     let states = program.layout.len();
-    let expected = [
+    let mut expected = vec![
         states,
         program.system.discontinuities.len(),
         states,
@@ -23,6 +23,13 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
         3,
         3,
     ];
+    if !program.events.is_empty() {
+        let resets = program.events.iter().map(|event| event.sets.len()).sum();
+        expected.extend([program.events.len(), program.events.len(), resets]);
+    }
+    let constraints = program.constraints.len();
+    let entries = program.constraint_matrix.pattern.entries.len();
+    expected.extend([constraints, constraints, entries]);
     for ((function, tape), expected) in functions(program).into_iter().zip(expected) {
         let malformed = |reason| EmitError::Malformed { function, reason };
         check_tape(tape, program).map_err(malformed)?;
@@ -36,6 +43,14 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
             check_tape(tape, program)
                 .map_err(|reason| EmitError::Malformed { function, reason })?;
         }
+    }
+    let entries = program.events.iter().flat_map(|event| {
+        event.sets.iter().copied().chain(event.when.iter().map(|(entry, _)| *entry))
+    });
+    let mut beyond = entries.filter(|entry| *entry as usize >= states);
+    if let Some(entry) = beyond.next() {
+        let reason = format!("an event mentions state {entry} of {states}");
+        return Err(EmitError::Malformed { function: "guards", reason });
     }
     for (function, tape) in &functions(program)[..2] {
         if tape.nodes.iter().any(|node| matches!(node.op, Op::Time | Op::State(_))) {

@@ -14,12 +14,6 @@ use crate::system::Quantity;
 /// Shapes and patterns.
 pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
     let system = &scene.program.system;
-    let count = |name: &str, value: usize, meaning: &str| {
-        let name = format_ident!("{name}");
-        let value = proc_macro2::Literal::usize_unsuffixed(value);
-        let meaning = doc([meaning]);
-        quote!(#meaning pub const #name: usize = #value;)
-    };
     let counts = [
         count("COORDINATES", system.coordinates.len(), "Generalized coordinates, n."),
         count("STATES", scene.program.layout.len(), "Length of the state y."),
@@ -32,6 +26,17 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
         ),
     ];
     let program = scene.program;
+    let constraints = &program.constraints;
+    let of_constraints = (!constraints.is_empty()).then(|| {
+        let pattern = pattern(
+            "CONSTRAINT_MATRIX_PATTERN",
+            &program.constraint_matrix.pattern,
+            "Nonzeros of G = dg'/dq'.",
+        );
+        let count = count("CONSTRAINTS", constraints.len(), "Constraints.");
+        quote!(#count #pattern)
+    });
+    let counts = counts.into_iter().chain(event_counts(program));
     let patterns = [
         pattern(
             "MASS_MATRIX_PATTERN",
@@ -45,7 +50,24 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
             "Nonzeros of dy'/dp.",
         ),
     ];
-    quote!(#(#counts)* #(#patterns)*)
+    quote!(#(#counts)* #(#patterns)* #of_constraints)
+}
+
+fn count(name: &str, value: usize, meaning: &str) -> TokenStream {
+    let name = format_ident!("{name}");
+    let value = proc_macro2::Literal::usize_unsuffixed(value);
+    let meaning = doc([meaning]);
+    quote!(#meaning pub const #name: usize = #value;)
+}
+
+/// Nothing for a scene without events.
+fn event_counts(program: &Program) -> Vec<TokenStream> {
+    let resets = program.events.iter().map(|event| event.sets.len()).sum();
+    let counts = [
+        count("EVENTS", program.events.len(), "Events."),
+        count("RESETS", resets, "States that events set, those of all events."),
+    ];
+    if program.events.is_empty() { vec![] } else { counts.into() }
 }
 
 fn pattern(name: &str, pattern: &SparsityPattern, meaning: &str) -> TokenStream {
@@ -313,6 +335,7 @@ pub(super) fn index(
         #find_doc
         #[must_use]
         #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+        #[rustfmt::skip]
         #find
     }
 }

@@ -1,5 +1,7 @@
 //! Scenes run straight from their tapes, without compiling what they emit.
 
+mod field;
+
 use std::cell::RefCell;
 
 use machinist_codegen::evaluate::Evaluator;
@@ -33,6 +35,7 @@ pub struct InterpretedSimulator {
     energy: RefCell<Evaluator>,
     power_balance: RefCell<Evaluator>,
     series: RefCell<SeriesEvaluator>,
+    fields: Vec<field::InterpretedField>,
 }
 
 impl InterpretedSimulator {
@@ -53,6 +56,7 @@ impl InterpretedSimulator {
             energy: prepared(&program.energy),
             power_balance: prepared(&program.power_balance),
             series: RefCell::new(SeriesEvaluator::new(recurrences(&program))),
+            fields: program.fields.iter().map(field::InterpretedField::new).collect(),
             program,
         }
     }

@@ -8,6 +8,7 @@
 pub mod closed_form;
 pub mod complex_step;
 pub mod error;
+pub mod field;
 #[cfg(feature = "cli")]
 pub mod interpreted;
 pub mod ledger;
@@ -21,6 +22,7 @@ pub mod verify;
 pub mod winder_walk;
 
 pub use error::SimulateError;
+pub use field::{Discretisation, FieldSimulator};
 pub use method::Method;
 pub use simulate::Simulation;
 pub use trajectory::Trajectory;

@@ -4,6 +4,7 @@
 pub mod abbreviate;
 mod build;
 pub mod cas;
+pub mod density;
 pub mod dependencies;
 pub mod diagnostic;
 pub mod dimension;

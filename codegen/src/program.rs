@@ -1,8 +1,9 @@
 //! A scene ready to be emitted or evaluated: one tape for each function.
 
+use crate::expr::ParameterId;
 use crate::reduce::Reduction;
 use crate::state::Layout;
-use crate::system::LagrangianSystem;
+use crate::system::{Field, LagrangianSystem};
 use crate::tape::Tape;
 
 /// Structural nonzeros, sorted by row, then by column.
@@ -56,4 +57,38 @@ pub struct Program {
     pub energy: Tape,
     /// Rate of stored energy, power supplied, power dissipated.
     pub power_balance: Tape,
+    /// The generic element of every field.
+    pub fields: Vec<FieldProgram>,
+}
+
+/// What is computed at a point of a field. The state of the tapes is \[u, u_x, u_t,
+/// u_xt, x\]; forces come in twos, on u and on u_x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldProgram {
+    /// Names, attachments, defaults.
+    pub field: Field,
+    /// The entries of the state.
+    pub layout: Layout,
+    /// Parameters that the densities or the places on the field depend on.
+    pub parameters: Vec<ParameterId>,
+    /// m, of x.
+    pub inertia: Tape,
+    /// dm/dx, then dm/dp of `parameters`.
+    pub inertia_gradient: Tape,
+    /// Forces.
+    pub force: Tape,
+    /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
+    pub force_jacobian: Tape,
+    /// Twos of their derivatives with respect to x, t, and `parameters`.
+    pub force_gradient: Tape,
+    /// Kinetic, potential.
+    pub energy: Tape,
+    /// Rate of the potential, power supplied, power dissipated.
+    pub power: Tape,
+    /// x of the attachments, then the length.
+    pub places: Tape,
+    /// Their derivatives with respect to `parameters`, row by row.
+    pub places_gradient: Tape,
+    /// u and u_t at the start, of x.
+    pub initial: Tape,
 }

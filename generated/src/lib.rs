@@ -27,6 +27,7 @@ extern crate std;
 compile_error!("elementary functions come from `std` or `libm`: turn on one of these features");
 
 mod contract;
+pub mod field;
 mod include;
 mod real;
 pub mod scenes;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
-use machinist::{Method, Simulation};
+use machinist::{Discretisation, Method, Simulation};
 use machinist_codegen::spec::did_you_mean;
 use machinist_scenes::Simulator;
 
@@ -33,6 +33,12 @@ pub struct Run {
     /// Number of output times, both ends included
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
+    /// Number of elements of each field
+    #[arg(long, value_name = "NUMBER")]
+    elements: Option<usize>,
+    /// Order of the elements of fields
+    #[arg(long, value_name = "NUMBER")]
+    order: Option<usize>,
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE")]
     rtol: Option<f64>,
@@ -65,7 +71,8 @@ impl Run {
         if let Some(file) = &self.plot {
             require_ending(file, &["svg", "png"], "--plot")?;
         }
-        let scene = Scene::load(&self.scene, self.keep_all)?;
+        let wanted = Discretisation { elements: self.elements, order: self.order };
+        let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
         self.check_columns(scene.simulator())?;
         let simulation = self.simulation(scene.simulator())?;
         let mut trajectory = during("simulating", || simulation.run())?;

@@ -8,6 +8,7 @@
 mod body;
 mod check;
 mod describe;
+mod field;
 mod functions;
 mod header;
 mod items;
@@ -34,7 +35,8 @@ use series::Series;
 pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitError> {
     check::check(program)?;
     let scene = Scene::new(program)?;
-    let series = Series::new(&scene);
+    // What fields do is not in the machine's own series.
+    let series = if program.fields.is_empty() { Series::new(&scene) } else { None };
     let imports = imports(program, options, series.as_ref());
     let constants = items::constants(&scene);
     let machine = items::machine(&scene);
@@ -44,6 +46,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
     let functions = functions::functions(&scene)?;
     let implementations = describe::implementations(&scene, series.is_some())?;
     let series = series.map(|series| series.items(&scene)).transpose()?;
+    let fields = field::items(&scene)?;
     let tables = items::tables(&scene)?;
     let tokens = quote! {
         #imports
@@ -55,6 +58,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
         #functions
         #series
         #implementations
+        #fields
         #tables
     };
     let module = pretty(tokens)?;
@@ -154,13 +158,14 @@ impl<'a> Scene<'a> {
 /// `use` of exactly what the module needs.
 fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
+    let fields = (!program.fields.is_empty()).then(field::imports);
     let contract = &options.contract;
     let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
     let kinds = (!program.layout.is_of_all(&program.system)).then(|| quote!(StateKind,));
     quote! {
         use #contract::{
             #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-            SparsityPattern, #kinds #series
+            SparsityPattern, #kinds #series #fields
         };
     }
 }

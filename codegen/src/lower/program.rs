@@ -39,6 +39,7 @@ pub fn lower(linearization: &Linearization) -> Program {
         power_balance: graph.tape(&balance),
         system: system.clone(),
         layout: linearization.equations.layout.clone(),
+        fields: Vec::new(),
         reduction: linearization.equations.reduction.clone(),
     }
 }

@@ -1,5 +1,6 @@
 //! The system of a scene whose coordinates are known.
 
+mod distributed;
 mod initial;
 mod outputs;
 mod precision;
@@ -56,13 +57,16 @@ pub fn assemble(
         Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), mistakes };
     assembler.inputs();
     let (energies, springs) = assembler.energies();
-    let [kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
+    let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
-    let generalized_force = assembler.forces();
-    let initial = assembler.initial();
+    let mut generalized_force = assembler.forces();
+    let (initial, profiles) = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
-    let parameters = assembler.parameters();
+    let mut parameters = assembler.parameters();
+    let fields = assembler.fields(profiles);
+    distributed::take_hold(&fields, &mut kinetic, &mut generalized_force);
+    parameters.extend(assembler.handed());
     let freeze = assembler.freeze();
     let helpers = assembler.helpers();
     let outputs = assembler.outputs();
@@ -98,6 +102,7 @@ pub fn assemble(
             method: run.method.clone(),
         },
         freeze,
+        fields,
         files: spec.sources.files(),
     }
 }
@@ -261,7 +266,9 @@ impl<'a> Assembler<'a> {
                 .links
                 .iter()
                 .enumerate()
-                .filter(|(other, link)| link.id.0 as usize == id && other != slot);
+                .filter(|(other, link)| {
+                    link.id.0 as usize == id && other != slot && !layout.is_fixed(*other)
+                });
             let identified = followers.map(|(other, link)| {
                 let spec = &coordinate_spec(self.spec, layout, other).name.value;
                 let instance = &self.spec.instances[layout.coordinate(other).0].name.value;

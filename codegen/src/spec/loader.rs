@@ -23,6 +23,7 @@ const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("induction_motor_as_printed"),
     builtin!("induction_motor_stationary"),
     builtin!("rotor"),
+    builtin!("shaft"),
     builtin!("technological_load"),
     builtin!("three_pendulums"),
     builtin!("yarn_layer"),
@@ -85,8 +86,8 @@ impl Loader<'_> {
                 Some(self.units.len() - 1)
             });
             let Some(unit) = unit else { continue };
-            let (parameters, inputs) = (text.parameters, text.inputs);
-            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs });
+            let (parameters, inputs, fields) = (text.parameters, text.inputs, text.fields);
+            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs, fields });
         }
         instances
     }

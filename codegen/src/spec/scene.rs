@@ -1,13 +1,14 @@
 //! A scene's table to plain data, before its units are looked for.
 
 use crate::diagnostic::{FileId, Mistake, Span, Spanned};
+use crate::spec::distributed;
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    DefinitionSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
+    DefinitionSpec, DiscretisationSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
 };
 use crate::system::METHODS;
 
@@ -50,6 +51,7 @@ pub struct InstanceText {
     pub unit: Spanned<String>,
     pub parameters: Vec<(Spanned<String>, f64)>,
     pub inputs: Vec<(Spanned<String>, Formula)>,
+    pub fields: Vec<DiscretisationSpec>,
 }
 
 /// Reads a scene.
@@ -122,8 +124,10 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
         Some((entry.key.clone(), formula))
     });
     let inputs = inputs.collect();
+    let choices = each(&mut fields, "fields", distributed::discretisation);
     fields.close();
-    Some(InstanceText { name: entry.key.clone(), unit: unit?, parameters, inputs })
+    let name = entry.key.clone();
+    Some(InstanceText { name, unit: unit?, parameters, inputs, fields: choices })
 }
 
 fn joint(tree: &Spanned<Tree>, found: &mut Findings) -> Option<JointSpec> {

@@ -133,6 +133,7 @@ pub fn pendulum() -> Program {
         }),
         energy: tape(energy),
         power_balance: tape(power_balance),
+        fields: vec![],
     }
 }
 
@@ -171,6 +172,7 @@ fn pendulum_system() -> LagrangianSystem {
         stored_energy: zero(),
         supplied_power: zero(),
         dissipated_power: zero(),
+        fields: vec![],
         helpers: vec![],
         outputs: vec![
             Definition { quantity: quantity("height", "m", "height of the bob"), expr: zero() },

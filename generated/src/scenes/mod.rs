@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module a scene.
-use crate::{Real, Simulator};
+use crate::{field::FieldScene, Real, Simulator};
 
 /// Induction motor running up empty
 #[rustfmt::skip]
@@ -59,6 +59,17 @@ pub mod saw_gin;
     reason = "the spec's own names and numbers, in bodies as long as its equations"
 )]
 pub mod saw_gin_as_printed;
+
+/// Uniform shaft under a step of end torque
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_step_torque;
 
 /// Two rotors on an elasto-dissipative coupling
 #[rustfmt::skip]
@@ -118,6 +129,19 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "two_mass" => Some(&two_mass::TwoMass),
         "winder_linear" => Some(&winder_linear::WinderLinear),
         "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),
+        _ => None,
+    }
+}
+
+/// Names of all scenes with fields, sorted.
+#[rustfmt::skip]
+pub const FIELD_NAMES: &[&str] = &["shaft_step_torque"];
+
+/// The scene with fields of a name, not yet cut into elements.
+#[must_use]
+pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
+    match name {
+        "shaft_step_torque" => Some(&shaft_step_torque::ShaftStepTorque),
         _ => None,
     }
 }

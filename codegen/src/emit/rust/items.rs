@@ -253,17 +253,45 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
             pub mod #module;
         }
     });
-    let names = programs.iter().map(|program| program.system.name.as_str());
-    let arms = programs.iter().zip(modules).map(|(program, module)| {
+    let with_fields = |wanted: bool| {
+        let programs = programs.iter().zip(modules);
+        programs.filter(move |(program, _)| program.fields.is_empty() != wanted)
+    };
+    let arm = |(program, module): (&&Program, &Ident)| {
         let name = &program.system.name;
         let machine = format_ident!("{}", super::names::type_name(name));
         quote!(#name => Some(&#module::#machine),)
+    };
+    let names = with_fields(false).map(|(program, _)| program.system.name.as_str());
+    let arms: Vec<TokenStream> = with_fields(false).map(arm).collect();
+    let field_names = with_fields(true).map(|(program, _)| program.system.name.as_str());
+    let field_names: Vec<&str> = field_names.collect();
+    let field_arms = with_fields(true).map(arm);
+    let (field_names_doc, find_field_doc) = (
+        doc(["Names of all scenes with fields, sorted."]),
+        doc(["The scene with fields of a name, not yet cut into elements."]),
+    );
+    let of_fields = (!field_names.is_empty()).then(|| {
+        quote! {
+            #field_names_doc
+            #[rustfmt::skip]
+            pub const FIELD_NAMES: &[&str] = &[#(#field_names),*];
+            #find_field_doc
+            #[must_use]
+            pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
+                match name {
+                    #(#field_arms)*
+                    _ => None,
+                }
+            }
+        }
     });
+    let field_import = (!field_names.is_empty()).then(|| quote!(field::FieldScene,));
     let inner = "Simulators emitted from the specs, one module a scene.";
     let (names_doc, find_doc) =
         (doc(["Names of all scenes, sorted."]), doc(["The scene of a name."]));
     let inner = format!(" {inner}");
-    let find = if programs.is_empty() {
+    let find = if arms.is_empty() {
         quote!(
             pub fn find<R: Real>(_name: &str) -> Option<&'static dyn Simulator<R>> {
                 None
@@ -281,7 +309,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
     };
     quote! {
         #![doc = #inner]
-        use #contract::{Real, Simulator};
+        use #contract::{#field_import Real, Simulator};
         #(#declarations)*
         #names_doc
         #[rustfmt::skip]
@@ -289,5 +317,6 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
         #find_doc
         #[must_use]
         #find
+        #of_fields
     }
 }

@@ -4,6 +4,7 @@
 //! [`Integrator`], and add one row to the table below.
 
 mod auto;
+mod bordered;
 mod diffsol;
 mod explicit;
 mod lanes;

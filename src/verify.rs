@@ -17,6 +17,7 @@ mod pendulum_chain;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
+mod shaft_step_torque;
 mod two_mass;
 pub(crate) mod winder_linear;
 mod winder_nonlinear;
@@ -26,6 +27,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::error::SimulateError;
+use crate::field::FieldError;
 use crate::linear_analysis::LinearError;
 use machine::Machine;
 
@@ -110,6 +112,7 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "winder_linear" => winder_linear::CHECKS,
         "winder_nonlinear" => winder_nonlinear::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
+        "shaft_step_torque" => shaft_step_torque::CHECKS,
         _ => &[],
     }
 }
@@ -179,6 +182,9 @@ pub enum CheckFailure {
     /// Its linear analysis was refused or did not succeed.
     #[error(transparent)]
     Linear(#[from] LinearError),
+    /// Its fields cannot be cut into elements as wanted.
+    #[error(transparent)]
+    Field(#[from] FieldError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {

@@ -1,19 +1,24 @@
 //! A scene under check: its simulator in two kinds of numbers, its parameters,
 //! its quantities by name, and random states.
 
+use std::cell::RefCell;
+
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
+use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
 use machinist_scenes::scenes::two_mass::TwoMass;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
 use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
+use machinist_scenes::field::FieldScene;
 use machinist_scenes::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 use crate::complex_step::{self, ComplexStep};
+use crate::field::{Discretisation, FieldSimulator};
 use crate::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
 use crate::{Method, Simulation, Trajectory};
 
@@ -46,6 +51,7 @@ pub(crate) fn all() -> Vec<Machine> {
         winder_linear(),
         winder_nonlinear(),
         pendulum_chain(),
+        shaft_step_torque(),
     ]
 }
 
@@ -89,7 +95,38 @@ pub(crate) fn pendulum_chain() -> Machine {
     Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
 }
 
+/// The uniform shaft, cut coarsely: checks over refinements cut it anew.
+pub(crate) fn shaft_step_torque() -> Machine {
+    Machine::with_fields("shaft_step_torque", &ShaftStepTorque, &ShaftStepTorque)
+}
+
 impl Machine {
+    /// A scene with fields, of few elements. The simulators are made once a thread and
+    /// live as long as the program, as emitted ones do.
+    fn with_fields(
+        name: &'static str,
+        real: &'static dyn FieldScene<f64>,
+        complex: &'static dyn FieldScene<ComplexStep>,
+    ) -> Self {
+        type Cut = (&'static str, &'static dyn Simulator<f64>, &'static dyn Simulator<ComplexStep>);
+        thread_local! {
+            static CUT: RefCell<Vec<Cut>> = const { RefCell::new(Vec::new()) };
+        }
+        const FEW: Discretisation = Discretisation { elements: Some(4), order: Some(2) };
+        CUT.with_borrow_mut(|known| {
+            if let Some((_, real, complex)) = known.iter().find(|(other, ..)| *other == name) {
+                return Self::new(name, *real, *complex);
+            }
+            let four = "every scene has fewer than four stretches between ports";
+            let real: &'static FieldSimulator<'static, f64> =
+                Box::leak(Box::new(FieldSimulator::new(real, FEW).expect(four)));
+            let complex: &'static FieldSimulator<'static, ComplexStep> =
+                Box::leak(Box::new(FieldSimulator::new(complex, FEW).expect(four)));
+            known.push((name, real, complex));
+            Self::new(name, real, complex)
+        })
+    }
+
     fn new(
         name: &'static str,
         real: &'static dyn Simulator<f64>,

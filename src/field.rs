@@ -38,7 +38,9 @@ pub struct Discretisation {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FieldError {
     /// Too few or too many elements.
-    #[error("field `{field}` is cut into at least {least} and at most {most} elements, not {found}")]
+    #[error(
+        "field `{field}` is cut into at least {least} and at most {most} elements, not {found}"
+    )]
     Elements {
         /// The field.
         field: String,

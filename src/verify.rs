@@ -18,6 +18,7 @@ mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
 mod shaft_step_torque;
+mod shaft_with_rotors;
 mod two_mass;
 pub(crate) mod winder_linear;
 mod winder_nonlinear;
@@ -113,6 +114,7 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "winder_nonlinear" => winder_nonlinear::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
         "shaft_step_torque" => shaft_step_torque::CHECKS,
+        "shaft_with_rotors" => shaft_with_rotors::CHECKS,
         _ => &[],
     }
 }

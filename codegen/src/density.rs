@@ -23,7 +23,9 @@ use crate::lagrange::{self, EquationsOfMotion};
 use crate::linearize::{Linearization, Partials, linearize};
 use crate::lower::Graph;
 use crate::program::FieldProgram;
-use crate::system::{Coordinate, Field, FirstOrderState, GeneralizedForce, LagrangianSystem, Quantity};
+use crate::system::{
+    Coordinate, Field, FirstOrderState, GeneralizedForce, LagrangianSystem, Quantity,
+};
 use crate::tape::{NodeId, Tape};
 
 /// A field with the derivatives of its densities.
@@ -110,10 +112,8 @@ pub fn lower(field: &Field, equations: &FieldEquations) -> FieldProgram {
     let motion = &linearization.equations;
     let mut build = Build { graph: Graph::for_scene(motion.layout.symbols()) };
     let place = linearization.state.iter().find(|partials| partials.symbol == PLACE);
-    let of_parameters = equations
-        .parameters
-        .iter()
-        .filter_map(|id| linearization.parameters.get(id.0 as usize));
+    let of_parameters =
+        equations.parameters.iter().filter_map(|id| linearization.parameters.get(id.0 as usize));
     let of_parameters: Vec<&Partials> = of_parameters.collect();
 
     let inertia = build.nodes([&motion.mass_matrix[0][0]]);

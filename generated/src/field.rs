@@ -241,7 +241,8 @@ impl<R: Real> Elements<'_, R> {
             let start = start + length * R::literal(f64::from(number));
             Some(Element { first_node, start, length, place: [index, number as usize] })
         };
-        let last = |index: usize| self.segments.get(index).map_or(0, |segment| segment.elements - 1);
+        let last =
+            |index: usize| self.segments.get(index).map_or(0, |segment| segment.elements - 1);
         let before = bound.checked_sub(1);
         [before.and_then(|index| element(index, last(index))), element(bound, 0)]
     }
@@ -394,8 +395,7 @@ impl<R: Real> Elements<'_, R> {
                 let x = self.x(&element, point);
                 let share = element.length * R::literal(self.rule.weights[point]);
                 let [kinetic, potential] = scene.field_energy(self.field, time, x, &at, p);
-                let [stored, supplied, dissipated] =
-                    scene.field_power(self.field, time, x, &at, p);
+                let [stored, supplied, dissipated] = scene.field_power(self.field, time, x, &at, p);
                 let densities = [kinetic, potential, stored, supplied, dissipated];
                 for (sum, density) in sums.iter_mut().zip(densities) {
                     *sum = *sum + share * density;

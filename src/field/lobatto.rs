@@ -29,9 +29,11 @@ impl Lobatto {
         for (i, (x_i, value_i)) in x.iter().zip(&values).enumerate() {
             let row = x.iter().zip(&values).enumerate();
             let mut row: Vec<f64> = row
-                .map(|(j, (x_j, value_j))| {
-                    if i == j { 0.0 } else { 2.0 * value_i / (value_j * (x_i - x_j)) }
-                })
+                .map(
+                    |(j, (x_j, value_j))| {
+                        if i == j { 0.0 } else { 2.0 * value_i / (value_j * (x_i - x_j)) }
+                    },
+                )
                 .collect();
             // What is constant has no slope, to the last bit.
             row[i] = -row.iter().sum::<f64>();
@@ -111,9 +113,13 @@ mod tests {
             for power in 0..=order as i32 {
                 for (x, row) in rule.points.iter().zip(rule.slopes.chunks_exact(rule.len())) {
                     let values = rule.points.iter().map(|x| x.powi(power));
-                    let slope: f64 = row.iter().zip(values).map(|(slope, value)| slope * value).sum();
+                    let slope: f64 =
+                        row.iter().zip(values).map(|(slope, value)| slope * value).sum();
                     let exact = f64::from(power) * x.powi((power - 1).max(0));
-                    assert!((slope - exact).abs() < 1e-12, "order {order}, x^{power} at {x}: {slope}");
+                    assert!(
+                        (slope - exact).abs() < 1e-12,
+                        "order {order}, x^{power} at {x}: {slope}"
+                    );
                 }
             }
         }

@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 use machinist_scenes::Real;
-use machinist_scenes::field::{Elements, FieldDescription, FieldPlace, FieldScene, MAX_ORDER, Segment};
+use machinist_scenes::field::{
+    Elements, FieldDescription, FieldPlace, FieldScene, MAX_ORDER, Segment,
+};
 
 use super::{Discretisation, FieldError, Lobatto, MAX_ELEMENTS};
 
@@ -169,7 +171,7 @@ fn share(elements: usize, lengths: &[f64]) -> Vec<usize> {
         let longest = |index: &usize| lengths[*index] / counts[*index] as f64;
         let order = |a: &usize, b: &usize| longest(a).total_cmp(&longest(b));
         if given < elements {
-            let Some(index) = (0..counts.len()).max_by(order) else { return counts };
+            let Some(index) = (0..counts.len()).rev().max_by(order) else { return counts };
             counts[index] += 1;
         } else if given > elements {
             let many = (0..counts.len()).filter(|index| counts[*index] > 1);

@@ -49,9 +49,8 @@ impl<R: Real> Describe for FieldSimulator<'_, R> {
     }
     fn state_scale(&self, index: usize) -> f64 {
         let (n, all) = (self.machine.coordinates, self.coordinates());
-        let node = |order: usize, node: usize| {
-            self.scene.field(self.field_of[node] as usize).scale[order]
-        };
+        let node =
+            |order: usize, node: usize| self.scene.field(self.field_of[node] as usize).scale[order];
         match index {
             _ if index < n => self.scene.state_scale(index),
             _ if index < all => node(0, index - n),
@@ -258,21 +257,26 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             let inertia = &work.inertia[nodes.clone()];
             let motion = (&work.u[nodes.clone()], &work.v[nodes]);
             let elements = mesh.elements(index, &work.bounds[index]);
-            elements.force_jacobian(self.scene, (time, &work.p), motion, |element, i, j, by_u, by_v| {
-                let row = element * mesh.order + i;
-                let place = places.next().map_or([u32::MAX; 2], |place| *place);
-                if place[0] != u32::MAX {
-                    for (place, by) in place.into_iter().zip([by_u, by_v]) {
-                        let value = &mut values[place as usize];
-                        *value = *value + by / inertia[row];
+            elements.force_jacobian(
+                self.scene,
+                (time, &work.p),
+                motion,
+                |element, i, j, by_u, by_v| {
+                    let row = element * mesh.order + i;
+                    let place = places.next().map_or([u32::MAX; 2], |place| *place);
+                    if place[0] != u32::MAX {
+                        for (place, by) in place.into_iter().zip([by_u, by_v]) {
+                            let value = &mut values[place as usize];
+                            *value = *value + by / inertia[row];
+                        }
+                    } else if let Owner::Port { handed, .. } = mesh.owners[row] {
+                        let columns = self.columns(mesh.owners[element * mesh.order + j]);
+                        for (column, by) in columns.into_iter().flatten().zip([by_u, by_v]) {
+                            at_ports.push((handed as usize, column, by));
+                        }
                     }
-                } else if let Owner::Port { handed, .. } = mesh.owners[row] {
-                    let columns = self.columns(mesh.owners[element * mesh.order + j]);
-                    for (column, by) in columns.into_iter().flatten().zip([by_u, by_v]) {
-                        at_ports.push((handed as usize, column, by));
-                    }
-                }
-            });
+                },
+            );
         }
         for (handed, column, by) in &*at_ports {
             for (index, row) in self.rows_of_port(*handed as u32) {
@@ -316,13 +320,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
                 let force = &mut work.force_change[nodes.clone()];
                 let gradient = &mut work.gradient[..2 * (2 + count)];
                 let changes = (gradient, &mut *inertia, &mut *force);
-                elements.by_parameter(
-                    self.scene,
-                    (time, &work.p),
-                    motion,
-                    (k, &*bounds),
-                    changes,
-                );
+                elements.by_parameter(self.scene, (time, &work.p), motion, (k, &*bounds), changes);
                 for (node, owner) in mesh.owners.iter().enumerate() {
                     match *owner {
                         Owner::Fixed => {}

@@ -3,16 +3,17 @@
 
 use std::cell::RefCell;
 
+use machinist_scenes::field::FieldScene;
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
 use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
+use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 use machinist_scenes::scenes::two_mass::TwoMass;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
 use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
-use machinist_scenes::field::FieldScene;
 use machinist_scenes::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
@@ -52,6 +53,7 @@ pub(crate) fn all() -> Vec<Machine> {
         winder_nonlinear(),
         pendulum_chain(),
         shaft_step_torque(),
+        shaft_with_rotors(),
     ]
 }
 
@@ -98,6 +100,11 @@ pub(crate) fn pendulum_chain() -> Machine {
 /// The uniform shaft, cut coarsely: checks over refinements cut it anew.
 pub(crate) fn shaft_step_torque() -> Machine {
     Machine::with_fields("shaft_step_torque", &ShaftStepTorque, &ShaftStepTorque)
+}
+
+/// The shaft between rotors, likewise.
+pub(crate) fn shaft_with_rotors() -> Machine {
+    Machine::with_fields("shaft_with_rotors", &ShaftWithRotors, &ShaftWithRotors)
 }
 
 impl Machine {

@@ -34,23 +34,18 @@ pub(super) const CHECKS: &[Check] = &[
         measure: static_twist,
     },
     Check {
-        name: "rotation of the end after the step of torque, 256 elements of order 4",
-        reference: "d'Alembert's triangle over two periods, relative to its height",
-        tolerance: 1e-4,
+        name: "rotation of the end after the step of torque, 32 elements of order 4",
+        reference: "d'Alembert's triangle over a period, relative to its height",
+        tolerance: 3e-3,
         reason: "the triangle has corners, at which the elements converge slowly",
-        measure: |machine| Ok(Measured::error(step_error(machine, 256, 4)?)),
+        measure: |machine| Ok(Measured::error(step_error(machine, 32)?)),
     },
     Check {
         name: "order of that error as elements are halved",
-        reference: "at least 1, by which it falls short",
+        reference: "at least 0.8, by which it falls short",
         tolerance: 0.0,
-        reason: "rotations with corners are resolved to the length of an element at least",
-        measure: |machine| {
-            let errors = [step_error(machine, 32, 4)?, step_error(machine, 64, 4)?];
-            let order = (errors[0] / errors[1]).log2();
-            let error = if order.is_nan() { f64::NAN } else { (1.0 - order).max(0.0) };
-            Ok(Measured { error, value: Some(order), expected: Some(1.0) })
-        },
+        reason: "a corner is resolved to the length of an element",
+        measure: order_of_step,
     },
 ];
 
@@ -70,11 +65,7 @@ fn at_rest<'a>(
     Ok(Linearization::at(simulator, point)?)
 }
 
-fn natural(
-    machine: &Machine,
-    elements: usize,
-    order: usize,
-) -> Result<Vec<f64>, CheckFailure> {
+fn natural(machine: &Machine, elements: usize, order: usize) -> Result<Vec<f64>, CheckFailure> {
     let simulator = cut(elements, order)?;
     Ok(at_rest(machine, &simulator)?.second_order().undamped_frequencies()?)
 }
@@ -117,21 +108,30 @@ fn static_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
     state.resize(2 * n, 0.0);
     let places = simulator.places(0, &parameters);
     let end = SAW_GIN_SHAFT.static_twist(SAW_GIN_SHAFT.length, TORQUE);
-    let errors = places.iter().zip(simulator.values(0, &state)).map(|(x, angle)| {
-        (angle - SAW_GIN_SHAFT.static_twist(*x, TORQUE)).abs() / end
-    });
+    let errors = places
+        .iter()
+        .zip(simulator.values(0, &state))
+        .map(|(x, angle)| (angle - SAW_GIN_SHAFT.static_twist(*x, TORQUE)).abs() / end);
     Ok(Measured::error(errors.fold(0.0, worse)))
 }
 
-/// Largest error of the end's rotation over two periods, relative to its height.
-fn step_error(machine: &Machine, elements: usize, order: usize) -> Result<f64, CheckFailure> {
-    let simulator = cut(elements, order)?;
+fn order_of_step(machine: &Machine) -> Result<Measured, CheckFailure> {
+    const LEAST: f64 = 0.8;
+    let errors = [step_error(machine, 8)?, step_error(machine, 32)?];
+    let order = (errors[0] / errors[1]).log2() / 2.0;
+    let error = if order.is_nan() { f64::NAN } else { (LEAST - order).max(0.0) };
+    Ok(Measured { error, value: Some(order), expected: Some(LEAST) })
+}
+
+/// Largest error of the end's rotation over a period, relative to its height.
+fn step_error(machine: &Machine, elements: usize) -> Result<f64, CheckFailure> {
+    let simulator = cut(elements, 4)?;
     let period = 4.0 * SAW_GIN_SHAFT.length / SAW_GIN_SHAFT.wave_speed();
     let run = Simulation::new(&simulator)
         .parameters(&machine.parameters(&[])?)
-        .until(2.0 * period)
-        .points(401)
-        .rtol(1e-9)
+        .until(period)
+        .points(201)
+        .rtol(1e-7)
         .method(Method::Dop853)
         .run()?;
     let angles = machine.column(&run, "end_angle")?;

@@ -262,13 +262,9 @@ impl<'a> Assembler<'a> {
                 if spec.doc.is_empty() { String::new() } else { format!("rate of {}", spec.doc) };
             let unit = per_second(&spec.unit);
             let velocity = quantity(Some(instance), &spec.velocity.value, &unit, &doc);
-            let followers = layout
-                .links
-                .iter()
-                .enumerate()
-                .filter(|(other, link)| {
-                    link.id.0 as usize == id && other != slot && !layout.is_fixed(*other)
-                });
+            let followers = layout.links.iter().enumerate().filter(|(other, link)| {
+                link.id.0 as usize == id && other != slot && !layout.is_fixed(*other)
+            });
             let identified = followers.map(|(other, link)| {
                 let spec = &coordinate_spec(self.spec, layout, other).name.value;
                 let instance = &self.spec.instances[layout.coordinate(other).0].name.value;

@@ -53,7 +53,15 @@ pub fn locate(
                     Place::End => fixed[1],
                     Place::Inside => false,
                 };
-                let at = Attachment { instance: index, field: number, port: port_index, expr, x, place, fixed };
+                let at = Attachment {
+                    instance: index,
+                    field: number,
+                    port: port_index,
+                    expr,
+                    x,
+                    place,
+                    fixed,
+                };
                 found.push((at, attachment.at.span()));
             }
         }
@@ -130,8 +138,10 @@ fn length(
 ) -> Result<f64, Box<Mistake>> {
     let unit = &spec.units[instance.unit];
     let Some(Local::Parameter(number)) = layout.units[instance.unit].get(&field.over.value) else {
-        let message = format!("the length of a field is a parameter of its unit, and {} is none",
-            quoted(&field.over.value));
+        let message = format!(
+            "the length of a field is a parameter of its unit, and {} is none",
+            quoted(&field.over.value)
+        );
         let known = unit.parameters.iter().map(|parameter| parameter.name.value.as_str());
         let help = did_you_mean(&field.over.value, known);
         return Err(Box::new(Mistake::new(field.over.span, message, "no parameter").help(help)));
@@ -148,8 +158,8 @@ fn length(
     }
     let own = instance.parameters.iter().find(|(name, _)| name.value == field.over.value);
     let span = own.map_or(declared.name.span, |(name, _)| name.span);
-    let message = format!("the length of a field is above 0, but {} is {value} m",
-        quoted(&field.over.value));
+    let message =
+        format!("the length of a field is above 0, but {} is {value} m", quoted(&field.over.value));
     Err(Box::new(Mistake::new(span, message, "not a length")))
 }
 

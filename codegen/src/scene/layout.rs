@@ -330,7 +330,11 @@ pub fn unknown_coordinate(name: &Spanned<String>, unit: &UnitSpec) -> Mistake {
 fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
     let mut names = Names::default();
     if let Some(field) = unit.fields.first() {
-        names.add(&Spanned { value: "x".to_owned(), span: field.name.span }, Local::Place, mistakes);
+        names.add(
+            &Spanned { value: "x".to_owned(), span: field.name.span },
+            Local::Place,
+            mistakes,
+        );
     }
     for (index, field) in unit.fields.iter().enumerate() {
         names.add(&field.name, Local::Field(index, FieldPart::Value), mistakes);

@@ -158,9 +158,7 @@ impl Resolver<'_> {
                 self.leaf(symbol, unit, Uses::default(), span)
             }
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
-            _ => {
-                Err(Box::new(Mistake::new(span, "this name has no value", "not a value")))
-            }
+            _ => Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
         }
     }
 
@@ -292,9 +290,7 @@ impl Resolver<'_> {
             Definition::Helper(
                 scope @ (Scope::Instance(instance) | Scope::Density(instance, _)),
                 index,
-            ) => {
-                self.named(&unit(instance).helpers[index], scope, "helper", Uses::MOTION)
-            }
+            ) => self.named(&unit(instance).helpers[index], scope, "helper", Uses::MOTION),
             Definition::Output(instance, index) => {
                 let output = &unit(instance).outputs[index];
                 self.named(output, Scope::Instance(instance), "output", Uses::ANYTHING)

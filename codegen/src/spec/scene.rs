@@ -8,7 +8,8 @@ use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    DefinitionSpec, DiscretisationSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
+    DefinitionSpec, DiscretisationSpec, Formula, JointSpec, OutputSpec, ParameterSpec,
+    PortForceSpec, RunSpec, UnitSpec,
 };
 use crate::system::METHODS;
 

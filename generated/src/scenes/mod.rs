@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module a scene.
-use crate::{field::FieldScene, Real, Simulator};
+use crate::{Real, Simulator, field::FieldScene};
 
 /// Induction motor running up empty
 #[rustfmt::skip]
@@ -71,6 +71,17 @@ pub mod saw_gin_as_printed;
 )]
 pub mod shaft_step_torque;
 
+/// Shaft with a rotor at each end, let go twisted
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_with_rotors;
+
 /// Two rotors on an elasto-dissipative coupling
 #[rustfmt::skip]
 #[allow(
@@ -135,13 +146,14 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
 
 /// Names of all scenes with fields, sorted.
 #[rustfmt::skip]
-pub const FIELD_NAMES: &[&str] = &["shaft_step_torque"];
+pub const FIELD_NAMES: &[&str] = &["shaft_step_torque", "shaft_with_rotors"];
 
 /// The scene with fields of a name, not yet cut into elements.
 #[must_use]
 pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
     match name {
         "shaft_step_torque" => Some(&shaft_step_torque::ShaftStepTorque),
+        "shaft_with_rotors" => Some(&shaft_with_rotors::ShaftWithRotors),
         _ => None,
     }
 }

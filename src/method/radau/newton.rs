@@ -284,7 +284,8 @@ impl<'a> Newton<'a> {
             *residual -= real * w;
         }
         self.real.solve(&self.jacobian, first);
-        for (pair, (&(a, b), matrix)) in coefficients.pairs.iter().zip(&mut self.pairs).enumerate() {
+        for (pair, (&(a, b), matrix)) in coefficients.pairs.iter().zip(&mut self.pairs).enumerate()
+        {
             let shift = Complex64::new(a / step, b / step);
             let (two, others) = rest.split_at_mut(2 * size);
             rest = others;

@@ -54,10 +54,7 @@ enum Of {
 fn functions(field: &FieldProgram) -> [(Manner, &Tape); 9] {
     let manner = |name, of, doc, results| Manner { name, doc, of, results };
     [
-        (
-            manner("inertia", Of::Place, "m, the inertia a length.", &[] as &[_]),
-            &field.inertia,
-        ),
+        (manner("inertia", Of::Place, "m, the inertia a length.", &[] as &[_]), &field.inertia),
         (
             manner("inertia_gradient", Of::Place, "dm/dx, then dm/dp of `PARAMETERS`.", &[]),
             &field.inertia_gradient,
@@ -321,11 +318,14 @@ fn statics(program: &FieldProgram, module: &Ident) -> TokenStream {
             }
             None => quote!(None),
         };
-        let place = format_ident!("{}", match at.place {
-            Place::Start => "Start",
-            Place::Inside => "Inside",
-            Place::End => "End",
-        });
+        let place = format_ident!(
+            "{}",
+            match at.place {
+                Place::Start => "Start",
+                Place::Inside => "Inside",
+                Place::End => "End",
+            }
+        );
         let handed = Literal::u32_unsuffixed(at.handed.0);
         let x = number(at.x);
         quote!(FieldAttachment {

@@ -143,7 +143,9 @@ impl Assembler<'_> {
             let spec = &self.spec.instances[instance];
             let port = &self.spec.units[spec.unit].ports[at.port];
             let names = &self.layout.units[spec.unit];
-            let Some(Local::Coordinate(place)) = names.get(&port.coordinate.value) else { continue };
+            let Some(Local::Coordinate(place)) = names.get(&port.coordinate.value) else {
+                continue;
+            };
             let link = self.layout.link(instance, place);
             if link.factor.is_some() && !at.fixed {
                 let message = "two places of fields are joined with a ratio between them";
@@ -209,7 +211,9 @@ impl Assembler<'_> {
         }
         let tables = |expr: &Expr| {
             let mut found = false;
-            expr.visit(&mut |part| found |= matches!(part, Expr::Call(crate::expr::Function::Table { .. }, _)));
+            expr.visit(&mut |part| {
+                found |= matches!(part, Expr::Call(crate::expr::Function::Table { .. }, _))
+            });
             found
         };
         if tables(density) || !self.mistakes.is_empty() {
@@ -249,10 +253,30 @@ impl Assembler<'_> {
             let (field, port) = (&unit.fields[at.field], &unit.ports[at.port].name.value);
             let (of, slope) = (field.unit.text.trim(), &field.gradient.value);
             let entries: [(String, String, &str, f64); HANDED] = [
-                (format!("{port}_field_inertia"), format!("J s^2/({of})^2"), "inertia of the field's node", 1.0),
-                (format!("{port}_field_force"), format!("J/({of})"), "force of the field on its node", 0.0),
-                (format!("{port}_{slope}_before"), format!("{of}/m"), "slope of the field before the port", 0.0),
-                (format!("{port}_{slope}_after"), format!("{of}/m"), "slope of the field after the port", 0.0),
+                (
+                    format!("{port}_field_inertia"),
+                    format!("J s^2/({of})^2"),
+                    "inertia of the field's node",
+                    1.0,
+                ),
+                (
+                    format!("{port}_field_force"),
+                    format!("J/({of})"),
+                    "force of the field on its node",
+                    0.0,
+                ),
+                (
+                    format!("{port}_{slope}_before"),
+                    format!("{of}/m"),
+                    "slope of the field before the port",
+                    0.0,
+                ),
+                (
+                    format!("{port}_{slope}_after"),
+                    format!("{of}/m"),
+                    "slope of the field after the port",
+                    0.0,
+                ),
             ];
             handed.extend(entries.map(|(name, unit, doc, value)| Parameter {
                 quantity: quantity(
@@ -295,7 +319,12 @@ fn quantities(instance: &str, field: &FieldSpec) -> [crate::system::Quantity; 5]
         quantity(Some(instance), &field.name.value, unit, doc),
         quantity(Some(instance), &field.gradient.value, &format!("{unit}/m"), &slope),
         quantity(Some(instance), &field.rate.value, &rate_unit, &rate_of(doc)),
-        quantity(Some(instance), &field.gradient_rate.value, &format!("{rate_unit}/m"), &rate_of(&slope)),
+        quantity(
+            Some(instance),
+            &field.gradient_rate.value,
+            &format!("{rate_unit}/m"),
+            &rate_of(&slope),
+        ),
         quantity(Some(instance), "x", "m", "place along the field"),
     ]
 }

@@ -5,6 +5,7 @@
 //! code is 0 for success, 1 for a check that failed or a run that stopped, 2 for
 //! bad input. A command that fails leaves no file behind.
 
+mod bench;
 mod check;
 mod derive;
 pub mod explain;
@@ -48,6 +49,8 @@ enum Command {
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
+    /// Measure error against run time of all methods on a scene
+    Bench(bench::Bench),
     /// Natural frequencies, damping and mode shapes of a scene
     Modes(modes::Modes),
     /// Frequency response of a scene: amplitude and phase
@@ -68,6 +71,7 @@ pub fn main() -> ExitCode {
         Command::Derive(command) => command.execute(),
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Bench(command) => command.execute(),
         Command::Modes(command) => command.execute(),
         Command::Response(command) => command.execute(),
         Command::Verify(command) => command.execute(),

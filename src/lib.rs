@@ -20,6 +20,7 @@ pub mod simulate;
 pub mod trajectory;
 pub mod verify;
 pub mod winder_walk;
+pub mod work_precision;
 
 pub use error::SimulateError;
 pub use field::{Discretisation, FieldSimulator};

@@ -15,7 +15,6 @@ mod reduction;
 mod scene;
 mod verification;
 mod winder_walk;
-mod work_precision;
 
 use std::path::Path;
 
@@ -25,6 +24,7 @@ use machinist::linear_analysis::LinearError;
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
 use machinist::winder_walk::FirstStage;
+use machinist::work_precision::{self, Plan, WorkPrecision};
 use machinist::{SimulateError, Simulation};
 use machinist_codegen::dependencies::Dependencies;
 use machinist_codegen::document::{Document, Notation};
@@ -38,7 +38,6 @@ use crate::cli::specs::{self, Derived};
 use crate::explain::Explanation;
 use crate::freeze::admit;
 use modes::Modes;
-use work_precision::WorkPrecision;
 
 /// Everything the page shows.
 struct Report {
@@ -95,14 +94,18 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
     let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
-    let work_precision = if with_times {
-        during("timing the methods", work_precision::measure)?
-    } else {
-        Vec::new()
-    };
+    let work_precision =
+        if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
     let report = Report { scenes, emitted, verdicts, ledger, winder, work_precision };
     Ok(Page { html: page::render(&report), all_passed })
+}
+
+/// Error against time of the scenes that are built in; those that only exist to be
+/// measured are left to `machinist bench`.
+fn measure_all() -> Result<Vec<WorkPrecision>, SimulateError> {
+    let found = scenes::NAMES.iter().filter_map(|name| scenes::find::<f64>(name));
+    found.map(|simulator| work_precision::measure(simulator, &Plan::default())).collect()
 }
 
 impl Report {

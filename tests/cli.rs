@@ -299,6 +299,43 @@ fn two_derivations_at_the_same_time_both_succeed() {
 }
 
 #[test]
+fn a_measurement_has_a_line_for_each_method_and_tolerance() {
+    let table = answer(&["bench", "two_mass", "--methods", "tsit45,bdf", "--rtols", "1e-6,1e-3"]);
+    assert!(table.contains("measured against the closed form"), "{table}");
+    for method in ["tsit45", "bdf"] {
+        let lines = table.lines().filter(|line| line.starts_with(&format!("{method} ")));
+        let tolerances: Vec<&str> =
+            lines.filter_map(|line| line.split_whitespace().nth(1)).collect();
+        assert_eq!(tolerances, ["1e-3", "1e-6"], "from loose to tight: {table}");
+    }
+}
+
+#[test]
+fn a_measurement_as_json_holds_errors_that_fall_with_the_tolerance() {
+    let arguments = ["bench", "two_mass", "--methods", "tsit45", "--rtols", "1e-3,1e-8", "--json"];
+    let json: serde_json::Value = serde_json::from_str(&answer(&arguments)).expect("JSON");
+    let curve = &json["curves"][0];
+    assert_eq!(curve["method"], "tsit45");
+    let error = |point: usize| curve["points"][point]["error"].as_f64().expect("a number");
+    assert!(error(1) < error(0) / 100.0, "{json}");
+    assert!(curve["points"][1]["work"]["rate_evaluations"].as_u64() > Some(10));
+}
+
+#[test]
+fn a_measurement_of_nonsense_is_refused() {
+    assert_refused(&["bench", "two_mass", "--rtols", "0"], &["tolerance", "above 0"]);
+    assert_refused(&["bench", "two_mass", "--rtols", "1e-3,-1"], &["tolerance", "above 0"]);
+    assert_refused(&["bench", "two_mass", "--methods", "rk4"], &["no method", "tsit45"]);
+    assert_refused(&["bench", "twomass"], &["no scene", "two_mass"]);
+}
+
+#[test]
+fn a_scene_that_is_not_built_in_runs_by_its_name() {
+    let summary = answer(&["run", "m5", "--until", "0.1"]);
+    assert!(summary.contains("winder.q"), "{summary}");
+}
+
+#[test]
 fn the_list_names_every_scene() {
     let list = answer(&["list"]);
     for name in machinist_scenes::scenes::NAMES {

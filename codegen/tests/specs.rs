@@ -101,11 +101,10 @@ fn good_specs_compose_to_the_system_on_record() {
 
 #[test]
 fn scenes_of_the_repository_compose() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
-    let entries = std::fs::read_dir(folder).expect("folder of scenes");
-    let paths: Vec<PathBuf> = entries.map(|entry| entry.expect("entry").path()).collect();
-    assert!(!paths.is_empty());
-    for path in paths {
+    let scenes = specs("../../specs/scenes");
+    let bench = specs("../../specs/scenes/bench");
+    assert!(!scenes.is_empty() && !bench.is_empty());
+    for (_, path) in scenes.into_iter().chain(bench) {
         if let Err(errors) = read(&path) {
             panic!("{}: {}", path.display(), errors.render());
         }

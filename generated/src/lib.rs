@@ -26,6 +26,10 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("elementary functions come from `std` or `libm`: turn on one of these features");
 
+/// Simulators to be measured rather than used; emitted like [`scenes`].
+#[cfg(feature = "bench")]
+#[path = "scenes/bench/mod.rs"]
+pub mod bench;
 mod contract;
 pub mod field;
 mod include;

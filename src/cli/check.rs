@@ -22,6 +22,7 @@ impl Check {
         for path in &self.paths {
             if Path::new(path).is_dir() {
                 files.extend(specs::scene_files(Path::new(path))?);
+                files.extend(specs::bench_files(Path::new(path))?);
             } else {
                 files.push(spec_path(path)?);
             }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use machinist_codegen::pipeline;
+use machinist_codegen::program::Program;
 use machinist_codegen::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 
@@ -35,21 +36,34 @@ impl Generate {
     /// Everything is derived and emitted in memory before anything is written.
     pub fn execute(&self) -> Result<(), Failure> {
         let files = specs::scene_files(&self.specs)?;
+        let bench_files = specs::bench_files(&self.specs)?;
+        let programs = during("deriving", || self.programs(&files))?;
+        let bench_programs = during("deriving", || self.programs(&bench_files))?;
+        let mode = if self.check { Mode::Check } else { Mode::Write };
+        let mut text = describe(&emit_scenes(&self.out, &programs, mode)?, "");
+        if !bench_programs.is_empty() {
+            let emitted = emit_scenes(&self.out.join(specs::BENCH), &bench_programs, mode)?;
+            text.push_str(&describe(&emitted, "bench/"));
+        }
+        print(&text)
+    }
+}
+
+impl Generate {
+    fn programs(&self, files: &[PathBuf]) -> Result<Vec<Program>, Failure> {
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
-        let programs =
-            during("deriving", || specs::all(&files, |file| pipeline::generate(file, keep)))?;
+        let programs = specs::all(files, |file| pipeline::generate(file, keep))?;
         if !self.keep_all {
             for (file, program) in files.iter().zip(&programs) {
                 admit(file, program)?;
             }
         }
-        let mode = if self.check { Mode::Check } else { Mode::Write };
-        let summary = emit_scenes(&self.out, &programs, mode)?;
-        print(&describe(&summary))
+        Ok(programs)
     }
 }
 
-fn describe(summary: &Summary) -> String {
+/// One line a file, whose names begin with `folder`.
+fn describe(summary: &Summary, folder: &str) -> String {
     let mut lines = Vec::new();
     for (file, written) in &summary.files {
         let what = match written {
@@ -57,10 +71,10 @@ fn describe(summary: &Summary) -> String {
             Written::Changed => "changed",
             Written::Unchanged => "fresh",
         };
-        lines.push(format!("{what:<8} {file}\n"));
+        lines.push(format!("{what:<8} {folder}{file}\n"));
     }
     for file in &summary.orphans {
-        lines.push(format!("orphan   {file}: its scene is no more; delete it\n"));
+        lines.push(format!("orphan   {folder}{file}: its scene is no more; delete it\n"));
     }
     lines.concat()
 }

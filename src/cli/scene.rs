@@ -24,8 +24,8 @@ pub enum Scene {
 }
 
 impl Scene {
-    /// The scene of a name or of a spec file; of its spec in any case if nothing is
-    /// to be left out.
+    /// The scene of a name or of a spec file; a name that is not built in may be that
+    /// of a spec. Of its spec in any case if nothing is to be left out.
     pub fn load(argument: &str, keep_all: bool) -> Result<Self, Failure> {
         Self::load_cut(argument, keep_all, Discretisation::default())
     }
@@ -36,29 +36,29 @@ impl Scene {
         keep_all: bool,
         wanted: Discretisation,
     ) -> Result<Self, Failure> {
-        if keep_all || is_path(argument) {
-            let path = spec_path(argument)?;
-            let keep = if keep_all { Keep::All } else { Keep::Needed };
-            let program = during("deriving", || pipeline::generate(&path, keep))?;
-            if !keep_all {
-                admit(&path, &program)?;
-            }
-            let has_fields = !program.fields.is_empty();
-            let simulator = Box::new(InterpretedSimulator::new(program));
-            if has_fields {
-                // It lives as long as the command, which loads one scene.
-                let scene: &'static InterpretedSimulator = Box::leak(simulator);
-                let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
-                return Ok(Self::Fields(Box::new(cut), false));
-            }
-            return without_fields(wanted, Self::Interpreted(simulator));
-        }
-        if let Some(scene) = scenes::find_field::<f64>(argument) {
+        let is_named = !keep_all && !is_path(argument);
+        if is_named && let Some(scene) = scenes::find_field::<f64>(argument) {
             let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
             return Ok(Self::Fields(Box::new(cut), true));
         }
-        let found = scenes::find::<f64>(argument).map(Self::Emitted);
-        without_fields(wanted, found.ok_or_else(|| unknown(argument))?)
+        if is_named && let Some(simulator) = built_in(argument) {
+            return without_fields(wanted, Self::Emitted(simulator));
+        }
+        let path = spec_path(argument)?;
+        let keep = if keep_all { Keep::All } else { Keep::Needed };
+        let program = during("deriving", || pipeline::generate(&path, keep))?;
+        if !keep_all {
+            admit(&path, &program)?;
+        }
+        let has_fields = !program.fields.is_empty();
+        let simulator = Box::new(InterpretedSimulator::new(program));
+        if !has_fields {
+            return without_fields(wanted, Self::Interpreted(simulator));
+        }
+        // It lives as long as the command, which loads one scene.
+        let scene: &'static InterpretedSimulator = Box::leak(simulator);
+        let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
+        Ok(Self::Fields(Box::new(cut), false))
     }
 
     /// The simulator.
@@ -91,6 +91,15 @@ fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure
     }
     let message = format!("scene `{}` has no fields", scene.simulator().name());
     Err(Failure::input(message, "leave `--elements` and `--order` out"))
+}
+
+/// The emitted simulator of a name.
+pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
+    #[cfg(feature = "bench")]
+    if let Some(simulator) = machinist_scenes::bench::find(name) {
+        return Some(simulator);
+    }
+    scenes::find(name)
 }
 
 /// The spec file of a name or a path. A name is looked for among the specs of

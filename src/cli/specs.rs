@@ -13,8 +13,9 @@ use super::Failure;
 
 /// Where scenes are kept.
 pub const SCENES: &str = "specs/scenes";
-/// The folder below it with scenes that are there to be measured.
-const BENCH: &str = "bench";
+/// The folder below it with scenes that are there to be measured, and the folder
+/// below that of the emitted files with their simulators.
+pub const BENCH: &str = "bench";
 
 /// Where the spec of a scene may be.
 pub fn places_of(name: &str) -> [PathBuf; 2] {
@@ -22,18 +23,20 @@ pub fn places_of(name: &str) -> [PathBuf; 2] {
     [Path::new(SCENES).join(&file), Path::new(SCENES).join(BENCH).join(&file)]
 }
 
-/// All scene files of a folder and of `bench` below it, each sorted by name.
+/// All scene files of a folder, sorted by name.
 pub fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mut files = toml_files(folder)?;
-    let bench = folder.join(BENCH);
-    if bench.is_dir() {
-        files.extend(toml_files(&bench)?);
-    }
+    let files = toml_files(folder)?;
     if files.is_empty() {
         let message = format!("{}: there are no scenes in this folder", folder.display());
         return Err(Failure::input(message, "scenes are files that end in `.toml`"));
     }
     Ok(files)
+}
+
+/// All scene files of `bench` below a folder, likewise; none without that folder.
+pub fn bench_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let bench = folder.join(BENCH);
+    if bench.is_dir() { toml_files(&bench) } else { Ok(Vec::new()) }
 }
 
 fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {

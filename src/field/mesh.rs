@@ -1,5 +1,6 @@
 //! Elements of one field: segments between its places, and whose every node is.
 
+use std::cmp::Ordering;
 use std::ops::Range;
 
 use machinist_scenes::Real;
@@ -170,15 +171,17 @@ fn share(elements: usize, lengths: &[f64]) -> Vec<usize> {
         let given: usize = counts.iter().sum();
         let longest = |index: &usize| lengths[*index] / counts[*index] as f64;
         let order = |a: &usize, b: &usize| longest(a).total_cmp(&longest(b));
-        if given < elements {
-            let Some(index) = (0..counts.len()).rev().max_by(order) else { return counts };
-            counts[index] += 1;
-        } else if given > elements {
-            let many = (0..counts.len()).filter(|index| counts[*index] > 1);
-            let Some(index) = many.min_by(order) else { return counts };
-            counts[index] -= 1;
-        } else {
-            return counts;
+        match given.cmp(&elements) {
+            Ordering::Less => {
+                let Some(index) = (0..counts.len()).rev().max_by(order) else { return counts };
+                counts[index] += 1;
+            }
+            Ordering::Greater => {
+                let many = (0..counts.len()).filter(|index| counts[*index] > 1);
+                let Some(index) = many.min_by(order) else { return counts };
+                counts[index] -= 1;
+            }
+            Ordering::Equal => return counts,
         }
     }
 }

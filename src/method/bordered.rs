@@ -231,8 +231,9 @@ impl<S: ComplexField<RealField = f64> + Copy> Band<S> {
             if known.is_zero() {
                 continue;
             }
-            for row in k + 1..(k + self.width + 1).min(self.size) {
-                b[row] -= self.entries[self.place(row, k)] * known;
+            let bottom = (k + self.width + 1).min(self.size);
+            for (row, value) in (k + 1..bottom).zip(&mut b[k + 1..bottom]) {
+                *value -= self.entries[self.place(row, k)] * known;
             }
         }
         for row in (0..self.size).rev() {

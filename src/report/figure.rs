@@ -8,7 +8,7 @@ use plotly::configuration::Configuration;
 use plotly::layout::{Axis, AxisType, HoverMode, Legend, Margin};
 use plotly::{Layout, Plot, Scatter};
 
-use super::work_precision::WorkPrecision;
+use machinist::work_precision::WorkPrecision;
 
 /// Colours that people with any colour vision can tell apart, on light and dark
 /// (after M. Okabe and K. Ito, Color universal design, 2008).

@@ -3,7 +3,8 @@
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::work_precision::{RUNS, WorkPrecision};
+use machinist::work_precision::{Plan, WorkPrecision};
+
 use super::{Report, figure, ledger, licences, scene, verification, winder_walk};
 
 /// Nothing may be loaded: everything the page needs is in it.
@@ -150,8 +151,8 @@ fn work_precision(measured: &[WorkPrecision]) -> Markup {
                 &format!("{}-work-precision", scene.scene),
                 scene,
                 &html! {
-                    code { (scene.scene) } ", measured against " (scene.reference) ". Times are
-                     medians of up to " (RUNS) " runs on the machine that made this page; only their
+                    code { (scene.scene) } ", measured against " (scene.reference.name) ". Times are
+                     medians of up to " (Plan::default().runs) " runs on the machine that made this page; only their
                      ratios mean anything elsewhere."
                 },
             ))

@@ -1,10 +1,12 @@
 //! Which of several equal forms is cheapest.
 
+use num_rational::BigRational;
+use num_traits::Signed as _;
 use symbolica::atom::{Atom, AtomCore};
 
 use super::convert::{to_atom, to_expr};
 use super::functions::Vocabulary;
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::lower::operations;
 use crate::trigonometry::{combine, has_sine};
 
@@ -33,15 +35,33 @@ pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
     if size <= EXPAND_LIMIT {
         let expanded = trigonometric(vocabulary, &atom.expand());
         offer(to_expr(vocabulary, expanded.collect_factors().as_view()));
-        if size <= FACTOR_LIMIT {
+        let as_sum = to_expr(vocabulary, expanded.as_view());
+        if size <= FACTOR_LIMIT && !has_high_degree(&as_sum) {
             offer(to_expr(vocabulary, expanded.factor().as_view()));
         }
-        offer(to_expr(vocabulary, expanded.as_view()));
+        offer(as_sum);
     } else {
         let combined = trigonometric(vocabulary, atom);
         offer(to_expr(vocabulary, combined.as_view()));
     }
     best.1
+}
+
+/// Whether there is an exponential with a number in its argument: exp(50 t + 7) is
+/// a power of exp(t) to Symbolica, and polynomials of degree 50 take long to factor.
+fn has_high_degree(expr: &Expr) -> bool {
+    let one = BigRational::from_integer(1.into());
+    let mut found = false;
+    expr.visit(&mut |part| {
+        if let Expr::Call(Function::Exp, arguments) = part {
+            for argument in arguments {
+                argument.visit(&mut |part| {
+                    found |= matches!(part, Expr::Number(number) if number.abs() != one);
+                });
+            }
+        }
+    });
+    found
 }
 
 /// Pythagoras and the addition theorems, as often as they apply.

@@ -64,7 +64,7 @@ pub fn assemble(
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
     let mut parameters = assembler.parameters();
-    let fields = assembler.fields(profiles);
+    let fields = assembler.fields(&profiles);
     distributed::take_hold(&fields, &mut kinetic, &mut generalized_force);
     parameters.extend(assembler.handed());
     let freeze = assembler.freeze();

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module a scene.
-use crate::{Real, Simulator, field::FieldScene};
+use crate::{field::FieldScene, Real, Simulator};
 
 /// Induction motor running up empty
 #[rustfmt::skip]

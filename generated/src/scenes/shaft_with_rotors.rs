@@ -674,7 +674,11 @@ pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
 ///
 /// One generic element: what acts at a point with u, u_x, u_t, u_xt at x. The loops over elements are the contract's.
 pub mod shaft_phi {
-    #[allow(unused_imports, reason = "not every field needs all of it")]
+    #[allow(
+        clippy::wildcard_imports,
+        unused_imports,
+        reason = "what a field needs of it"
+    )]
     use super::*;
     /// Parameters that the field depends on.
     pub const PARAMETERS: [u32; 4] = [1, 2, 3, 4];

@@ -162,7 +162,7 @@ fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<Token
     Ok(quote! {
         #docs
         pub mod #name {
-            #[allow(unused_imports, reason = "not every field needs all of it")]
+            #[allow(clippy::wildcard_imports, unused_imports, reason = "what a field needs of it")]
             use super::*;
             /// Parameters that the field depends on.
             pub const PARAMETERS: [u32; #count] = [#(#parameters),*];
@@ -311,13 +311,8 @@ fn statics(program: &FieldProgram, module: &Ident) -> TokenStream {
         quote!(Quantity { name: #name, unit: #unit, doc: #doc })
     };
     let attachments = field.attachments.iter().map(|at| {
-        let coordinate = match at.coordinate {
-            Some(id) => {
-                let id = Literal::u32_unsuffixed(id.0);
-                quote!(Some(#id))
-            }
-            None => quote!(None),
-        };
+        let coordinate = at.coordinate.map(|id| Literal::u32_unsuffixed(id.0));
+        let coordinate = coordinate.map_or_else(|| quote!(None), |id| quote!(Some(#id)));
         let place = format_ident!(
             "{}",
             match at.place {

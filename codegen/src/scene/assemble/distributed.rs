@@ -74,7 +74,7 @@ impl Assembler<'_> {
     }
 
     /// The fields of all instances.
-    pub(super) fn fields(&mut self, profiles: Profiles) -> Vec<Field> {
+    pub(super) fn fields(&mut self, profiles: &Profiles) -> Vec<Field> {
         let mut fields = Vec::new();
         for (index, instance, unit) in self.instances() {
             for (number, field) in unit.fields.iter().enumerate() {
@@ -212,7 +212,7 @@ impl Assembler<'_> {
         let tables = |expr: &Expr| {
             let mut found = false;
             expr.visit(&mut |part| {
-                found |= matches!(part, Expr::Call(crate::expr::Function::Table { .. }, _))
+                found |= matches!(part, Expr::Call(crate::expr::Function::Table { .. }, _));
             });
             found
         };

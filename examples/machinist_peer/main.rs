@@ -1,0 +1,306 @@
+//! A program that measures the emitted benchmark scenes, as JSON lines on standard
+//! output, so that they can stand beside other tools in one table:
+//!
+//! ```text
+//! machinist_peer rhs    --model M2
+//! machinist_peer sim    --model M2 --rtols 1e-3,1e-6 --budget 1.0
+//! machinist_peer sweep  --model M2 --count 1000 --rtol 1e-6
+//! machinist_peer derive --model M6:10          (built with the feature `cli`)
+//! ```
+//!
+//! Build it for the machine it runs on, as one would build what is measured:
+//!
+//! ```text
+//! RUSTFLAGS="-C target-cpu=native" cargo build --release --no-default-features \
+//!     --example machinist_peer
+//! ```
+//!
+//! Times are medians of several runs. A simulation includes setting up and freeing
+//! the method; states are handed over as the benchmark models define them.
+
+mod model;
+
+use std::error::Error;
+use std::hint::black_box;
+use std::process::ExitCode;
+use std::thread;
+use std::time::Instant;
+
+use machinist::Method;
+use machinist::method::{Problem, Stopped, System};
+use serde_json::{Value, json};
+
+use model::Model;
+
+/// Largest number of steps of a run.
+const MAX_STEPS: usize = 10_000_000;
+/// Runs of which the median counts, and how long they may take in all \[s\].
+const MOST_RUNS: usize = 31;
+const ENOUGH: f64 = 0.15;
+/// At least so many runs, unless they take longer than this in all \[s\].
+const FEWEST_RUNS: usize = 3;
+const TOO_LONG: f64 = 1.0;
+
+fn main() -> ExitCode {
+    match answer() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("machinist_peer: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn answer() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::read()?;
+    let Some(model) = Model::find(&arguments.model) else {
+        print(&arguments.model, &json!({"skip": "no such scene in specs/scenes/bench"}));
+        return Ok(());
+    };
+    match arguments.call.as_str() {
+        "rhs" => rhs(&model),
+        "sim" => simulate(&model, &arguments)?,
+        "sweep" if model.key == "M2" => sweep(&model.key, &arguments)?,
+        "sweep" => print(&model.key, &json!({"skip": "only M2 has a parameter to vary"})),
+        "derive" => derive(&model)?,
+        call => print(&model.key, &json!({"skip": format!("no call `{call}`")})),
+    }
+    Ok(())
+}
+
+/// What the command line asks for.
+struct Arguments {
+    call: String,
+    model: String,
+    rtols: Vec<f64>,
+    rtol: f64,
+    budget: f64,
+    count: usize,
+}
+
+impl Arguments {
+    fn read() -> Result<Self, Box<dyn Error>> {
+        let given: Vec<String> = std::env::args().skip(1).collect();
+        let option = |name: &str, default: &str| {
+            let place = given.iter().position(|argument| argument == name);
+            let value = place.and_then(|place| given.get(place + 1));
+            value.map_or_else(|| default.to_owned(), Clone::clone)
+        };
+        let rtols = option("--rtols", "1e-3,1e-4,1e-6,1e-8,1e-10,1e-12");
+        Ok(Self {
+            call: given.first().cloned().unwrap_or_default(),
+            model: option("--model", "M1"),
+            rtols: rtols.split(',').map(str::parse).collect::<Result<_, _>>()?,
+            rtol: option("--rtol", "1e-6").parse()?,
+            budget: option("--budget", "5").parse()?,
+            count: option("--count", "1000").parse()?,
+        })
+    }
+}
+
+/// The state of a model at the end of its run, in the model's order.
+fn run(model: &Model, method: Method, rtol: f64, parameters: &[f64]) -> Result<Vec<f64>, Stopped> {
+    let simulator = model.simulator;
+    let shape = simulator.shape();
+    let mut initial = vec![0.0; shape.states()];
+    simulator.initial_state(parameters, &mut initial);
+    let mut jumps = vec![0.0; shape.discontinuities];
+    simulator.discontinuities(parameters, &mut jumps);
+    let span = simulator.run_defaults();
+    let system = System::new(simulator, parameters, false);
+    let problem = Problem {
+        system: &system,
+        from: span.from,
+        until: span.until,
+        times: &[span.until],
+        initial,
+        jumps,
+        rtol,
+        atol: model.scales().iter().map(|scale| rtol * scale).collect(),
+        max_steps: MAX_STEPS,
+    };
+    let state = problem.integrate(method)?;
+    Ok(model.states(span.until, &state, parameters))
+}
+
+/// A function of time and state that writes numbers.
+type Call<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
+
+/// Nanoseconds of one rate and of one whole Jacobian, cycling through 16 states.
+fn rhs(model: &Model) {
+    const STATES: usize = 16;
+    let simulator = model.simulator;
+    let (parameters, scales) = (model.parameters(), model.scales());
+    let states: Vec<Vec<f64>> = (0..STATES)
+        .map(|number| {
+            let angle = |index: usize| 1.0 + 0.7 * index as f64 + 0.3 * number as f64;
+            let value = |(index, scale): (usize, &f64)| 0.3 * scale * angle(index).sin();
+            scales.iter().enumerate().map(value).collect()
+        })
+        .collect();
+    let measure = |kind: &str, size: usize, call: &Call<'_>| {
+        let mut values = vec![0.0; size];
+        let time = nanoseconds(|number| {
+            let number = number % STATES;
+            call(0.01 * number as f64, black_box(&states[number]), &mut values);
+            black_box(&mut values);
+        });
+        print(&model.key, &json!({"kind": kind, "variant": "emitted Rust", "ns": time}));
+    };
+    measure("rhs", scales.len(), &|t, y, out| simulator.rate(t, y, &parameters, out));
+    let nonzeros = simulator.rate_jacobian_pattern().entries.len();
+    measure("jac", nonzeros, &|t, y, out| simulator.rate_jacobian(t, y, &parameters, out));
+}
+
+/// Median time of a call \[ns\]; it is told how many went before it.
+fn nanoseconds(mut call: impl FnMut(usize)) -> f64 {
+    const SAMPLE: f64 = 0.01;
+    let mut sample = |calls: usize| {
+        let start = Instant::now();
+        (0..calls).for_each(&mut call);
+        start.elapsed().as_secs_f64()
+    };
+    let mut calls = 1000;
+    while sample(calls) < SAMPLE {
+        calls *= 2;
+    }
+    let times = (0..9).map(|_| sample(calls) / calls as f64 * 1e9);
+    median(times.collect())
+}
+
+/// One line for each method and tolerance, from loose to tight, until the budget
+/// of the method is spent.
+fn simulate(model: &Model, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    check_tolerances(&arguments.rtols)?;
+    let parameters = model.parameters();
+    for method in Method::ALL.iter().filter(|method| method.suits(model.simulator)) {
+        let mut spent = 0.0;
+        for rtol in &arguments.rtols {
+            let (mut times, mut total) = (Vec::new(), 0.0);
+            let outcome = loop {
+                let start = Instant::now();
+                let outcome = run(model, *method, *rtol, &parameters);
+                times.push(start.elapsed().as_secs_f64());
+                total += times[times.len() - 1];
+                let enough = total > ENOUGH && times.len() >= FEWEST_RUNS;
+                if outcome.is_err() || enough || times.len() >= MOST_RUNS || total > TOO_LONG {
+                    break outcome;
+                }
+            };
+            let runs = times.len();
+            let seconds = median(times);
+            let line = match outcome {
+                Ok(state) => json!({
+                    "solver": method.name(), "rtol": rtol, "seconds": seconds, "reps": runs,
+                    "final_state": state,
+                }),
+                Err(stopped) => json!({
+                    "solver": method.name(), "rtol": rtol,
+                    "error": format!("at t = {}: {}", stopped.time, stopped.cause),
+                }),
+            };
+            print(&model.key, &line);
+            spent += seconds;
+            if seconds > arguments.budget / 3.0 || spent > arguments.budget {
+                break;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Many runs with couplings from soft to stiff, on one thread and on two.
+fn sweep(key: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    check_tolerances(&[arguments.rtol])?;
+    let (count, rtol) = (arguments.count, arguments.rtol);
+    if count < 2 {
+        return Err(format!("a sweep has at least 2 variants, not {count}").into());
+    }
+    let stiffness = |index: usize| 10_f64.powf(4.0 + 2.0 * index as f64 / (count - 1) as f64);
+    let variants: Vec<f64> = (0..count).map(stiffness).collect();
+    for method in Method::ALL {
+        // Simulators make no promise to be shared: each thread finds its own.
+        let run_all = |variants: &[f64]| {
+            let model = Model::find(key).ok_or("the scene is gone")?;
+            let run = |stiffness: &f64| run(&model, *method, rtol, &[*stiffness]);
+            let states = variants.iter().map(run).collect::<Result<Vec<_>, _>>();
+            states.map_err(|stopped| stopped.cause.to_string())
+        };
+        for threads in [1, 2] {
+            let start = Instant::now();
+            let outcome = thread::scope(|scope| {
+                let chunks = variants.chunks(count.div_ceil(threads));
+                let workers: Vec<_> =
+                    chunks.map(|chunk| scope.spawn(move || run_all(chunk))).collect();
+                let mut states = Vec::with_capacity(count);
+                for worker in workers {
+                    let done = worker.join().map_err(|_| "a worker panicked".to_owned())?;
+                    states.extend(done?);
+                }
+                Ok::<_, String>(states)
+            });
+            let seconds = start.elapsed().as_secs_f64();
+            let line = match outcome {
+                Ok(states) => json!({
+                    "solver": method.name(), "rtol": rtol, "sims": count, "threads": threads,
+                    "seconds": seconds, "final_states": states,
+                }),
+                Err(error) => json!({"solver": method.name(), "rtol": rtol, "error": error}),
+            };
+            print(key, &line);
+        }
+    }
+    Ok(())
+}
+
+/// Seconds from the spec's text to equations and tapes, and from these to Rust.
+#[cfg(feature = "cli")]
+fn derive(model: &Model) -> Result<(), Box<dyn Error>> {
+    use machinist_codegen::emit::rust::emit;
+    use machinist_codegen::emit::{EmitOptions, tape_operations};
+    use machinist_codegen::pipeline;
+    use machinist_codegen::reduce::Keep;
+
+    let spec = format!("{}/specs/scenes/bench/{}.toml", env!("CARGO_MANIFEST_DIR"), model.scene);
+    let start = Instant::now();
+    let program = pipeline::generate(std::path::Path::new(&spec), Keep::Needed)?;
+    let derived = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let text = emit(&program, &EmitOptions::within_contract())?;
+    let emitted = start.elapsed().as_secs_f64();
+    let line = json!({
+        "variant": "all functions", "derive_s": derived, "codegen_s": emitted, "compile_s": 0.0,
+        "ops_rhs": tape_operations(&program.rate),
+        "ops_jac": tape_operations(&program.rate_jacobian.tape),
+        "how": format!("{} lines of Rust, not compiled here", text.lines().count()),
+    });
+    print(&model.key, &line);
+    Ok(())
+}
+
+/// As above, where Symbolica is not linked.
+#[cfg(not(feature = "cli"))]
+#[expect(clippy::unnecessary_wraps, reason = "alike with the feature `cli`")]
+fn derive(model: &Model) -> Result<(), Box<dyn Error>> {
+    print(&model.key, &json!({"skip": format!("`{}`: built without `cli`", model.scene)}));
+    Ok(())
+}
+
+fn check_tolerances(rtols: &[f64]) -> Result<(), Box<dyn Error>> {
+    match rtols.iter().find(|rtol| !(**rtol > 0.0 && **rtol <= 1.0)) {
+        None => Ok(()),
+        Some(rtol) => Err(format!("{rtol} is no relative tolerance").into()),
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Prints a line at once: whoever cuts this program off keeps what it has printed.
+fn print(model: &str, line: &Value) {
+    let mut line = line.clone();
+    line["model"] = Value::from(model);
+    println!("{line}");
+}

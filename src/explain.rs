@@ -93,6 +93,8 @@ impl Explanation {
     pub fn new(scene: &Path, keep: Keep, with_times: bool) -> Result<Self, Diagnostics> {
         let whole = pipeline::generate(scene, Keep::All)?;
         let needed = pipeline::generate(scene, keep)?;
+        // A scene with fields is kept whole, and runs once it is cut into elements only.
+        let with_times = with_times && whole.fields.is_empty();
         let mut stages = vec![Stage { done: "the whole scene", size: Size::of(&whole) }];
         let steps = [
             (Keep::Tunable, "parameters fixed"),

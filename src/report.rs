@@ -5,6 +5,7 @@
 //! sections, and `page.rs` puts the sections together.
 
 mod equations;
+mod fields;
 mod figure;
 mod ledger;
 mod licences;
@@ -119,20 +120,28 @@ impl Report {
 impl SceneData {
     fn new(derived: Derived, file: &Path, with_times: bool) -> Result<Self, Failure> {
         let document = Document::new(&derived.equations, Notation::Latex);
-        let built_in = scenes::find::<f64>(&derived.program.system.name);
+        let name = &derived.program.system.name;
+        let built_in = scenes::find::<f64>(name);
         let run = |simulator: &dyn Simulator<f64>| {
             Simulation::new(simulator).with_energy_balance(true).run()
         };
         let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
+        let has_fields = !derived.program.fields.is_empty();
         let (trajectory, modes) = match built_in {
             Some(simulator) => both(simulator),
+            None if has_fields => {
+                let interpreted = InterpretedSimulator::new(derived.program.clone());
+                let scene = scenes::find_field::<f64>(name).unwrap_or(&interpreted);
+                fields::run(scene)?
+            }
             None => both(&InterpretedSimulator::new(derived.program.clone())),
         };
+        let is_built_in = built_in.is_some() || scenes::find_field::<f64>(name).is_some();
         Ok(Self {
             document,
             explanation: Explanation::new(file, Keep::Needed, with_times)?,
             dependencies: Dependencies::new(&derived.equations, &derived.program.reduction),
-            is_built_in: built_in.is_some(),
+            is_built_in,
             run: trajectory,
             modes,
             derived,

@@ -277,9 +277,17 @@ fn agree(scene: &dyn FieldScene<f64>, chain: &Chain, order: usize) {
         assert!((ours.total() / known.total() - 1.0).abs() < 1e-13);
         let balance = simulator.power_balance(t, &y, &p);
         let known = twin.power_balance(t, &of_twin, &q);
-        let size = known.dissipated.abs() + known.supplied.abs();
-        assert!((balance.supplied - known.supplied).abs() < 1e-13 * size);
-        assert!((balance.dissipated - known.dissipated).abs() < 1e-13 * size);
+        // Powers are sums of what acts on the nodes, which cancels.
+        let mut forces = vec![0.0; n];
+        simulator.forcing(t, &y, &p, &mut forces);
+        let size: f64 = forces.iter().zip(&y[n..]).map(|(force, rate)| (force * rate).abs()).sum();
+        for (ours, known) in [
+            (balance.supplied, known.supplied),
+            (balance.dissipated, known.dissipated),
+            (balance.stored_rate, known.stored_rate),
+        ] {
+            assert!((ours - known).abs() < 1e-13 * size, "{ours} for {known} of {size}");
+        }
     }
 }
 

@@ -3,7 +3,18 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module a scene.
-use crate::{Real, Simulator, field::FieldScene};
+use crate::{field::FieldScene, Real, Simulator};
+
+/// Loom: motor, coupling, shaft and reed in one machine
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod loom_drive;
 
 /// Induction motor running up empty
 #[rustfmt::skip]
@@ -38,6 +49,17 @@ pub mod motor_stationary_axes;
 )]
 pub mod pendulum_chain;
 
+/// Beat-up of a reed by an elastic shaft
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod reed_beat_up;
+
 /// Saw gin: motor, coupling and saw cylinder
 #[rustfmt::skip]
 #[allow(
@@ -59,6 +81,17 @@ pub mod saw_gin;
     reason = "the spec's own names and numbers, in bodies as long as its equations"
 )]
 pub mod saw_gin_as_printed;
+
+/// Saw gin with a distributed shaft
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod saw_gin_shaft;
 
 /// Uniform shaft under a step of end torque
 #[rustfmt::skip]
@@ -146,12 +179,21 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
 
 /// Names of all scenes with fields, sorted.
 #[rustfmt::skip]
-pub const FIELD_NAMES: &[&str] = &["shaft_step_torque", "shaft_with_rotors"];
+pub const FIELD_NAMES: &[&str] = &[
+    "loom_drive",
+    "reed_beat_up",
+    "saw_gin_shaft",
+    "shaft_step_torque",
+    "shaft_with_rotors",
+];
 
 /// The scene with fields of a name, not yet cut into elements.
 #[must_use]
 pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
     match name {
+        "loom_drive" => Some(&loom_drive::LoomDrive),
+        "reed_beat_up" => Some(&reed_beat_up::ReedBeatUp),
+        "saw_gin_shaft" => Some(&saw_gin_shaft::SawGinShaft),
         "shaft_step_torque" => Some(&shaft_step_torque::ShaftStepTorque),
         "shaft_with_rotors" => Some(&shaft_with_rotors::ShaftWithRotors),
         _ => None,

@@ -10,13 +10,16 @@
 //! published numbers, so that a broken parameter makes rows fail.
 
 mod every_scene;
+mod loom_drive;
 pub(crate) mod machine;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
 mod pendulum_chain;
+mod reed_beat_up;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
+mod saw_gin_shaft;
 mod shaft_step_torque;
 mod shaft_with_rotors;
 mod two_mass;
@@ -115,6 +118,9 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "pendulum_chain" => pendulum_chain::CHECKS,
         "shaft_step_torque" => shaft_step_torque::CHECKS,
         "shaft_with_rotors" => shaft_with_rotors::CHECKS,
+        "reed_beat_up" => reed_beat_up::CHECKS,
+        "saw_gin_shaft" => saw_gin_shaft::CHECKS,
+        "loom_drive" => loom_drive::CHECKS,
         _ => &[],
     }
 }

@@ -287,6 +287,47 @@ impl<R: Real> Elements<'_, R> {
         [u[here], u_x / element.length, v[here], v_x / element.length]
     }
 
+    /// u_x at the first or last node of an element, from what acts in the section there
+    /// if that node has this acceleration:
+    ///
+    /// ```text
+    /// M_i u_i'' = F_i - [f_1 l_i]      M_i and F_i of this element alone
+    /// ```
+    ///
+    /// It is as exact as u is, where the slope of the shape functions loses an order and
+    /// more, and fits what is joined to the node to the last digit. f_1 is taken for
+    /// linear in u_x between the two.
+    #[must_use]
+    pub fn slope_of_section<S: FieldScene<R> + ?Sized>(
+        &self,
+        scene: &S,
+        (time, p): (R, &[R]),
+        (u, v): (&[R], &[R]),
+        (element, is_last): (&Element<R>, bool),
+        acceleration: R,
+    ) -> R {
+        let here = if is_last { self.rule.len() - 1 } else { 0 };
+        let share = element.length * R::literal(self.rule.weights[here]);
+        let inertia = share * scene.field_inertia(self.field, self.x(element, here), p);
+        let at = self.point(element, here, u, v);
+        let x = self.x(element, here);
+        let [f_0, own] = scene.field_force(self.field, time, x, &at, p);
+        let mut force = share * f_0;
+        for point in 0..self.rule.len() {
+            let at = self.point(element, point, u, v);
+            let x = self.x(element, point);
+            let [_, f_1] = scene.field_force(self.field, time, x, &at, p);
+            let weight = self.rule.weights[point] * self.rule.slope(point, here);
+            force = force + R::literal(weight) * f_1;
+        }
+        let rest = force - inertia * acceleration;
+        let in_section = if is_last { rest } else { -rest };
+        let by_slope = scene.field_force_jacobian(self.field, time, x, &at, p)[5];
+        let zero = R::literal(0.0);
+        let change = (in_section - own) / by_slope;
+        at[1] + R::select_less(zero, by_slope.abs(), change, zero)
+    }
+
     /// M, one entry a node.
     pub fn inertia<S: FieldScene<R> + ?Sized>(&self, scene: &S, p: &[R], inertia: &mut [R]) {
         inertia.fill(R::literal(0.0));

@@ -146,19 +146,30 @@ impl<R: Real> FieldSimulator<'_, R> {
     }
 
     /// Slopes on both sides of every port, handed over for outputs.
-    fn hand_over_slopes(&self, work: &mut Work<R>) {
+    fn hand_over_slopes(&self, time: R, work: &mut Work<R>) {
+        let result = &mut work.result[..work.state.len()];
+        self.scene.rate(time, &work.state, &work.p, result);
         for (index, mesh) in self.meshes.iter().enumerate() {
             let nodes = mesh.nodes();
-            let (u, v) = (&work.u[nodes.clone()], &work.v[nodes]);
+            let motion = (&work.u[nodes.clone()], &work.v[nodes]);
             let elements = mesh.elements(index, &work.bounds[index]);
             let attachments = self.scene.field(index).attachments;
             for [number, bound, _] in &mesh.attached {
-                let handed = attachments[*number].handed as usize;
+                let at = attachments[*number];
+                let velocity = |coordinate: u32| self.machine.positions + coordinate as usize;
+                let acceleration =
+                    at.coordinate.map_or(R::literal(0.0), |c| work.result[velocity(c)]);
+                let handed = at.handed as usize;
                 let beside = elements.beside(*bound);
-                for (element, (point, place)) in beside.iter().zip([(mesh.order, 2), (0, 3)]) {
-                    if let Some(element) = element {
-                        work.p[handed + place] = elements.point(element, point, u, v)[1];
-                    }
+                for (element, (is_last, place)) in beside.iter().zip([(true, 2), (false, 3)]) {
+                    let Some(element) = element else { continue };
+                    work.p[handed + place] = elements.slope_of_section(
+                        self.scene,
+                        (time, &work.p),
+                        motion,
+                        (element, is_last),
+                        acceleration,
+                    );
                 }
             }
         }
@@ -404,7 +415,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
     fn outputs(&self, time: R, state: &[R], parameters: &[R], outputs: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
         self.load(time, state, parameters, work);
-        self.hand_over_slopes(work);
+        self.hand_over_slopes(time, work);
         self.scene.outputs(time, &work.state, &work.p, outputs);
     }
 

@@ -4,11 +4,14 @@
 use std::cell::RefCell;
 
 use machinist_scenes::field::FieldScene;
+use machinist_scenes::scenes::loom_drive::LoomDrive;
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
+use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
+use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
 use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
 use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 use machinist_scenes::scenes::two_mass::TwoMass;
@@ -54,6 +57,9 @@ pub(crate) fn all() -> Vec<Machine> {
         pendulum_chain(),
         shaft_step_torque(),
         shaft_with_rotors(),
+        reed_beat_up(),
+        saw_gin_shaft(),
+        loom_drive(),
     ]
 }
 
@@ -100,6 +106,21 @@ pub(crate) fn pendulum_chain() -> Machine {
 /// The uniform shaft, cut coarsely: checks over refinements cut it anew.
 pub(crate) fn shaft_step_torque() -> Machine {
     Machine::with_fields("shaft_step_torque", &ShaftStepTorque, &ShaftStepTorque)
+}
+
+/// The reed on its driven shaft, likewise.
+pub(crate) fn reed_beat_up() -> Machine {
+    Machine::with_fields("reed_beat_up", &ReedBeatUp, &ReedBeatUp)
+}
+
+/// The saw gin with a distributed shaft, likewise.
+pub(crate) fn saw_gin_shaft() -> Machine {
+    Machine::with_fields("saw_gin_shaft", &SawGinShaft, &SawGinShaft)
+}
+
+/// Motor, coupling, shaft and reed, likewise.
+pub(crate) fn loom_drive() -> Machine {
+    Machine::with_fields("loom_drive", &LoomDrive, &LoomDrive)
 }
 
 /// The shaft between rotors, likewise.

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module a scene.
-use crate::{field::FieldScene, Real, Simulator};
+use crate::{Real, Simulator, field::FieldScene};
 
 /// Loom: motor, coupling, shaft and reed in one machine
 #[rustfmt::skip]

@@ -55,3 +55,52 @@ fn numbers_of_elements_and_orders_out_of_range_are_refused() {
         assert_eq!(with(4, order), Some(FieldError::Order(order)));
     }
 }
+
+#[cfg(feature = "cli")]
+mod emitted {
+    use std::path::Path;
+    use std::time::{Duration, Instant};
+
+    use machinist_codegen::emit::{EmitOptions, rust::emit};
+    use machinist_codegen::pipeline;
+    use machinist_codegen::reduce::Keep;
+
+    /// The emitted scene with so many elements, without the hash of its spec and with
+    /// the number put back, and the time that took.
+    fn emitted(elements: &str) -> (String, Duration) {
+        let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs");
+        let spec = std::fs::read_to_string(specs.join("scenes/shaft_with_rotors.toml")).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("scenes")).unwrap();
+        std::fs::create_dir_all(folder.path().join("units")).unwrap();
+        for unit in ["shaft.toml", "rotor.toml"] {
+            let to = folder.path().join("units").join(unit);
+            std::fs::copy(specs.join("units").join(unit), to).unwrap();
+        }
+        let file = folder.path().join("scenes/shaft_with_rotors.toml");
+        let spec = spec.replace("elements = 16", &format!("elements = {elements}"));
+        assert!(spec.contains(elements));
+        std::fs::write(&file, spec).unwrap();
+        let start = Instant::now();
+        let program = pipeline::generate(&file, Keep::Needed).unwrap();
+        let text = emit(&program, &EmitOptions::within_contract()).unwrap();
+        let elapsed = start.elapsed();
+        let lines = text.lines().filter(|line| !line.contains("scenes/shaft_with_rotors.toml"));
+        let lines: Vec<&str> = lines.collect();
+        let text = lines.join("\n");
+        let default = |number: &str| format!("elements: {number},");
+        assert!(text.contains(&default(elements)), "{text}");
+        (text.replace(&default(elements), &default("10")), elapsed)
+    }
+
+    #[test]
+    fn ten_elements_and_a_hundred_thousand_are_the_same_emitted_text_and_work() {
+        let (few, _) = emitted("10");
+        let (many, many_time) = emitted("100000");
+        let (_, few_time) = emitted("10");
+        assert_eq!(few, many);
+        println!("{few_time:?} and {many_time:?}");
+        // The machine may be busy with something else; unrolled it would be 10 000 times.
+        assert!(many_time < 10 * few_time + Duration::from_secs(5));
+    }
+}

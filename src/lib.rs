@@ -16,6 +16,7 @@ pub mod linear_analysis;
 pub mod method;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod reed_study;
 pub mod simulate;
 pub mod trajectory;
 pub mod verify;

@@ -47,6 +47,7 @@ struct Report {
     verdicts: Vec<Verdict>,
     ledger: Result<Vec<LedgerRow>, String>,
     winder: Result<FirstStage, String>,
+    fields: fields::Study,
     work_precision: Vec<WorkPrecision>,
 }
 
@@ -60,6 +61,8 @@ struct SceneData {
     is_built_in: bool,
     run: Result<Trajectory, SimulateError>,
     modes: Option<Result<Modes, LinearError>>,
+    /// Its fields over time, if it has any.
+    along: Vec<fields::Along>,
 }
 
 /// The page, made.
@@ -95,10 +98,11 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
     let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
+    let fields = during("cutting fields", fields::Study::new);
     let work_precision =
         if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
-    let report = Report { scenes, emitted, verdicts, ledger, winder, work_precision };
+    let report = Report { scenes, emitted, verdicts, ledger, winder, fields, work_precision };
     Ok(Page { html: page::render(&report), all_passed })
 }
 
@@ -126,13 +130,16 @@ impl SceneData {
             Simulation::new(simulator).with_energy_balance(true).run()
         };
         let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
+        let mut along = Vec::new();
         let has_fields = !derived.program.fields.is_empty();
         let (trajectory, modes) = match built_in {
             Some(simulator) => both(simulator),
             None if has_fields => {
                 let interpreted = InterpretedSimulator::new(derived.program.clone());
                 let scene = scenes::find_field::<f64>(name).unwrap_or(&interpreted);
-                fields::run(scene)?
+                let run = fields::run(scene)?;
+                along = run.along;
+                (run.trajectory, run.modes)
             }
             None => both(&InterpretedSimulator::new(derived.program.clone())),
         };
@@ -144,6 +151,7 @@ impl SceneData {
             is_built_in,
             run: trajectory,
             modes,
+            along,
             derived,
         })
     }

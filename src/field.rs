@@ -12,6 +12,7 @@
 
 mod lobatto;
 mod mesh;
+mod modal;
 mod simulator;
 
 use std::cell::RefCell;
@@ -21,6 +22,7 @@ use machinist_scenes::{Real, Shape};
 
 pub use lobatto::Lobatto;
 use mesh::{Mesh, Owner};
+pub use modal::{ModalError, ModalSimulator};
 
 /// Elements that all fields of a scene may have together.
 pub const MAX_ELEMENTS: usize = 1_000_000;

@@ -31,7 +31,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::error::SimulateError;
-use crate::field::FieldError;
+use crate::field::{FieldError, ModalError};
 use crate::linear_analysis::LinearError;
 use machine::Machine;
 
@@ -193,6 +193,9 @@ pub enum CheckFailure {
     /// Its fields cannot be cut into elements as wanted.
     #[error(transparent)]
     Field(#[from] FieldError),
+    /// It is not seen through modes as wanted.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {

@@ -222,6 +222,17 @@ pub enum StopCause {
         /// The constraint.
         constraint: String,
     },
+    /// A method that works on full matrices, on a scene that is too large for them.
+    #[error(
+        "it works on full matrices, and {states} states are more than {most}. \
+         Hint: `rodas5p`, `radau` and the explicit methods run large fields"
+    )]
+    TooLarge {
+        /// States of the scene.
+        states: usize,
+        /// The most that full matrices are made for.
+        most: usize,
+    },
     /// Anything else the solver reports.
     #[error("{0}")]
     Solver(String),

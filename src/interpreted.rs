@@ -1,5 +1,7 @@
 //! Scenes run straight from their tapes, without compiling what they emit.
 
+mod field;
+
 use std::cell::RefCell;
 
 use machinist_codegen::evaluate::Evaluator;
@@ -42,6 +44,7 @@ pub struct InterpretedSimulator {
     is_given: Vec<bool>,
     series: RefCell<SeriesEvaluator>,
     linear: Option<[RefCell<Evaluator>; 2]>,
+    fields: Vec<field::InterpretedField>,
 }
 
 impl InterpretedSimulator {
@@ -73,6 +76,7 @@ impl InterpretedSimulator {
                 .excitation
                 .as_ref()
                 .map(|excitation| [&excitation.values, &excitation.switches].map(prepared)),
+            fields: program.fields.iter().map(field::InterpretedField::new).collect(),
             program,
         }
     }

@@ -17,6 +17,7 @@ pub mod closed_form;
 pub mod complex_step;
 pub mod constraints;
 pub mod error;
+pub mod field;
 #[cfg(feature = "cli")]
 pub mod interpreted;
 #[cfg(feature = "sweep")]
@@ -30,6 +31,7 @@ pub mod method;
 pub mod object;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod reed_study;
 pub mod simulate;
 #[cfg(feature = "sweep")]
 pub mod sweep;
@@ -42,6 +44,7 @@ pub mod winder_walk;
 pub mod work_precision;
 
 pub use error::SimulateError;
+pub use field::{Discretisation, FieldSimulator};
 pub use method::Method;
 pub use simulate::Simulation;
 #[cfg(feature = "sweep")]

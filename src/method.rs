@@ -6,6 +6,8 @@
 
 #[cfg(feature = "implicit")]
 mod auto;
+#[cfg(feature = "implicit")]
+mod bordered;
 #[cfg(feature = "diffsol")]
 mod diffsol;
 #[cfg(feature = "implicit")]

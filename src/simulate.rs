@@ -108,6 +108,12 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Values of all parameters, in the order of the simulator.
+    #[must_use]
+    pub fn parameter_values(&self) -> &[f64] {
+        &self.parameters
+    }
+
     /// Starts from this state \[q, q', z\] instead of the spec's.
     pub fn initial_state(mut self, state: &[f64]) -> Self {
         self.initial_state = Some(state.to_vec());

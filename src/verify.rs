@@ -14,13 +14,18 @@ mod contact_oscillator;
 mod coulomb_oscillator;
 mod every_scene;
 mod linkages;
+mod loom_drive;
 pub(crate) mod machine;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
 mod pendulum_chain;
+mod reed_beat_up;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
+mod saw_gin_shaft;
+mod shaft_step_torque;
+mod shaft_with_rotors;
 mod stick_slip;
 mod two_mass;
 pub(crate) mod winder_linear;
@@ -32,6 +37,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::error::SimulateError;
+use crate::field::{FieldError, ModalError};
 use crate::linear_analysis::LinearError;
 use machine::Machine;
 
@@ -137,6 +143,11 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "stick_slip_smooth" => stick_slip::SMOOTH_CHECKS,
         "contact_oscillator" => contact_oscillator::CHECKS,
         "contact_oscillator_smooth" => contact_oscillator::SMOOTH_CHECKS,
+        "shaft_step_torque" => shaft_step_torque::CHECKS,
+        "shaft_with_rotors" => shaft_with_rotors::CHECKS,
+        "reed_beat_up" => reed_beat_up::CHECKS,
+        "saw_gin_shaft" => saw_gin_shaft::CHECKS,
+        "loom_drive" => loom_drive::CHECKS,
         _ => &[],
     }
 }
@@ -206,6 +217,12 @@ pub enum CheckFailure {
     /// Its linear analysis was refused or did not succeed.
     #[error(transparent)]
     Linear(#[from] LinearError),
+    /// Its fields cannot be cut into elements as wanted.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+    /// It is not seen through modes as wanted.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {

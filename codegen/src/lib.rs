@@ -5,6 +5,7 @@ pub mod abbreviate;
 mod build;
 pub mod cas;
 pub mod constraint;
+pub mod density;
 pub mod dependencies;
 pub mod diagnostic;
 pub mod dimension;

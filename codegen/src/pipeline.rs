@@ -14,7 +14,7 @@ use crate::linearize::linearize;
 use crate::program::Program;
 use crate::reduce::{FreezeError, Keep, reduce};
 use crate::system::LagrangianSystem;
-use crate::{lower, scene, spec};
+use crate::{density, lower, scene, spec};
 
 /// A scene file to its program, of the whole scene or of what its outputs need.
 ///
@@ -29,12 +29,18 @@ pub fn generate(scene: &Path, keep: Keep) -> Result<Program, Diagnostics> {
 /// # Errors
 /// As [`generate`].
 pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Program, Diagnostics> {
-    let linearization = session(move |cas| {
+    // What a field holds on to is not seen in the machine's own equations.
+    let keep = if system.fields.is_empty() { keep } else { Keep::All };
+    let (linearization, fields) = session(move |cas| {
         let equations = lagrange::derive(cas, &system);
         let needed = reduce(cas, &equations, keep)?;
-        Ok::<_, FreezeError>(linearize(cas, &needed))
+        let fields = density::derive(cas, &needed.system);
+        Ok::<_, FreezeError>((linearize(cas, &needed), fields))
     })??;
-    Ok(lower::lower(&linearization))
+    let mut program = lower::lower(&linearization);
+    let of_fields = linearization.equations.system.fields.iter().zip(&fields);
+    program.fields = of_fields.map(|(field, equations)| density::lower(field, equations)).collect();
+    Ok(program)
 }
 
 /// A scene's programs, of the whole and after each step of reduction.

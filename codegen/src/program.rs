@@ -1,10 +1,10 @@
 //! A scene ready to be emitted or evaluated: one tape for each function.
 
-use crate::expr::CoordinateId;
+use crate::expr::{CoordinateId, ParameterId};
 use crate::linear::Excitation;
 use crate::reduce::Reduction;
 use crate::state::{Layout, Motion};
-use crate::system::{Direction, LagrangianSystem, Name};
+use crate::system::{Direction, Field, LagrangianSystem, Name};
 use crate::tape::Tape;
 
 /// Structural nonzeros, sorted by row, then by column.
@@ -105,6 +105,8 @@ pub struct Program {
     pub constraint_rates: Tape,
     /// G = dg'/dq'.
     pub constraint_matrix: MatrixTape,
+    /// The generic element of every field.
+    pub fields: Vec<FieldProgram>,
 }
 
 impl Program {
@@ -120,4 +122,36 @@ impl Program {
         });
         given.collect()
     }
+}
+
+/// What is computed at a point of a field. The state of the tapes is \[u, u_x, u_t,
+/// u_xt, x\]; forces come in twos, on u and on u_x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldProgram {
+    /// Names, attachments, defaults.
+    pub field: Field,
+    /// The entries of the state.
+    pub layout: Layout,
+    /// Parameters that the densities or the places on the field depend on.
+    pub parameters: Vec<ParameterId>,
+    /// m, of x.
+    pub inertia: Tape,
+    /// dm/dx, then dm/dp of `parameters`.
+    pub inertia_gradient: Tape,
+    /// Forces.
+    pub force: Tape,
+    /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
+    pub force_jacobian: Tape,
+    /// Twos of their derivatives with respect to x, t, and `parameters`.
+    pub force_gradient: Tape,
+    /// Kinetic, potential.
+    pub energy: Tape,
+    /// Rate of the potential, power supplied, power dissipated.
+    pub power: Tape,
+    /// x of the attachments, then the length.
+    pub places: Tape,
+    /// Their derivatives with respect to `parameters`, row by row.
+    pub places_gradient: Tape,
+    /// u and u_t at the start, of x.
+    pub initial: Tape,
 }

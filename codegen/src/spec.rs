@@ -4,6 +4,7 @@
 //! not followed; [`crate::scene`] does that.
 
 mod constraint;
+mod distributed;
 mod event;
 pub mod expression;
 mod fields;
@@ -18,6 +19,9 @@ mod unit;
 
 use std::path::Path;
 
+pub use self::distributed::{
+    AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
+};
 pub use self::names::{did_you_mean, quoted};
 pub use self::source::{MAX_FILE_BYTES, SourceText, Sources};
 pub use self::table::{Column, CsvTable};
@@ -135,6 +139,8 @@ pub struct UnitSpec {
     pub source: String,
     /// Generalized coordinates.
     pub coordinates: Vec<CoordinateSpec>,
+    /// Fields, by their densities.
+    pub fields: Vec<FieldSpec>,
     /// What joints take hold of.
     pub ports: Vec<PortSpec>,
     /// Parameters.
@@ -183,8 +189,10 @@ pub struct PortSpec {
     pub name: Spanned<String>,
     /// What goes through it.
     pub kind: Spanned<PortKind>,
-    /// The coordinate it moves with.
+    /// The coordinate it moves with; of a port on a field, one of the port's name.
     pub coordinate: Spanned<String>,
+    /// Where on a field it is, if it is on one.
+    pub attachment: Option<AttachmentSpec>,
 }
 
 /// What goes through a port.
@@ -343,6 +351,8 @@ pub struct InstanceSpec {
     pub parameters: Vec<(Spanned<String>, f64)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
+    /// How its fields are cut into elements.
+    pub fields: Vec<DiscretisationSpec>,
 }
 
 /// Two ports of which the first follows the second by a ratio.

@@ -3,7 +3,7 @@
 //! Excluded: units of the scene as separate things, joints (their coordinates
 //! are identified), names to look up, dimensions (they have been checked).
 
-use crate::expr::{Expr, FirstOrderId, ParameterId, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
 
 /// The name of a thing, in its three spellings.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -166,6 +166,69 @@ pub struct Freeze {
     pub tolerance: f64,
 }
 
+/// Where on its field an attachment is.
+pub use crate::scene::Place;
+/// How the inertia of a field is cut into elements.
+pub use crate::spec::Mass;
+
+/// A one-dimensional field u(x, t) by its densities a length.
+///
+/// Densities have symbols of their own: `Coordinate(0)` is u, `Coordinate(1)` its
+/// derivative u_x, `Velocity(0)` and `Velocity(1)` are the rates of both, and
+/// `FirstOrder(0)` is x. Parameters and time are those of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// u, u_x, u_t, u_xt and x.
+    pub quantities: [Quantity; 5],
+    /// Typical sizes of u and u_t.
+    pub scale: [f64; 2],
+    /// T a length; quadratic in u_t.
+    pub kinetic: Expr,
+    /// V a length.
+    pub potential: Expr,
+    /// D a length.
+    pub dissipation: Expr,
+    /// Q a length.
+    pub force: Expr,
+    /// u and u_t at the start, of x and parameters.
+    pub initial: [Expr; 2],
+    /// The field lies over 0 <= x <= length.
+    pub length: Expr,
+    /// Its value in the spec \[m\].
+    pub length_value: f64,
+    /// Places at which the machine takes hold of the field, by x.
+    pub attachments: Vec<Attachment>,
+    /// Whether the field is held at zero at its start and end.
+    pub fixed: [bool; 2],
+    /// Elements unless a run says otherwise.
+    pub elements: usize,
+    /// Order of the elements.
+    pub order: usize,
+    /// Where their inertia is.
+    pub mass: Mass,
+}
+
+/// A place on a field whose u is a coordinate of the machine.
+///
+/// The machine's part of the node is like any other: it has an inertia and a force,
+/// both of which the field computes and hands over as parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attachment {
+    /// Its name.
+    pub name: Name,
+    /// The coordinate; none where the field is held at zero.
+    pub coordinate: Option<CoordinateId>,
+    /// x, of parameters.
+    pub at: Expr,
+    /// Where that is.
+    pub place: Place,
+    /// x in the spec \[m\].
+    pub x: f64,
+    /// The first of four parameters that the field hands over: inertia of the node,
+    /// force on it, u_x before it and after it.
+    pub handed: ParameterId,
+}
+
 /// The run a scene asks for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunDefaults {
@@ -249,6 +312,8 @@ pub struct LagrangianSystem {
     pub run: RunDefaults,
     /// Approximations wanted.
     pub freeze: Freeze,
+    /// Fields, whose places are coordinates of the machine.
+    pub fields: Vec<Field>,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,
 }

@@ -206,6 +206,12 @@ pub trait Describe {
     fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_>;
     /// Nonzeros of M, `coordinates` by `coordinates`, both triangles.
     fn mass_matrix_pattern(&self) -> SparsityPattern<'_>;
+    /// Entries of the state that may be coupled with any other, ascending, where the
+    /// Jacobian of the rest is banded in the order of positions, velocities and
+    /// first-order states; nothing where there is no such structure.
+    fn border(&self) -> Option<&[u32]> {
+        None
+    }
     /// Run defaults of the spec.
     fn run_defaults(&self) -> RunDefaults<'_>;
     /// Number of events; none, unless a simulator says otherwise.

@@ -31,6 +31,7 @@ compile_error!("elementary functions come from `std` or `libm`: turn on one of t
 #[path = "scenes/bench/mod.rs"]
 pub mod bench;
 mod contract;
+pub mod field;
 mod include;
 pub mod linear;
 mod real;

@@ -35,6 +35,10 @@ pub fn render(report: &Report) -> String {
                             (work_precision(&report.work_precision))
                         }
                     }
+                    section id="fields" {
+                        h2 { "Fields" }
+                        (report.fields.section())
+                    }
                     section id="winder-walk" {
                         h2 { "Which model a winder needs" }
                         (winder_walk::section(&report.winder))
@@ -92,6 +96,7 @@ fn contents(report: &Report) -> Markup {
                     @if !report.work_precision.is_empty() {
                         li { a href="#work-precision" { "Error against run time" } }
                     }
+                    li { a href="#fields" { "Fields" } }
                     li { a href="#winder-walk" { "Which model a winder needs" } }
                 li { a href="#ledger" { "Reproduction ledger" } }
                     li { a href="#licences" { "Licences" } }

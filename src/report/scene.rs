@@ -7,7 +7,7 @@ use machinist_codegen::system::LagrangianSystem;
 use maud::{Markup, html};
 
 use super::number::{exact, number};
-use super::{SceneData, equations, figure, modes, reduction};
+use super::{SceneData, equations, fields, figure, modes, reduction};
 use crate::cli::specs::{Cost, costs};
 
 /// The section of a scene.
@@ -32,6 +32,7 @@ pub fn section(scene: &SceneData) -> Markup {
                 Ok(trajectory) => (run(scene, trajectory)),
                 Err(error) => p.warning { "The run stopped. " (error) },
             }
+            (fields::section(scene.name(), &scene.along))
             (modes::section(scene.name(), scene.modes.as_ref()))
         }
     }

@@ -30,9 +30,11 @@ pub fn lower(linearization: &Linearization) -> Program {
     let [constraint_values, constraint_rates] = build.constraints();
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
-    let is_smooth = system.events.is_empty() && system.constraints.is_empty();
+    // What events, constraints and fields do is not in the rate.
+    let is_whole =
+        system.events.is_empty() && system.constraints.is_empty() && system.fields.is_empty();
     Program {
-        excitation: is_smooth.then(|| Excitation::of(&rate)).flatten(),
+        excitation: is_whole.then(|| Excitation::of(&rate)).flatten(),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
         rate,
@@ -54,6 +56,7 @@ pub fn lower(linearization: &Linearization) -> Program {
         constraints: constraints(&linearization.equations),
         system: system.clone(),
         layout: linearization.equations.layout.clone(),
+        fields: Vec::new(),
         reduction: linearization.equations.reduction.clone(),
     }
 }

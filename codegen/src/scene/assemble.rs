@@ -1,6 +1,7 @@
 //! The system of a scene whose coordinates are known.
 
 mod constraints;
+mod distributed;
 mod events;
 mod initial;
 mod outputs;
@@ -58,15 +59,18 @@ pub fn assemble(
         Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), mistakes };
     assembler.inputs();
     let (energies, springs) = assembler.energies();
-    let [kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
+    let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
-    let generalized_force = assembler.forces();
+    let mut generalized_force = assembler.forces();
     let events = assembler.events();
     let constraints = assembler.constraints();
-    let initial = assembler.initial();
+    let (initial, profiles) = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
-    let parameters = assembler.parameters();
+    let mut parameters = assembler.parameters();
+    let fields = assembler.fields(&profiles);
+    distributed::take_hold(&fields, &mut kinetic, &mut generalized_force);
+    parameters.extend(assembler.handed());
     let freeze = assembler.freeze();
     let helpers = assembler.helpers();
     let outputs = assembler.outputs();
@@ -104,6 +108,7 @@ pub fn assemble(
             method: run.method.clone(),
         },
         freeze,
+        fields,
         files: spec.sources.files(),
     }
 }
@@ -264,11 +269,9 @@ impl<'a> Assembler<'a> {
                 if spec.doc.is_empty() { String::new() } else { format!("rate of {}", spec.doc) };
             let unit = per_second(&spec.unit);
             let velocity = quantity(Some(instance), &spec.velocity.value, &unit, &doc);
-            let followers = layout
-                .links
-                .iter()
-                .enumerate()
-                .filter(|(other, link)| link.id.0 as usize == id && other != slot);
+            let followers = layout.links.iter().enumerate().filter(|(other, link)| {
+                link.id.0 as usize == id && other != slot && !layout.is_fixed(*other)
+            });
             let identified = followers.map(|(other, link)| {
                 let spec = &coordinate_spec(self.spec, layout, other).name.value;
                 let instance = &self.spec.instances[layout.coordinate(other).0].name.value;

@@ -29,6 +29,7 @@ const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("planar_body"),
     builtin!("point_mass"),
     builtin!("rotor"),
+    builtin!("shaft"),
     builtin!("spring_damper"),
     builtin!("sprung_mass"),
     builtin!("stop"),
@@ -98,8 +99,8 @@ impl Loader<'_> {
                 Some(self.units.len() - 1)
             });
             let Some(unit) = unit else { continue };
-            let (parameters, inputs) = (text.parameters, text.inputs);
-            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs });
+            let (parameters, inputs, fields) = (text.parameters, text.inputs, text.fields);
+            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs, fields });
         }
         instances
     }

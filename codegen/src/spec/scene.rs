@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::constraint::constraint;
+use crate::spec::distributed;
 use crate::spec::event;
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
@@ -9,8 +10,8 @@ use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    ConstraintSpec, DefinitionSpec, EventSpec, Formula, JointSpec, OutputSpec, ParameterSpec,
-    PortForceSpec, RunSpec, UnitSpec,
+    ConstraintSpec, DefinitionSpec, DiscretisationSpec, EventSpec, Formula, JointSpec, OutputSpec,
+    ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
 };
 use crate::system::METHODS;
 
@@ -56,6 +57,7 @@ pub struct InstanceText {
     pub unit: Spanned<String>,
     pub parameters: Vec<(Spanned<String>, f64)>,
     pub inputs: Vec<(Spanned<String>, Formula)>,
+    pub fields: Vec<DiscretisationSpec>,
 }
 
 /// Reads a scene.
@@ -135,8 +137,10 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
         Some((entry.key.clone(), formula))
     });
     let inputs = inputs.collect();
+    let choices = each(&mut fields, "fields", distributed::discretisation);
     fields.close();
-    Some(InstanceText { name: entry.key.clone(), unit: unit?, parameters, inputs })
+    let name = entry.key.clone();
+    Some(InstanceText { name, unit: unit?, parameters, inputs, fields: choices })
 }
 
 fn joint(tree: &Spanned<Tree>, found: &mut Findings) -> Option<JointSpec> {

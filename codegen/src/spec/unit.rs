@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::constraint::constraint;
+use crate::spec::distributed::{self, AttachmentSpec};
 use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, did_you_mean, quoted};
@@ -24,8 +25,10 @@ pub fn read(
     let header = if whole { fields.require("unit") } else { fields.take("unit") };
     let [title, doc, source] =
         header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
-    let coordinates = each(&mut fields, "coordinates", coordinate);
+    let mut coordinates = each(&mut fields, "coordinates", coordinate);
+    let distributed = each(&mut fields, "fields", distributed::field);
     let ports = each(&mut fields, "ports", port);
+    coordinates.extend(ports.iter().filter_map(|port| distributed::coordinate(port, &distributed)));
     let parameters = each(&mut fields, "parameters", parameter);
     let inputs = each(&mut fields, "inputs", input);
     let helpers = each(&mut fields, "helpers", definition);
@@ -46,6 +49,7 @@ pub fn read(
         doc,
         source,
         coordinates,
+        fields: distributed,
         ports,
         parameters,
         inputs,
@@ -112,7 +116,15 @@ fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
 fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
     let mut fields = open(entry, "port", found);
     let kind = fields.required_text("kind");
-    let coordinate = fields.required_text("coordinate");
+    let field = fields.take("field").and_then(|tree| fields.as_text(tree, "field"));
+    let (coordinate, attachment) = match field {
+        None => (fields.required_text("coordinate"), None),
+        Some(field) => {
+            fields.require("at");
+            let attachment = fields.formula("at").map(|at| AttachmentSpec { field, at });
+            (attachment.is_some().then(|| entry.key.clone()), attachment)
+        }
+    };
     fields.close();
     let kind = kind?;
     let Some((_, value)) = PortKind::ALL.into_iter().find(|(name, _)| *name == kind.value) else {
@@ -122,7 +134,7 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
         return None;
     };
     let kind = Spanned { value, span: kind.span };
-    Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate? })
+    Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate?, attachment })
 }
 
 /// Reads a parameter.

@@ -142,6 +142,7 @@ pub fn pendulum() -> Program {
         constraint_values: Tape::default(),
         constraint_rates: Tape::default(),
         constraint_matrix: MatrixTape::default(),
+        fields: vec![],
     }
 }
 
@@ -182,6 +183,7 @@ fn pendulum_system() -> LagrangianSystem {
         stored_energy: zero(),
         supplied_power: zero(),
         dissipated_power: zero(),
+        fields: vec![],
         helpers: vec![],
         outputs: vec![
             Definition { quantity: quantity("height", "m", "height of the bob"), expr: zero() },

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module and one feature a scene.
-use crate::{Real, Simulator};
+use crate::{Real, Simulator, field::FieldScene};
 
 /// Mass bouncing on a shaken plate
 #[cfg(feature = "bouncing_mass")]
@@ -233,6 +233,31 @@ pub mod winder_linkage;
 )]
 pub mod winder_nonlinear;
 
+/// loom_drive
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+pub mod loom_drive;
+
+/// reed_beat_up
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+pub mod reed_beat_up;
+
+/// saw_gin_shaft
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+pub mod saw_gin_shaft;
+
+/// shaft_step_torque
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+pub mod shaft_step_torque;
+
+/// shaft_with_rotors
+#[rustfmt::skip]
+#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+pub mod shaft_with_rotors;
+
 /// Names of all scenes whose feature is on, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &[
@@ -322,6 +347,29 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "winder_linkage" => Some(&winder_linkage::WinderLinkage),
         #[cfg(feature = "winder_nonlinear")]
         "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),
+        _ => None,
+    }
+}
+
+/// Names of all scenes with fields, sorted.
+#[rustfmt::skip]
+pub const FIELD_NAMES: &[&str] = &[
+    "loom_drive",
+    "reed_beat_up",
+    "saw_gin_shaft",
+    "shaft_step_torque",
+    "shaft_with_rotors",
+];
+
+/// The scene with fields of a name, not yet cut into elements.
+#[must_use]
+pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
+    match name {
+        "loom_drive" => Some(&loom_drive::LoomDrive),
+        "reed_beat_up" => Some(&reed_beat_up::ReedBeatUp),
+        "saw_gin_shaft" => Some(&saw_gin_shaft::SawGinShaft),
+        "shaft_step_torque" => Some(&shaft_step_torque::ShaftStepTorque),
+        "shaft_with_rotors" => Some(&shaft_with_rotors::ShaftWithRotors),
         _ => None,
     }
 }

@@ -32,7 +32,7 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
     expected.extend([constraints, constraints, entries]);
     for ((function, tape), expected) in functions(program).into_iter().zip(expected) {
         let malformed = |reason| EmitError::Malformed { function, reason };
-        check_tape(tape, program).map_err(malformed)?;
+        check_tape(tape, program, states).map_err(malformed)?;
         if tape.results.len() != expected {
             let found = tape.results.len();
             return Err(malformed(format!("{expected} results expected, {found} found")));
@@ -40,7 +40,7 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
     }
     if let Some(excitation) = &program.excitation {
         for (function, tape) in excitation.functions() {
-            check_tape(tape, program)
+            check_tape(tape, program, 0)
                 .map_err(|reason| EmitError::Malformed { function, reason })?;
         }
     }
@@ -61,14 +61,15 @@ pub(super) fn check(program: &Program) -> Result<(), EmitError> {
     Ok(())
 }
 
-fn check_tape(tape: &Tape, program: &Program) -> Result<(), String> {
+/// Checks a tape that reads a state of so many entries.
+pub(super) fn check_tape(tape: &Tape, program: &Program, states: usize) -> Result<(), String> {
     let system = &program.system;
     for (index, node) in tape.nodes.iter().enumerate() {
         if let Some(NodeId(late)) = node.op.operands().iter().find(|id| id.0 as usize >= index) {
             return Err(format!("node {index} reads node {late}, which does not come before it"));
         }
         let (entry, count, kind) = match node.op {
-            Op::State(entry) => (entry, program.layout.len(), "state"),
+            Op::State(entry) => (entry, states, "state"),
             Op::Parameter(entry) => (entry, system.parameters.len(), "parameter"),
             Op::Table { table, .. } => (table.0, system.tables.len(), "table"),
             _ => continue,

@@ -283,17 +283,47 @@ pub(super) fn index(
             pub mod #module;
         }
     });
-    let names = programs.iter().map(|program| {
-        let name = program.system.name.as_str();
-        let condition = condition(name);
-        quote!(#condition #name)
-    });
-    let arms = programs.iter().zip(modules).map(|(program, module)| {
+    let with_fields = |wanted: bool| {
+        let programs = programs.iter().zip(modules);
+        programs.filter(move |(program, _)| program.fields.is_empty() != wanted)
+    };
+    let arm = |(program, module): (&&Program, &Ident)| {
         let name = &program.system.name;
         let machine = format_ident!("{}", super::names::type_name(name));
         let condition = condition(name);
         quote!(#condition #name => Some(&#module::#machine),)
+    };
+    let listed = |(program, _): (&&Program, &Ident)| {
+        let name = program.system.name.as_str();
+        let condition = condition(name);
+        quote!(#condition #name)
+    };
+    let names = with_fields(false).map(listed);
+    let arms: Vec<TokenStream> = with_fields(false).map(arm).collect();
+    let field_names = with_fields(true).map(listed);
+    let field_names: Vec<TokenStream> = field_names.collect();
+    let field_arms = with_fields(true).map(arm);
+    let (field_names_doc, find_field_doc) = (
+        doc(["Names of all scenes with fields, sorted."]),
+        doc(["The scene with fields of a name, not yet cut into elements."]),
+    );
+    let of_fields = (!field_names.is_empty()).then(|| {
+        quote! {
+            #field_names_doc
+            #[rustfmt::skip]
+            pub const FIELD_NAMES: &[&str] = &[#(#field_names),*];
+            #find_field_doc
+            #[must_use]
+            #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+            pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
+                match name {
+                    #(#field_arms)*
+                    _ => None,
+                }
+            }
+        }
     });
+    let field_import = (!field_names.is_empty()).then(|| quote!(field::FieldScene,));
     let [inner, names_doc, find_doc] = if options.scene_features {
         [
             "Simulators emitted from the specs, one module and one feature a scene.",
@@ -309,7 +339,7 @@ pub(super) fn index(
     };
     let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));
     let inner = format!(" {inner}");
-    let find = if programs.is_empty() {
+    let find = if arms.is_empty() {
         quote!(
             pub fn find<R: Real>(_name: &str) -> Option<&'static dyn Simulator<R>> {
                 None
@@ -327,7 +357,7 @@ pub(super) fn index(
     };
     quote! {
         #![doc = #inner]
-        use #contract::{Real, Simulator};
+        use #contract::{#field_import Real, Simulator};
         #(#declarations)*
         #names_doc
         #[rustfmt::skip]
@@ -337,5 +367,6 @@ pub(super) fn index(
         #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
         #[rustfmt::skip]
         #find
+        #of_fields
     }
 }

@@ -137,17 +137,17 @@ impl Assembler<'_> {
         path: &'n Spanned<String>,
         scope: Scope,
     ) -> Result<(usize, &'n str), Box<Mistake>> {
-        match (scope, path.value.split_once('.')) {
+        match (scope.base(), path.value.split_once('.')) {
             (Scope::Instance(instance), None) => Ok((instance, &path.value)),
-            (Scope::Scene, Some((instance, name))) => {
+            (_, Some((instance, name))) if scope == Scope::Scene => {
                 Ok((find_instance(self.spec, instance, path.span)?, name))
             }
-            (Scope::Scene, None) => {
+            (_, None) => {
                 let message = format!("{} is nothing that an event could set", quoted(&path.value));
                 let mistake = Mistake::new(path.span, message, "not instance.name");
                 Err(Box::new(mistake.help("write \"instance.name\"")))
             }
-            (Scope::Instance(_), Some(_)) => {
+            (_, Some(_)) => {
                 let message = "a name with a dot is used in scenes only";
                 let help = "a unit's event sets what is the unit's own";
                 Err(Box::new(Mistake::new(path.span, message, "not in a unit").help(help)))

@@ -4,6 +4,7 @@ use crate::diagnostic::{Mistake, Span, Spanned};
 use crate::dimension::Dimension;
 use crate::expr::{Expr, ParameterId};
 use crate::scene::assemble::Assembler;
+use crate::scene::assemble::distributed::Profiles;
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::resolve::Wanted;
@@ -29,7 +30,8 @@ pub enum Target {
 }
 
 impl Assembler<'_> {
-    pub(super) fn initial(&mut self) -> Initial {
+    /// Initial values of the machine, and those of its fields along x.
+    pub(super) fn initial(&mut self) -> (Initial, Profiles) {
         let coordinates = self.layout.representatives.iter().map(|_| [integer(0), integer(0)]);
         let mut initial = Initial {
             coordinates: coordinates.collect(),
@@ -39,8 +41,12 @@ impl Assembler<'_> {
         let mut set: Vec<(usize, usize)> = Vec::new();
         self.refuse_guesses();
         let spec = self.spec;
+        let mut profiles = Profiles::new();
         let given = spec.initial.iter().map(|entry| (true, entry));
         for (is_given, (name, formula)) in given.chain(spec.guess.iter().map(|g| (false, g))) {
+            if is_given && self.profile(name, formula, &mut profiles) {
+                continue;
+            }
             let (target, dimension) = match self.target(name) {
                 Ok(found) => found,
                 Err(mistake) => {
@@ -69,7 +75,8 @@ impl Assembler<'_> {
             }
             set.push(key);
         }
-        initial
+        self.start_on_fields(&profiles, &mut initial);
+        (initial, profiles)
     }
 
     /// Guesses are of what constraints leave to be solved for.
@@ -172,6 +179,14 @@ impl Assembler<'_> {
             }
         };
         let link = self.layout.link(instance, index);
+        let stands_for = self.layout.representatives.get(link.id.0 as usize);
+        if stands_for.is_none_or(|slot| self.layout.attachment(*slot).is_some())
+            || self.layout.is_fixed(self.layout.slot(instance, index))
+        {
+            let message = format!("{} starts as the field that it is part of", quoted(&path.value));
+            let help = "give the field's initial value, an expression of x";
+            return Err(Box::new(Mistake::new(path.span, message, "part of a field").help(help)));
+        }
         let target = Target::Coordinate(link.id.0 as usize, order, link.factor.clone());
         let declared = unit.coordinates[index].unit.unit;
         let dimension = declared.per_second(order as i32).unwrap_or(declared).dimension;

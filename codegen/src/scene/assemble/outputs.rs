@@ -129,7 +129,15 @@ impl Assembler<'_> {
                     Some(Local::Constraint(i)) => {
                         Ok((String::new(), force_of(&unit.constraints[i].doc)))
                     }
-                    None => Ok((String::new(), String::new())),
+                    Some(Local::Slope(port, _)) => {
+                        let at = self.layout.attachment_of(instance, port);
+                        let field = at.map(|at| &unit.fields[self.layout.attachments[at].field]);
+                        let unit = field.map_or("1", |field| field.unit.text.trim());
+                        Ok((format!("{unit}/m"), "slope of the field".to_owned()))
+                    }
+                    None | Some(Local::Place | Local::Field(..)) => {
+                        Ok((String::new(), String::new()))
+                    }
                 }
             }
             _ => {

@@ -62,6 +62,10 @@
 //   outputs                  17
 //   energy                   75
 //   power_balance           187
+// With constants of the parameters, prepared once a run:
+//   prepare                  61
+//   prepared_rate            60
+//   prepared_rate_jacobian   29
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -517,6 +521,226 @@ pub mod state {
     pub const MOTOR_PSI_RY: usize = 15;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 35;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub motor_omega_0: R,
+    pub motor_u_x: R,
+    pub motor_u_y: R,
+    pub t2: R,
+    pub inverse_motor_inertia: R,
+    pub inverse_crank_inertia: R,
+    pub inverse_shaft_driven_field_inertia: R,
+    pub inverse_shaft_reed_field_inertia: R,
+    pub t3: R,
+    pub t4: R,
+    pub crank_ratio_times_crank_stiffness: R,
+    pub t5: R,
+    pub shaft_middle_dot_dot: R,
+    pub motor_alpha_s_times_motor_omega_0: R,
+    pub motor_alpha_r_times_motor_omega_0: R,
+    pub motor_omega_dot_by_motor_phi: R,
+    pub crank_turn_speed_dot_by_motor_phi: R,
+    pub t6: R,
+    pub t7: R,
+    pub motor_omega_dot_by_crank_turn: R,
+    pub shaft_driven_dot_dot_by_shaft_driven: R,
+    pub t8: R,
+    pub shaft_reed_dot_dot_by_shaft_reed: R,
+    pub reed_speed_dot_by_shaft_reed: R,
+    pub reed_speed_dot_by_reed_angle: R,
+    pub motor_omega_dot_by_motor_omega: R,
+    pub crank_turn_speed_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_crank_turn_speed: R,
+    pub crank_turn_speed_dot_by_crank_turn_speed: R,
+    pub t9: R,
+    pub motor_psi_sx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sy_dot_by_motor_psi_sx: R,
+    pub motor_psi_rx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sx_dot_by_motor_psi_rx: R,
+    pub motor_psi_rx_dot_by_motor_psi_rx: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            motor_omega_0: values[0],
+            motor_u_x: values[1],
+            motor_u_y: values[2],
+            t2: values[3],
+            inverse_motor_inertia: values[4],
+            inverse_crank_inertia: values[5],
+            inverse_shaft_driven_field_inertia: values[6],
+            inverse_shaft_reed_field_inertia: values[7],
+            t3: values[8],
+            t4: values[9],
+            crank_ratio_times_crank_stiffness: values[10],
+            t5: values[11],
+            shaft_middle_dot_dot: values[12],
+            motor_alpha_s_times_motor_omega_0: values[13],
+            motor_alpha_r_times_motor_omega_0: values[14],
+            motor_omega_dot_by_motor_phi: values[15],
+            crank_turn_speed_dot_by_motor_phi: values[16],
+            t6: values[17],
+            t7: values[18],
+            motor_omega_dot_by_crank_turn: values[19],
+            shaft_driven_dot_dot_by_shaft_driven: values[20],
+            t8: values[21],
+            shaft_reed_dot_dot_by_shaft_reed: values[22],
+            reed_speed_dot_by_shaft_reed: values[23],
+            reed_speed_dot_by_reed_angle: values[24],
+            motor_omega_dot_by_motor_omega: values[25],
+            crank_turn_speed_dot_by_motor_omega: values[26],
+            motor_omega_dot_by_crank_turn_speed: values[27],
+            crank_turn_speed_dot_by_crank_turn_speed: values[28],
+            t9: values[29],
+            motor_psi_sx_dot_by_motor_psi_sx: values[30],
+            motor_psi_sy_dot_by_motor_psi_sx: values[31],
+            motor_psi_rx_dot_by_motor_psi_sx: values[32],
+            motor_psi_sx_dot_by_motor_psi_rx: values[33],
+            motor_psi_rx_dot_by_motor_psi_rx: values[34],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.motor_omega_0,
+            self.motor_u_x,
+            self.motor_u_y,
+            self.t2,
+            self.inverse_motor_inertia,
+            self.inverse_crank_inertia,
+            self.inverse_shaft_driven_field_inertia,
+            self.inverse_shaft_reed_field_inertia,
+            self.t3,
+            self.t4,
+            self.crank_ratio_times_crank_stiffness,
+            self.t5,
+            self.shaft_middle_dot_dot,
+            self.motor_alpha_s_times_motor_omega_0,
+            self.motor_alpha_r_times_motor_omega_0,
+            self.motor_omega_dot_by_motor_phi,
+            self.crank_turn_speed_dot_by_motor_phi,
+            self.t6,
+            self.t7,
+            self.motor_omega_dot_by_crank_turn,
+            self.shaft_driven_dot_dot_by_shaft_driven,
+            self.t8,
+            self.shaft_reed_dot_dot_by_shaft_reed,
+            self.reed_speed_dot_by_shaft_reed,
+            self.reed_speed_dot_by_reed_angle,
+            self.motor_omega_dot_by_motor_omega,
+            self.crank_turn_speed_dot_by_motor_omega,
+            self.motor_omega_dot_by_crank_turn_speed,
+            self.crank_turn_speed_dot_by_crank_turn_speed,
+            self.t9,
+            self.motor_psi_sx_dot_by_motor_psi_sx,
+            self.motor_psi_sy_dot_by_motor_psi_sx,
+            self.motor_psi_rx_dot_by_motor_psi_sx,
+            self.motor_psi_sx_dot_by_motor_psi_rx,
+            self.motor_psi_rx_dot_by_motor_psi_rx,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 61 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
+    let inverse_shaft_driven_field_inertia = R::literal(1.0)
+        / p.shaft_driven_field_inertia;
+    let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
+    let t3 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
+    let t4 = p.coupling_stiffness * p.coupling_ratio;
+    let crank_ratio_times_crank_stiffness = p.crank_ratio * p.crank_stiffness;
+    let t5 = p.coupling_damping * p.coupling_ratio;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * (R::literal(1.0) / p.shaft_middle_field_inertia);
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
+    let crank_turn_speed_dot_by_motor_phi = t4 * inverse_crank_inertia;
+    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let t6 = p.coupling_stiffness * coupling_ratio_squared;
+    let t7 = p.crank_stiffness * (p.crank_ratio * p.crank_ratio);
+    let motor_omega_dot_by_crank_turn = t4 * inverse_motor_inertia;
+    let shaft_driven_dot_dot_by_shaft_driven = -(p.crank_stiffness
+        * inverse_shaft_driven_field_inertia);
+    let t8 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
+    let shaft_reed_dot_dot_by_shaft_reed = -t8;
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t3;
+    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t3);
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let crank_turn_speed_dot_by_motor_omega = t5 * inverse_crank_inertia;
+    let motor_omega_dot_by_crank_turn_speed = t5 * inverse_motor_inertia;
+    let crank_turn_speed_dot_by_crank_turn_speed = -((p.crank_drag
+        + p.coupling_damping * coupling_ratio_squared) * inverse_crank_inertia);
+    let t9 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
+    let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
+    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
+    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
+    Constants {
+        motor_omega_0,
+        motor_u_x,
+        motor_u_y,
+        t2,
+        inverse_motor_inertia,
+        inverse_crank_inertia,
+        inverse_shaft_driven_field_inertia,
+        inverse_shaft_reed_field_inertia,
+        t3,
+        t4,
+        crank_ratio_times_crank_stiffness,
+        t5,
+        shaft_middle_dot_dot,
+        motor_alpha_s_times_motor_omega_0,
+        motor_alpha_r_times_motor_omega_0,
+        motor_omega_dot_by_motor_phi,
+        crank_turn_speed_dot_by_motor_phi,
+        t6,
+        t7,
+        motor_omega_dot_by_crank_turn,
+        shaft_driven_dot_dot_by_shaft_driven,
+        t8,
+        shaft_reed_dot_dot_by_shaft_reed,
+        reed_speed_dot_by_shaft_reed,
+        reed_speed_dot_by_reed_angle,
+        motor_omega_dot_by_motor_omega,
+        crank_turn_speed_dot_by_motor_omega,
+        motor_omega_dot_by_crank_turn_speed,
+        crank_turn_speed_dot_by_crank_turn_speed,
+        t9,
+        motor_psi_sx_dot_by_motor_psi_sx,
+        motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -555,56 +779,56 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 /// 87 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 60 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
     crank_turn_speed, shaft_driven_dot, shaft_reed_dot, shaft_middle_dot, reed_speed,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let fell_torque = p.fell_stiffness * reed_angle;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let crank_angle = p.crank_ratio * crank_turn.sin();
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
     let coupling_twist = motor_phi - p.coupling_ratio * crank_turn;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * crank_turn_speed;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
-    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
-        / (p.motor_x_s * motor_sigma)
+    let motor_torque = c.t2
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
-    let t1 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
-    let crank_turn_speed_dot = (p.crank_ratio * p.crank_stiffness
-        * shaft_driven_minus_crank_angle * crank_turn.cos()
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        - (p.crank_drag * crank_turn_speed
-            - p.coupling_damping * p.coupling_ratio * coupling_twist_rate))
-        * (R::literal(1.0) / p.crank_inertia);
+    let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let crank_turn_speed_dot = (c.crank_ratio_times_crank_stiffness
+        * shaft_driven_minus_crank_angle * crank_turn.cos() + c.t4 * coupling_twist
+        - (p.crank_drag * crank_turn_speed - c.t5 * coupling_twist_rate))
+        * c.inverse_crank_inertia;
     let shaft_driven_dot_dot = (p.shaft_driven_field_force
         - p.crank_stiffness * shaft_driven_minus_crank_angle)
-        * (R::literal(1.0) / p.shaft_driven_field_inertia);
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1)
-        * (R::literal(1.0) / p.shaft_reed_field_inertia);
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * (R::literal(1.0) / p.shaft_middle_field_inertia);
-    let reed_speed_dot = (t1 - fell_torque)
-        * (R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm)));
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0
+        * c.inverse_shaft_driven_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
+        * c.inverse_shaft_reed_field_inertia;
+    let reed_speed_dot = (t0 - fell_torque) * c.t3;
+    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0
+    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
+        + c.motor_alpha_r_times_motor_omega_0
             * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
+    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
         motor_omega,
@@ -617,7 +841,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; ST
         crank_turn_speed_dot,
         shaft_driven_dot_dot,
         shaft_reed_dot_dot,
-        shaft_middle_dot_dot,
+        c.shaft_middle_dot_dot,
         reed_speed_dot,
         motor_psi_sx_dot,
         motor_psi_sy_dot,
@@ -694,67 +918,45 @@ pub fn forcing<R: Real>(
 ///
 /// 83 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 39] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 29 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 39] {
     let [_, crank_turn, shaft_driven, _, _, _, motor_omega, _, _, _, _, _, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let crank_angle = p.crank_ratio * crank_turn.sin();
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
-    let motor_slip_speed = motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let t0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t1 = t0 / (p.motor_x_s * motor_sigma);
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
-    let inverse_shaft_driven_field_inertia = R::literal(1.0)
-        / p.shaft_driven_field_inertia;
-    let t2 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
-    let t3 = p.coupling_stiffness * p.coupling_ratio;
+    let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let cos_crank_turn = crank_turn.cos();
-    let t4 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
-    let crank_turn_speed_dot_by_motor_phi = t3 * inverse_crank_inertia;
-    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let t5 = p.crank_ratio * p.crank_stiffness * cos_crank_turn;
-    let motor_omega_dot_by_crank_turn = t3 * inverse_motor_inertia;
-    let crank_turn_speed_dot_by_crank_turn = -((p.coupling_stiffness
-        * coupling_ratio_squared
+    let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
+    let crank_turn_speed_dot_by_crank_turn = -((c.t6
         + p.crank_stiffness * crank_angle * (shaft_driven - crank_angle)
-        + p.crank_stiffness * (p.crank_ratio * p.crank_ratio)
-            * (cos_crank_turn * cos_crank_turn)) * inverse_crank_inertia);
-    let shaft_driven_dot_dot_by_crank_turn = t5 * inverse_shaft_driven_field_inertia;
-    let crank_turn_speed_dot_by_shaft_driven = t5 * inverse_crank_inertia;
-    let shaft_driven_dot_dot_by_shaft_driven = -(p.crank_stiffness
-        * inverse_shaft_driven_field_inertia);
-    let shaft_reed_dot_dot_by_reed_angle = p.reed_stiffness
-        * (R::literal(1.0) / p.shaft_reed_field_inertia);
-    let shaft_reed_dot_dot_by_shaft_reed = -shaft_reed_dot_dot_by_reed_angle;
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t2;
-    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t2);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let crank_turn_speed_dot_by_motor_omega = t4 * inverse_crank_inertia;
+        + c.t7 * (cos_crank_turn * cos_crank_turn)) * c.inverse_crank_inertia);
+    let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
+    let crank_turn_speed_dot_by_shaft_driven = t0 * c.inverse_crank_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_crank_turn_speed = t4 * inverse_motor_inertia;
-    let crank_turn_speed_dot_by_crank_turn_speed = -((p.crank_drag
-        + p.coupling_damping * coupling_ratio_squared) * inverse_crank_inertia);
-    let t6 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
-    let motor_omega_dot_by_motor_psi_sx = t6 * motor_psi_ry * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
-    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_psi_sy = t1 * motor_psi_rx * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = t1 * motor_psi_sy * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
+    let motor_omega_dot_by_motor_psi_sx = c.t9 * motor_psi_ry * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
-        - motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = t6 * motor_psi_sx * inverse_motor_inertia;
+        - c.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = c.t9 * motor_psi_sx * c.inverse_motor_inertia;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -762,39 +964,39 @@ pub fn rate_jacobian<R: Real>(
         R::literal(1.0),
         R::literal(1.0),
         R::literal(1.0),
-        motor_omega_dot_by_motor_phi,
-        motor_omega_dot_by_crank_turn,
-        motor_omega_dot_by_motor_omega,
-        motor_omega_dot_by_crank_turn_speed,
+        c.motor_omega_dot_by_motor_phi,
+        c.motor_omega_dot_by_crank_turn,
+        c.motor_omega_dot_by_motor_omega,
+        c.motor_omega_dot_by_crank_turn_speed,
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx,
         motor_omega_dot_by_motor_psi_ry,
-        crank_turn_speed_dot_by_motor_phi,
+        c.crank_turn_speed_dot_by_motor_phi,
         crank_turn_speed_dot_by_crank_turn,
         crank_turn_speed_dot_by_shaft_driven,
-        crank_turn_speed_dot_by_motor_omega,
-        crank_turn_speed_dot_by_crank_turn_speed,
+        c.crank_turn_speed_dot_by_motor_omega,
+        c.crank_turn_speed_dot_by_crank_turn_speed,
         shaft_driven_dot_dot_by_crank_turn,
-        shaft_driven_dot_dot_by_shaft_driven,
-        shaft_reed_dot_dot_by_shaft_reed,
-        shaft_reed_dot_dot_by_reed_angle,
-        reed_speed_dot_by_shaft_reed,
-        reed_speed_dot_by_reed_angle,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_omega_0,
-        motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_sy_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx,
+        c.shaft_driven_dot_dot_by_shaft_driven,
+        c.shaft_reed_dot_dot_by_shaft_reed,
+        c.t8,
+        c.reed_speed_dot_by_shaft_reed,
+        c.reed_speed_dot_by_reed_angle,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_omega_0,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sy_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
         motor_slip_speed,
         motor_psi_ry_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
         motor_psi_ry_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
     ]
 }
 
@@ -1252,6 +1454,34 @@ impl Describe for LoomDrive {
 }
 
 impl<R: Real> Simulator<R> for LoomDrive {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -1302,6 +1532,14 @@ impl<R: Real> Simulator<R> for LoomDrive {
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module and one feature a scene.
-use crate::{Real, Simulator, field::FieldScene};
+use crate::{field::FieldScene, Real, Simulator};
 
 /// Mass bouncing on a shaken plate
 #[cfg(feature = "bouncing_mass")]
@@ -65,6 +65,18 @@ pub mod coulomb_oscillator;
 )]
 pub mod four_bar;
 
+/// Loom: motor, coupling, shaft and reed in one machine
+#[cfg(feature = "loom_drive")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod loom_drive;
+
 /// Induction motor running up empty
 #[cfg(feature = "motor_run_up")]
 #[rustfmt::skip]
@@ -113,6 +125,18 @@ pub mod pendulum_chain;
 )]
 pub mod pendulum_constrained;
 
+/// Beat-up of a reed by an elastic shaft
+#[cfg(feature = "reed_beat_up")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod reed_beat_up;
+
 /// Saw gin: motor, coupling and saw cylinder
 #[cfg(feature = "saw_gin")]
 #[rustfmt::skip]
@@ -136,6 +160,42 @@ pub mod saw_gin;
     reason = "the spec's own names and numbers, in bodies as long as its equations"
 )]
 pub mod saw_gin_as_printed;
+
+/// Saw gin with a distributed shaft
+#[cfg(feature = "saw_gin_shaft")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod saw_gin_shaft;
+
+/// Uniform shaft under a step of end torque
+#[cfg(feature = "shaft_step_torque")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_step_torque;
+
+/// Shaft with a rotor at each end, let go twisted
+#[cfg(feature = "shaft_with_rotors")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_with_rotors;
 
 /// Slider-crank turned at constant speed
 #[cfg(feature = "slider_crank")]
@@ -233,31 +293,6 @@ pub mod winder_linkage;
 )]
 pub mod winder_nonlinear;
 
-/// loom_drive
-#[rustfmt::skip]
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
-pub mod loom_drive;
-
-/// reed_beat_up
-#[rustfmt::skip]
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
-pub mod reed_beat_up;
-
-/// saw_gin_shaft
-#[rustfmt::skip]
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
-pub mod saw_gin_shaft;
-
-/// shaft_step_torque
-#[rustfmt::skip]
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
-pub mod shaft_step_torque;
-
-/// shaft_with_rotors
-#[rustfmt::skip]
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
-pub mod shaft_with_rotors;
-
 /// Names of all scenes whose feature is on, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &[
@@ -354,21 +389,32 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
 /// Names of all scenes with fields, sorted.
 #[rustfmt::skip]
 pub const FIELD_NAMES: &[&str] = &[
+    #[cfg(feature = "loom_drive")]
     "loom_drive",
+    #[cfg(feature = "reed_beat_up")]
     "reed_beat_up",
+    #[cfg(feature = "saw_gin_shaft")]
     "saw_gin_shaft",
+    #[cfg(feature = "shaft_step_torque")]
     "shaft_step_torque",
+    #[cfg(feature = "shaft_with_rotors")]
     "shaft_with_rotors",
 ];
 
 /// The scene with fields of a name, not yet cut into elements.
 #[must_use]
+#[allow(clippy::match_single_binding, reason = "features may leave no scene")]
 pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
     match name {
+        #[cfg(feature = "loom_drive")]
         "loom_drive" => Some(&loom_drive::LoomDrive),
+        #[cfg(feature = "reed_beat_up")]
         "reed_beat_up" => Some(&reed_beat_up::ReedBeatUp),
+        #[cfg(feature = "saw_gin_shaft")]
         "saw_gin_shaft" => Some(&saw_gin_shaft::SawGinShaft),
+        #[cfg(feature = "shaft_step_torque")]
         "shaft_step_torque" => Some(&shaft_step_torque::ShaftStepTorque),
+        #[cfg(feature = "shaft_with_rotors")]
         "shaft_with_rotors" => Some(&shaft_with_rotors::ShaftWithRotors),
         _ => None,
     }

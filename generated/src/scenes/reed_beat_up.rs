@@ -53,6 +53,10 @@
 //   outputs                   7
 //   energy                   33
 //   power_balance            51
+// With constants of the parameters, prepared once a run:
+//   prepare                  15
+//   prepared_rate            14
+//   prepared_rate_jacobian    0
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -349,6 +353,90 @@ pub mod state {
     pub const REED_SPEED: usize = 7;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 9;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub inverse_shaft_driven_field_inertia: R,
+    pub inverse_shaft_reed_field_inertia: R,
+    pub t0: R,
+    pub shaft_middle_dot_dot: R,
+    pub shaft_driven_dot_dot_by_shaft_driven: R,
+    pub t1: R,
+    pub shaft_reed_dot_dot_by_shaft_reed: R,
+    pub reed_speed_dot_by_shaft_reed: R,
+    pub reed_speed_dot_by_reed_angle: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            inverse_shaft_driven_field_inertia: values[0],
+            inverse_shaft_reed_field_inertia: values[1],
+            t0: values[2],
+            shaft_middle_dot_dot: values[3],
+            shaft_driven_dot_dot_by_shaft_driven: values[4],
+            t1: values[5],
+            shaft_reed_dot_dot_by_shaft_reed: values[6],
+            reed_speed_dot_by_shaft_reed: values[7],
+            reed_speed_dot_by_reed_angle: values[8],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.inverse_shaft_driven_field_inertia,
+            self.inverse_shaft_reed_field_inertia,
+            self.t0,
+            self.shaft_middle_dot_dot,
+            self.shaft_driven_dot_dot_by_shaft_driven,
+            self.t1,
+            self.shaft_reed_dot_dot_by_shaft_reed,
+            self.reed_speed_dot_by_shaft_reed,
+            self.reed_speed_dot_by_reed_angle,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 15 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let inverse_shaft_driven_field_inertia = R::literal(1.0)
+        / p.shaft_driven_field_inertia;
+    let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
+    let t0 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * (R::literal(1.0) / p.shaft_middle_field_inertia);
+    let shaft_driven_dot_dot_by_shaft_driven = -(p.drive_stiffness
+        * inverse_shaft_driven_field_inertia);
+    let t1 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
+    let shaft_reed_dot_dot_by_shaft_reed = -t1;
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t0;
+    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t0);
+    Constants {
+        inverse_shaft_driven_field_inertia,
+        inverse_shaft_reed_field_inertia,
+        t0,
+        shaft_middle_dot_dot,
+        shaft_driven_dot_dot_by_shaft_driven,
+        t1,
+        shaft_reed_dot_dot_by_shaft_reed,
+        reed_speed_dot_by_shaft_reed,
+        reed_speed_dot_by_reed_angle,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -380,6 +468,20 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 14 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [shaft_driven, shaft_reed, _, reed_angle, shaft_driven_dot, shaft_reed_dot,
     shaft_middle_dot, reed_speed] = *state;
     let fell_torque = p.fell_stiffness * reed_angle;
@@ -387,13 +489,10 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
     let shaft_driven_dot_dot = (p.shaft_driven_field_force
         - p.drive_stiffness * (shaft_driven - drive_angle))
-        * (R::literal(1.0) / p.shaft_driven_field_inertia);
+        * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
-        * (R::literal(1.0) / p.shaft_reed_field_inertia);
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * (R::literal(1.0) / p.shaft_middle_field_inertia);
-    let reed_speed_dot = (t0 - fell_torque)
-        * (R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm)));
+        * c.inverse_shaft_reed_field_inertia;
+    let reed_speed_dot = (t0 - fell_torque) * c.t0;
     [
         shaft_driven_dot,
         shaft_reed_dot,
@@ -401,7 +500,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
         reed_speed,
         shaft_driven_dot_dot,
         shaft_reed_dot_dot,
-        shaft_middle_dot_dot,
+        c.shaft_middle_dot_dot,
         reed_speed_dot,
     ]
 }
@@ -452,29 +551,35 @@ pub fn forcing<R: Real>(
 ///
 /// 13 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
-    _state: &[R; STATES],
+    time: R,
+    state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 9] {
-    let t0 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
-    let shaft_driven_dot_dot_by_shaft_driven = -(p.drive_stiffness
-        * (R::literal(1.0) / p.shaft_driven_field_inertia));
-    let shaft_reed_dot_dot_by_reed_angle = p.reed_stiffness
-        * (R::literal(1.0) / p.shaft_reed_field_inertia);
-    let shaft_reed_dot_dot_by_shaft_reed = -shaft_reed_dot_dot_by_reed_angle;
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t0;
-    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t0);
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 9] {
     [
         R::literal(1.0),
         R::literal(1.0),
         R::literal(1.0),
         R::literal(1.0),
-        shaft_driven_dot_dot_by_shaft_driven,
-        shaft_reed_dot_dot_by_shaft_reed,
-        shaft_reed_dot_dot_by_reed_angle,
-        reed_speed_dot_by_shaft_reed,
-        reed_speed_dot_by_reed_angle,
+        c.shaft_driven_dot_dot_by_shaft_driven,
+        c.shaft_reed_dot_dot_by_shaft_reed,
+        c.t1,
+        c.reed_speed_dot_by_shaft_reed,
+        c.reed_speed_dot_by_reed_angle,
     ]
 }
 
@@ -710,6 +815,34 @@ impl Describe for ReedBeatUp {
 }
 
 impl<R: Real> Simulator<R> for ReedBeatUp {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -760,6 +893,14 @@ impl<R: Real> Simulator<R> for ReedBeatUp {
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

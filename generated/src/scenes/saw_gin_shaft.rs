@@ -53,6 +53,10 @@
 //   outputs                  22
 //   energy                   45
 //   power_balance           144
+// With constants of the parameters, prepared once a run:
+//   prepare                  46
+//   prepared_rate            42
+//   prepared_rate_jacobian   14
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -442,6 +446,176 @@ pub mod state {
     pub const MOTOR_PSI_RY: usize = 9;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 25;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub motor_omega_0: R,
+    pub motor_u_x: R,
+    pub motor_u_y: R,
+    pub t2: R,
+    pub inverse_motor_inertia: R,
+    pub inverse_saws_driven_field_inertia: R,
+    pub t3: R,
+    pub t4: R,
+    pub saws_end_dot_dot: R,
+    pub motor_alpha_s_times_motor_omega_0: R,
+    pub motor_alpha_r_times_motor_omega_0: R,
+    pub motor_omega_dot_by_motor_phi: R,
+    pub saws_driven_dot_dot_by_motor_phi: R,
+    pub motor_omega_dot_by_saws_driven: R,
+    pub saws_driven_dot_dot_by_saws_driven: R,
+    pub motor_omega_dot_by_motor_omega: R,
+    pub saws_driven_dot_dot_by_motor_omega: R,
+    pub motor_omega_dot_by_saws_driven_dot: R,
+    pub saws_driven_dot_dot_by_saws_driven_dot: R,
+    pub t5: R,
+    pub motor_psi_sx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sy_dot_by_motor_psi_sx: R,
+    pub motor_psi_rx_dot_by_motor_psi_sx: R,
+    pub motor_psi_sx_dot_by_motor_psi_rx: R,
+    pub motor_psi_rx_dot_by_motor_psi_rx: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            motor_omega_0: values[0],
+            motor_u_x: values[1],
+            motor_u_y: values[2],
+            t2: values[3],
+            inverse_motor_inertia: values[4],
+            inverse_saws_driven_field_inertia: values[5],
+            t3: values[6],
+            t4: values[7],
+            saws_end_dot_dot: values[8],
+            motor_alpha_s_times_motor_omega_0: values[9],
+            motor_alpha_r_times_motor_omega_0: values[10],
+            motor_omega_dot_by_motor_phi: values[11],
+            saws_driven_dot_dot_by_motor_phi: values[12],
+            motor_omega_dot_by_saws_driven: values[13],
+            saws_driven_dot_dot_by_saws_driven: values[14],
+            motor_omega_dot_by_motor_omega: values[15],
+            saws_driven_dot_dot_by_motor_omega: values[16],
+            motor_omega_dot_by_saws_driven_dot: values[17],
+            saws_driven_dot_dot_by_saws_driven_dot: values[18],
+            t5: values[19],
+            motor_psi_sx_dot_by_motor_psi_sx: values[20],
+            motor_psi_sy_dot_by_motor_psi_sx: values[21],
+            motor_psi_rx_dot_by_motor_psi_sx: values[22],
+            motor_psi_sx_dot_by_motor_psi_rx: values[23],
+            motor_psi_rx_dot_by_motor_psi_rx: values[24],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.motor_omega_0,
+            self.motor_u_x,
+            self.motor_u_y,
+            self.t2,
+            self.inverse_motor_inertia,
+            self.inverse_saws_driven_field_inertia,
+            self.t3,
+            self.t4,
+            self.saws_end_dot_dot,
+            self.motor_alpha_s_times_motor_omega_0,
+            self.motor_alpha_r_times_motor_omega_0,
+            self.motor_omega_dot_by_motor_phi,
+            self.saws_driven_dot_dot_by_motor_phi,
+            self.motor_omega_dot_by_saws_driven,
+            self.saws_driven_dot_dot_by_saws_driven,
+            self.motor_omega_dot_by_motor_omega,
+            self.saws_driven_dot_dot_by_motor_omega,
+            self.motor_omega_dot_by_saws_driven_dot,
+            self.saws_driven_dot_dot_by_saws_driven_dot,
+            self.t5,
+            self.motor_psi_sx_dot_by_motor_psi_sx,
+            self.motor_psi_sy_dot_by_motor_psi_sx,
+            self.motor_psi_rx_dot_by_motor_psi_sx,
+            self.motor_psi_sx_dot_by_motor_psi_rx,
+            self.motor_psi_rx_dot_by_motor_psi_rx,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 46 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t0 * p.motor_supply_phase.cos();
+    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let inverse_saws_driven_field_inertia = R::literal(1.0)
+        / p.saws_driven_field_inertia;
+    let t3 = p.coupling_stiffness * p.coupling_ratio;
+    let t4 = p.coupling_damping * p.coupling_ratio;
+    let saws_end_dot_dot = p.saws_end_field_force
+        * (R::literal(1.0) / p.saws_end_field_inertia);
+    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
+    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
+    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
+    let saws_driven_dot_dot_by_motor_phi = t3 * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_saws_driven = t3 * inverse_motor_inertia;
+    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let saws_driven_dot_dot_by_saws_driven = -(p.coupling_stiffness
+        * coupling_ratio_squared * inverse_saws_driven_field_inertia);
+    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
+    let saws_driven_dot_dot_by_motor_omega = t4 * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_saws_driven_dot = t4 * inverse_motor_inertia;
+    let saws_driven_dot_dot_by_saws_driven_dot = -(p.coupling_damping
+        * coupling_ratio_squared * inverse_saws_driven_field_inertia);
+    let t5 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
+    let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
+    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
+    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
+    let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
+    Constants {
+        motor_omega_0,
+        motor_u_x,
+        motor_u_y,
+        t2,
+        inverse_motor_inertia,
+        inverse_saws_driven_field_inertia,
+        t3,
+        t4,
+        saws_end_dot_dot,
+        motor_alpha_s_times_motor_omega_0,
+        motor_alpha_r_times_motor_omega_0,
+        motor_omega_dot_by_motor_phi,
+        saws_driven_dot_dot_by_motor_phi,
+        motor_omega_dot_by_saws_driven,
+        saws_driven_dot_dot_by_saws_driven,
+        motor_omega_dot_by_motor_omega,
+        saws_driven_dot_dot_by_motor_omega,
+        motor_omega_dot_by_saws_driven_dot,
+        saws_driven_dot_dot_by_saws_driven_dot,
+        t5,
+        motor_psi_sx_dot_by_motor_psi_sx,
+        motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -474,42 +648,43 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 /// 63 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 42 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, saws_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
     let coupling_twist = motor_phi - p.coupling_ratio * saws_driven;
     let coupling_twist_rate = motor_omega - p.coupling_ratio * saws_driven_dot;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
     let coupling_torque = p.coupling_stiffness * coupling_twist
         + p.coupling_damping * coupling_twist_rate;
-    let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
-        / (p.motor_x_s * motor_sigma)
+    let motor_torque = c.t2
         * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let motor_omega_dot = (motor_torque - coupling_torque)
-        * (R::literal(1.0) / p.motor_inertia);
-    let saws_driven_dot_dot = (p.saws_driven_field_force
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate)
-        * (R::literal(1.0) / p.saws_driven_field_inertia);
-    let saws_end_dot_dot = p.saws_end_field_force
-        * (R::literal(1.0) / p.saws_end_field_inertia);
-    let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0
+    let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
+    let saws_driven_dot_dot = (p.saws_driven_field_force + c.t3 * coupling_twist
+        + c.t4 * coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
+    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0
+    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
+        - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
+        + c.motor_alpha_r_times_motor_omega_0
             * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
+    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
         * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
     [
         motor_omega,
@@ -517,7 +692,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; ST
         saws_end_dot,
         motor_omega_dot,
         saws_driven_dot_dot,
-        saws_end_dot_dot,
+        c.saws_end_dot_dot,
         motor_psi_sx_dot,
         motor_psi_sy_dot,
         motor_psi_rx_dot,
@@ -568,80 +743,67 @@ pub fn forcing<R: Real>(
 ///
 /// 53 operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
-    _time: R,
+    time: R,
     state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 29] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 14 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 29] {
     let [_, _, _, motor_omega, _, _, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
-    let motor_slip_speed = motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let t0 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t1 = t0 / (p.motor_x_s * motor_sigma);
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let inverse_saws_driven_field_inertia = R::literal(1.0)
-        / p.saws_driven_field_inertia;
-    let t2 = p.coupling_stiffness * p.coupling_ratio;
-    let t3 = p.coupling_damping * p.coupling_ratio;
-    let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
-    let saws_driven_dot_dot_by_motor_phi = t2 * inverse_saws_driven_field_inertia;
-    let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_saws_driven = t2 * inverse_motor_inertia;
-    let saws_driven_dot_dot_by_saws_driven = -(p.coupling_stiffness
-        * coupling_ratio_squared * inverse_saws_driven_field_inertia);
-    let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let saws_driven_dot_dot_by_motor_omega = t3 * inverse_saws_driven_field_inertia;
+    let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_saws_driven_dot = t3 * inverse_motor_inertia;
-    let saws_driven_dot_dot_by_saws_driven_dot = -(p.coupling_damping
-        * coupling_ratio_squared * inverse_saws_driven_field_inertia);
-    let t4 = t0 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
-    let motor_omega_dot_by_motor_psi_sx = t4 * motor_psi_ry * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_sx = -(p.motor_alpha_s * motor_omega_0);
-    let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
-    let motor_omega_dot_by_motor_psi_sy = t1 * motor_psi_rx * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = t1 * motor_psi_sy * inverse_motor_inertia;
-    let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
-    let motor_psi_rx_dot_by_motor_psi_rx = -(p.motor_alpha_r * motor_omega_0);
+    let motor_omega_dot_by_motor_psi_sx = c.t5 * motor_psi_ry * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega
-        - motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = t4 * motor_psi_sx * inverse_motor_inertia;
+        - c.motor_omega_0;
+    let motor_omega_dot_by_motor_psi_ry = c.t5 * motor_psi_sx * c.inverse_motor_inertia;
     [
         R::literal(1.0),
         R::literal(1.0),
         R::literal(1.0),
-        motor_omega_dot_by_motor_phi,
-        motor_omega_dot_by_saws_driven,
-        motor_omega_dot_by_motor_omega,
-        motor_omega_dot_by_saws_driven_dot,
+        c.motor_omega_dot_by_motor_phi,
+        c.motor_omega_dot_by_saws_driven,
+        c.motor_omega_dot_by_motor_omega,
+        c.motor_omega_dot_by_saws_driven_dot,
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx,
         motor_omega_dot_by_motor_psi_ry,
-        saws_driven_dot_dot_by_motor_phi,
-        saws_driven_dot_dot_by_saws_driven,
-        saws_driven_dot_dot_by_motor_omega,
-        saws_driven_dot_dot_by_saws_driven_dot,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_omega_0,
-        motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_sy_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx,
+        c.saws_driven_dot_dot_by_motor_phi,
+        c.saws_driven_dot_dot_by_saws_driven,
+        c.saws_driven_dot_dot_by_motor_omega,
+        c.saws_driven_dot_dot_by_saws_driven_dot,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_omega_0,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
+        c.motor_psi_sy_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_sx,
+        c.motor_psi_sx_dot_by_motor_psi_rx,
         motor_psi_rx_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
         motor_slip_speed,
         motor_psi_ry_dot_by_motor_omega,
-        motor_psi_rx_dot_by_motor_psi_sx,
+        c.motor_psi_rx_dot_by_motor_psi_sx,
         motor_psi_ry_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx,
+        c.motor_psi_rx_dot_by_motor_psi_rx,
     ]
 }
 
@@ -1004,6 +1166,34 @@ impl Describe for SawGinShaft {
 }
 
 impl<R: Real> Simulator<R> for SawGinShaft {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -1054,6 +1244,14 @@ impl<R: Real> Simulator<R> for SawGinShaft {
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

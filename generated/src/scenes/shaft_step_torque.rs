@@ -43,6 +43,10 @@
 //   outputs                   1
 //   energy                    3
 //   power_balance             6
+// With constants of the parameters, prepared once a run:
+//   prepare                   3
+//   prepared_rate             0
+//   prepared_rate_jacobian    0
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -227,6 +231,44 @@ pub mod state {
     pub const SHAFT_END_DOT: usize = 1;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 1;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub shaft_end_dot_dot: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            shaft_end_dot_dot: values[0],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [self.shaft_end_dot_dot]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 3 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let shaft_end_dot_dot = (p.torque + p.shaft_end_field_force)
+        * (R::literal(1.0) / p.shaft_end_field_inertia);
+    Constants { shaft_end_dot_dot }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// No operations.
@@ -248,11 +290,23 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 /// 3 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [_, shaft_end_dot] = *state;
-    let shaft_end_dot_dot = (p.torque + p.shaft_end_field_force)
-        * (R::literal(1.0) / p.shaft_end_field_inertia);
-    [shaft_end_dot, shaft_end_dot_dot]
+    [shaft_end_dot, c.shaft_end_dot_dot]
 }
 
 /// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
@@ -284,10 +338,24 @@ pub fn forcing<R: Real>(
 ///
 /// No operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 1] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
     _state: &[R; STATES],
     _p: &Parameters<R>,
+    _c: &Constants<R>,
 ) -> [R; 1] {
     [R::literal(1.0)]
 }
@@ -420,6 +488,34 @@ impl Describe for ShaftStepTorque {
 }
 
 impl<R: Real> Simulator<R> for ShaftStepTorque {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -470,6 +566,14 @@ impl<R: Real> Simulator<R> for ShaftStepTorque {
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -47,6 +47,10 @@
 //   outputs                   0
 //   energy                   13
 //   power_balance            18
+// With constants of the parameters, prepared once a run:
+//   prepare                   6
+//   prepared_rate             0
+//   prepared_rate_jacobian    0
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -243,6 +247,51 @@ pub mod state {
     pub const SHAFT_END_DOT: usize = 3;
 }
 
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 2;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub shaft_start_dot_dot: R,
+    pub shaft_end_dot_dot: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            shaft_start_dot_dot: values[0],
+            shaft_end_dot_dot: values[1],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [self.shaft_start_dot_dot, self.shaft_end_dot_dot]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 6 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let shaft_start_dot_dot = p.shaft_start_field_force
+        * (R::literal(1.0) / (p.driving_inertia + p.shaft_start_field_inertia));
+    let shaft_end_dot_dot = p.shaft_end_field_force
+        * (R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia));
+    Constants {
+        shaft_start_dot_dot,
+        shaft_end_dot_dot,
+    }
+}
+
 /// State at the start of the run, in the units of the states.
 ///
 /// 1 operation.
@@ -264,13 +313,23 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 /// 6 operations.
 #[must_use]
 #[inline]
-pub fn rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    _p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
     let [_, _, shaft_start_dot, shaft_end_dot] = *state;
-    let shaft_start_dot_dot = p.shaft_start_field_force
-        * (R::literal(1.0) / (p.driving_inertia + p.shaft_start_field_inertia));
-    let shaft_end_dot_dot = p.shaft_end_field_force
-        * (R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia));
-    [shaft_start_dot, shaft_end_dot, shaft_start_dot_dot, shaft_end_dot_dot]
+    [shaft_start_dot, shaft_end_dot, c.shaft_start_dot_dot, c.shaft_end_dot_dot]
 }
 
 /// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
@@ -304,10 +363,24 @@ pub fn forcing<R: Real>(
 ///
 /// No operations.
 #[must_use]
+#[inline]
 pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 2] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// No operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
     _state: &[R; STATES],
     _p: &Parameters<R>,
+    _c: &Constants<R>,
 ) -> [R; 2] {
     [R::literal(1.0), R::literal(1.0)]
 }
@@ -462,6 +535,34 @@ impl Describe for ShaftWithRotors {
 }
 
 impl<R: Real> Simulator<R> for ShaftWithRotors {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
         values.copy_from_slice(&initial_state(&parameters_of(parameters)));
     }
@@ -512,6 +613,14 @@ impl<R: Real> Simulator<R> for ShaftWithRotors {
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
     }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
 }
 
 #[inline]

@@ -286,7 +286,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
             }
         }
     });
-    let field_import = (!field_names.is_empty()).then(|| quote!(field::FieldScene,));
+    let field_import = (!field_names.is_empty()).then(|| quote!(, field::FieldScene));
     let inner = "Simulators emitted from the specs, one module a scene.";
     let (names_doc, find_doc) =
         (doc(["Names of all scenes, sorted."]), doc(["The scene of a name."]));
@@ -309,7 +309,7 @@ pub(super) fn index(programs: &[&Program], modules: &[Ident], contract: &syn::Pa
     };
     quote! {
         #![doc = #inner]
-        use #contract::{#field_import Real, Simulator};
+        use #contract::{Real, Simulator #field_import};
         #(#declarations)*
         #names_doc
         #[rustfmt::skip]

@@ -323,7 +323,7 @@ pub(super) fn index(
             }
         }
     });
-    let field_import = (!field_names.is_empty()).then(|| quote!(field::FieldScene,));
+    let field_import = (!field_names.is_empty()).then(|| quote!(, field::FieldScene));
     let [inner, names_doc, find_doc] = if options.scene_features {
         [
             "Simulators emitted from the specs, one module and one feature a scene.",
@@ -357,7 +357,7 @@ pub(super) fn index(
     };
     quote! {
         #![doc = #inner]
-        use #contract::{#field_import Real, Simulator};
+        use #contract::{Real, Simulator #field_import};
         #(#declarations)*
         #names_doc
         #[rustfmt::skip]

@@ -72,7 +72,9 @@ fn run(program: &Program, until: Option<f64>) -> Trajectory {
     let states = simulator.shape().states();
     let until = until.unwrap_or(simulator.run_defaults().until);
     let run = Simulation::new(&simulator).until(until).points(41).rtol(1e-13);
-    run.atol(&vec![1e-14; states]).method(Method::Tsit45).run().expect("the run")
+    // Events and constraints need a method of our own.
+    let method = if Method::Tsit45.suits(&simulator) { Method::Tsit45 } else { Method::Dop853 };
+    run.atol(&vec![1e-14; states]).method(method).run().expect("the run")
 }
 
 /// Largest distance of any output from the unreduced scene's, relative to the

@@ -48,7 +48,8 @@ struct Report {
     verdicts: Vec<Verdict>,
     ledger: Result<Vec<LedgerRow>, String>,
     winder: Result<FirstStage, String>,
-    fields: fields::Study,
+    /// Where a scene has fields.
+    fields: Option<fields::Study>,
     work_precision: Vec<WorkPrecision>,
 }
 
@@ -84,7 +85,9 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     }
     let programs: Vec<_> = derived.iter().map(|derived| derived.program.clone()).collect();
     let emitted = emit_scenes(emitted, &programs, Mode::Write)?;
-    let options = VerifyOptions::default();
+    let names = programs.iter().map(|program| program.system.name.clone()).collect();
+    let has_fields = programs.iter().any(|program| !program.fields.is_empty());
+    let options = VerifyOptions { scenes: Some(names), ..VerifyOptions::default() };
     let verdicts = during("verifying", || verify_all(&options))
         .map_err(|error| Failure::unsuccessful(error, ""))?;
     let mut scenes: Vec<SceneData> = during("simulating", || {
@@ -99,7 +102,7 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
     let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
-    let fields = during("cutting fields", fields::Study::new);
+    let fields = has_fields.then(|| during("cutting fields", fields::Study::new));
     let work_precision =
         if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);

@@ -49,12 +49,16 @@ pub struct VerifyOptions {
     pub overrides: Vec<(String, f64)>,
     /// Only checks whose `scene: check` contains this text, if any is given.
     pub only: Option<String>,
+    /// Only these scenes, if any are given.
+    pub scenes: Option<Vec<String>>,
 }
 
 impl VerifyOptions {
     fn want(&self, machine: &Machine, check: &Check) -> bool {
         let name = || format!("{}: {}", machine.name(), check.name);
-        self.only.as_ref().is_none_or(|text| name().contains(text.as_str()))
+        let is_of = |scenes: &Vec<String>| scenes.iter().any(|scene| scene == machine.name());
+        self.scenes.as_ref().is_none_or(is_of)
+            && self.only.as_ref().is_none_or(|text| name().contains(text.as_str()))
     }
 }
 

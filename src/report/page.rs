@@ -35,9 +35,11 @@ pub fn render(report: &Report) -> String {
                             (work_precision(&report.work_precision))
                         }
                     }
-                    section id="fields" {
-                        h2 { "Fields" }
-                        (report.fields.section())
+                    @if let Some(fields) = &report.fields {
+                        section id="fields" {
+                            h2 { "Fields" }
+                            (fields.section())
+                        }
                     }
                     section id="winder-walk" {
                         h2 { "Which model a winder needs" }

@@ -12,6 +12,7 @@
 
 mod lobatto;
 mod mesh;
+#[cfg(feature = "linear")]
 mod modal;
 mod simulator;
 
@@ -22,6 +23,7 @@ use machinist_scenes::{Real, Shape};
 
 pub use lobatto::Lobatto;
 use mesh::{Mesh, Owner};
+#[cfg(feature = "linear")]
 pub use modal::{ModalError, ModalSimulator};
 
 /// Elements that all fields of a scene may have together.

@@ -31,6 +31,7 @@ pub mod method;
 pub mod object;
 #[cfg(feature = "plot")]
 pub mod plot;
+#[cfg(feature = "verify")]
 pub mod reed_study;
 pub mod simulate;
 #[cfg(feature = "sweep")]

@@ -324,19 +324,7 @@ pub(super) fn index(
         }
     });
     let field_import = (!field_names.is_empty()).then(|| quote!(, field::FieldScene));
-    let [inner, names_doc, find_doc] = if options.scene_features {
-        [
-            "Simulators emitted from the specs, one module and one feature a scene.",
-            "Names of all scenes whose feature is on, sorted.",
-            "The scene of a name, if its feature is on.",
-        ]
-    } else {
-        [
-            "Simulators emitted from the specs, one module a scene.",
-            "Names of all scenes, sorted.",
-            "The scene of a name, if there is one.",
-        ]
-    };
+    let [inner, names_doc, find_doc] = index_docs(options);
     let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));
     let inner = format!(" {inner}");
     let find = if arms.is_empty() {
@@ -368,5 +356,22 @@ pub(super) fn index(
         #[rustfmt::skip]
         #find
         #of_fields
+    }
+}
+
+/// What the index says of itself, of its list of names and of its look-up.
+fn index_docs(options: &EmitOptions) -> [&'static str; 3] {
+    if options.scene_features {
+        [
+            "Simulators emitted from the specs, one module and one feature a scene.",
+            "Names of all scenes whose feature is on, sorted.",
+            "The scene of a name, if its feature is on.",
+        ]
+    } else {
+        [
+            "Simulators emitted from the specs, one module a scene.",
+            "Names of all scenes, sorted.",
+            "The scene of a name, if there is one.",
+        ]
     }
 }

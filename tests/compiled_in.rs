@@ -29,7 +29,7 @@ fn linked(features: &str) -> BTreeSet<String> {
 fn explicit_methods_link_no_other_solver_and_no_computer_algebra() {
     let names = linked("");
     assert!(names.contains("machinist-scenes"), "{names:?}");
-    for name in ["diffsol", "faer", "rayon", "wide", "symbolica", "machinist-codegen"] {
+    for name in ["diffsol", "faer", "rayon", "symbolica", "machinist-codegen"] {
         assert!(!names.contains(name), "{name} is linked");
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Start with [`Simulation`]; the scenes are in [`machinist_scenes`]. The README
 //! shows the whole of it:
-#![cfg_attr(all(feature = "diffsol", feature = "scenes"), doc = include_str!("../README.md"))]
+#![cfg_attr(all(feature = "diffsol", feature = "scenes", feature = "sweep"), doc = include_str!("../README.md"))]
 //!
 //! Features leave out what a program does not need: methods by family (`diffsol`,
 //! `implicit`), built-in scenes (`scenes`), linear analysis (`linear`), the checks

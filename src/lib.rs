@@ -30,6 +30,8 @@ pub mod object;
 #[cfg(feature = "plot")]
 pub mod plot;
 pub mod simulate;
+#[cfg(feature = "verify")]
+pub mod stability;
 #[cfg(feature = "sweep")]
 pub mod sweep;
 pub mod trajectory;

@@ -13,6 +13,7 @@ pub mod number;
 mod page;
 mod reduction;
 mod scene;
+pub mod stability;
 mod verification;
 mod winder_walk;
 

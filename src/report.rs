@@ -22,6 +22,7 @@ use std::path::Path;
 use machinist::interpreted::InterpretedSimulator;
 use machinist::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist::linear_analysis::LinearError;
+use machinist::stability::{Plan as Strain, Study, study};
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
 use machinist::winder_walk::FirstStage;
@@ -49,6 +50,8 @@ struct Report {
     ledger: Result<Vec<LedgerRow>, String>,
     winder: Result<FirstStage, String>,
     work_precision: Vec<WorkPrecision>,
+    /// Takes about a minute, and so is left out with the times.
+    stability: Option<Study>,
 }
 
 /// One scene, derived and run.
@@ -98,8 +101,10 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
     let work_precision =
         if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
+    let strain = || during("straining the methods", || study(&Strain::default()));
+    let stability = with_times.then(strain).transpose()?;
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
-    let report = Report { scenes, emitted, verdicts, ledger, winder, work_precision };
+    let report = Report { scenes, emitted, verdicts, ledger, winder, work_precision, stability };
     Ok(Page { html: page::render(&report), all_passed })
 }
 

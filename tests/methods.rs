@@ -1,11 +1,12 @@
 //! What the methods of this crate do that none other need do: stiff machines
 //! against each other, tolerances that are kept, choices that are told.
-#![cfg(all(feature = "implicit", feature = "scenes"))]
+#![cfg(feature = "verify")]
 
 mod common;
 
-use common::{HardSpring, Scalar, Stiff};
+use common::{HardSpring, Scalar};
 use machinist::error::StopCause;
+use machinist::stability::machines::{PROTHERO_ROBINSON, ROBERTSON, VAN_DER_POL};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_scenes::{Simulator, scenes};
 
@@ -44,8 +45,8 @@ fn errors_keep_to_the_tolerance_from_loose_to_tight() {
 
 #[test]
 fn two_unrelated_methods_agree_on_van_der_pol() {
-    // y'' = mu (1 - y^2) y' - y, mu = 1e6, in time over mu until 2.
-    let simulation = Simulation::new(&Stiff::VanDerPol).points(21);
+    // y'' = mu (1 - y^2) y' - y, mu = 1e3, in time over mu until 2.
+    let simulation = Simulation::new(&VAN_DER_POL).points(21);
     let radau = simulation.clone().method(Method::Radau).rtol(1e-12).run().unwrap();
     // Hairer, Wanner, test set of stiff problems: y(2), y'(2).
     let published = [1.706_167_732_170_483, -8.928_097_010_248_25e-1];
@@ -66,7 +67,7 @@ fn two_unrelated_methods_agree_on_van_der_pol() {
 
 #[test]
 fn two_unrelated_methods_agree_on_robertson() {
-    let simulation = Simulation::new(&Stiff::Robertson).times(&[0.0, 40.0, 4e5, 1e11]);
+    let simulation = Simulation::new(&ROBERTSON).times(&[0.0, 40.0, 4e5, 1e11]);
     let radau = simulation.clone().method(Method::Radau).rtol(1e-11).run().unwrap();
     // The same test set: y at 1e11.
     let published = [2.083_340_149_701_253e-8, 8.333_360_770_334_716e-14, 9.999_999_791_665_05e-1];
@@ -91,12 +92,31 @@ fn two_unrelated_methods_agree_on_robertson() {
 fn rosenbrock_keeps_its_order_near_a_stiff_equilibrium() {
     // Prothero and Robinson: y' = -L (y - cos t) - sin t, from y = cos t. Methods
     // that are not made for it lose all orders but one or two.
-    let scalar = Scalar::new(|t, y| -1e5 * (y - t.cos()) - t.sin(), |_, _| -1e5, 1.0);
+    let scalar = Simulation::new(&PROTHERO_ROBINSON).parameter("lambda", -1e5).unwrap();
     for (method, most) in [(Method::Rodas5p, 100), (Method::Radau, 60)] {
-        let run = Simulation::new(&scalar).method(method).rtol(1e-6).until(3.0).run().unwrap();
-        let error = (run.last("y").unwrap() - 3.0f64.cos()).abs();
+        let run = scalar.clone().method(method).rtol(1e-6).run().unwrap();
+        let error = (run.last("y1").unwrap() - 3.0f64.cos()).abs();
         println!("{method}: {error:e} {:?}", run.work);
         assert!(error < 1e-6 && run.work.steps < most, "{method}: {error:e}, {:?}", run.work);
+    }
+}
+
+#[test]
+fn states_between_the_ends_of_long_steps_keep_to_the_tolerance() {
+    // The stiffer, the longer the steps that end right: up to the whole run at once.
+    for power in [4, 6, 8, 10, 12] {
+        let lambda = -10f64.powi(power);
+        let scalar = Simulation::new(&PROTHERO_ROBINSON).parameter("lambda", lambda).unwrap();
+        for method in [Method::Rodas5p, Method::Radau, Method::Auto] {
+            for rtol in [1e-4, 1e-7, 1e-10] {
+                let run = scalar.clone().method(method).rtol(rtol).points(301).run().unwrap();
+                let values = run.times.iter().zip(run.column("y1").unwrap());
+                let error = values.fold(0.0f64, |most, (t, y)| most.max((y - t.cos()).abs()));
+                let about = format!("{method}, {lambda:e}, {rtol:e}: {error:e}");
+                println!("{about}, {:?}", run.work);
+                assert!(error < 100.0 * rtol && run.work.steps < 2000, "{about}");
+            }
+        }
     }
 }
 
@@ -108,7 +128,7 @@ fn auto_says_what_it_chose_and_why() {
     assert_eq!(run(&HardSpring, 1e-2), ["starts with tsit5, for a relative tolerance of 1e-2"]);
     assert_eq!(run(&HardSpring, 1e-6), ["starts with dop853, for a relative tolerance of 1e-6"]);
     for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
-        let notes = run(&Stiff::VanDerPol, rtol);
+        let notes = run(&VAN_DER_POL, rtol);
         assert!(notes[1].starts_with(implicit), "{notes:?}");
         assert!(notes[1].contains("held by stability"), "{notes:?}");
     }

@@ -80,7 +80,7 @@ pub fn rule(study: &Study) -> String {
     format!(
         "Numbers are errors over the relative tolerance, which is {:.0e}: the largest over all \
          states and times judged, relative to the largest value of the state at these times. A \
-         run that ends with more than {ALLOWED} is WRONG.",
+         run that ends with more than {ALLOWED}, and with more than one a step, is WRONG.",
         study.rtol
     )
 }

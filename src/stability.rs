@@ -14,6 +14,7 @@
 
 mod cases;
 pub mod machines;
+mod order;
 mod truth;
 
 use machinist_scenes::Simulator;
@@ -23,6 +24,7 @@ use crate::error::{SimulateError, StopCause};
 use crate::method::Method;
 use crate::simulate::Simulation;
 use crate::trajectory::{ColumnKind, Trajectory};
+pub use order::{ObservedOrders, POWERS, observed_orders};
 use truth::{Known, Truth};
 
 /// Errors of a run that is right, in relative tolerances, at any number of steps: errors
@@ -59,6 +61,8 @@ pub struct Study {
     pub methods: Vec<Method>,
     /// One for each case.
     pub rows: Vec<Row>,
+    /// Orders on the problem of Prothero and Robinson, if all cases were wanted.
+    pub orders: Vec<ObservedOrders>,
 }
 
 /// One case.
@@ -154,7 +158,8 @@ pub fn study(plan: &Plan) -> Result<Study, SimulateError> {
     let cases = cases::all();
     let rows = cases.iter().filter(|case| wanted(case)).map(|case| case.row(plan));
     let rows = rows.collect::<Result<_, _>>()?;
-    Ok(Study { rtol: plan.rtol, methods: plan.methods.clone(), rows })
+    let orders = if plan.only.is_none() { observed_orders() } else { Vec::new() };
+    Ok(Study { rtol: plan.rtol, methods: plan.methods.clone(), rows, orders })
 }
 
 /// A run that strains methods.

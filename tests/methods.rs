@@ -43,6 +43,60 @@ fn errors_keep_to_the_tolerance_from_loose_to_tight() {
     }
 }
 
+/// Order that shows in errors against numbers of steps: least squares of logarithms.
+fn order_by_steps(points: &[(u64, f64)]) -> f64 {
+    let logs: Vec<(f64, f64)> =
+        points.iter().map(|(steps, error)| ((*steps as f64).ln(), error.ln())).collect();
+    let mean =
+        |of: &dyn Fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / logs.len() as f64;
+    let (x, y) = (mean(&|log| log.0), mean(&|log| log.1));
+    let covariance = mean(&|log| (log.0 - x) * (log.1 - y));
+    -covariance / mean(&|log| (log.0 - x).powi(2))
+}
+
+#[test]
+fn methods_of_fixed_order_show_it_in_errors_against_steps() {
+    // The steps of diffsol's methods cannot be told; bdf and radau change their order.
+    let base = Simulation::new(&HardSpring).points(2);
+    let reference = base.clone().method(Method::Dop853).rtol(1e-14).run().unwrap();
+    for (method, order, tightest) in [
+        (Method::TrBdf2, 2.0, -8),
+        (Method::Esdirk34, 3.0, -10),
+        (Method::Tsit45, 5.0, -11),
+        (Method::Tsit5, 5.0, -11),
+        (Method::Rodas5p, 5.0, -11),
+    ] {
+        let points: Vec<(u64, f64)> = (2 * tightest..=-8)
+            .map(|half_power| {
+                let rtol = 10f64.powf(0.5 * f64::from(half_power));
+                let run = base.clone().method(method).rtol(rtol).run().unwrap();
+                (run.work.steps, error(&HardSpring, &run, &reference))
+            })
+            .collect();
+        let observed = order_by_steps(&points);
+        println!("{method}: {observed:.2} {points:?}");
+        assert!((observed - order).abs() < 0.2, "{method} shows an order of {observed}");
+    }
+}
+
+#[test]
+fn errors_of_taylor_keep_to_the_tolerance_from_loose_to_tight() {
+    for name in ["winder_nonlinear", "motor_run_up", "saw_gin"] {
+        let simulator = scenes::find::<f64>(name).unwrap();
+        let base = Simulation::new(simulator).points(101);
+        let reference = base.clone().method(Method::Radau).rtol(1e-14).run().unwrap();
+        let (mut least, mut most) = (f64::INFINITY, 0.0);
+        for power in 3..=12 {
+            let rtol = 10f64.powi(-power);
+            let run = base.clone().method(Method::Taylor).rtol(rtol).run().unwrap();
+            let found = error(simulator, &run, &reference) / rtol;
+            println!("{name} {rtol:.0e}: {found:.2} rtol, {} steps", run.work.steps);
+            (least, most) = (found.min(least), found.max(most));
+        }
+        assert!(most < 10.0 * least && most < 20.0, "{name}: {least} to {most} tolerances");
+    }
+}
+
 #[test]
 fn two_unrelated_methods_agree_on_van_der_pol() {
     // y'' = mu (1 - y^2) y' - y, mu = 1e3, in time over mu until 2.
@@ -114,7 +168,7 @@ fn states_between_the_ends_of_long_steps_keep_to_the_tolerance() {
                 let error = values.fold(0.0f64, |most, (t, y)| most.max((y - t.cos()).abs()));
                 let about = format!("{method}, {lambda:e}, {rtol:e}: {error:e}");
                 println!("{about}, {:?}", run.work);
-                assert!(error < 100.0 * rtol && run.work.steps < 2000, "{about}");
+                assert!(error < 100.0 * rtol && run.work.steps < 5000, "{about}");
             }
         }
     }

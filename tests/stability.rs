@@ -1,7 +1,7 @@
 //! Extreme cases: `auto` is never wrong, no method hangs, and what is right is known.
 #![cfg(feature = "verify")]
 
-use machinist::stability::{ALLOWED, MAX_STEPS, Outcome, Plan, study};
+use machinist::stability::{ALLOWED, MAX_STEPS, Outcome, Plan, observed_orders, study};
 use machinist::{Method, SimulateError};
 
 #[test]
@@ -50,5 +50,20 @@ fn a_tolerance_that_makes_no_sense_is_refused() {
     for rtol in [0.0, -1e-6, f64::NAN, 2.0] {
         let refused = study(&Plan { rtol, ..Plan::default() });
         assert!(matches!(refused, Err(SimulateError::BadTolerance(_))), "{rtol}: {refused:?}");
+    }
+}
+
+#[test]
+fn implicit_methods_keep_an_order_on_prothero_and_robinson_however_stiff() {
+    for row in observed_orders() {
+        println!("{row:?}");
+        // Not stiff: the full order, as far as it shows over steps so large.
+        let plain = row.orders[0].expect("errors above rounding");
+        let within = if row.nominal > 5 { 1.0 } else { 0.2 };
+        assert!((plain - f64::from(row.nominal)).abs() < within, "{row:?}");
+        // However stiff: errors fall with the steps, or are those of rounding.
+        let least = row.orders.iter().flatten().fold(f64::INFINITY, |least, o| least.min(*o));
+        assert!(least > 2.5, "{row:?}");
+        assert!(row.errors.iter().all(|error| *error < 1e-4), "{row:?}");
     }
 }

@@ -2,12 +2,12 @@
 
 use clap::Args;
 use machinist::Method;
-use machinist::stability::{self, Outcome, Plan, Study};
+use machinist::stability::{self, ObservedOrders, Outcome, POWERS, Plan, Study};
 
 use super::Failure;
 use super::output::{print, print_with};
 use super::progress::during;
-use crate::report::stability::{cell, refusals, rule};
+use crate::report::stability::{ORDERS, cell, order, refusals, rule};
 
 #[derive(Debug, Args)]
 pub struct Stability {
@@ -18,7 +18,7 @@ pub struct Stability {
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
     /// Relative tolerance of every run
-    #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-6)]
+    #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-6, allow_negative_numbers = true)]
     rtol: f64,
     /// Print JSON, with the reasons of all refusals
     #[arg(long)]
@@ -76,7 +76,22 @@ fn table(study: &Study) -> String {
         line.extend(study.methods.iter().map(|method| study.counts(*method)[index].to_string()));
         lines.push(line);
     }
-    format!("{}\n{}\n{}\n", aligned(&lines), rule(study), refusals(study))
+    let mut text = format!("{}\n{}\n{}\n", aligned(&lines), rule(study), refusals(study));
+    if !study.orders.is_empty() {
+        text.push_str(&format!("\n{ORDERS}\n\n{}", aligned(&order_lines(study))));
+    }
+    text
+}
+
+fn order_lines(study: &Study) -> Vec<Vec<String>> {
+    let mut header = vec!["lambda".to_owned(), "order".to_owned()];
+    header.extend(POWERS.iter().map(|power| format!("-1e{power}")));
+    let line = |row: &ObservedOrders| {
+        let mut line = vec![row.method.to_owned(), row.nominal.to_string()];
+        line.extend(row.orders.iter().map(|found| order(*found)));
+        line
+    };
+    std::iter::once(header).chain(study.orders.iter().map(line)).collect()
 }
 
 /// Lines of cells as columns, the first flush left; a line of one cell is a heading.

@@ -1,6 +1,6 @@
 //! The table of extreme cases: what is right, what refuses, what is wrong.
 
-use machinist::stability::{ALLOWED, MAX_STEPS, Outcome, Row, Study};
+use machinist::stability::{ALLOWED, MAX_STEPS, ObservedOrders, Outcome, POWERS, Row, Study};
 use maud::{Markup, html};
 
 use super::number::number;
@@ -34,6 +34,25 @@ pub fn section(study: &Study) -> Markup {
         }
         p { (rule(study)) }
         p { (refusals(study)) }
+        p { (ORDERS) }
+        (orders(&study.orders))
+    }
+}
+
+fn orders(rows: &[ObservedOrders]) -> Markup {
+    html! {
+        div.scroll {
+            table {
+                thead { tr {
+                    th { "Method" } th.number { "Order" }
+                    @for power in POWERS { th.number { "-1e" (power) } }
+                } }
+                tbody { @for row in rows { tr {
+                    td { (row.method) } td.number { (row.nominal) }
+                    @for found in &row.orders { td.number { (order(*found)) } }
+                } } }
+            }
+        }
     }
 }
 
@@ -64,6 +83,16 @@ fn title(outcome: &Outcome) -> String {
         Outcome::Refused { reason, .. } => reason.clone(),
         Outcome::Right { steps, .. } | Outcome::Wrong { steps, .. } => format!("{steps} steps"),
     }
+}
+
+/// What the orders are.
+pub const ORDERS: &str = "Orders of convergence that remain on the problem of Prothero and \
+    Robinson, y' = lambda (y - cos t) - sin t, between equal steps and half of them; a dash \
+    where only rounding is left of the errors.";
+
+/// One order.
+pub fn order(found: Option<f64>) -> String {
+    found.map_or_else(|| "-".to_owned(), |order| format!("{order:.1}"))
 }
 
 /// One outcome in a few letters.

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use machinist_scenes::{Simulator, scenes};
 
-use super::Case;
 use super::machines::{DAHLQUIST, PROTHERO_ROBINSON, PULSE, PULSE_START, ROBERTSON, VAN_DER_POL};
 use super::truth::Truth;
+use super::{Case, POWERS};
 use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques, Twist, TwoMass};
 
 /// All of them. An absent scene leaves its cases out.
@@ -25,7 +25,6 @@ pub(super) fn all() -> Vec<Case> {
 }
 
 fn scalar_tests() -> Vec<Case> {
-    const POWERS: [i32; 7] = [0, 2, 4, 6, 8, 10, 12];
     let dahlquist = POWERS.map(|power| {
         let lambda = -10f64.powi(power);
         Case {

@@ -1,9 +1,9 @@
 //! Extreme cases against all methods: which are right, which refuse, which are wrong.
 //!
 //! A run that ends is *right* if no state errs by more than [`ALLOWED`] times the
-//! relative tolerance, or by once the tolerance for every step where these are more, at
-//! any of the case's times, relative to the largest value that the state has at them;
-//! else it is *wrong*. A run that stops with an error is
+//! relative tolerance, or by once the tolerance for every step where these are more, and
+//! by no more than [`LARGEST`], at any of the case's times, relative to the largest value
+//! that the state has at them; else it is *wrong*. A run that stops with an error is
 //! *refused*. The absolute tolerance of a state is the relative one times that same
 //! size, so that small states count like large ones. No run takes more than
 //! [`MAX_STEPS`] steps, so none hangs.
@@ -31,8 +31,11 @@ use truth::{Known, Truth};
 /// of steps add up, and ill-conditioned cases enlarge them.
 pub const ALLOWED: f64 = 1000.0;
 
+/// Relative error of a run that is right at any tolerance.
+pub const LARGEST: f64 = 0.01;
+
 /// A run of the study may take so many steps.
-pub const MAX_STEPS: usize = 100_000;
+pub const MAX_STEPS: usize = 50_000;
 
 /// What to run.
 #[derive(Debug, Clone, PartialEq)]
@@ -192,7 +195,7 @@ impl Case {
             Ok(run) => {
                 let error = known.error(self, &run) / rtol;
                 let steps = run.work.steps;
-                if error <= ALLOWED.max(steps as f64) {
+                if error <= ALLOWED.max(steps as f64).min(LARGEST / rtol) {
                     Outcome::Right { error, steps }
                 } else {
                     Outcome::Wrong { error, steps }

@@ -39,7 +39,7 @@ fn a_method_that_is_wrong_is_found_out() {
     match &refused.rows[0].cells[0].outcome {
         Outcome::Refused { word, reason } => {
             assert_eq!(*word, "steps");
-            assert!(reason.contains("limit of 100000 steps"), "{reason}");
+            assert!(reason.contains("limit of 50000 steps"), "{reason}");
         }
         other => panic!("{other:?}"),
     }
@@ -58,9 +58,11 @@ fn implicit_methods_keep_an_order_on_prothero_and_robinson_however_stiff() {
     for row in observed_orders() {
         println!("{row:?}");
         // Not stiff: the full order, as far as it shows over steps so large.
-        let plain = row.orders[0].expect("errors above rounding");
-        let within = if row.nominal > 5 { 1.0 } else { 0.2 };
-        assert!((plain - f64::from(row.nominal)).abs() < within, "{row:?}");
+        // Of order 13 only rounding is left.
+        match row.orders[0] {
+            Some(plain) => assert!((plain - f64::from(row.nominal)).abs() < 0.2, "{row:?}"),
+            None => assert!(row.nominal == 13, "{row:?}"),
+        }
         // However stiff: errors fall with the steps, or are those of rounding.
         let least = row.orders.iter().flatten().fold(f64::INFINITY, |least, o| least.min(*o));
         assert!(least > 2.5, "{row:?}");

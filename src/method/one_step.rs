@@ -93,6 +93,7 @@ pub(super) fn drive<M: OneStep>(
     require_possible_tolerance(stretch, state)?;
     let (mut time, mut step) = (from.time, from.step);
     let mut last_error = 1e-4;
+    let mut before = None;
     let mut rejected = false;
     loop {
         let remaining = stretch.until - time;
@@ -112,11 +113,12 @@ pub(super) fn drive<M: OneStep>(
         {
             stretch.system.count(|work| work.steps += 1);
             sample(method, stretch, now, state, samples)?;
-            let mut factor = pace.factor(error, last_error);
+            let mut factor = pace.factor(pace.believed(error, tried, before), last_error);
             if rejected {
                 factor = factor.min(1.0);
             }
             last_error = error.max(1e-4);
+            before = Some((tried, error));
             rejected = false;
             method.accept();
             (time, step) = (now, tried * factor);
@@ -152,6 +154,22 @@ pub(super) fn drive_all<M: OneStep>(
 }
 
 impl Pace {
+    /// The error to choose the next step by, after an error at a step and, before that,
+    /// a step and its error.
+    ///
+    /// An estimate is a number that changes its sign, and passes through zero now and
+    /// then where the error does not: in a fast oscillation as often as once in a few
+    /// hundred steps. A step that grew by that would be far too long, and might be
+    /// accepted by the same chance. So an error that is suddenly far below what the step
+    /// before foretells is not believed at once.
+    fn believed(&self, error: f64, step: f64, before: Option<(f64, f64)>) -> f64 {
+        const LUCK: f64 = 1e-2;
+        let foretold = |(step_before, error): (f64, f64)| {
+            error * (step / step_before).powf(1.0 / self.exponent)
+        };
+        before.map_or(error, |before| error.max(LUCK * foretold(before)))
+    }
+
     fn factor(&self, error: f64, last_error: f64) -> f64 {
         let wanted = self.safety * error.powf(-self.exponent) * last_error.powf(self.memory);
         // An error of zero wants an infinite step; a NaN cannot be.

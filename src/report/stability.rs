@@ -1,6 +1,8 @@
 //! The table of extreme cases: what is right, what refuses, what is wrong.
 
-use machinist::stability::{ALLOWED, MAX_STEPS, ObservedOrders, Outcome, POWERS, Row, Study};
+use machinist::stability::{
+    ALLOWED, LARGEST, MAX_STEPS, ObservedOrders, Outcome, POWERS, Row, Study,
+};
 use maud::{Markup, html};
 
 use super::number::number;
@@ -109,8 +111,10 @@ pub fn rule(study: &Study) -> String {
     format!(
         "Numbers are errors over the relative tolerance, which is {:.0e}: the largest over all \
          states and times judged, relative to the largest value of the state at these times. A \
-         run that ends with more than {ALLOWED}, and with more than one a step, is WRONG.",
-        study.rtol
+         run that ends with more than {ALLOWED}, and with more than one a step, or with more \
+         than {} %, is WRONG.",
+        study.rtol,
+        100.0 * LARGEST
     )
 }
 

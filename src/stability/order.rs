@@ -26,7 +26,7 @@ pub struct ObservedOrders {
 }
 
 /// Steps that are as good as exact err by less than this.
-const ROUNDING: f64 = 1.5e-14;
+const ROUNDING: f64 = 5e-14;
 /// End of the runs \[s\].
 const UNTIL: f64 = 3.0;
 
@@ -41,7 +41,7 @@ fn observed(method: &Fixed) -> ObservedOrders {
     let coarse = match method.order {
         0..=5 => 24,
         6..=9 => 4,
-        _ => 1,
+        _ => 2,
     };
     let (mut orders, mut errors) = (Vec::new(), Vec::new());
     for power in POWERS {

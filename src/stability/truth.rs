@@ -108,7 +108,7 @@ fn worse(a: f64, b: f64) -> f64 {
 const CANDIDATES: [(Method, f64, usize); 5] = [
     (Method::Radau, 1e-11, 20_000),
     (Method::Dop853, 1e-12, 5_000),
-    (Method::Rodas5p, 1e-9, 20_000),
+    (Method::Rodas5p, 1e-10, 20_000),
     (Method::Bdf, 1e-8, 100_000),
     (Method::Radau, 1e-9, 100_000),
 ];

@@ -25,6 +25,21 @@ fn auto_is_wrong_in_no_extreme_case_and_every_truth_is_known_well_enough() {
 }
 
 #[test]
+fn an_estimate_that_vanishes_by_chance_misleads_no_explicit_method() {
+    // A coupling that rings: a step grew by an estimate of nearly zero, and was accepted
+    // by another one, with an error of 1e5 tolerances.
+    let plan = Plan {
+        methods: vec![Method::Dop853, Method::Auto],
+        rtol: 1e-10,
+        only: Some("saw gin: stiffness 1e9, damping 1e2".to_owned()),
+    };
+    for cell in &study(&plan).unwrap().rows[0].cells {
+        let right = matches!(cell.outcome, Outcome::Right { error, .. } if error < 100.0);
+        assert!(right, "{cell:?}");
+    }
+}
+
+#[test]
 fn a_method_that_is_wrong_is_found_out() {
     // States between long steps of diffsol's methods are not under control.
     let plan = |method, only: &str| Plan {

@@ -78,7 +78,7 @@ fn table(study: &Study) -> String {
     }
     let mut text = format!("{}\n{}\n{}\n", aligned(&lines), rule(study), refusals(study));
     if !study.orders.is_empty() {
-        text.push_str(&format!("\n{ORDERS}\n\n{}", aligned(&order_lines(study))));
+        text.extend(["\n", ORDERS, "\n\n", &aligned(&order_lines(study))]);
     }
     text
 }

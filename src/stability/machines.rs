@@ -28,8 +28,10 @@ pub struct ByHand {
     pub jacobian: fn(f64, &[f64], &[f64], &mut [f64]),
     /// Partial derivative of f with respect to time.
     pub time_derivative: fn(f64, &[f64], &mut [f64]),
-    /// Times at which f jumps, and how many there are.
-    pub jumps: (usize, fn(&[f64], &mut [f64])),
+    /// Number of times at which f jumps.
+    pub jumps: usize,
+    /// These times, from the parameters.
+    pub jump_times: fn(&[f64], &mut [f64]),
     /// End of a run \[s\].
     pub until: f64,
 }
@@ -45,7 +47,8 @@ pub static DAHLQUIST: ByHand = ByHand {
     pattern: &[(0, 0)],
     jacobian: |_, _, p, values| values[0] = p[0],
     time_derivative: |_, _, derivative| derivative[0] = 0.0,
-    jumps: NO_JUMPS,
+    jumps: 0,
+    jump_times: |_, _| {},
     until: 2.0,
 };
 
@@ -60,7 +63,8 @@ pub static PROTHERO_ROBINSON: ByHand = ByHand {
     pattern: &[(0, 0)],
     jacobian: |_, _, p, values| values[0] = p[0],
     time_derivative: |t, p, derivative| derivative[0] = p[0] * t.sin() - t.cos(),
-    jumps: NO_JUMPS,
+    jumps: 0,
+    jump_times: |_, _| {},
     until: 3.0,
 };
 
@@ -82,7 +86,8 @@ pub static VAN_DER_POL: ByHand = ByHand {
         values.copy_from_slice(&[1.0, by_position, (1.0 - y[0] * y[0]) / p[0]]);
     },
     time_derivative: |_, _, derivative| derivative.fill(0.0),
-    jumps: NO_JUMPS,
+    jumps: 0,
+    jump_times: |_, _| {},
     until: 2.0,
 };
 
@@ -103,7 +108,8 @@ pub static ROBERTSON: ByHand = ByHand {
         values.copy_from_slice(&[-0.04, by_y2, by_y3, 0.04, -by_y2 - fast, -by_y3, fast]);
     },
     time_derivative: |_, _, derivative| derivative.fill(0.0),
-    jumps: NO_JUMPS,
+    jumps: 0,
+    jump_times: |_, _| {},
     until: 1e11,
 };
 
@@ -123,14 +129,13 @@ pub static PULSE: ByHand = ByHand {
     pattern: &[(0, 1), (1, 0), (1, 1)],
     jacobian: |_, _, p, values| values.copy_from_slice(&[1.0, -p[0], -p[1]]),
     time_derivative: |_, _, derivative| derivative.fill(0.0),
-    jumps: (2, |p, times| times.copy_from_slice(&[PULSE_START, PULSE_START + p[3]])),
+    jumps: 2,
+    jump_times: |p, times| times.copy_from_slice(&[PULSE_START, PULSE_START + p[3]]),
     until: 0.5,
 };
 
 /// When the pulse begins \[s\].
 pub const PULSE_START: f64 = 0.1;
-
-const NO_JUMPS: (usize, fn(&[f64], &mut [f64])) = (0, |_, _| {});
 
 impl Describe for ByHand {
     fn name(&self) -> &str {
@@ -147,7 +152,7 @@ impl Describe for ByHand {
             quadratures: 0,
             parameters: self.parameters.len(),
             outputs: 0,
-            discontinuities: self.jumps.0,
+            discontinuities: self.jumps,
         }
     }
     fn state(&self, index: usize) -> Quantity<'_> {
@@ -186,7 +191,7 @@ impl Simulator<f64> for ByHand {
         state.copy_from_slice(self.initial);
     }
     fn discontinuities(&self, p: &[f64], times: &mut [f64]) {
-        (self.jumps.1)(p, times);
+        (self.jump_times)(p, times);
     }
     fn rate(&self, time: f64, y: &[f64], p: &[f64], rate: &mut [f64]) {
         (self.rate)(time, y, p, rate);

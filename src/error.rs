@@ -89,6 +89,68 @@ pub enum SimulateError {
         /// The scene.
         scene: String,
     },
+    /// The method does not watch for events.
+    #[error("scene `{scene}` has events, which `{method}` does not watch for; these do: {known}")]
+    Events {
+        /// The scene run.
+        scene: String,
+        /// The method's name.
+        method: &'static str,
+        /// The methods that do.
+        known: String,
+    },
+    /// A guard can never pass zero.
+    #[error(
+        "{scene}: the guard of event `{event}` is zero whatever the state, so that it never passes \
+         zero. Hint: a difference of what is the same, or a parameter that is 0"
+    )]
+    GuardIsZero {
+        /// The scene run.
+        scene: String,
+        /// The event.
+        event: String,
+    },
+    /// The method does not keep to constraints.
+    #[error(
+        "scene `{scene}` has constraints, which `{method}` does not keep to; these do: {known}"
+    )]
+    Constraints {
+        /// The scene run.
+        scene: String,
+        /// The method's name.
+        method: &'static str,
+        /// The methods that do.
+        known: String,
+    },
+    /// No start near the guesses fulfils the constraints.
+    #[error(
+        "{scene}: no initial {what} fulfils constraint `{constraint}`. Nearest found: {residuals}. \
+         Hint: what [initial] gives stays as it is, the rest is looked for from [guess]; \
+         parameters may leave no such place"
+    )]
+    ImpossibleStart {
+        /// The scene run.
+        scene: String,
+        /// `position` or `velocity`.
+        what: &'static str,
+        /// The constraint that is farthest off.
+        constraint: String,
+        /// What the constraints are where they are nearest to zero.
+        residuals: String,
+    },
+    /// A constraint says what others say, or nothing.
+    #[error(
+        "{scene}: constraint `{constraint}` {why}. \
+         Hint: its force could not be told from theirs; leave it out"
+    )]
+    RedundantConstraint {
+        /// The scene run.
+        scene: String,
+        /// The constraint, the last of those that say the same.
+        constraint: String,
+        /// What is wrong with it.
+        why: String,
+    },
     /// The integration could not go on.
     #[error("{scene}: method `{method}` stopped at t = {time} s: {cause}")]
     Stopped {
@@ -144,6 +206,38 @@ pub enum StopCause {
     TooManySteps {
         /// The limit.
         limit: usize,
+    },
+    /// Events follow on one another without end.
+    #[error(
+        "event `{event}` happens over and over: {count} events within no time (Zeno). \
+         Hint: let an event set a mode in which the machine rests or slides, below some speed"
+    )]
+    Zeno {
+        /// The last of them.
+        event: String,
+        /// So many.
+        count: usize,
+    },
+    /// The machine cannot be put back onto its constraints.
+    #[error(
+        "the machine comes off constraint `{constraint}` and cannot be put back onto it. \
+         Hint: it may be at a dead point, where constraints lock it or leave it undecided, or \
+         an event has set a position that breaks them"
+    )]
+    OffConstraint {
+        /// The constraint.
+        constraint: String,
+    },
+    /// A method that works on full matrices, on a scene that is too large for them.
+    #[error(
+        "it works on full matrices, and {states} states are more than {most}. \
+         Hint: `rodas5p`, `radau` and the explicit methods run large fields"
+    )]
+    TooLarge {
+        /// States of the scene.
+        states: usize,
+        /// The most that full matrices are made for.
+        most: usize,
     },
     /// Anything else the solver reports.
     #[error("{0}")]

@@ -96,6 +96,8 @@ pub struct Times {
 impl Explanation {
     /// Looks at the programs of a scene file, and times them if asked to.
     pub fn new(scene: &Path, programs: Stages, with_times: bool) -> Result<Self, Diagnostics> {
+        // A scene with fields is kept whole, and runs once it is cut into elements only.
+        let with_times = with_times && programs.whole.fields.is_empty();
         let mut stages = vec![Stage::of(Keep::All, &programs.whole)];
         for (step, program) in &programs.steps {
             stages.push(Stage::of(*step, program));

@@ -1,5 +1,7 @@
 //! Scenes run straight from their tapes, without compiling what they emit.
 
+mod field;
+
 use std::cell::RefCell;
 
 use machinist_codegen::evaluate::Evaluator;
@@ -10,8 +12,8 @@ use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
 use machinist_scenes::linear::LinearEquations;
 use machinist_scenes::taylor::TaylorSeries;
 use machinist_scenes::{
-    Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
-    StateKind,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
+    Simulator, SparsityPattern, StateKind,
 };
 
 /// A program as a simulator: the numbers of the emitted code, to the last bit, at
@@ -33,8 +35,16 @@ pub struct InterpretedSimulator {
     outputs: RefCell<Evaluator>,
     energy: RefCell<Evaluator>,
     power_balance: RefCell<Evaluator>,
+    guards: RefCell<Evaluator>,
+    guard_rates: RefCell<Evaluator>,
+    resets: RefCell<Evaluator>,
+    constraint_values: RefCell<Evaluator>,
+    constraint_rates: RefCell<Evaluator>,
+    constraint_matrix: RefCell<Evaluator>,
+    is_given: Vec<bool>,
     series: RefCell<SeriesEvaluator>,
     linear: Option<[RefCell<Evaluator>; 2]>,
+    fields: Vec<field::InterpretedField>,
 }
 
 impl InterpretedSimulator {
@@ -54,11 +64,19 @@ impl InterpretedSimulator {
             outputs: prepared(&program.outputs),
             energy: prepared(&program.energy),
             power_balance: prepared(&program.power_balance),
+            guards: prepared(&program.guards),
+            guard_rates: prepared(&program.guard_rates),
+            resets: prepared(&program.resets),
+            constraint_values: prepared(&program.constraint_values),
+            constraint_rates: prepared(&program.constraint_rates),
+            constraint_matrix: prepared(&program.constraint_matrix.tape),
+            is_given: program.is_given(),
             series: RefCell::new(SeriesEvaluator::new(recurrences(&program))),
             linear: program
                 .excitation
                 .as_ref()
                 .map(|excitation| [&excitation.values, &excitation.switches].map(prepared)),
+            fields: program.fields.iter().map(field::InterpretedField::new).collect(),
             program,
         }
     }
@@ -161,6 +179,47 @@ impl Describe for InterpretedSimulator {
             method: &run.method,
         }
     }
+    fn events(&self) -> usize {
+        self.program.events.len()
+    }
+    fn event(&self, index: usize) -> Event<'_> {
+        let event = &self.program.events[index];
+        Event {
+            name: &event.name.path,
+            doc: &event.doc,
+            direction: match event.direction {
+                system::Direction::Rising => Direction::Rising,
+                system::Direction::Falling => Direction::Falling,
+                system::Direction::Both => Direction::Both,
+            },
+            when: &event.when,
+            sets: &event.sets,
+        }
+    }
+    fn is_mode(&self, index: usize) -> bool {
+        match self.program.layout.states[index].motion {
+            Motion::FirstOrder(id) => self.program.system.first_order[id.0 as usize].is_mode,
+            _ => false,
+        }
+    }
+    fn constraints(&self) -> usize {
+        self.program.constraints.len()
+    }
+    fn constraint(&self, index: usize) -> Constraint<'_> {
+        let constraint = &self.program.constraints[index];
+        Constraint {
+            name: &constraint.name.path,
+            unit: &constraint.unit,
+            doc: &constraint.doc,
+            is_of_positions: constraint.is_of_positions,
+        }
+    }
+    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+        borrowed(&self.program.constraint_matrix.pattern)
+    }
+    fn is_given(&self, index: usize) -> bool {
+        self.is_given[index]
+    }
 }
 
 impl Simulator<f64> for InterpretedSimulator {
@@ -209,8 +268,26 @@ impl Simulator<f64> for InterpretedSimulator {
         let [stored_rate, supplied, dissipated] = values;
         PowerBalance { stored_rate, supplied, dissipated }
     }
+    fn guards(&self, time: f64, state: &[f64], parameters: &[f64], guards: &mut [f64]) {
+        self.run(&self.guards, time, state, parameters, guards);
+    }
+    fn guard_rates(&self, time: f64, state: &[f64], parameters: &[f64], rates: &mut [f64]) {
+        self.run(&self.guard_rates, time, state, parameters, rates);
+    }
+    fn resets(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
+        self.run(&self.resets, time, state, parameters, values);
+    }
+    fn constraint_values(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
+        self.run(&self.constraint_values, time, state, parameters, values);
+    }
+    fn constraint_rates(&self, time: f64, state: &[f64], parameters: &[f64], rates: &mut [f64]) {
+        self.run(&self.constraint_rates, time, state, parameters, rates);
+    }
+    fn constraint_matrix(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
+        self.run(&self.constraint_matrix, time, state, parameters, values);
+    }
     fn taylor(&self) -> Option<&dyn TaylorSeries<f64>> {
-        Some(self)
+        self.program.constraints.is_empty().then_some(self as &dyn TaylorSeries<f64>)
     }
     fn linear(&self) -> Option<&dyn LinearEquations<f64>> {
         self.linear.is_some().then_some(self)

@@ -1,10 +1,11 @@
-//! The reproduction ledger: what the saw-gin and winder studies print, what their equations as
+//! The reproduction ledger: what the saw-gin, winder and reed studies print, what their equations as
 //! printed give, what the consistent reading gives, and what to make of it.
 //!
 //! Only the printed figures are written down here; every other number is computed
 //! from the emitted scenes and the closed forms when the ledger is asked for.
 
 mod motor;
+mod reed;
 mod run_up;
 mod shaft;
 mod winder;
@@ -41,6 +42,7 @@ pub fn ledger() -> Result<Vec<LedgerRow>, CheckFailure> {
     rows.extend(run_up::rows(&runs));
     rows.extend(shaft::rows(&runs));
     rows.extend(winder::rows());
+    rows.extend(reed::rows());
     Ok(rows)
 }
 

@@ -15,7 +15,9 @@
 pub mod closed_form;
 #[cfg(feature = "linear")]
 pub mod complex_step;
+pub mod constraints;
 pub mod error;
+pub mod field;
 #[cfg(feature = "cli")]
 pub mod interpreted;
 #[cfg(feature = "sweep")]
@@ -29,6 +31,8 @@ pub mod method;
 pub mod object;
 #[cfg(feature = "plot")]
 pub mod plot;
+#[cfg(feature = "verify")]
+pub mod reed_study;
 pub mod simulate;
 #[cfg(feature = "verify")]
 pub mod stability;
@@ -43,6 +47,7 @@ pub mod winder_walk;
 pub mod work_precision;
 
 pub use error::SimulateError;
+pub use field::{Discretisation, FieldSimulator};
 pub use method::Method;
 pub use simulate::Simulation;
 #[cfg(feature = "sweep")]

@@ -6,6 +6,8 @@
 
 #[cfg(feature = "implicit")]
 mod auto;
+#[cfg(feature = "implicit")]
+mod bordered;
 #[cfg(feature = "diffsol")]
 mod diffsol;
 #[cfg(feature = "implicit")]
@@ -31,6 +33,7 @@ mod stretch;
 mod system;
 mod tableau;
 pub(crate) mod taylor;
+mod watch;
 
 use std::fmt;
 use std::str::FromStr;
@@ -39,8 +42,11 @@ use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
+use crate::trajectory::Switch;
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
+pub use watch::Watch;
+pub(crate) use watch::identically_zero;
 
 methods! {
     /// Backward differentiation formulas of orders 1 to 5, quasi-constant step; for stiff machines.
@@ -118,30 +124,64 @@ impl Problem<'_> {
     /// States at the wanted times, one row after another.
     ///
     /// The run is cut at the jumps and the method starts anew at each: no step
-    /// straddles one, so that a jump costs no order of accuracy.
+    /// straddles one, so that a jump costs no order of accuracy. Likewise at events.
     ///
     /// # Errors
     /// [`Stopped`] where the method cannot go on.
-    pub fn integrate(&self, method: Method) -> Result<Vec<f64>, Stopped> {
+    pub fn integrate(&self, method: Method) -> Result<Run, Stopped> {
         let Some(integrator) = method.row().integrator else {
             let cause = StopCause::Solver(NotCompiledIn::of(method).to_string());
             return Err(Stopped { time: self.from, cause });
         };
+        let watch = Watch::new(self.system, (self.from, self.until), &self.initial);
         let mut samples = Samples::new(self.times, self.initial.len());
         let mut state = self.initial.clone();
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }
         for ends in self.ends().windows(2) {
-            let stretch = Stretch::new(self, ends[0], ends[1]);
-            stretch.require_finite_rate(&state)?;
-            if stretch.is_trivial() {
-                stretch.leap(&mut state, &mut samples);
-            } else {
+            let mut from = ends[0];
+            while from < ends[1] {
+                let stretch = Stretch::new(self, (from, ends[1]), watch.as_ref());
+                from = stretch.until;
+                stretch.require_finite_rate(&state)?;
+                if stretch.is_trivial() {
+                    stretch.leap(&mut state, &mut samples);
+                    continue;
+                }
+                let Some(watch) = stretch.watch else {
+                    integrator.integrate(&stretch, &mut state, &mut samples)?;
+                    continue;
+                };
+                watch.start(stretch.from, &state);
                 integrator.integrate(&stretch, &mut state, &mut samples)?;
+                from = self.switch(watch, &mut state)?.unwrap_or(from);
             }
         }
-        Ok(samples.into_rows())
+        let switches = watch.map_or_else(Vec::new, Watch::into_switches);
+        Ok(Run { rows: samples.into_rows(), switches })
+    }
+
+    /// Does what events say where the method stopped for some, and gives the time.
+    /// Energy that is lost there counts as dissipated.
+    fn switch(&self, watch: &Watch<'_>, state: &mut [f64]) -> Result<Option<f64>, Stopped> {
+        let states = self.system.states();
+        let before = state[..states].to_vec();
+        let Some(time) = watch.switch(state)? else { return Ok(None) };
+        if let Some(constraints) = self.system.constraints() {
+            constraints.project(time, state).map_err(|lost| {
+                let constraint = constraints.name(lost.0).to_owned();
+                Stopped { time, cause: StopCause::OffConstraint { constraint } }
+            })?;
+        }
+        if state.len() > states {
+            let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
+            let energy = |state: &[f64]| simulator.energy(time, state, parameters).total();
+            let lost = energy(&before) - energy(&state[..states]);
+            state[states + 1] += lost;
+            state[states + 2] += lost.abs();
+        }
+        Ok(Some(time))
     }
 
     /// Start, jumps strictly inside the run in order and each once, end.
@@ -153,6 +193,15 @@ impl Problem<'_> {
         ends.dedup();
         ends
     }
+}
+
+/// What a method makes of a problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// States at the wanted times, one row after another.
+    pub rows: Vec<f64>,
+    /// Events that happened, in order.
+    pub switches: Vec<Switch>,
 }
 
 struct Row {
@@ -187,14 +236,18 @@ impl Method {
 
     /// Whether the method can run this simulator: `taylor` needs the series that
     /// emitted simulators have and simulators written by hand may lack, `exact`
-    /// linear equations with constant coefficients.
+    /// linear equations with constant coefficients; events need a method that watches
+    /// them.
     #[must_use]
     pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
-        match self {
+        let has_what_it_needs = match self {
             Self::Taylor => simulator.taylor().is_some(),
             Self::Exact => simulator.linear().is_some(),
             _ => true,
-        }
+        };
+        has_what_it_needs
+            && (self.watches_events() || simulator.events() == 0)
+            && (self.keeps_constraints() || simulator.constraints() == 0)
     }
 
     /// Whether the Cargo feature of the method's family is on.
@@ -212,6 +265,20 @@ impl Method {
     /// Every method that is compiled in, in the order of the table.
     pub fn compiled_in() -> impl Iterator<Item = Self> {
         Self::ALL.iter().copied().filter(|method| method.is_compiled_in())
+    }
+
+    /// Whether the method puts the state back onto constraints after each step: those
+    /// that watch events do.
+    #[must_use]
+    pub fn keeps_constraints(self) -> bool {
+        self.watches_events()
+    }
+
+    /// Whether the method stops where guards pass zero: those of our own that step from
+    /// one state to the next do.
+    #[must_use]
+    pub fn watches_events(self) -> bool {
+        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Rodas5p | Self::Radau | Self::Auto)
     }
 
     /// One line for people.

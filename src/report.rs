@@ -5,6 +5,7 @@
 //! sections, and `page.rs` puts the sections together.
 
 mod equations;
+mod fields;
 mod figure;
 mod ledger;
 mod licences;
@@ -49,6 +50,8 @@ struct Report {
     verdicts: Vec<Verdict>,
     ledger: Result<Vec<LedgerRow>, String>,
     winder: Result<FirstStage, String>,
+    /// Where a scene has fields.
+    fields: Option<fields::Study>,
     work_precision: Vec<WorkPrecision>,
     /// Takes about a minute, and so is left out with the times.
     stability: Option<Study>,
@@ -64,6 +67,8 @@ struct SceneData {
     is_built_in: bool,
     run: Result<Trajectory, SimulateError>,
     modes: Option<Result<Modes, LinearError>>,
+    /// Its fields over time, if it has any.
+    along: Vec<fields::Along>,
 }
 
 /// The page, made.
@@ -84,7 +89,9 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     }
     let programs: Vec<_> = derived.iter().map(|derived| derived.program.clone()).collect();
     let emitted = emit_scenes(emitted, &programs, Mode::Write)?;
-    let options = VerifyOptions::default();
+    let names = programs.iter().map(|program| program.system.name.clone()).collect();
+    let has_fields = programs.iter().any(|program| !program.fields.is_empty());
+    let options = VerifyOptions { scenes: Some(names), ..VerifyOptions::default() };
     let verdicts = during("verifying", || verify_all(&options))
         .map_err(|error| Failure::unsuccessful(error, ""))?;
     let mut scenes: Vec<SceneData> = during("simulating", || {
@@ -99,12 +106,14 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
     let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
+    let fields = has_fields.then(|| during("cutting fields", fields::Study::new));
     let work_precision =
         if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
     let strain = || during("straining the methods", || study(&Strain::default()));
     let stability = with_times.then(strain).transpose()?;
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
-    let report = Report { scenes, emitted, verdicts, ledger, winder, work_precision, stability };
+    let report =
+        Report { scenes, emitted, verdicts, ledger, winder, fields, work_precision, stability };
     Ok(Page { html: page::render(&report), all_passed })
 }
 
@@ -126,23 +135,35 @@ impl Report {
 impl SceneData {
     fn new(derived: Derived, file: &Path, with_times: bool) -> Result<Self, Failure> {
         let document = Document::new(&derived.equations, Notation::Latex);
-        let built_in = scenes::find::<f64>(&derived.program.system.name);
+        let name = &derived.program.system.name;
+        let built_in = scenes::find::<f64>(name);
         let run = |simulator: &dyn Simulator<f64>| {
             Simulation::new(simulator).with_energy_balance(true).run()
         };
         let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
+        let mut along = Vec::new();
+        let has_fields = !derived.program.fields.is_empty();
         let (trajectory, modes) = match built_in {
             Some(simulator) => both(simulator),
+            None if has_fields => {
+                let interpreted = InterpretedSimulator::new(derived.program.clone());
+                let scene = scenes::find_field::<f64>(name).unwrap_or(&interpreted);
+                let run = fields::run(scene)?;
+                along = run.along;
+                (run.trajectory, run.modes)
+            }
             None => both(&InterpretedSimulator::new(derived.program.clone())),
         };
         let stages = pipeline::stages(derived.equations.clone(), Keep::Needed)?;
+        let is_built_in = built_in.is_some() || scenes::find_field::<f64>(name).is_some();
         Ok(Self {
             document,
             explanation: Explanation::new(file, stages, with_times)?,
             dependencies: Dependencies::new(&derived.equations, &derived.program.reduction),
-            is_built_in: built_in.is_some(),
+            is_built_in,
             run: trajectory,
             modes,
+            along,
             derived,
         })
     }

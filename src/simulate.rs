@@ -3,10 +3,11 @@
 
 use machinist_scenes::Simulator;
 
+use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
 #[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
-use crate::method::{Method, Problem, System};
+use crate::method::{Method, Problem, Run, System, identically_zero};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
 
 /// Largest number of output times of a run.
@@ -105,6 +106,12 @@ impl<'a> Simulation<'a> {
     pub fn parameters(mut self, values: &[f64]) -> Self {
         self.parameters = values.to_vec();
         self
+    }
+
+    /// Values of all parameters, in the order of the simulator.
+    #[must_use]
+    pub fn parameter_values(&self) -> &[f64] {
+        &self.parameters
     }
 
     /// Starts from this state \[q, q', z\] instead of the spec's.
@@ -236,6 +243,8 @@ impl<'a> Simulation<'a> {
         }
         let times = self.checked_times()?;
         let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance);
+        self.check_events(method, &system)?;
+        self.check_constraints(method)?;
         let states = system.states();
         let mut initial = self.checked_initial_state()?;
         let mut atol = self.checked_atol(states)?;
@@ -254,14 +263,14 @@ impl<'a> Simulation<'a> {
             atol,
             max_steps: self.max_steps,
         };
-        let rows = problem.integrate(method).map_err(|stopped| SimulateError::Stopped {
+        let run = problem.integrate(method).map_err(|stopped| SimulateError::Stopped {
             scene: self.simulator.name().to_owned(),
             method: method.name(),
             time: stopped.time,
             cause: stopped.cause,
         })?;
         let energy_at_start = self.total_energy(&problem.initial[..states]);
-        Ok(self.trajectory(method, &system, times, &rows, energy_at_start))
+        Ok(self.trajectory(method, &system, times, run, energy_at_start))
     }
 
     fn trajectory(
@@ -269,16 +278,17 @@ impl<'a> Simulation<'a> {
         method: Method,
         system: &System<'_>,
         times: Vec<f64>,
-        rows: &[f64],
+        run: Run,
         energy_at_start: f64,
     ) -> Trajectory {
+        let Run { rows, switches } = run;
         let mut table = Table::new(self.simulator, times.len());
         let width = system.len().max(1);
         for (time, row) in times.iter().zip(rows.chunks_exact(width)) {
             table.push(*time, row, &self.parameters);
         }
         let energy_balance =
-            self.energy_balance.then(|| table.energy_balance(rows, width, energy_at_start));
+            self.energy_balance.then(|| table.energy_balance(&rows, width, energy_at_start));
         Trajectory {
             scene: self.simulator.name().to_owned(),
             title: self.simulator.title().to_owned(),
@@ -286,10 +296,42 @@ impl<'a> Simulation<'a> {
             rtol: self.rtol,
             work: system.work(),
             notes: system.notes(),
+            switches,
+            drift: system.constraints().map(Constraints::drift),
             times,
             columns: table.into_columns(energy_balance.as_ref()),
             energy_balance,
         }
+    }
+
+    /// Events need a method that watches them, and guards that can pass zero.
+    fn check_events(&self, method: Method, system: &System<'_>) -> Result<(), SimulateError> {
+        if self.simulator.events() == 0 {
+            return Ok(());
+        }
+        let scene = self.simulator.name().to_owned();
+        if !method.watches_events() {
+            let watching = Method::ALL.iter().filter(|method| method.watches_events());
+            let known = watching.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+            return Err(SimulateError::Events { scene, method: method.name(), known });
+        }
+        match identically_zero(system, (self.from, self.until)) {
+            None => Ok(()),
+            Some(index) => {
+                let event = self.simulator.event(index).name.to_owned();
+                Err(SimulateError::GuardIsZero { scene, event })
+            }
+        }
+    }
+
+    fn check_constraints(&self, method: Method) -> Result<(), SimulateError> {
+        if self.simulator.constraints() == 0 || method.keeps_constraints() {
+            return Ok(());
+        }
+        let keeping = Method::ALL.iter().filter(|method| method.keeps_constraints());
+        let known = keeping.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+        let scene = self.simulator.name().to_owned();
+        Err(SimulateError::Constraints { scene, method: method.name(), known })
     }
 
     fn checked_parameters(&self) -> Result<&[f64], SimulateError> {
@@ -307,6 +349,11 @@ impl<'a> Simulation<'a> {
         });
         let name = |index| format!("initial value of `{}`", self.simulator.state(index).name);
         self.check_list("states", &state, states, name)?;
+        // A state of the caller's is near enough to the constraints, or a guess.
+        let is_spec = self.initial_state.is_none();
+        let is_given = |index| is_spec && self.simulator.is_given(index);
+        let state = consistent(self.simulator, &self.parameters, self.from, state, is_given)?;
+        require_independent(self.simulator, &self.parameters, self.from, &state)?;
         Ok(state)
     }
 

@@ -110,6 +110,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
     }
 
     /// Runs all variants; results are in their order.
+    #[must_use]
     pub fn run(&self) -> Vec<Result<VariantRun, SimulateError>> {
         let run_all = || {
             let chunks = self.variants.par_chunks(CHUNK).map(|chunk| self.run_chunk(chunk));

@@ -5,6 +5,7 @@ use std::io;
 
 use serde::Serialize;
 
+use crate::constraints::Drift;
 use crate::method::{Method, Work};
 
 /// The result of a run. All columns are as long as `times`.
@@ -23,12 +24,26 @@ pub struct Trajectory {
     /// What the method has to say of the run, such as which one `auto` chose and
     /// why; mostly nothing.
     pub notes: Vec<String>,
+    /// Events that happened, in order; those at one time in the order of the spec. A
+    /// column at just that time has its value from before.
+    pub switches: Vec<Switch>,
+    /// How far the machine came off its constraints, if it has any.
+    pub drift: Option<Drift>,
     /// Output times \[s\].
     pub times: Vec<f64>,
     /// States, then outputs, then energies.
     pub columns: Vec<Column>,
     /// Power supplied and lost against energy stored, if the run was asked for it.
     pub energy_balance: Option<EnergyBalance>,
+}
+
+/// An event that happened.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Switch {
+    /// When \[s\].
+    pub time: f64,
+    /// The spec's name of the event.
+    pub event: String,
 }
 
 /// One quantity over time.

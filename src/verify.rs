@@ -9,16 +9,27 @@
 //! References never follow a parameter that is overridden: they are those of the
 //! published numbers, so that a broken parameter makes rows fail.
 
+mod bouncing_mass;
+mod contact_oscillator;
+mod coulomb_oscillator;
 mod every_scene;
+mod linkages;
+mod loom_drive;
 pub(crate) mod machine;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
 mod pendulum_chain;
+mod reed_beat_up;
 mod reference;
 mod saw_gin;
 pub(crate) mod saw_gin_as_printed;
+mod saw_gin_shaft;
+mod shaft_step_torque;
+mod shaft_with_rotors;
+mod stick_slip;
 mod two_mass;
 pub(crate) mod winder_linear;
+mod winder_linkage;
 mod winder_nonlinear;
 
 use comfy_table::{Table, presets};
@@ -26,6 +37,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::error::SimulateError;
+use crate::field::{FieldError, ModalError};
 use crate::linear_analysis::LinearError;
 use machine::Machine;
 
@@ -37,12 +49,16 @@ pub struct VerifyOptions {
     pub overrides: Vec<(String, f64)>,
     /// Only checks whose `scene: check` contains this text, if any is given.
     pub only: Option<String>,
+    /// Only these scenes, if any are given.
+    pub scenes: Option<Vec<String>>,
 }
 
 impl VerifyOptions {
     fn want(&self, machine: &Machine, check: &Check) -> bool {
         let name = || format!("{}: {}", machine.name(), check.name);
-        self.only.as_ref().is_none_or(|text| name().contains(text.as_str()))
+        let is_of = |scenes: &Vec<String>| scenes.iter().any(|scene| scene == machine.name());
+        self.scenes.as_ref().is_none_or(is_of)
+            && self.only.as_ref().is_none_or(|text| name().contains(text.as_str()))
     }
 }
 
@@ -120,6 +136,22 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "winder_linear" => winder_linear::CHECKS,
         "winder_nonlinear" => winder_nonlinear::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
+        "pendulum_constrained" => linkages::PENDULUM_CHECKS,
+        "slider_crank" => linkages::SLIDER_CRANK_CHECKS,
+        "four_bar" => linkages::FOUR_BAR_CHECKS,
+        "winder_linkage" => winder_linkage::CHECKS,
+        "winder_holder_drop" => winder_linkage::DROP_CHECKS,
+        "bouncing_mass" => bouncing_mass::CHECKS,
+        "coulomb_oscillator" => coulomb_oscillator::CHECKS,
+        "stick_slip" => stick_slip::CHECKS,
+        "stick_slip_smooth" => stick_slip::SMOOTH_CHECKS,
+        "contact_oscillator" => contact_oscillator::CHECKS,
+        "contact_oscillator_smooth" => contact_oscillator::SMOOTH_CHECKS,
+        "shaft_step_torque" => shaft_step_torque::CHECKS,
+        "shaft_with_rotors" => shaft_with_rotors::CHECKS,
+        "reed_beat_up" => reed_beat_up::CHECKS,
+        "saw_gin_shaft" => saw_gin_shaft::CHECKS,
+        "loom_drive" => loom_drive::CHECKS,
         _ => &[],
     }
 }
@@ -189,6 +221,12 @@ pub enum CheckFailure {
     /// Its linear analysis was refused or did not succeed.
     #[error(transparent)]
     Linear(#[from] LinearError),
+    /// Its fields cannot be cut into elements as wanted.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+    /// It is not seen through modes as wanted.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
     /// The scene lacks a quantity.
     #[error("scene `{scene}` has no {kind} `{name}`")]
     Unknown {
@@ -244,6 +282,19 @@ impl Measured {
         let error = ((value - expected) / expected).abs();
         Self { error, value: Some(value), expected: Some(expected) }
     }
+}
+
+/// Whether two counts agree: their difference, with both.
+fn counted(found: u64, expected: usize) -> Measured {
+    Measured::absolute(found as f64, expected as f64)
+}
+
+/// How fast a smooth twin nears the machine with events: log2 of the ratio of its
+/// errors at a width and half of it. The error of the check is what lacks to `order`.
+fn convergence([coarse, fine]: [f64; 2], order: f64) -> Measured {
+    let found = (coarse / fine).log2();
+    let error = if found.is_nan() { f64::NAN } else { (order - found).max(0.0) };
+    Measured { error, value: Some(found), expected: Some(order) }
 }
 
 /// The larger of two errors; NaN if one is, so that no NaN is lost.

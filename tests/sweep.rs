@@ -119,6 +119,8 @@ fn a_grid_takes_every_pair_with_the_last_parameter_fastest() {
     assert!(Sweep::new(&two_mass::TwoMass).vary("coupling.stifness", &[1.0]).is_err());
 }
 
+type Operation = fn(f64, f64) -> f64;
+
 #[test]
 fn lanes_round_as_single_numbers_do() {
     fn check<R: Lanes>() {
@@ -131,7 +133,7 @@ fn lanes_round_as_single_numbers_do() {
                 a.set_lane(lane, *x);
                 b.set_lane(lane, *y);
             }
-            let operations: [(R, fn(f64, f64) -> f64); 14] = [
+            let operations: [(R, Operation); 14] = [
                 (a + b, |x, y| x + y),
                 (a - b, |x, y| x - y),
                 (a * b, |x, y| x * y),

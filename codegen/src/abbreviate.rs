@@ -213,7 +213,7 @@ fn size(expr: &Expr) -> usize {
 fn mentions_acceleration(expr: &Expr) -> bool {
     match expr {
         Expr::Number(_) => false,
-        Expr::Symbol(symbol) => matches!(symbol, Symbol::Acceleration(_)),
+        Expr::Symbol(symbol) => matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_)),
         Expr::Sum(parts) | Expr::Product(parts) | Expr::Call(_, parts) => {
             parts.iter().any(mentions_acceleration)
         }

@@ -120,6 +120,17 @@ impl Dimension {
         self.times(other.power(-1, 1)?)
     }
 
+    /// As a unit of measure: `N`, `kg m`, `1`.
+    #[must_use]
+    pub fn as_unit(self) -> String {
+        let text = self.to_string();
+        match text.split_once(" = ") {
+            Some((name, _)) => name.to_owned(),
+            None if self == Dimension::ONE => "1".to_owned(),
+            None => text,
+        }
+    }
+
     /// The base units alone: `kg m^2/s^2`.
     fn base_units(self) -> String {
         let part = |sign: i32| {

@@ -2,7 +2,8 @@
 
 mod printer;
 
-use crate::expr::{CoordinateId, Expr, FirstOrderId, HelperId, ParameterId, Symbol};
+use crate::constraint::Constraints;
+use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, HelperId, ParameterId, Symbol};
 use crate::lagrange::EquationsOfMotion;
 use crate::system::{LagrangianSystem, Quantity};
 use printer::Printer;
@@ -40,6 +41,11 @@ pub struct Document {
     pub motion: Vec<Equation>,
     /// z' = h.
     pub first_order: Vec<Equation>,
+    /// What coordinates must fulfil: each is 0.
+    pub constraints: Vec<Equation>,
+    /// Guards of events, with which way they pass zero and what is then set as their
+    /// meaning.
+    pub events: Vec<Equation>,
     /// Helpers that the equations above use.
     pub helpers: Vec<Equation>,
     /// Wanted outputs.
@@ -56,6 +62,8 @@ impl Document {
             energies: energies(&printer, equations),
             motion: motion(&printer, equations),
             first_order: first_order(&printer, equations),
+            constraints: constraints(&printer, equations),
+            events: events(&printer, equations),
             ..Document::default()
         };
         for (output, expr) in system.outputs.iter().zip(&equations.outputs) {
@@ -82,6 +90,8 @@ impl Document {
             ("Energies", &self.energies),
             ("Equations of motion", &self.motion),
             ("First-order states", &self.first_order),
+            ("Constraints", &self.constraints),
+            ("Events", &self.events),
             ("with", &self.helpers),
             ("Outputs", &self.outputs),
         ];
@@ -96,6 +106,9 @@ impl Document {
                 };
                 let Equation { left, right, .. } = equation;
                 text.extend(["  ", left, " = ", right, &unit, "\n"]);
+                if heading == "Events" {
+                    text.extend(["    ", &equation.doc, "\n"]);
+                }
             }
             text.push('\n');
         }
@@ -105,8 +118,15 @@ impl Document {
     /// All sections as LaTeX `align*` environments.
     #[must_use]
     pub fn to_latex(&self) -> String {
-        let sections =
-            [&self.energies, &self.motion, &self.first_order, &self.helpers, &self.outputs];
+        let sections = [
+            &self.energies,
+            &self.motion,
+            &self.first_order,
+            &self.constraints,
+            &self.events,
+            &self.helpers,
+            &self.outputs,
+        ];
         let mut text = String::new();
         for equations in sections.into_iter().filter(|equations| !equations.is_empty()) {
             let lines: Vec<String> =
@@ -168,7 +188,7 @@ fn motion(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
         Equation {
             subject: coordinate.position.name.path.clone(),
             left: printer.print(&left),
-            right: printer.print(&equations.forcing[row]),
+            right: printer.print(&with_constraint_forces(equations, row)),
             unit: String::new(),
             doc: coordinate.position.doc.clone(),
         }
@@ -187,6 +207,62 @@ fn first_order(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation
             doc: state.quantity.doc.clone(),
         })
         .collect()
+}
+
+/// f and G^T lambda of one coordinate; a multiplier bears its constraint's name.
+fn with_constraint_forces(equations: &EquationsOfMotion, row: usize) -> Expr {
+    let forcing = equations.forcing[row].clone();
+    let forces = equations.constraints.matrix.iter().enumerate();
+    let forces = forces.filter(|(_, line)| !is_zero(&line[row])).map(|(index, line)| {
+        let multiplier = Expr::Symbol(Symbol::Multiplier(ConstraintId(index as u32)));
+        Expr::Product(vec![line[row].clone(), multiplier])
+    });
+    let own = (!is_zero(&forcing)).then_some(forcing);
+    let mut terms: Vec<Expr> = own.into_iter().chain(forces).collect();
+    match terms.len() {
+        0 => Expr::integer(0),
+        1 => terms.swap_remove(0),
+        _ => Expr::Sum(terms),
+    }
+}
+
+/// Each constraint, which is zero.
+fn constraints(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let Constraints { values, rates, .. } = &equations.constraints;
+    let constraints = equations.system.constraints.iter().zip(values).zip(rates);
+    let constraints = constraints.map(|((constraint, value), rate)| Equation {
+        subject: constraint.name.path.clone(),
+        left: printer.print(if constraint.is_of_positions { value } else { rate }),
+        right: "0".to_owned(),
+        unit: constraint.unit.clone(),
+        doc: constraint.doc.clone(),
+    });
+    constraints.collect()
+}
+
+/// Each guard, zero where its event happens.
+fn events(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let system = &equations.system;
+    let name = |symbol| symbol_name(system, symbol, Notation::Text);
+    let events = equations.events.iter().map(|event| {
+        let mut doc = format!("{}, {}", event.name.path, event.direction.name());
+        for (id, value) in &event.when {
+            let mode = name(Symbol::FirstOrder(*id));
+            doc.extend([", while ", &mode, " is ", &value.to_string()]);
+        }
+        let text = Printer::new(equations, Notation::Text);
+        for (symbol, value) in &event.set {
+            doc.extend(["; ", &name(*symbol), " := ", &text.print(value)]);
+        }
+        Equation {
+            subject: event.name.path.clone(),
+            left: printer.print(&event.guard),
+            right: "0".to_owned(),
+            unit: String::new(),
+            doc,
+        }
+    });
+    events.collect()
 }
 
 fn is_zero(expr: &Expr) -> bool {
@@ -215,6 +291,13 @@ fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) ->
         }
         (Symbol::FirstOrder(FirstOrderId(index)), _) => {
             name(&system.first_order[index as usize].quantity)
+        }
+        (Symbol::Multiplier(ConstraintId(index)), notation) => {
+            let name = &system.constraints[index as usize].name;
+            match notation {
+                Notation::Text => name.path.clone(),
+                Notation::Latex => name.latex.clone(),
+            }
         }
         (Symbol::Helper(HelperId(index)), _) => name(&system.helpers[index as usize].quantity),
         (Symbol::Parameter(ParameterId(index)), _) => {

@@ -27,6 +27,10 @@ pub struct HelperId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TableId(pub u32);
 
+/// A constraint of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ConstraintId(pub u32);
+
 /// What an expression may depend on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
@@ -40,6 +44,8 @@ pub enum Symbol {
     Velocity(CoordinateId),
     /// Generalized acceleration q''; in outputs only.
     Acceleration(CoordinateId),
+    /// Multiplier lambda of a constraint; in outputs and power only.
+    Multiplier(ConstraintId),
     /// First-order state z.
     FirstOrder(FirstOrderId),
     /// Parameter p.

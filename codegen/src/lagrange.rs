@@ -4,16 +4,18 @@
 //! L = T - V
 //! M = d2L/dq'2
 //! f = dL/dq - (d2L/dq' dq) q' - d2L/dq' dt - dD/dq' + Q
-//! M q'' = f            z' = h
+//! M q'' = f + G^T lambda            z' = h
 //! ```
 
 use crate::cas::{Cas, Form};
+use crate::constraint::Constraints;
 use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::reduce::Reduction;
 use crate::state::Layout;
-use crate::system::LagrangianSystem;
+use crate::system::{Event, LagrangianSystem};
 
-/// M(q, t) q'' = f(q, q', z, t), z' = h(q, q', z, t), and the power balance.
+/// M(q, t) q'' = f(q, q', z, t), z' = h(q, q', z, t), the constraints, if any, with
+/// their forces, and the power balance.
 ///
 /// Excluded: any way of solving for q''.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +46,10 @@ pub struct EquationsOfMotion {
     pub helpers: Vec<Expr>,
     /// As `helpers`.
     pub outputs: Vec<Expr>,
+    /// Constraints, differentiated.
+    pub constraints: Constraints,
+    /// Events, guards and new values in the same form.
+    pub events: Vec<Event>,
     /// What has been left out of them.
     pub reduction: Reduction,
 }
@@ -73,7 +79,8 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         f = &f + &cas.form(&system.generalized_force[row].total);
         forcing.push(cas.simplify(&f));
     }
-    let power = power(cas, system, &momenta, &ids);
+    let constraints = Constraints::derive(cas, system);
+    let power = power(cas, system, &momenta, &ids, constraints.supplied_power());
     EquationsOfMotion {
         mass_matrix,
         forcing,
@@ -88,6 +95,8 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         time_momentum: power.time_momentum,
         helpers: normal_forms(cas, system.helpers.iter().map(|helper| &helper.expr)),
         outputs: normal_forms(cas, system.outputs.iter().map(|output| &output.expr)),
+        events: events(cas, system),
+        constraints,
         layout: Layout::of_all(system),
         reduction: Reduction::default(),
         system: system.clone(),
@@ -101,6 +110,15 @@ fn normal_forms<'a>(cas: &mut Cas, exprs: impl Iterator<Item = &'a Expr>) -> Vec
             cas.expr(&form)
         })
         .collect()
+}
+
+fn events(cas: &mut Cas, system: &LagrangianSystem) -> Vec<Event> {
+    let mut events = system.events.clone();
+    for expr in events.iter_mut().flat_map(Event::exprs_mut) {
+        let form = cas.form(expr);
+        *expr = cas.expr(&form);
+    }
+    events
 }
 
 /// Second derivatives of T; the lower triangle is copied, not derived again.
@@ -127,15 +145,20 @@ struct Power {
     time_momentum: Expr,
 }
 
-/// d(T + V)/dt = Q q' - q' dD/dq' - dL/dt + d(2 T - q' dT/dq')/dt along a motion.
+/// d(T + V)/dt = Q q' - q' dD/dq' - dL/dt + d(2 T - q' dT/dq')/dt along a motion, and
+/// the power of moving constraints.
 fn power(
     cas: &mut Cas,
     system: &LagrangianSystem,
     momenta: &[Form],
     ids: &[CoordinateId],
+    by_constraints: Vec<Expr>,
 ) -> Power {
     let dissipation = cas.form(&system.dissipation);
     let mut supplied = cas.form(&system.supplied_power);
+    for power in by_constraints {
+        supplied = &supplied + &cas.form(&power);
+    }
     let mut dissipated = cas.form(&system.dissipated_power);
     let kinetic = cas.form(&system.kinetic);
     let potential = cas.form(&system.potential);

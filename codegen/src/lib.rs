@@ -4,6 +4,8 @@
 pub mod abbreviate;
 mod build;
 pub mod cas;
+pub mod constraint;
+pub mod density;
 pub mod dependencies;
 pub mod diagnostic;
 pub mod dimension;

@@ -28,9 +28,9 @@ pub struct Linearization {
 pub struct Partials {
     /// The symbol.
     pub symbol: Symbol,
-    /// (row, column, dM/ds) of the upper triangle.
+    /// (row, column, dM/ds) of the upper triangle of M, bordered by G^T.
     pub mass_matrix: Vec<(usize, usize, Expr)>,
-    /// (row, df/ds).
+    /// (row, df/ds), and dgamma/ds below it.
     pub forcing: Vec<(usize, Expr)>,
     /// (entry of the state, dy'/ds) of positions and first-order states.
     pub rates: Vec<(usize, Expr)>,
@@ -38,6 +38,8 @@ pub struct Partials {
     pub energy: Expr,
     /// d(2 T - q' dT/dq')/ds.
     pub time_momentum: Expr,
+    /// dg/ds of each guard; empty with respect to parameters.
+    pub guards: Vec<Expr>,
 }
 
 /// Differentiates everything by everything, structural zeros left out.
@@ -61,12 +63,14 @@ struct Forms {
     rates: Vec<(usize, Form)>,
     energy: Form,
     time_momentum: Form,
+    guards: Vec<Form>,
 }
 
 impl Forms {
     fn new(cas: &mut Cas, equations: &EquationsOfMotion) -> Self {
         let [kinetic, potential, stored] = equations.energy.each_ref().map(|e| cas.form(e));
-        let rows = equations.mass_matrix.iter();
+        let (matrix, right_side) = equations.bordered();
+        let rows = matrix.iter();
         let entries = equations.layout.states.iter().enumerate();
         let rates = entries.filter_map(|(entry, state)| match &state.motion {
             Motion::Position { rate, .. } => Some((entry, rate)),
@@ -76,10 +80,11 @@ impl Forms {
         let rates = rates.map(|(entry, rate)| (entry, cas.form(rate))).collect();
         Forms {
             mass_matrix: rows.map(|row| row.iter().map(|e| cas.form(e)).collect()).collect(),
-            forcing: equations.forcing.iter().map(|e| cas.form(e)).collect(),
+            forcing: right_side.iter().map(|e| cas.form(e)).collect(),
             rates,
             energy: &(&kinetic + &potential) + &stored,
             time_momentum: cas.form(&equations.time_momentum),
+            guards: equations.events.iter().map(|event| cas.form(&event.guard)).collect(),
         }
     }
 
@@ -97,8 +102,15 @@ impl Forms {
         let rates = rates.filter_map(|(entry, form)| nonzeros(*entry, form)).collect();
         let energy = cas.derivative(&self.energy, symbol);
         let time_momentum = cas.derivative(&self.time_momentum, symbol);
+        let is_parameter = matches!(symbol, Symbol::Parameter(_));
+        let guards = self.guards.iter().filter(|_| !is_parameter).map(|guard| {
+            let slope = cas.derivative(guard, symbol);
+            cas.simplify(&slope)
+        });
+        let guards = guards.collect();
         Partials {
             symbol,
+            guards,
             mass_matrix,
             forcing,
             rates,

@@ -7,14 +7,15 @@
 
 use std::path::Path;
 
-use crate::cas::session;
+use crate::cas::{Cas, session};
+use crate::density::FieldEquations;
 use crate::diagnostic::Diagnostics;
 use crate::lagrange::{self, EquationsOfMotion};
-use crate::linearize::linearize;
+use crate::linearize::{Linearization, linearize};
 use crate::program::Program;
 use crate::reduce::{FreezeError, Keep, reduce};
 use crate::system::LagrangianSystem;
-use crate::{lower, scene, spec};
+use crate::{density, lower, scene, spec};
 
 /// A scene file to its program, of the whole scene or of what its outputs need.
 ///
@@ -29,12 +30,40 @@ pub fn generate(scene: &Path, keep: Keep) -> Result<Program, Diagnostics> {
 /// # Errors
 /// As [`generate`].
 pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Program, Diagnostics> {
-    let linearization = session(move |cas| {
+    let keep = most(&system, keep);
+    let linear = session(move |cas| {
         let equations = lagrange::derive(cas, &system);
         let needed = reduce(cas, &equations, keep)?;
-        Ok::<_, FreezeError>(linearize(cas, &needed))
+        Ok::<_, FreezeError>(Linear::of(cas, &needed))
     })??;
-    Ok(lower::lower(&linearization))
+    Ok(linear.lower())
+}
+
+/// What may be left out of a system: what a field holds on to is not seen in the
+/// machine's own equations.
+fn most(system: &LagrangianSystem, keep: Keep) -> Keep {
+    if system.fields.is_empty() { keep } else { Keep::All }
+}
+
+/// Equations with their derivatives, of the machine and of its fields.
+struct Linear {
+    machine: Linearization,
+    fields: Vec<FieldEquations>,
+}
+
+impl Linear {
+    fn of(cas: &mut Cas, equations: &EquationsOfMotion) -> Self {
+        let fields = density::derive(cas, &equations.system);
+        Linear { machine: linearize(cas, equations), fields }
+    }
+
+    fn lower(&self) -> Program {
+        let mut program = lower::lower(&self.machine);
+        let fields = self.machine.equations.system.fields.iter().zip(&self.fields);
+        program.fields =
+            fields.map(|(field, equations)| density::lower(field, equations)).collect();
+        program
+    }
 }
 
 /// A scene's programs, of the whole and after each step of reduction.
@@ -59,6 +88,7 @@ impl Stages {
 /// # Errors
 /// As [`generate`].
 pub fn stages(equations: EquationsOfMotion, keep: Keep) -> Result<Stages, Diagnostics> {
+    let keep = most(&equations.system, keep);
     let (whole, steps) = session(move |cas| {
         let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
         for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
@@ -68,11 +98,11 @@ pub fn stages(equations: EquationsOfMotion, keep: Keep) -> Result<Stages, Diagno
             }
         }
         let linear: Vec<_> =
-            steps.iter().map(|(step, reduced)| (*step, linearize(cas, reduced))).collect();
-        Ok::<_, FreezeError>((linearize(cas, &equations), linear))
+            steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
+        Ok::<_, FreezeError>((Linear::of(cas, &equations), linear))
     })??;
-    let steps = steps.iter().map(|(step, linear)| (*step, lower::lower(linear)));
-    Ok(Stages { whole: lower::lower(&whole), steps: steps.collect() })
+    let steps = steps.iter().map(|(step, linear)| (*step, linear.lower()));
+    Ok(Stages { whole: whole.lower(), steps: steps.collect() })
 }
 
 /// A scene file to one Lagrangian system, names and dimensions checked.

@@ -1,9 +1,10 @@
 //! A scene ready to be emitted or evaluated: one tape for each function.
 
+use crate::expr::{CoordinateId, ParameterId};
 use crate::linear::Excitation;
 use crate::reduce::Reduction;
-use crate::state::Layout;
-use crate::system::LagrangianSystem;
+use crate::state::{Layout, Motion};
+use crate::system::{Direction, Field, LagrangianSystem, Name};
 use crate::tape::Tape;
 
 /// Structural nonzeros, sorted by row, then by column.
@@ -24,6 +25,34 @@ pub struct MatrixTape {
     pub pattern: SparsityPattern,
     /// Their values.
     pub tape: Tape,
+}
+
+/// An event as a simulator describes it; what it computes is on tapes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EventShape {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// Which way its guard passes zero.
+    pub direction: Direction,
+    /// (entry of the state, value) of the modes in which it is watched.
+    pub when: Vec<(u32, f64)>,
+    /// Entries of the state that it sets.
+    pub sets: Vec<u32>,
+}
+
+/// A constraint as a simulator describes it; what it computes is on tapes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConstraintShape {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// SI unit of what is zero.
+    pub unit: String,
+    /// Whether it is of positions; else of velocities alone.
+    pub is_of_positions: bool,
 }
 
 /// Everything a simulator computes; lengths as in the emitted contract.
@@ -57,6 +86,72 @@ pub struct Program {
     pub energy: Tape,
     /// Rate of stored energy, power supplied, power dissipated.
     pub power_balance: Tape,
-    /// b(t) of linear equations with constant coefficients.
+    /// b(t) of linear equations with constant coefficients, without events and
+    /// constraints.
     pub excitation: Option<Excitation>,
+    /// What happens where guards pass zero.
+    pub events: Vec<EventShape>,
+    /// One result for each event.
+    pub guards: Tape,
+    /// dg/dt along the motion, one result for each event.
+    pub guard_rates: Tape,
+    /// New values of the entries that events set, event by event.
+    pub resets: Tape,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<ConstraintShape>,
+    /// g, one result for each constraint.
+    pub constraint_values: Tape,
+    /// g', likewise.
+    pub constraint_rates: Tape,
+    /// G = dg'/dq'.
+    pub constraint_matrix: MatrixTape,
+    /// The generic element of every field.
+    pub fields: Vec<FieldProgram>,
+}
+
+impl Program {
+    /// Of each entry of the state, whether the spec gives its initial value, so that
+    /// constraints may not move it.
+    #[must_use]
+    pub fn is_given(&self) -> Vec<bool> {
+        let coordinate = |id: CoordinateId| &self.system.coordinates[id.0 as usize];
+        let given = self.layout.states.iter().map(|state| match state.motion {
+            Motion::Position { coordinate: id, .. } => coordinate(id).is_given[0],
+            Motion::Velocity(id) => coordinate(id).is_given[1],
+            Motion::FirstOrder(_) => true,
+        });
+        given.collect()
+    }
+}
+
+/// What is computed at a point of a field. The state of the tapes is \[u, u_x, u_t,
+/// u_xt, x\]; forces come in twos, on u and on u_x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldProgram {
+    /// Names, attachments, defaults.
+    pub field: Field,
+    /// The entries of the state.
+    pub layout: Layout,
+    /// Parameters that the densities or the places on the field depend on.
+    pub parameters: Vec<ParameterId>,
+    /// m, of x.
+    pub inertia: Tape,
+    /// dm/dx, then dm/dp of `parameters`.
+    pub inertia_gradient: Tape,
+    /// Forces.
+    pub force: Tape,
+    /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
+    pub force_jacobian: Tape,
+    /// Twos of their derivatives with respect to x, t, and `parameters`.
+    pub force_gradient: Tape,
+    /// Kinetic, potential.
+    pub energy: Tape,
+    /// Rate of the potential, power supplied, power dissipated.
+    pub power: Tape,
+    /// x of the attachments, then the length.
+    pub places: Tape,
+    /// Their derivatives with respect to `parameters`, row by row.
+    pub places_gradient: Tape,
+    /// u and u_t at the start, of x.
+    pub initial: Tape,
 }

@@ -115,7 +115,10 @@ pub fn reduce(
     if keep >= Keep::Reachable {
         equations = reach::slice(cas, equations);
     }
-    if keep >= Keep::Exact {
+    // An event may be watched on a position, or set one, that no rate depends on; a
+    // constraint is kept to by positions.
+    let is_plain = equations.events.is_empty() && equations.constraints.is_empty();
+    if keep >= Keep::Exact && is_plain {
         equations = cyclic::relative(cas, equations);
     }
     if keep >= Keep::Tunable {
@@ -163,7 +166,8 @@ impl Why {
 impl EquationsOfMotion {
     /// Every expression that motion, outputs, energies and powers are made of.
     fn all(&self) -> impl Iterator<Item = &crate::expr::Expr> {
-        self.dynamics().chain(&self.outputs).chain(&self.energy).chain([
+        let events = self.events.iter().flat_map(crate::system::Event::exprs);
+        self.dynamics().chain(events).chain(&self.outputs).chain(&self.energy).chain([
             &self.dissipation,
             &self.supplied,
             &self.dissipated,
@@ -171,8 +175,9 @@ impl EquationsOfMotion {
         ])
     }
 
-    /// M, f and h.
+    /// M, f, h and the constraints.
     fn dynamics(&self) -> impl Iterator<Item = &crate::expr::Expr> {
-        self.mass_matrix.iter().flatten().chain(&self.forcing).chain(&self.rates)
+        let free = self.mass_matrix.iter().flatten().chain(&self.forcing).chain(&self.rates);
+        free.chain(self.constraints.exprs())
     }
 }

@@ -5,6 +5,7 @@
 //! joints and no dimensions any more.
 
 mod assemble;
+mod attachments;
 mod evaluate;
 mod functions;
 mod joints;
@@ -16,6 +17,7 @@ mod spline;
 mod typed;
 
 pub(crate) use evaluate::evaluate;
+pub use layout::Place;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Mistake};
 use crate::expr::ParameterId;
@@ -39,6 +41,8 @@ fn join(spec: &SceneSpec) -> Result<LagrangianSystem, Diagnostics> {
     let values = assemble::parameter_values(spec, &layout, &mut mistakes);
     stop_at(spec, &mistakes)?;
     let parameter = |id: ParameterId| values[id.0 as usize];
+    attachments::locate(spec, &mut layout, &parameter, &mut mistakes);
+    stop_at(spec, &mistakes)?;
     joints::identify(spec, &mut layout, &parameter, &mut mistakes);
     stop_at(spec, &mistakes)?;
     let system = assemble::assemble(spec, &layout, &values, &mut mistakes);

@@ -3,6 +3,9 @@
 //! Excluded: meanings. Names are not looked up, dimensions not compared, joints
 //! not followed; [`crate::scene`] does that.
 
+mod constraint;
+mod distributed;
+mod event;
 pub mod expression;
 mod fields;
 mod lexer;
@@ -16,6 +19,9 @@ mod unit;
 
 use std::path::Path;
 
+pub use self::distributed::{
+    AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
+};
 pub use self::names::{did_you_mean, quoted};
 pub use self::source::{MAX_FILE_BYTES, SourceText, Sources};
 pub use self::table::{Column, CsvTable};
@@ -24,6 +30,7 @@ use self::expression::{Ast, Literal};
 use crate::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
 use crate::dimension::Unit;
 use crate::stack;
+use crate::system::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.
 ///
@@ -63,8 +70,15 @@ pub struct SceneSpec {
     pub helpers: Vec<DefinitionSpec>,
     /// Generalized forces on ports.
     pub forces: Vec<PortForceSpec>,
+    /// Events of the scene, on `instance.name`.
+    pub events: Vec<EventSpec>,
+    /// Constraints of the scene, of `instance.name`.
+    pub constraints: Vec<ConstraintSpec>,
     /// Initial values, by `instance.name`.
     pub initial: Vec<(Spanned<String>, Formula)>,
+    /// Initial values from which those that the constraints give are looked for,
+    /// likewise.
+    pub guess: Vec<(Spanned<String>, Formula)>,
     /// Wanted outputs.
     pub outputs: Vec<OutputSpec>,
     /// Parameters that runs may change; all, if not given.
@@ -125,6 +139,8 @@ pub struct UnitSpec {
     pub source: String,
     /// Generalized coordinates.
     pub coordinates: Vec<CoordinateSpec>,
+    /// Fields, by their densities.
+    pub fields: Vec<FieldSpec>,
     /// What joints take hold of.
     pub ports: Vec<PortSpec>,
     /// Parameters.
@@ -135,6 +151,10 @@ pub struct UnitSpec {
     pub helpers: Vec<DefinitionSpec>,
     /// First-order states.
     pub states: Vec<StateSpec>,
+    /// What happens where an expression passes zero.
+    pub events: Vec<EventSpec>,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<ConstraintSpec>,
     /// T, V, D and the energy of the first-order states.
     pub energy: EnergySpec,
     /// Power of the first-order states.
@@ -169,8 +189,10 @@ pub struct PortSpec {
     pub name: Spanned<String>,
     /// What goes through it.
     pub kind: Spanned<PortKind>,
-    /// The coordinate it moves with.
+    /// The coordinate it moves with; of a port on a field, one of the port's name.
     pub coordinate: Spanned<String>,
+    /// Where on a field it is, if it is on one.
+    pub attachment: Option<AttachmentSpec>,
 }
 
 /// What goes through a port.
@@ -236,7 +258,7 @@ pub struct DefinitionSpec {
     pub doc: String,
 }
 
-/// A first-order state.
+/// A first-order state, or a mode: a whole number that only events change.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StateSpec {
     /// Its name.
@@ -245,12 +267,42 @@ pub struct StateSpec {
     pub unit: Declared,
     /// Meaning.
     pub doc: String,
-    /// Its rate.
+    /// Its rate; that of a mode is 0.
     pub rate: Ast,
+    /// Whether it is a mode.
+    pub is_mode: bool,
     /// Its initial value, 0 if absent.
     pub initial: Option<Formula>,
     /// Typical size.
     pub scale: f64,
+}
+
+/// What happens where an expression passes zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EventSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// The expression, of any dimension.
+    pub guard: Ast,
+    /// Which way the guard passes zero.
+    pub direction: Direction,
+    /// Modes with the values that they must have for the event to happen.
+    pub when: Vec<(Spanned<String>, i32)>,
+    /// Coordinates, velocities, states and modes with their new values.
+    pub set: Vec<(Spanned<String>, Formula)>,
+    /// Meaning.
+    pub doc: String,
+}
+
+/// What coordinates must fulfil.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConstraintSpec {
+    /// Its name, which stands for its multiplier too.
+    pub name: Spanned<String>,
+    /// What is to be zero, of any dimension.
+    pub expression: Ast,
+    /// Meaning.
+    pub doc: String,
 }
 
 /// Energies of a unit.
@@ -299,6 +351,8 @@ pub struct InstanceSpec {
     pub parameters: Vec<(Spanned<String>, f64)>,
     /// Expressions for the inputs.
     pub inputs: Vec<(Spanned<String>, Formula)>,
+    /// How its fields are cut into elements.
+    pub fields: Vec<DiscretisationSpec>,
 }
 
 /// Two ports of which the first follows the second by a ratio.

@@ -3,7 +3,7 @@
 //! Excluded: units of the scene as separate things, joints (their coordinates
 //! are identified), names to look up, dimensions (they have been checked).
 
-use crate::expr::{Expr, ParameterId};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
 
 /// The name of a thing, in its three spellings.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,6 +40,8 @@ pub struct Coordinate {
     pub identified: Vec<(String, Expr)>,
     /// Initial position and velocity; of parameters only.
     pub initial: [Expr; 2],
+    /// Whether the spec gives them, so that constraints may not move them.
+    pub is_given: [bool; 2],
     /// Typical sizes of position and velocity, for absolute tolerances.
     pub scale: [f64; 2],
 }
@@ -55,6 +57,52 @@ pub struct FirstOrderState {
     pub initial: Expr,
     /// Typical size, for absolute tolerance.
     pub scale: f64,
+    /// Whether it is a mode: a whole number, of rate 0, that only events change.
+    pub is_mode: bool,
+}
+
+/// Which way a guard passes zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From below to above.
+    Rising,
+    /// From above to below.
+    Falling,
+    /// Either way.
+    Both,
+}
+
+/// What happens where a guard passes zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// The expression that passes zero.
+    pub guard: Expr,
+    /// Which way.
+    pub direction: Direction,
+    /// Modes with the values that they must have for it to happen.
+    pub when: Vec<(FirstOrderId, i32)>,
+    /// Coordinates, velocities and first-order states with their new values, all of
+    /// the state before.
+    pub set: Vec<(Symbol, Expr)>,
+}
+
+/// What coordinates must fulfil: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constraint {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// SI unit of the expression.
+    pub unit: String,
+    /// g, or a q' + b.
+    pub expr: Expr,
+    /// Which of the two.
+    pub is_of_positions: bool,
 }
 
 /// A parameter with its value in the spec.
@@ -116,6 +164,69 @@ pub struct Freeze {
     /// Largest error of any output that is allowed for it, relative to the output's
     /// largest value over the scene's run.
     pub tolerance: f64,
+}
+
+/// Where on its field an attachment is.
+pub use crate::scene::Place;
+/// How the inertia of a field is cut into elements.
+pub use crate::spec::Mass;
+
+/// A one-dimensional field u(x, t) by its densities a length.
+///
+/// Densities have symbols of their own: `Coordinate(0)` is u, `Coordinate(1)` its
+/// derivative u_x, `Velocity(0)` and `Velocity(1)` are the rates of both, and
+/// `FirstOrder(0)` is x. Parameters and time are those of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// u, u_x, u_t, u_xt and x.
+    pub quantities: [Quantity; 5],
+    /// Typical sizes of u and u_t.
+    pub scale: [f64; 2],
+    /// T a length; quadratic in u_t.
+    pub kinetic: Expr,
+    /// V a length.
+    pub potential: Expr,
+    /// D a length.
+    pub dissipation: Expr,
+    /// Q a length.
+    pub force: Expr,
+    /// u and u_t at the start, of x and parameters.
+    pub initial: [Expr; 2],
+    /// The field lies over 0 <= x <= length.
+    pub length: Expr,
+    /// Its value in the spec \[m\].
+    pub length_value: f64,
+    /// Places at which the machine takes hold of the field, by x.
+    pub attachments: Vec<Attachment>,
+    /// Whether the field is held at zero at its start and end.
+    pub fixed: [bool; 2],
+    /// Elements unless a run says otherwise.
+    pub elements: usize,
+    /// Order of the elements.
+    pub order: usize,
+    /// Where their inertia is.
+    pub mass: Mass,
+}
+
+/// A place on a field whose u is a coordinate of the machine.
+///
+/// The machine's part of the node is like any other: it has an inertia and a force,
+/// both of which the field computes and hands over as parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attachment {
+    /// Its name.
+    pub name: Name,
+    /// The coordinate; none where the field is held at zero.
+    pub coordinate: Option<CoordinateId>,
+    /// x, of parameters.
+    pub at: Expr,
+    /// Where that is.
+    pub place: Place,
+    /// x in the spec \[m\].
+    pub x: f64,
+    /// The first of four parameters that the field hands over: inertia of the node,
+    /// force on it, u_x before it and after it.
+    pub handed: ParameterId,
 }
 
 /// The run a scene asks for.
@@ -193,12 +304,45 @@ pub struct LagrangianSystem {
     pub tables: Vec<Table>,
     /// Times at which the right-hand side jumps; of parameters only.
     pub discontinuities: Vec<Expr>,
+    /// What happens where guards pass zero.
+    pub events: Vec<Event>,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<Constraint>,
     /// The run unless told otherwise.
     pub run: RunDefaults,
     /// Approximations wanted.
     pub freeze: Freeze,
+    /// Fields, whose places are coordinates of the machine.
+    pub fields: Vec<Field>,
     /// Every file read, in the order read.
     pub files: Vec<SourceFile>,
+}
+
+impl Direction {
+    /// All of them.
+    pub const ALL: [Direction; 3] = [Direction::Rising, Direction::Falling, Direction::Both];
+
+    /// The spec's word for it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Direction::Rising => "rising",
+            Direction::Falling => "falling",
+            Direction::Both => "both",
+        }
+    }
+}
+
+impl Event {
+    /// Its guard and its new values.
+    pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
+        std::iter::once(&self.guard).chain(self.set.iter().map(|(_, value)| value))
+    }
+
+    /// Likewise.
+    pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        std::iter::once(&mut self.guard).chain(self.set.iter_mut().map(|(_, value)| value))
+    }
 }
 
 impl LagrangianSystem {
@@ -232,6 +376,8 @@ impl LagrangianSystem {
         all.extend(self.helpers.iter_mut().map(|helper| &mut helper.expr));
         all.extend(self.outputs.iter_mut().map(|output| &mut output.expr));
         all.extend(&mut self.discontinuities);
+        all.extend(self.events.iter_mut().flat_map(Event::exprs_mut));
+        all.extend(self.constraints.iter_mut().map(|constraint| &mut constraint.expr));
         all
     }
 }

@@ -34,6 +34,8 @@ fn empty_system() -> LagrangianSystem {
         outputs: vec![],
         tables: vec![],
         discontinuities: vec![],
+        events: vec![],
+        constraints: vec![],
         generalized_force: vec![],
         ..support::pendulum().system
     }
@@ -69,6 +71,7 @@ fn chain(n: u32) -> LagrangianSystem {
             velocity: support::quantity(&format!("th_{i}_dot"), "rad/s", "speed"),
             identified: vec![],
             initial: [number(0), number(0)],
+            is_given: [true; 2],
             scale: [1.0, 5.0],
         })
         .collect();

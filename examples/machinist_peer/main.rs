@@ -126,7 +126,7 @@ fn run(model: &Model, method: Method, rtol: f64, parameters: &[f64]) -> Result<V
         atol: model.scales().iter().map(|scale| rtol * scale).collect(),
         max_steps: MAX_STEPS,
     };
-    let state = problem.integrate(method)?;
+    let state = problem.integrate(method)?.rows;
     Ok(model.states(span.until, &state, parameters))
 }
 

@@ -68,6 +68,49 @@ pub struct SparsityPattern<'a> {
     pub entries: &'a [(u32, u32)],
 }
 
+/// Which way a guard passes zero where its event happens.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From below to above.
+    Rising,
+    /// From above to below.
+    Falling,
+    /// Either way.
+    Both,
+}
+
+/// What happens where a guard, an expression of time and state, passes zero: some
+/// entries of the state get new values at once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event<'a> {
+    /// The spec's own name, `instance.name`.
+    pub name: &'a str,
+    /// One sentence of meaning.
+    pub doc: &'a str,
+    /// Which way the guard passes zero.
+    pub direction: Direction,
+    /// Entries of the state with the values that they must have for the event to be
+    /// watched for; they are modes.
+    pub when: &'a [(u32, f64)],
+    /// Entries of the state that the event sets, in the order of
+    /// [`Simulator::resets`].
+    pub sets: &'a [u32],
+}
+
+/// What coordinates must fulfil: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0. Its force on
+/// the coordinates is G^T lambda.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Constraint<'a> {
+    /// The spec's own name, `instance.name`.
+    pub name: &'a str,
+    /// SI unit of what is zero.
+    pub unit: &'a str,
+    /// One sentence of meaning.
+    pub doc: &'a str,
+    /// Whether it is of positions; else it is of velocities alone.
+    pub is_of_positions: bool,
+}
+
 /// The run a scene asks for unless told otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunDefaults<'a> {
@@ -163,8 +206,45 @@ pub trait Describe {
     fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_>;
     /// Nonzeros of M, `coordinates` by `coordinates`, both triangles.
     fn mass_matrix_pattern(&self) -> SparsityPattern<'_>;
+    /// Entries of the state that may be coupled with any other, ascending, where the
+    /// Jacobian of the rest is banded in the order of positions, velocities and
+    /// first-order states; nothing where there is no such structure.
+    fn border(&self) -> Option<&[u32]> {
+        None
+    }
     /// Run defaults of the spec.
     fn run_defaults(&self) -> RunDefaults<'_>;
+    /// Number of events; none, unless a simulator says otherwise.
+    fn events(&self) -> usize {
+        0
+    }
+    /// The `index`-th event.
+    fn event(&self, index: usize) -> Event<'_> {
+        panic!("there is no event {index}")
+    }
+    /// Whether the `index`-th state is a mode: a whole number that only events
+    /// change. Its rate is zero.
+    fn is_mode(&self, _index: usize) -> bool {
+        false
+    }
+    /// Number of constraints, m; none, unless a simulator says otherwise. The state of
+    /// a simulator with constraints holds all coordinates, in order.
+    fn constraints(&self) -> usize {
+        0
+    }
+    /// The `index`-th constraint.
+    fn constraint(&self, index: usize) -> Constraint<'_> {
+        panic!("there is no constraint {index}")
+    }
+    /// Nonzeros of G = dg'/dq', `constraints` by `coordinates`.
+    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+        SparsityPattern { rows: 0, columns: self.shape().coordinates, entries: &[] }
+    }
+    /// Whether the initial value of the `index`-th state is given; if not, it is a guess
+    /// from which one is looked for that fulfils the constraints.
+    fn is_given(&self, _index: usize) -> bool {
+        true
+    }
 }
 
 /// The numbers of a simulator. Slices have the lengths of [`Shape`] and of the
@@ -177,7 +257,7 @@ pub trait Simulator<R: Real>: Describe {
     fn initial_state(&self, parameters: &[R], state: &mut [R]);
     /// Times of known jumps of the right-hand side \[s\], unsorted.
     fn discontinuities(&self, parameters: &[R], times: &mut [R]);
-    /// y': velocities, M^-1 f, h, in the order of the state.
+    /// y': velocities, M^-1 (f + G^T lambda), h, in the order of the state.
     fn rate(&self, time: R, state: &[R], parameters: &[R], rate: &mut [R]);
     /// dy'/dy, values in the order of `rate_jacobian_pattern`.
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
@@ -226,6 +306,20 @@ pub trait Simulator<R: Real>: Describe {
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R>;
     /// Power stored, supplied and dissipated.
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R>;
+    /// What passes zero where events happen, `events` long.
+    fn guards(&self, _time: R, _state: &[R], _parameters: &[R], _guards: &mut [R]) {}
+    /// dg/dt of the guards along the motion, `events` long.
+    fn guard_rates(&self, _time: R, _state: &[R], _parameters: &[R], _rates: &mut [R]) {}
+    /// New values of the entries that each event sets, computed from the state before
+    /// it: first those of the first event, in the order of its [`Event::sets`], then
+    /// those of the second, and so on.
+    fn resets(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
+    /// g of each constraint, zero for those of velocities alone, `constraints` long.
+    fn constraint_values(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
+    /// g' of each constraint, `constraints` long.
+    fn constraint_rates(&self, _time: R, _state: &[R], _parameters: &[R], _rates: &mut [R]) {}
+    /// G, values in the order of `constraint_matrix_pattern`.
+    fn constraint_matrix(&self, _time: R, _state: &[R], _parameters: &[R], _values: &mut [R]) {}
     /// Taylor series of the solution, where the simulator has them.
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         None

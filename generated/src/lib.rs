@@ -31,6 +31,7 @@ compile_error!("elementary functions come from `std` or `libm`: turn on one of t
 #[path = "scenes/bench/mod.rs"]
 pub mod bench;
 mod contract;
+pub mod field;
 mod include;
 pub mod linear;
 mod real;
@@ -40,8 +41,8 @@ mod table;
 pub mod taylor;
 
 pub use contract::{
-    Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
-    StateKind,
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
+    Simulator, SparsityPattern, StateKind,
 };
 pub use real::Real;
 pub use sources::SOURCES;

@@ -9,6 +9,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("real.rs", include_str!("real.rs")),
     ("sources.rs", include_str!("sources.rs")),
     ("table.rs", include_str!("table.rs")),
+    ("field.rs", include_str!("field.rs")),
     ("linear.rs", include_str!("linear.rs")),
     ("taylor.rs", include_str!("taylor.rs")),
 ];

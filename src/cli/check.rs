@@ -3,7 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use machinist::constraints;
+use machinist::interpreted::InterpretedSimulator;
 use machinist_codegen::pipeline;
+use machinist_codegen::reduce::Keep;
+use machinist_codegen::system::LagrangianSystem;
 
 use super::output::print;
 use super::scene::spec_path;
@@ -29,15 +33,47 @@ impl Check {
         }
         let systems = specs::all(&files, pipeline::check)?;
         let lines = files.iter().zip(&systems).map(|(file, system)| {
-            format!(
-                "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs\n",
+            Ok::<_, Failure>(format!(
+                "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs{}\n",
                 file.display(),
                 system.coordinates.len(),
                 system.first_order.len(),
                 system.parameters.len(),
                 system.outputs.len(),
-            )
+                constraints(system)?,
+            ))
         });
-        print(&lines.collect::<String>())
+        print(&lines.collect::<Result<String, _>>()?)
+    }
+}
+
+/// How many constraints, and how many ways of moving they leave at the start.
+fn constraints(system: &LagrangianSystem) -> Result<String, Failure> {
+    if system.constraints.is_empty() {
+        return Ok(String::new());
+    }
+    let program = pipeline::compile(system.clone(), Keep::All)
+        .map_err(|diagnostics| Failure::Input(vec![diagnostics.into()]))?;
+    let simulator = InterpretedSimulator::new(program);
+    let parameters: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
+    let time = system.run.from;
+    let start = constraints::start(&simulator, &parameters, time);
+    let start = start.map_err(|error| Failure::input(error, ""))?;
+    let Some(mobility) = constraints::mobility(&simulator, &parameters, time, &start) else {
+        return Ok(String::new());
+    };
+    let counted = format!(
+        "{} constraints, mobility {} by rank and {} by Gruebler's count",
+        mobility.constraints,
+        mobility.by_rank(),
+        mobility.by_count(),
+    );
+    match mobility.redundant.first() {
+        None => Ok(format!(", {counted}")),
+        Some(redundant) => {
+            let (name, constraint) = (&system.name, &redundant.constraint);
+            let message = format!("{name}: constraint `{constraint}` {}", redundant.why());
+            Err(Failure::input(message, counted))
+        }
     }
 }

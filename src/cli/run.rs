@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use machinist::field::ModalSimulator;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
-use machinist::{Method, Simulation};
+use machinist::{Discretisation, Method, Simulation};
 use machinist_codegen::spec::did_you_mean;
 use machinist_scenes::Simulator;
 
@@ -33,6 +34,15 @@ pub struct Run {
     /// Number of output times, both ends included
     #[arg(long, value_name = "NUMBER")]
     points: Option<usize>,
+    /// Number of elements of each field
+    #[arg(long, value_name = "NUMBER")]
+    elements: Option<usize>,
+    /// Order of the elements of fields
+    #[arg(long, value_name = "NUMBER")]
+    order: Option<usize>,
+    /// Move only so many of the slowest modes, those at the start of the run
+    #[arg(long, value_name = "NUMBER")]
+    modes: Option<usize>,
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE", allow_negative_numbers = true)]
     rtol: Option<f64>,
@@ -65,10 +75,10 @@ impl Run {
         if let Some(file) = &self.plot {
             require_ending(file, &["svg", "png"], "--plot")?;
         }
-        let scene = Scene::load(&self.scene, self.keep_all)?;
+        let wanted = Discretisation { elements: self.elements, order: self.order };
+        let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
         self.check_columns(scene.simulator())?;
-        let simulation = self.simulation(scene.simulator())?;
-        let mut trajectory = during("simulating", || simulation.run())?;
+        let mut trajectory = self.trajectory(scene.simulator())?;
         self.choose_columns(&mut trajectory);
 
         if let Some(file) = &self.plot {
@@ -86,11 +96,23 @@ impl Run {
         print(&self.summary(&scene, &trajectory))
     }
 
-    fn simulation<'a>(&self, simulator: &'a dyn Simulator<f64>) -> Result<Simulation<'a>, Failure> {
-        let mut simulation = Simulation::new(simulator);
+    fn trajectory(&self, simulator: &dyn Simulator<f64>) -> Result<Trajectory, Failure> {
+        let mut whole = Simulation::new(simulator);
         for (name, value) in &self.set {
-            simulation = simulation.parameter(name, *value)?;
+            whole = whole.parameter(name, *value)?;
         }
+        let Some(modes) = self.modes else {
+            let simulation = self.adjusted(whole)?;
+            return Ok(during("simulating", || simulation.run())?);
+        };
+        let modal = ModalSimulator::new(simulator, whole.parameter_values(), modes);
+        let modal = modal.map_err(|error| Failure::input(error, ""))?;
+        let simulation = self.adjusted(Simulation::new(&modal))?;
+        Ok(during("simulating", || simulation.run())?)
+    }
+
+    /// The run with what is asked for but parameters.
+    fn adjusted<'a>(&self, mut simulation: Simulation<'a>) -> Result<Simulation<'a>, Failure> {
         if let Some(time) = self.from {
             simulation = simulation.from(time);
         }
@@ -142,7 +164,7 @@ impl Run {
         let mut text = format!(
             "{}: {} ({})\n{}, rtol {:e}, {from} s to {until} s, {} points\n\
              {} steps, {} rejected, {} rate evaluations, {} Jacobians, {} factorizations, \
-             {} Newton iterations\n\n",
+             {} Newton iterations{}{}\n\n",
             trajectory.scene,
             trajectory.title,
             scene.how(),
@@ -155,6 +177,8 @@ impl Run {
             work.jacobian_evaluations,
             work.factorizations,
             work.newton_iterations,
+            switches(trajectory),
+            drift(trajectory),
         );
         let header = ["", "unit", "final", "least", "greatest"].map(str::to_owned);
         let shown = |column: &&Column| !self.columns.is_empty() || is_short(trajectory, column);
@@ -165,6 +189,33 @@ impl Run {
         }
         text.trim_end().to_owned() + "\n"
     }
+}
+
+/// How often each event happened, in a line of its own; nothing without events.
+fn switches(trajectory: &Trajectory) -> String {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for switch in &trajectory.switches {
+        match counts.iter_mut().find(|(event, _)| *event == switch.event) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((&switch.event, 1)),
+        }
+    }
+    if counts.is_empty() {
+        return String::new();
+    }
+    let counts = counts.iter().map(|(event, count)| format!("{event} {count}"));
+    let counts = counts.collect::<Vec<_>>().join(", ");
+    format!("\n{} switches: {counts}", trajectory.work.switches)
+}
+
+/// How far a machine came off its constraints, in a line of its own.
+fn drift(trajectory: &Trajectory) -> String {
+    trajectory.drift.map_or_else(String::new, |drift| {
+        format!(
+            "\nconstraints off by at most {:.1e} before and {:.1e} after being put back",
+            drift.before, drift.after
+        )
+    })
 }
 
 /// States and outputs; an output that bears the name of a state is one line.

@@ -2,6 +2,7 @@
 
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
+use machinist::field::{Discretisation, FieldError, FieldSimulator};
 use machinist::interpreted::InterpretedSimulator;
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
@@ -18,17 +19,30 @@ pub enum Scene {
     Emitted(&'static dyn Simulator<f64>),
     /// From a file, evaluated from its tapes.
     Interpreted(Box<InterpretedSimulator>),
+    /// With fields, cut into elements; whether its machine is emitted code.
+    Fields(Box<FieldSimulator<'static, f64>>, bool),
 }
 
 impl Scene {
     /// The scene of a name or of a spec file; a name that is not built in may be that
     /// of a spec. Of its spec in any case if nothing is to be left out.
     pub fn load(argument: &str, keep_all: bool) -> Result<Self, Failure> {
-        if !keep_all
-            && !is_path(argument)
-            && let Some(simulator) = built_in(argument)
-        {
-            return Ok(Self::Emitted(simulator));
+        Self::load_cut(argument, keep_all, Discretisation::default())
+    }
+
+    /// As [`Scene::load`], with fields cut as wanted.
+    pub fn load_cut(
+        argument: &str,
+        keep_all: bool,
+        wanted: Discretisation,
+    ) -> Result<Self, Failure> {
+        let is_named = !keep_all && !is_path(argument);
+        if is_named && let Some(scene) = scenes::find_field::<f64>(argument) {
+            let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
+            return Ok(Self::Fields(Box::new(cut), true));
+        }
+        if is_named && let Some(simulator) = built_in(argument) {
+            return without_fields(wanted, Self::Emitted(simulator));
         }
         let path = spec_path(argument)?;
         let keep = if keep_all { Keep::All } else { Keep::Needed };
@@ -36,7 +50,15 @@ impl Scene {
         if !keep_all {
             admit(&path, &program)?;
         }
-        Ok(Self::Interpreted(Box::new(InterpretedSimulator::new(program))))
+        let has_fields = !program.fields.is_empty();
+        let simulator = Box::new(InterpretedSimulator::new(program));
+        if !has_fields {
+            return without_fields(wanted, Self::Interpreted(simulator));
+        }
+        // It lives as long as the command, which loads one scene.
+        let scene: &'static InterpretedSimulator = Box::leak(simulator);
+        let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
+        Ok(Self::Fields(Box::new(cut), false))
     }
 
     /// The simulator.
@@ -44,16 +66,31 @@ impl Scene {
         match self {
             Self::Emitted(simulator) => *simulator,
             Self::Interpreted(simulator) => simulator.as_ref(),
+            Self::Fields(simulator, _) => simulator.as_ref(),
         }
     }
 
     /// How it runs, for people.
     pub fn how(&self) -> &'static str {
         match self {
-            Self::Emitted(_) => "emitted code",
-            Self::Interpreted(_) => "evaluated from its tapes",
+            Self::Emitted(_) | Self::Fields(_, true) => "emitted code",
+            Self::Interpreted(_) | Self::Fields(_, false) => "evaluated from its tapes",
         }
     }
+}
+
+fn refused(error: &FieldError) -> Failure {
+    let help = "`--elements` and `--order` say how fields are cut; without them the spec does";
+    Failure::input(error, help)
+}
+
+/// A scene without fields is not cut into elements.
+fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure> {
+    if wanted == Discretisation::default() {
+        return Ok(scene);
+    }
+    let message = format!("scene `{}` has no fields", scene.simulator().name());
+    Err(Failure::input(message, "leave `--elements` and `--order` out"))
 }
 
 /// The emitted simulator of a name.
@@ -75,7 +112,7 @@ pub fn spec_path(argument: &str) -> Result<PathBuf, Failure> {
     if let Some(found) = places.iter().find(|place| place.is_file()) {
         return Ok(found.clone());
     }
-    if !scenes::NAMES.contains(&argument) {
+    if !scenes::NAMES.contains(&argument) && !scenes::FIELD_NAMES.contains(&argument) {
         return Err(unknown(argument));
     }
     let places: Vec<String> = places.iter().map(|place| place.display().to_string()).collect();
@@ -92,7 +129,8 @@ fn is_path(argument: &str) -> bool {
 }
 
 fn unknown(name: &str) -> Failure {
-    let hint = did_you_mean(name, scenes::NAMES.iter().copied());
+    let names = scenes::NAMES.iter().chain(scenes::FIELD_NAMES);
+    let hint = did_you_mean(name, names.copied());
     let help = format!(
         "{hint}\n`machinist list` shows all scenes; a path that ends in `.toml` names a scene file"
     );

@@ -22,7 +22,8 @@ pub struct Verify {
 
 impl Verify {
     pub fn execute(&self) -> Result<(), Failure> {
-        let options = VerifyOptions { overrides: self.set.clone(), only: self.only.clone() };
+        let options =
+            VerifyOptions { overrides: self.set.clone(), only: self.only.clone(), scenes: None };
         let verdicts: Vec<Verdict> = during("verifying", || verify_all(&options))
             .map_err(|error| Failure::input(error, ""))?;
         if verdicts.is_empty() {

@@ -27,9 +27,13 @@
 //! Source: reed study, in its consistent reading (reference to symmetry, xi0 where
 //! equation (15) prints xi1); solutions by hand.
 
+#[path = "reed_transient.rs"]
+mod transient;
+
 use std::f64::consts::PI;
 
 use super::roots::turning_point;
+pub use transient::{ReedMotion, ReedTransient};
 
 /// Shaft and reed, as dimensions and stiffnesses; all positive but `contact_stiffness`,
 /// which may be 0.

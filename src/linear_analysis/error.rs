@@ -23,6 +23,12 @@ pub enum LinearError {
         /// Its number of states.
         states: usize,
     },
+    /// Small motions of a machine with constraints are not analysed.
+    #[error(
+        "scene `{0}` has constraints, and small motions within constraints are not analysed. \
+         Hint: write it in minimal coordinates, or run it"
+    )]
+    Constraints(String),
     /// A list is as long as the scene does not ask for.
     #[error("scene `{scene}` has {expected} {what}, but {found} values were given")]
     WrongLength {

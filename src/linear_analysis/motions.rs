@@ -4,7 +4,7 @@ use machinist_scenes::{Simulator, StateKind};
 use nalgebra::{DMatrix, DVector};
 
 /// dx' = A dx of x = \[q, q', z\], all n coordinates, all velocities and all
-/// first-order states, from dy' = A_y dy of the state y.
+/// first-order states but modes, from dy' = A_y dy of the state y.
 ///
 /// The state holds positions s that are coordinates, differences of some, or fewer
 /// than there are: s' = S q', where S are rows of A_y. What depends on q does so
@@ -34,7 +34,9 @@ impl Places {
     pub fn of(simulator: &dyn Simulator<f64>) -> Self {
         let of_kind = |kind: StateKind| {
             let states = 0..simulator.shape().states();
-            states.filter(|index| simulator.state_kind(*index) == kind).collect()
+            // Modes do not move; the motions are those within the modes as they are.
+            let moves = |index: &usize| !simulator.is_mode(*index);
+            states.filter(|i| simulator.state_kind(*i) == kind).filter(moves).collect()
         };
         Self {
             positions: of_kind(StateKind::Position),

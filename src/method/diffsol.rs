@@ -38,6 +38,7 @@ impl Integrator for Bdf {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
+        require_small(stretch)?;
         let problem = problem(stretch, state);
         let start = problem.bdf_state::<Solver>().map(|start| with_sane_step(start, stretch));
         let solver = start.and_then(|start| problem.bdf_solver::<Solver>(start));
@@ -74,6 +75,7 @@ impl Integrator for Tsit45 {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
+        require_small(stretch)?;
         let problem = problem(stretch, state);
         let tableau = Tableau::tsit45();
         let start = problem.rk_state(&tableau).map(|start| with_sane_step(start, stretch));
@@ -82,12 +84,23 @@ impl Integrator for Tsit45 {
     }
 }
 
+/// Refuses what full matrices cannot hold.
+fn require_small(stretch: &Stretch<'_>) -> Result<(), Stopped> {
+    const MOST: usize = 4000;
+    let states = stretch.system.states();
+    if states <= MOST {
+        return Ok(());
+    }
+    Err(Stopped { time: stretch.from, cause: StopCause::TooLarge { states, most: MOST } })
+}
+
 fn integrate_sdirk(
     tableau: fn() -> Tableau<f64>,
     stretch: &Stretch<'_>,
     state: &mut [f64],
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
+    require_small(stretch)?;
     let (problem, tableau) = (problem(stretch, state), tableau());
     let start = problem.rk_state(&tableau).map(|start| with_sane_step(start, stretch));
     let solver = start.and_then(|start| problem.sdirk_solver::<Solver, M>(start, tableau));

@@ -22,7 +22,8 @@ pub(super) trait OneStep {
     fn interpolate(&mut self, time: f64, state: &mut [f64]);
 
     /// The error half way through the current step, between its ends, over what is
-    /// allowed there, [`BETWEEN`] times the tolerances; asked where samples lie.
+    /// allowed there, [`BETWEEN`] times the tolerances; asked where samples or events may
+    /// lie.
     ///
     /// The error of a step's end says nothing of states between, where a stiff machine
     /// follows its excitation: any end is then right, and steps grow without bound.
@@ -95,6 +96,7 @@ pub(super) fn drive<M: OneStep>(
     let mut last_error = 1e-4;
     let mut before = None;
     let mut rejected = false;
+    let mut kept = Kept::new(state.len());
     loop {
         let remaining = stretch.until - time;
         let (now, arrives) = end_of_step(time, step, stretch.until);
@@ -102,7 +104,7 @@ pub(super) fn drive<M: OneStep>(
         let mut trial = method.attempt(tried);
         if let Trial::Error(error) = trial
             && error <= 1.0
-            && samples.next_until(now).is_some_and(|sample| sample < now)
+            && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
         {
             let between = method.error_between();
             trial = Trial::Error(if between <= error { error } else { between });
@@ -111,8 +113,22 @@ pub(super) fn drive<M: OneStep>(
         if let Trial::Error(error) = trial
             && error <= 1.0
         {
+            let passing = stretch.watch.and_then(|watch| watch.first_passing(method, now));
+            if let Some(passing) = passing {
+                if end_at(method, stretch, (time, now), passing, state, samples)? {
+                    return Ok(None);
+                }
+                stretch.system.count(|work| work.rejected += 1);
+                step = 0.5 * (passing - time);
+                rejected = true;
+                if is_too_small(step, time) {
+                    return Err(Stopped { time, cause: StopCause::StepTooSmall });
+                }
+                continue;
+            }
             stretch.system.count(|work| work.steps += 1);
-            sample(method, stretch, now, state, samples)?;
+            let has_moved = kept.put_back(method, stretch, now)?;
+            sample(method, stretch, (now, &kept.end), state, samples)?;
             let mut factor = pace.factor(pace.believed(error, tried, before), last_error);
             if rejected {
                 factor = factor.min(1.0);
@@ -122,8 +138,13 @@ pub(super) fn drive<M: OneStep>(
             rejected = false;
             method.accept();
             (time, step) = (now, tried * factor);
-            if arrives || leave(method, tried) {
-                state.copy_from_slice(method.end());
+            let is_enough = leave(method, tried);
+            if has_moved {
+                method.begin(now, &kept.end);
+                stretch.watch.inspect(|watch| watch.start(now, &kept.end));
+            }
+            if arrives || is_enough {
+                state.copy_from_slice(&kept.end);
                 return Ok((!arrives).then_some(Left { time, step }));
             }
             if stretch.system.work().steps >= stretch.max_steps as u64 {
@@ -138,6 +159,86 @@ pub(super) fn drive<M: OneStep>(
                 return Err(explain(stretch, trial, time));
             }
         }
+    }
+}
+
+/// Takes the current step anew, so that it ends where a guard passes zero, and leaves
+/// the rest to the watch. False if that shorter step could not be taken.
+fn end_at<M: OneStep>(
+    method: &mut M,
+    stretch: &Stretch<'_>,
+    (from, until): (f64, f64),
+    passing: f64,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Result<bool, Stopped> {
+    const CORRECTIONS: usize = 3;
+    let Some(watch) = stretch.watch else { return Ok(false) };
+    if passing <= from {
+        watch.copy_start(state);
+        watch.happens(from, passing, state);
+        return Ok(true);
+    }
+    let mut time = passing;
+    for round in 0..=CORRECTIONS {
+        if !matches!(method.attempt(time - from), Trial::Error(error) if error <= 1.0) {
+            return Ok(false);
+        }
+        let correction = watch.correction(time, method.end());
+        let small = 1e-3 * (until - from);
+        let Some(correction) = correction.filter(|c| c.abs() <= small) else { break };
+        let corrected = (time + correction).min(until);
+        let is_settled = correction.abs() <= 4.0 * f64::EPSILON * time.abs() || corrected <= from;
+        if is_settled || round == CORRECTIONS {
+            break;
+        }
+        time = corrected;
+    }
+    stretch.system.count(|work| work.steps += 1);
+    if stretch.system.work().steps >= stretch.max_steps as u64 {
+        let cause = StopCause::TooManySteps { limit: stretch.max_steps };
+        return Err(Stopped { time, cause });
+    }
+    let mut kept = Kept::new(state.len());
+    kept.put_back(method, stretch, time)?;
+    sample(method, stretch, (time, &kept.end), state, samples)?;
+    state.copy_from_slice(&kept.end);
+    watch.happens(time, passing, state);
+    Ok(true)
+}
+
+/// The end of a step, on the constraints.
+struct Kept {
+    end: Vec<f64>,
+}
+
+impl Kept {
+    fn new(len: usize) -> Self {
+        Self { end: vec![0.0; len] }
+    }
+
+    /// Takes the end of the current step and puts it back onto the constraints; whether
+    /// that is a move that the next step should start with.
+    fn put_back<M: OneStep>(
+        &mut self,
+        method: &M,
+        stretch: &Stretch<'_>,
+        time: f64,
+    ) -> Result<bool, Stopped> {
+        /// Of what the tolerances allow a step.
+        const NOTICED: f64 = 1e-3;
+        let end = method.end();
+        self.end.copy_from_slice(end);
+        if stretch.system.constraints().is_none() {
+            return Ok(false);
+        }
+        stretch.constrain(time, &mut self.end)?;
+        let states = 0..stretch.system.states();
+        let moved = states.map(|index| {
+            let allowed = stretch.atol[index] + stretch.rtol * end[index].abs();
+            (self.end[index] - end[index]).abs() / allowed
+        });
+        Ok(moved.fold(0.0, f64::max) > NOTICED)
     }
 }
 
@@ -201,22 +302,24 @@ fn shrink(trial: Trial, pace: Pace) -> f64 {
     }
 }
 
-/// Pushes what is wanted until the end of the current step, `now`.
+/// Pushes what is wanted until the end of the current step, `now`, all of it on the
+/// constraints.
 fn sample<M: OneStep>(
     method: &mut M,
     stretch: &Stretch<'_>,
-    now: f64,
+    (now, end): (f64, &[f64]),
     scratch: &mut [f64],
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
     while let Some(time) = samples.next_until(now) {
         if time >= now {
-            samples.push(method.end());
+            samples.push(end);
         } else {
             method.interpolate(time, scratch);
             if let Some(index) = scratch.iter().position(|value| !value.is_finite()) {
                 return Err(stretch.not_finite("the state", index, time));
             }
+            stretch.constrain(time, scratch)?;
             samples.push(scratch);
         }
     }

@@ -1,7 +1,7 @@
 //! A stretch of a run without jumps, and the samples wanted of the run.
 
 use super::system::FLOWS;
-use super::{Problem, Stopped, System};
+use super::{Problem, Stopped, System, Watch};
 use crate::error::StopCause;
 
 /// A stretch of a run on which the right-hand side is smooth.
@@ -18,10 +18,16 @@ pub struct Stretch<'a> {
     pub atol: &'a [f64],
     /// Largest number of steps of the whole run.
     pub max_steps: usize,
+    /// Guards to be watched, if there are any.
+    pub watch: Option<&'a Watch<'a>>,
 }
 
 impl<'a> Stretch<'a> {
-    pub(super) fn new(problem: &'a Problem<'a>, from: f64, until: f64) -> Self {
+    pub(super) fn new(
+        problem: &'a Problem<'a>,
+        (from, until): (f64, f64),
+        watch: Option<&'a Watch<'a>>,
+    ) -> Self {
         Self {
             system: problem.system,
             from,
@@ -29,6 +35,7 @@ impl<'a> Stretch<'a> {
             rtol: problem.rtol,
             atol: &problem.atol,
             max_steps: problem.max_steps,
+            watch,
         }
     }
 
@@ -40,7 +47,7 @@ impl<'a> Stretch<'a> {
         until: f64,
         atol: &'a [f64],
     ) -> Self {
-        Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX }
+        Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
     }
 
     /// `time` moved into \[from, until).
@@ -86,6 +93,15 @@ impl<'a> Stretch<'a> {
     #[must_use]
     pub fn flow_gradient(&self, time: f64, state: &[f64]) -> Vec<(usize, [f64; FLOWS])> {
         self.system.flow_gradient(self.within(time), state)
+    }
+
+    /// Puts a state back onto the constraints, if there are any.
+    pub(super) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+        let Some(constraints) = self.system.constraints() else { return Ok(()) };
+        constraints.project(self.within(time), state).map_err(|lost| {
+            let constraint = constraints.name(lost.0).to_owned();
+            Stopped { time, cause: StopCause::OffConstraint { constraint } }
+        })
     }
 
     /// Whether there is nothing for a method to step on: no states, or a stretch

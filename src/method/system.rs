@@ -2,6 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 
+use crate::constraints::Constraints;
 use machinist_scenes::{Simulator, SparsityPattern};
 use serde::Serialize;
 
@@ -24,6 +25,8 @@ pub struct Work {
     pub factorizations: u64,
     /// Newton iterations, each with one solution of a factored system.
     pub newton_iterations: u64,
+    /// Events that happened.
+    pub switches: u64,
 }
 
 /// y' = f(t, y) of one simulator at fixed parameters, y = \[q, q', z\], followed
@@ -40,6 +43,7 @@ pub struct System<'a> {
     constants: Vec<f64>,
     states: usize,
     with_flows: bool,
+    constraints: Option<Constraints<'a>>,
     work: Cell<Work>,
     notes: RefCell<Vec<String>>,
 }
@@ -57,6 +61,7 @@ impl<'a> System<'a> {
             constants,
             states,
             with_flows,
+            constraints: Constraints::of(simulator, parameters),
             work: Cell::default(),
             notes: RefCell::default(),
         }
@@ -66,6 +71,11 @@ impl<'a> System<'a> {
     #[must_use]
     pub fn simulator(&self) -> &'a dyn Simulator<f64> {
         self.simulator
+    }
+
+    /// The constraints, if there are any.
+    pub(crate) fn constraints(&self) -> Option<&Constraints<'a>> {
+        self.constraints.as_ref()
     }
 
     /// The parameters.

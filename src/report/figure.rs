@@ -3,10 +3,12 @@
 
 use machinist::trajectory::Column;
 use maud::{Markup, PreEscaped, html};
-use plotly::common::{Anchor, DashType, Line, Marker, Mode, Orientation, Title};
+use plotly::common::{
+    Anchor, ColorScale, ColorScalePalette, DashType, Line, Marker, Mode, Orientation, Title,
+};
 use plotly::configuration::Configuration;
 use plotly::layout::{Axis, AxisType, HoverMode, Legend, Margin};
-use plotly::{Layout, Plot, Scatter};
+use plotly::{HeatMap, Layout, Plot, Scatter};
 
 use machinist::work_precision::WorkPrecision;
 
@@ -94,6 +96,59 @@ pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> M
         .y_axis(logarithmic("largest relative error"))
         .hover_mode(HoverMode::Closest);
     plot.set_layout(layout);
+    element(id, &plot, caption)
+}
+
+/// A quantity over time and place, as colours: a row of `values` for each place.
+pub fn picture(
+    id: &str,
+    (times, places): (&[f64], &[f64]),
+    values: &[Vec<f64>],
+    unit: &str,
+    caption: &Markup,
+) -> Markup {
+    let round = |values: &[f64]| values.iter().copied().map(rounded).collect::<Vec<f64>>();
+    let rows = values.iter().map(|row| round(row)).collect();
+    let largest = values.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let map = HeatMap::new(round(times), round(places), rows)
+        .color_scale(ColorScale::Palette(ColorScalePalette::RdBu))
+        .zmin(-largest)
+        .zmax(largest)
+        .hover_template(format!("%{{x:.5~g}} s, %{{y:.4~g}} m: %{{z:.4~g}} {unit}"));
+    let mut plot = Plot::new();
+    plot.add_trace(map);
+    let axis = |title: &str| Axis::new().title(Title::with_text(title));
+    plot.set_layout(layout().x_axis(axis("time [s]")).y_axis(axis("x [m]")));
+    element(id, &plot, caption)
+}
+
+/// A curve by its name.
+pub type Named = (String, Vec<f64>, Vec<f64>);
+
+/// Curves of one quantity over another, on logarithmic axes if wanted.
+pub fn curves(
+    id: &str,
+    [x_title, y_title]: [&str; 2],
+    curves: &[Named],
+    is_logarithmic: bool,
+    caption: &Markup,
+) -> Markup {
+    let mut plot = Plot::new();
+    for (index, (name, x, y)) in curves.iter().enumerate() {
+        let round = |values: &[f64]| values.iter().copied().map(rounded).collect();
+        let mode = if is_logarithmic { Mode::LinesMarkers } else { Mode::Lines };
+        let trace = Scatter::new(round(x), round(y)).name(name).mode(mode).line(line(index));
+        plot.add_trace(trace);
+    }
+    let axis = |title: &str| {
+        let axis = Axis::new().title(Title::with_text(title));
+        if !is_logarithmic {
+            return axis;
+        }
+        axis.type_(AxisType::Log).exponent_format(plotly::common::ExponentFormat::SmallE)
+    };
+    let layout = layout().x_axis(axis(x_title)).y_axis(axis(y_title));
+    plot.set_layout(layout.hover_mode(HoverMode::Closest).show_legend(curves.len() > 1));
     element(id, &plot, caption)
 }
 

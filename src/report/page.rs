@@ -41,6 +41,12 @@ pub fn render(report: &Report) -> String {
                             (stability::section(study))
                         }
                     }
+                    @if let Some(fields) = &report.fields {
+                        section id="fields" {
+                            h2 { "Fields" }
+                            (fields.section())
+                        }
+                    }
                     section id="winder-walk" {
                         h2 { "Which model a winder needs" }
                         (winder_walk::section(&report.winder))
@@ -101,6 +107,7 @@ fn contents(report: &Report) -> Markup {
                     @if report.stability.is_some() {
                         li { a href="#stability" { "Extreme cases" } }
                     }
+                    li { a href="#fields" { "Fields" } }
                     li { a href="#winder-walk" { "Which model a winder needs" } }
                 li { a href="#ledger" { "Reproduction ledger" } }
                     li { a href="#licences" { "Licences" } }

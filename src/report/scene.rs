@@ -7,7 +7,7 @@ use machinist_codegen::system::LagrangianSystem;
 use maud::{Markup, html};
 
 use super::number::{exact, number};
-use super::{SceneData, equations, figure, modes, reduction};
+use super::{SceneData, equations, fields, figure, modes, reduction};
 use crate::cli::specs::{Cost, costs};
 
 /// The section of a scene.
@@ -32,6 +32,7 @@ pub fn section(scene: &SceneData) -> Markup {
                 Ok(trajectory) => (run(scene, trajectory)),
                 Err(error) => p.warning { "The run stopped. " (error) },
             }
+            (fields::section(scene.name(), &scene.along))
             (modes::section(scene.name(), scene.modes.as_ref()))
         }
     }
@@ -42,6 +43,7 @@ fn motion(document: &Document) -> Markup {
         (equations::section("Energies", &document.energies))
         (equations::section("Coordinates", &document.motion))
         (equations::section("First-order states", &document.first_order))
+        (equations::section("Events", &document.events))
         (equations::section("With", &document.helpers))
         (equations::section("Outputs", &document.outputs))
     }
@@ -114,6 +116,7 @@ fn run(scene: &SceneData, trajectory: &Trajectory) -> Markup {
         ("Jacobians", work.jacobian_evaluations),
         ("factorizations", work.factorizations),
         ("Newton iterations", work.newton_iterations),
+        ("switches", work.switches),
     ];
     let how = if scene.is_built_in { "Emitted code" } else { "Evaluated from its tapes" };
     let (first, last) = match trajectory.times.as_slice() {

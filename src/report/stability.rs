@@ -120,13 +120,16 @@ pub fn rule(study: &Study) -> String {
 
 /// What the words mean that occur.
 pub fn refusals(study: &Study) -> String {
-    const WORDS: [(&str, &str); 7] = [
+    const WORDS: [(&str, &str); 10] = [
         ("steps", "more steps than are allowed"),
         ("small", "steps too small for time to advance"),
         ("newton", "Newton's iteration does not converge"),
         ("nan", "a value that is no number"),
         ("rounding", "rounding would exceed the tolerance"),
         ("unfit", "a machine that the method is not for"),
+        ("zeno", "events without end"),
+        ("drift", "off a constraint"),
+        ("large", "more memory than is allowed"),
         ("solver", "another error of the solver"),
     ];
     let cells = || study.rows.iter().flat_map(|row| &row.cells);

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::machine::Point;
 use super::{Check, CheckFailure, Machine, Measured, worse};
 use crate::complex_step::{self, ComplexStep};
+use crate::constraints::{Constraints, Level};
 
 /// See [`matrix_error`].
 const ENTRY: &str =
@@ -58,7 +59,7 @@ fn rate_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
     let sizes = state_sizes(machine);
     over_points(machine, |p| {
         let exact = complex_step::rate_jacobian(machine.complex, p.time, &p.state, &p.parameters);
-        matrix_error(&machine.rate_jacobian(p), &exact, &sizes, &sizes)
+        matrix_error((machine, p), &machine.rate_jacobian(p), &exact, (&sizes, &sizes))
     })
 }
 
@@ -69,7 +70,7 @@ fn parameter_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
         let exact =
             complex_step::parameter_jacobian(machine.complex, p.time, &p.state, &p.parameters);
         let sizes: Vec<f64> = p.parameters.iter().map(size).collect();
-        matrix_error(&machine.parameter_jacobian(p), &exact, &states, &sizes)
+        matrix_error((machine, p), &machine.parameter_jacobian(p), &exact, (&states, &sizes))
     })
 }
 
@@ -82,7 +83,7 @@ fn time_derivative(machine: &Machine) -> Result<Measured, CheckFailure> {
         let exact: DVector<f64> =
             complex_step::time_derivative(machine.complex, p.time, &p.state, &p.parameters);
         let exact = DMatrix::from_column_slice(exact.len(), 1, exact.as_slice());
-        matrix_error(&ours, &exact, &states, &[1.0])
+        matrix_error((machine, p), &ours, &exact, (&states, &[1.0]))
     })
 }
 
@@ -107,7 +108,16 @@ fn over_points(
 /// matrix is solved: by the rotor's angle a motor's rotor currents change by 1e6, and
 /// the stator's, solved along with them, by some tens that such numbers leave. An entry
 /// outside a pattern is zero in A.
-fn matrix_error(ours: &DMatrix<f64>, exact: &DMatrix<f64>, rows: &[f64], columns: &[f64]) -> f64 {
+///
+/// Constraints solve all coordinates together, and may leave nothing but rounding in
+/// whole rows and columns, as masses do of a machine that is driven. There the floor is
+/// the largest of all of B, or of the rates by their sizes if these are larger.
+fn matrix_error(
+    (machine, p): (&Machine, &Point),
+    ours: &DMatrix<f64>,
+    exact: &DMatrix<f64>,
+    (rows, columns): (&[f64], &[f64]),
+) -> f64 {
     if ours.shape() != exact.shape() || (rows.len(), columns.len()) != exact.shape() {
         return f64::NAN;
     }
@@ -118,11 +128,15 @@ fn matrix_error(ours: &DMatrix<f64>, exact: &DMatrix<f64>, rows: &[f64], columns
     let by_row: Vec<f64> = weighed.row_iter().map(|row| largest(&mut row.iter())).collect();
     let by_column: Vec<f64> =
         weighed.column_iter().map(|column| largest(&mut column.iter())).collect();
+    let is_constrained = machine.real.constraints() > 0;
+    let rates = machine.rate(p).into_iter().zip(rows).map(|(rate, row)| (rate / row).abs());
+    let of_all = rates.chain(by_row.iter().copied()).fold(0.0, worse);
     let mut error = 0.0;
     for (i, row) in rows.iter().enumerate() {
         for (j, column) in columns.iter().enumerate() {
             let (a, b) = (ours[(i, j)], exact[(i, j)]);
-            let floor = 1e-2 * worse(by_row[i], by_column[j]) * row / column;
+            let size = if is_constrained { of_all } else { 1e-2 * worse(by_row[i], by_column[j]) };
+            let floor = size * row / column;
             // Both zero, as where a load is saturated, is no error over no scale.
             let distance = (a - b).abs();
             error = worse(error, if distance == 0.0 { 0.0 } else { distance / b.abs().max(floor) });
@@ -136,6 +150,7 @@ fn matrix_error(ours: &DMatrix<f64>, exact: &DMatrix<f64>, rows: &[f64], columns
 /// complex step.
 fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
     over_points(machine, |p| {
+        let p = &on_constraints(machine, p);
         let power = machine.real.power_balance(p.time, &p.state, &p.parameters);
         let rate = machine.rate(p);
         let gradient = energy_gradient(machine, p).into_iter();
@@ -144,9 +159,24 @@ fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
         let (sum, size) = terms
             .fold((0.0, 0.0), |(sum, size): (f64, f64), term: f64| (sum + term, size + term.abs()));
         let size = size + power.supplied.abs() + power.dissipated.abs();
+        // Constraints may leave nothing that moves and stores energy.
+        let stored = machine.real.energy(p.time, &p.state, &p.parameters);
+        let least = if machine.real.constraints() > 0 { stored.kinetic } else { 0.0 };
+        let size = size.max(least);
         let error = worse(power.residual().abs(), (power.stored_rate - sum).abs());
         if error == 0.0 { 0.0 } else { error / size }
     })
+}
+
+/// The point with velocities that the constraints allow; others would do work on them.
+fn on_constraints(machine: &Machine, p: &Point) -> Point {
+    let Point { time, mut state, parameters } = p.clone();
+    if let Some(constraints) = Constraints::of(machine.real, &parameters)
+        && constraints.put_back(Level::Velocities, time, &mut state).is_err()
+    {
+        state.fill(f64::NAN);
+    }
+    Point { time, state, parameters }
 }
 
 /// dE/dt with the state held: a spring whose foot is moved by something.
@@ -180,7 +210,8 @@ fn energy_account(machine: &Machine) -> Result<Measured, CheckFailure> {
     let error = trajectory.energy_balance.as_ref().map_or(f64::NAN, |balance| {
         let largest = balance.residual.iter().fold(0.0, |most, r| worse(most, r.abs()));
         let passed = balance.passed.last().copied().unwrap_or(0.0);
-        let scale = if passed == 0.0 { balance.largest_active } else { passed };
+        let flows = passed > 1e-12 * balance.largest_active;
+        let scale = if flows { passed } else { balance.largest_active };
         if scale > 0.0 { largest / scale } else { f64::NAN }
     });
     Ok(Measured::error(error))

@@ -1,19 +1,40 @@
 //! A scene under check: its simulator in two kinds of numbers, its parameters,
 //! its quantities by name, and random states.
 
+use std::cell::RefCell;
+
+use machinist_scenes::field::FieldScene;
+use machinist_scenes::scenes::bouncing_mass::BouncingMass;
+use machinist_scenes::scenes::contact_oscillator::ContactOscillator;
+use machinist_scenes::scenes::contact_oscillator_smooth::ContactOscillatorSmooth;
+use machinist_scenes::scenes::coulomb_oscillator::CoulombOscillator;
+use machinist_scenes::scenes::four_bar::FourBar;
+use machinist_scenes::scenes::loom_drive::LoomDrive;
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
+use machinist_scenes::scenes::pendulum_constrained::PendulumConstrained;
+use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
+use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
+use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
+use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
+use machinist_scenes::scenes::slider_crank::SliderCrank;
+use machinist_scenes::scenes::stick_slip::StickSlip;
+use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
 use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::scenes::winder_holder_drop::WinderHolderDrop;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
+use machinist_scenes::scenes::winder_linkage::WinderLinkage;
 use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
 use machinist_scenes::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 use crate::complex_step::{self, ComplexStep};
+use crate::constraints::start;
+use crate::field::{Discretisation, FieldSimulator};
 use crate::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
 use crate::{Method, Simulation, Trajectory};
 
@@ -29,6 +50,7 @@ pub(crate) struct Machine {
 }
 
 /// Time, state and parameters at which to evaluate.
+#[derive(Clone)]
 pub(crate) struct Point {
     pub(crate) time: f64,
     pub(crate) state: Vec<f64>,
@@ -46,6 +68,22 @@ pub(crate) fn all() -> Vec<Machine> {
         winder_linear(),
         winder_nonlinear(),
         pendulum_chain(),
+        pendulum_constrained(),
+        slider_crank(),
+        four_bar(),
+        winder_linkage(),
+        winder_holder_drop(),
+        bouncing_mass(),
+        coulomb_oscillator(),
+        stick_slip(),
+        stick_slip_smooth(),
+        contact_oscillator(),
+        contact_oscillator_smooth(),
+        shaft_step_torque(),
+        shaft_with_rotors(),
+        reed_beat_up(),
+        saw_gin_shaft(),
+        loom_drive(),
     ]
 }
 
@@ -89,7 +127,114 @@ pub(crate) fn pendulum_chain() -> Machine {
     Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
 }
 
+/// The same by constraints.
+pub(crate) fn pendulum_constrained() -> Machine {
+    Machine::new("pendulum_constrained", &PendulumConstrained, &PendulumConstrained)
+}
+
+/// A slider-crank turned at constant speed.
+pub(crate) fn slider_crank() -> Machine {
+    Machine::new("slider_crank", &SliderCrank, &SliderCrank)
+}
+
+/// A four-bar linkage under gravity.
+pub(crate) fn four_bar() -> Machine {
+    Machine::new("four_bar", &FourBar, &FourBar)
+}
+
+/// The four-link bobbin holder.
+pub(crate) fn winder_linkage() -> Machine {
+    Machine::new("winder_linkage", &WinderLinkage, &WinderLinkage)
+}
+
+/// The holder let go, its contacts one-sided.
+pub(crate) fn winder_holder_drop() -> Machine {
+    Machine::new("winder_holder_drop", &WinderHolderDrop, &WinderHolderDrop)
+}
+
+/// A mass bouncing on a shaken plate.
+pub(crate) fn bouncing_mass() -> Machine {
+    Machine::new("bouncing_mass", &BouncingMass, &BouncingMass)
+}
+
+/// An oscillator braked by dry friction.
+pub(crate) fn coulomb_oscillator() -> Machine {
+    Machine::new("coulomb_oscillator", &CoulombOscillator, &CoulombOscillator)
+}
+
+/// A mass that sticks to a belt and slips.
+pub(crate) fn stick_slip() -> Machine {
+    Machine::new("stick_slip", &StickSlip, &StickSlip)
+}
+
+/// Its smooth twin.
+pub(crate) fn stick_slip_smooth() -> Machine {
+    Machine::new("stick_slip_smooth", &StickSlipSmooth, &StickSlipSmooth)
+}
+
+/// An oscillator with a stop on one side.
+pub(crate) fn contact_oscillator() -> Machine {
+    Machine::new("contact_oscillator", &ContactOscillator, &ContactOscillator)
+}
+
+/// Its smooth twin.
+pub(crate) fn contact_oscillator_smooth() -> Machine {
+    let scene = &ContactOscillatorSmooth;
+    Machine::new("contact_oscillator_smooth", scene, scene)
+}
+
+/// The uniform shaft, cut coarsely: checks over refinements cut it anew.
+pub(crate) fn shaft_step_torque() -> Machine {
+    Machine::with_fields("shaft_step_torque", &ShaftStepTorque, &ShaftStepTorque)
+}
+
+/// The reed on its driven shaft, likewise.
+pub(crate) fn reed_beat_up() -> Machine {
+    Machine::with_fields("reed_beat_up", &ReedBeatUp, &ReedBeatUp)
+}
+
+/// The saw gin with a distributed shaft, likewise.
+pub(crate) fn saw_gin_shaft() -> Machine {
+    Machine::with_fields("saw_gin_shaft", &SawGinShaft, &SawGinShaft)
+}
+
+/// Motor, coupling, shaft and reed, likewise.
+pub(crate) fn loom_drive() -> Machine {
+    Machine::with_fields("loom_drive", &LoomDrive, &LoomDrive)
+}
+
+/// The shaft between rotors, likewise.
+pub(crate) fn shaft_with_rotors() -> Machine {
+    Machine::with_fields("shaft_with_rotors", &ShaftWithRotors, &ShaftWithRotors)
+}
+
 impl Machine {
+    /// A scene with fields, of few elements. The simulators are made once a thread and
+    /// live as long as the program, as emitted ones do.
+    fn with_fields(
+        name: &'static str,
+        real: &'static dyn FieldScene<f64>,
+        complex: &'static dyn FieldScene<ComplexStep>,
+    ) -> Self {
+        type Cut = (&'static str, &'static dyn Simulator<f64>, &'static dyn Simulator<ComplexStep>);
+        thread_local! {
+            static CUT: RefCell<Vec<Cut>> = const { RefCell::new(Vec::new()) };
+        }
+        const FEW: Discretisation = Discretisation { elements: Some(4), order: Some(2) };
+        CUT.with_borrow_mut(|known| {
+            if let Some((_, real, complex)) = known.iter().find(|(other, ..)| *other == name) {
+                return Self::new(name, *real, *complex);
+            }
+            let four = "every scene has fewer than four stretches between ports";
+            let real: &'static FieldSimulator<'static, f64> =
+                Box::leak(Box::new(FieldSimulator::new(real, FEW).expect(four)));
+            let complex: &'static FieldSimulator<'static, ComplexStep> =
+                Box::leak(Box::new(FieldSimulator::new(complex, FEW).expect(four)));
+            known.push((name, real, complex));
+            Self::new(name, real, complex)
+        })
+    }
+
     fn new(
         name: &'static str,
         real: &'static dyn Simulator<f64>,
@@ -286,18 +431,24 @@ impl Machine {
 
     /// Points drawn evenly from the times of the scene's run and from states within
     /// their scales, the same ones every time. Every fourth state is a hundredth as
-    /// large, so that loads are seen near standstill too.
+    /// large, so that loads are seen near standstill too. Of a machine with constraints,
+    /// states about its start, off it by a tenth of their scales: elsewhere it may be near
+    /// a dead point.
     pub(crate) fn random_points(&self, count: usize) -> Result<Vec<Point>, CheckFailure> {
         let defaults = self.real.run_defaults();
         let parameters = self.parameters(&[])?;
         let mut random = SplitMix(0x5eed);
+        let is_constrained = self.real.constraints() > 0;
+        let start = start(self.real, &parameters, defaults.from)?;
         let points = (0..count).map(|number| {
             let size = if number % 4 == 3 { 0.01 } else { 1.0 };
             let time = defaults.from + (defaults.until - defaults.from) * random.unit();
             let states = 0..self.real.shape().states();
-            let state =
-                states.map(|index| size * self.real.state_scale(index) * random.signed()).collect();
-            Point { time, state, parameters: parameters.clone() }
+            let state = states.map(|index| {
+                let value = size * self.real.state_scale(index) * random.signed();
+                if is_constrained { start[index] + 0.1 * value } else { value }
+            });
+            Point { time, state: state.collect(), parameters: parameters.clone() }
         });
         Ok(points.collect())
     }

@@ -1,8 +1,12 @@
 use super::*;
 
+/// Checks of the scenes that are overridden; of all if none is.
 fn verdicts(overrides: &[(&str, f64)]) -> Vec<Verdict> {
+    let scene = |(name, _): &(&str, f64)| name.split('.').next().unwrap_or_default().to_owned();
+    let scenes: Vec<String> = overrides.iter().map(scene).collect();
     let overrides = overrides.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-    verify_all(&VerifyOptions { overrides, ..VerifyOptions::default() })
+    let scenes = (!scenes.is_empty()).then_some(scenes);
+    verify_all(&VerifyOptions { overrides, scenes, ..VerifyOptions::default() })
         .expect("the overrides name parameters")
 }
 

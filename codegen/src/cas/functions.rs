@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use symbolica::atom::{Atom, AtomCore, AtomView};
 use symbolica::symbol;
 
-use crate::expr::{CoordinateId, FirstOrderId, Function, ParameterId, Symbol};
+use crate::expr::{ConstraintId, CoordinateId, FirstOrderId, Function, ParameterId, Symbol};
 
 type CasSymbol = symbolica::atom::Symbol;
 
@@ -47,6 +47,7 @@ impl Vocabulary {
             Symbol::Acceleration(coordinate),
             Symbol::FirstOrder(FirstOrderId(index)),
             Symbol::Parameter(ParameterId(index)),
+            Symbol::Multiplier(ConstraintId(index)),
         ] {
             self.variable(symbol);
         }
@@ -68,6 +69,7 @@ impl Vocabulary {
             Symbol::Coordinate(id) => format!("machinist::q{}", id.0),
             Symbol::Velocity(id) => format!("machinist::v{}", id.0),
             Symbol::Acceleration(id) => format!("machinist::a{}", id.0),
+            Symbol::Multiplier(id) => format!("machinist::l{}", id.0),
             Symbol::FirstOrder(id) => format!("machinist::z{}", id.0),
             Symbol::Parameter(id) => format!("machinist::p{}", id.0),
             Symbol::Helper(id) => unreachable!("helper {} has been put in", id.0),

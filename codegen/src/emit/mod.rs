@@ -115,8 +115,8 @@ pub(crate) fn needed_nodes(tape: &Tape) -> Vec<bool> {
 }
 
 /// The functions of a program by name, in the order of the emitted module.
-pub(crate) fn functions(program: &Program) -> [(&'static str, &Tape); 11] {
-    [
+pub(crate) fn functions(program: &Program) -> Vec<(&'static str, &Tape)> {
+    let mut functions = vec![
         ("initial_state", &program.initial_state),
         ("discontinuities", &program.discontinuities),
         ("rate", &program.rate),
@@ -128,5 +128,20 @@ pub(crate) fn functions(program: &Program) -> [(&'static str, &Tape); 11] {
         ("outputs", &program.outputs),
         ("energy", &program.energy),
         ("power_balance", &program.power_balance),
-    ]
+    ];
+    if !program.events.is_empty() {
+        functions.extend([
+            ("guards", &program.guards),
+            ("guard_rates", &program.guard_rates),
+            ("resets", &program.resets),
+        ]);
+    }
+    if !program.constraints.is_empty() {
+        functions.extend([
+            ("constraint_values", &program.constraint_values),
+            ("constraint_rates", &program.constraint_rates),
+            ("constraint_matrix", &program.constraint_matrix.tape),
+        ]);
+    }
+    functions
 }

@@ -9,6 +9,7 @@ mod body;
 mod check;
 mod describe;
 mod excitation;
+mod field;
 mod functions;
 mod header;
 mod items;
@@ -38,7 +39,8 @@ use series::Series;
 pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitError> {
     check::check(program)?;
     let scene = Scene::new(program)?;
-    let series = Series::new(&scene);
+    // What fields do is not in the machine's own series.
+    let series = if program.fields.is_empty() { Series::new(&scene) } else { None };
     let imports = imports(program, options, series.as_ref());
     let constants = items::constants(&scene);
     let machine = items::machine(&scene);
@@ -50,6 +52,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
     let excitation = excitation::items(&scene)?;
     let implementations = describe::implementations(&scene, series.is_some())?;
     let series = series.map(|series| series.items(&scene)).transpose()?;
+    let fields = field::items(&scene)?;
     let tables = items::tables(&scene)?;
     let tokens = quote! {
         #imports
@@ -63,6 +66,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
         #series
         #excitation
         #implementations
+        #fields
         #tables
     };
     let module = pretty(tokens)?;
@@ -172,13 +176,16 @@ impl<'a> Scene<'a> {
 fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
     let linear = program.excitation.is_some().then(|| quote!(linear::LinearEquations,));
+    let fields = (!program.fields.is_empty()).then(field::imports);
     let contract = &options.contract;
+    let events = (!program.events.is_empty()).then(|| quote!(Direction, Event,));
+    let constraint = (!program.constraints.is_empty()).then(|| quote!(Constraint,));
     let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
     let kinds = (!program.layout.is_of_all(&program.system)).then(|| quote!(StateKind,));
     quote! {
         use #contract::{
-            #table Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-            SparsityPattern, #kinds #linear #series
+            #constraint #table Describe, #events Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+            SparsityPattern, #kinds #linear #series #fields
         };
     }
 }

@@ -17,6 +17,7 @@ pub struct Graph {
     /// Entries of the state by what expressions call them.
     entries: HashMap<Symbol, u32>,
     accelerations: Vec<NodeId>,
+    multipliers: Vec<NodeId>,
     helpers: HashMap<HelperId, NodeId>,
 }
 
@@ -36,9 +37,10 @@ impl Graph {
         Graph { entries: symbols.zip(0..).collect(), ..Self::default() }
     }
 
-    /// What q'' stands for from now on.
-    pub fn set_accelerations(&mut self, accelerations: Vec<NodeId>) {
+    /// What q'' and the multipliers of constraints stand for from now on.
+    pub fn set_accelerations(&mut self, accelerations: Vec<NodeId>, multipliers: Vec<NodeId>) {
         self.accelerations = accelerations;
+        self.multipliers = multipliers;
     }
 
     /// What a helper stands for from now on.
@@ -65,6 +67,7 @@ impl Graph {
             }
             Symbol::Parameter(id) => self.parameter(id.0),
             Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
+            Symbol::Multiplier(id) => self.multipliers[id.0 as usize],
             Symbol::Helper(id) => self.helpers[&id],
         }
     }

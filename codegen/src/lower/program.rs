@@ -2,11 +2,12 @@
 
 use super::graph::Graph;
 use crate::abbreviate::Abbreviations;
-use crate::expr::Expr;
+use crate::expr::{Expr, Symbol};
 use crate::factor::{Factorization, factor};
+use crate::lagrange::EquationsOfMotion;
 use crate::linear::Excitation;
 use crate::linearize::{Linearization, Partials};
-use crate::program::{MatrixTape, Program, SparsityPattern};
+use crate::program::{ConstraintShape, EventShape, MatrixTape, Program, SparsityPattern};
 use crate::state::Motion;
 use crate::tape::NodeId;
 
@@ -25,10 +26,15 @@ pub fn lower(linearization: &Linearization) -> Program {
         linearization.equations.outputs.iter().map(|output| build.lower(output)).collect();
     let energy = linearization.equations.energy.each_ref().map(|e| build.lower(e));
     let balance = build.power_balance();
+    let [guards, guard_rates, resets] = build.events();
+    let [constraint_values, constraint_rates] = build.constraints();
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
+    // What events, constraints and fields do is not in the rate.
+    let is_whole =
+        system.events.is_empty() && system.constraints.is_empty() && system.fields.is_empty();
     Program {
-        excitation: Excitation::of(&rate),
+        excitation: is_whole.then(|| Excitation::of(&rate)).flatten(),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
         rate,
@@ -40,21 +46,61 @@ pub fn lower(linearization: &Linearization) -> Program {
         outputs: graph.tape(&outputs),
         energy: graph.tape(&energy),
         power_balance: graph.tape(&balance),
+        guards: graph.tape(&guards),
+        guard_rates: graph.tape(&guard_rates),
+        resets: graph.tape(&resets),
+        events: events(&linearization.equations),
+        constraint_values: graph.tape(&constraint_values),
+        constraint_rates: graph.tape(&constraint_rates),
+        constraint_matrix: build.constraint_matrix_tape(),
+        constraints: constraints(&linearization.equations),
         system: system.clone(),
         layout: linearization.equations.layout.clone(),
+        fields: Vec::new(),
         reduction: linearization.equations.reduction.clone(),
     }
+}
+
+/// Events with entries of the state in place of what expressions call them.
+fn events(equations: &EquationsOfMotion) -> Vec<EventShape> {
+    let entry = |symbol: Symbol| {
+        let place = equations.layout.symbols().position(|known| known == symbol);
+        place.unwrap_or(usize::MAX) as u32
+    };
+    let shapes = equations.events.iter().map(|event| EventShape {
+        name: event.name.clone(),
+        doc: event.doc.clone(),
+        direction: event.direction,
+        when: event
+            .when
+            .iter()
+            .map(|(id, value)| (entry(Symbol::FirstOrder(*id)), f64::from(*value)))
+            .collect(),
+        sets: event.set.iter().map(|(symbol, _)| entry(*symbol)).collect(),
+    });
+    shapes.collect()
+}
+
+fn constraints(equations: &EquationsOfMotion) -> Vec<ConstraintShape> {
+    let shapes = equations.system.constraints.iter().map(|constraint| ConstraintShape {
+        name: constraint.name.clone(),
+        doc: constraint.doc.clone(),
+        unit: constraint.unit.clone(),
+        is_of_positions: constraint.is_of_positions,
+    });
+    shapes.collect()
 }
 
 struct Build<'a> {
     linearization: &'a Linearization,
     abbreviations: Abbreviations,
     graph: Graph,
-    mass_matrix: Vec<Vec<NodeId>>,
+    /// M, bordered by G below and G^T beside it.
+    matrix: Vec<Vec<NodeId>>,
     factorization: Factorization,
     forcing: Vec<NodeId>,
-    /// q''
-    accelerations: Vec<NodeId>,
+    /// q'', then -lambda.
+    solution: Vec<NodeId>,
     /// y', an entry for each of the state.
     rate: Vec<NodeId>,
 }
@@ -71,24 +117,29 @@ impl<'a> Build<'a> {
             graph.set_helper(*id, node);
         }
         let short = |expr: &Expr| abbreviations.apply(expr);
-        let rows = equations.mass_matrix.iter();
-        let mass_matrix: Vec<Vec<NodeId>> =
-            rows.map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
-        let factorization = factor(&mut graph, &mass_matrix);
-        let forcing: Vec<NodeId> =
-            equations.forcing.iter().map(|f| graph.lower(&short(f))).collect();
-        let accelerations = factorization.solve(&mut graph, &forcing);
-        for (coordinate, node) in system.coordinates.iter().zip(&accelerations) {
+        let (rows, right_side) = equations.bordered();
+        let matrix: Vec<Vec<NodeId>> =
+            rows.iter().map(|row| row.iter().map(|e| graph.lower(&short(e))).collect()).collect();
+        let factorization = factor(&mut graph, &matrix);
+        let mut forcing: Vec<NodeId> = right_side.iter().map(|f| graph.lower(&short(f))).collect();
+        let solution = factorization.solve(&mut graph, &forcing);
+        forcing.truncate(equations.forcing.len());
+        let (accelerations, negative) = solution.split_at(forcing.len());
+        for (coordinate, node) in system.coordinates.iter().zip(accelerations) {
             graph.name(*node, &format!("{}_dot", coordinate.velocity.name.ident));
         }
-        graph.set_accelerations(accelerations.clone());
+        let multipliers = negative.iter().map(|node| graph.neg(*node)).collect::<Vec<_>>();
+        for (constraint, node) in system.constraints.iter().zip(&multipliers) {
+            graph.name(*node, &constraint.name.ident);
+        }
+        graph.set_accelerations(accelerations.to_vec(), multipliers);
         let rates: Vec<NodeId> = equations.rates.iter().map(|h| graph.lower(&short(h))).collect();
         for (state, node) in system.first_order.iter().zip(&rates) {
             graph.name(*node, &format!("{}_dot", state.quantity.name.ident));
         }
         let rate = equations.layout.states.iter().map(|state| match &state.motion {
             Motion::Position { rate, .. } => graph.lower(&short(rate)),
-            Motion::Velocity(id) => accelerations[id.0 as usize],
+            Motion::Velocity(id) => solution[id.0 as usize],
             Motion::FirstOrder(id) => rates[id.0 as usize],
         });
         let rate = rate.collect();
@@ -96,10 +147,10 @@ impl<'a> Build<'a> {
             linearization,
             abbreviations,
             graph,
-            mass_matrix,
+            matrix,
             factorization,
             forcing,
-            accelerations,
+            solution,
             rate,
         }
     }
@@ -115,9 +166,8 @@ impl<'a> Build<'a> {
 
     /// One column of a Jacobian of the rate: dy'/ds.
     fn column(&mut self, partials: &Partials) -> Vec<NodeId> {
-        let n = self.coordinates();
         let zero = self.graph.literal(0.0);
-        let mut right_side = vec![zero; n];
+        let mut right_side = vec![zero; self.solution.len()];
         for (row, expr) in &partials.forcing {
             right_side[*row] = self.lower(expr);
         }
@@ -141,7 +191,7 @@ impl<'a> Build<'a> {
         column
     }
 
-    /// right_side\[row\] -= entry q''\[column\]
+    /// right_side\[row\] -= entry solution\[column\]
     fn subtract_product(
         &mut self,
         right_side: &mut [NodeId],
@@ -149,7 +199,7 @@ impl<'a> Build<'a> {
         entry: NodeId,
         column: usize,
     ) {
-        let part = self.graph.mul(entry, self.accelerations[column]);
+        let part = self.graph.mul(entry, self.solution[column]);
         right_side[row] = self.graph.sub(right_side[row], part);
     }
 
@@ -161,7 +211,13 @@ impl<'a> Build<'a> {
 
     fn mass_matrix_tape(&self) -> MatrixTape {
         let n = self.coordinates();
-        self.matrix_tape(n, n, |row, column| self.mass_matrix[row][column])
+        self.matrix_tape(n, n, |row, column| self.matrix[row][column])
+    }
+
+    fn constraint_matrix_tape(&self) -> MatrixTape {
+        let n = self.coordinates();
+        let count = self.solution.len() - n;
+        self.matrix_tape(count, n, |row, column| self.matrix[n + row][column])
     }
 
     fn matrix_tape(
@@ -196,6 +252,25 @@ impl<'a> Build<'a> {
         let supplied = self.graph.add(supplied, by_time);
         let dissipated = self.lower(&linearization.equations.dissipated);
         [stored, supplied, dissipated]
+    }
+
+    /// Guards, their rates along the motion, and new values.
+    fn events(&mut self) -> [Vec<NodeId>; 3] {
+        let linearization = self.linearization;
+        let events = &linearization.equations.events;
+        let guards = events.iter().map(|event| self.lower(&event.guard)).collect();
+        let indices = 0..events.len();
+        let rates = indices.map(|index| self.total_derivative(|p| &p.guards[index])).collect();
+        let values = events.iter().flat_map(|event| &event.set);
+        let resets = values.map(|(_, value)| self.lower(value)).collect();
+        [guards, rates, resets]
+    }
+
+    /// g and g'.
+    fn constraints(&mut self) -> [Vec<NodeId>; 2] {
+        let constraints = &self.linearization.equations.constraints;
+        [&constraints.values, &constraints.rates]
+            .map(|exprs| exprs.iter().map(|expr| self.lower(expr)).collect())
     }
 
     /// dX/dt = dX/dy y' + partial dX/dt.

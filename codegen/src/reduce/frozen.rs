@@ -26,6 +26,12 @@ pub enum FreezeError {
          constant ratio"
     )]
     NoRatio(String),
+    /// Events may set what it would hold.
+    #[error("unit `{0}` cannot be frozen: the scene has events, which might set what it holds")]
+    Events(String),
+    /// Constraints hold coordinates already.
+    #[error("unit `{0}` cannot be frozen: the scene has constraints, which might say the same")]
+    Constraints(String),
     /// It would have to jump at the start.
     #[error("unit `{0}` cannot be frozen: its spring is not at rest at the start")]
     NotAtRest(String),
@@ -46,6 +52,12 @@ pub(super) fn freeze(
 ) -> Result<LagrangianSystem, FreezeError> {
     let mut system = system.clone();
     for unit in system.freeze.rigid.clone() {
+        if !system.events.is_empty() {
+            return Err(FreezeError::Events(unit));
+        }
+        if !system.constraints.is_empty() {
+            return Err(FreezeError::Constraints(unit));
+        }
         let follows = relation(cas, &system, &unit)?;
         let Follows { a, b, .. } = follows;
         let [leader, follower] = [b, a].map(|id| &system.coordinates[id.0 as usize]);

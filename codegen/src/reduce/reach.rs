@@ -3,15 +3,17 @@
 //! An output needs what it mentions. A position needs its velocity; a velocity or
 //! an acceleration needs the equations of motion of its block of the mass matrix,
 //! and so all that M and f mention there; a first-order state needs what h
-//! mentions. The rest is held where it starts: nothing that is kept can tell.
+//! mentions. Coordinates that share a constraint share a block; its multiplier needs
+//! them. Events need all that they watch and set. The rest is held where it starts:
+//! nothing that is kept can tell.
 
 use std::collections::BTreeSet;
 
 use crate::cas::Cas;
-use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
+use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::lagrange::{EquationsOfMotion, derive};
 use crate::reduce::{What, Why};
-use crate::system::{GeneralizedForce, LagrangianSystem};
+use crate::system::{Event, GeneralizedForce, LagrangianSystem};
 
 /// The equations of what the outputs depend on. Of a scene without outputs,
 /// everything: its states are what is wanted.
@@ -37,6 +39,7 @@ pub(super) fn slice(cas: &mut Cas, equations: EquationsOfMotion) -> EquationsOfM
 struct Kept {
     coordinates: Vec<Option<CoordinateId>>,
     first_order: Vec<Option<FirstOrderId>>,
+    constraints: Vec<Option<ConstraintId>>,
 }
 
 impl Kept {
@@ -47,13 +50,20 @@ impl Kept {
             let is_needed = needed.contains(&Symbol::Velocity(CoordinateId(id)));
             is_needed.then(|| next.next().map(CoordinateId)).flatten()
         });
-        let coordinates = coordinates.collect();
+        let coordinates: Vec<Option<CoordinateId>> = coordinates.collect();
+        let mut next = 0..;
+        let constraints = (0..equations.constraints.len()).map(|constraint| {
+            let mut held = equations.constraints.coordinates(constraint);
+            let is_needed = held.all(|coordinate| coordinates[coordinate].is_some());
+            is_needed.then(|| next.next().map(ConstraintId)).flatten()
+        });
+        let constraints = constraints.collect();
         let mut next = 0..;
         let first_order = (0..equations.rates.len() as u32).map(|id| {
             let is_needed = needed.contains(&Symbol::FirstOrder(FirstOrderId(id)));
             is_needed.then(|| next.next().map(FirstOrderId)).flatten()
         });
-        Kept { coordinates, first_order: first_order.collect() }
+        Kept { coordinates, first_order: first_order.collect(), constraints }
     }
 
     fn is_everything(&self) -> bool {
@@ -67,6 +77,7 @@ impl Kept {
                 self.coordinates[id.0 as usize].is_some()
             }
             Symbol::FirstOrder(id) => self.first_order[id.0 as usize].is_some(),
+            Symbol::Multiplier(id) => self.constraints[id.0 as usize].is_some(),
             _ => true,
         }
     }
@@ -93,12 +104,30 @@ impl Kept {
             }),
             Symbol::Velocity(id) => Some(moving(coordinate(id).map(Symbol::Velocity))),
             Symbol::Acceleration(id) => Some(moving(coordinate(id).map(Symbol::Acceleration))),
+            Symbol::Multiplier(id) => {
+                Some(moving(self.constraints[id.0 as usize].map(Symbol::Multiplier)))
+            }
             Symbol::FirstOrder(id) => Some(match self.first_order[id.0 as usize] {
                 Some(new) => Expr::Symbol(Symbol::FirstOrder(new)),
                 None => system.first_order[id.0 as usize].initial.clone(),
             }),
             _ => None,
         })
+    }
+
+    /// An event under the new ids; all that it watches and sets is kept.
+    fn renumber(&self, event: &mut Event, system: &LagrangianSystem) {
+        for expr in event.exprs_mut() {
+            *expr = self.held(expr, system);
+        }
+        for (id, _) in &mut event.when {
+            *id = self.first_order[id.0 as usize].unwrap_or(*id);
+        }
+        for (symbol, _) in &mut event.set {
+            if let Expr::Symbol(new) = self.held(&Expr::Symbol(*symbol), system) {
+                *symbol = new;
+            }
+        }
     }
 
     /// The part of a system that is kept.
@@ -125,11 +154,18 @@ impl Kept {
         retain(&mut part.coordinates, &self.coordinates);
         retain(&mut part.generalized_force, &self.coordinates);
         retain(&mut part.first_order, &self.first_order);
+        retain(&mut part.constraints, &self.constraints);
+        for constraint in &mut part.constraints {
+            constraint.expr = held(&constraint.expr);
+        }
         for GeneralizedForce { total, conversion } in &mut part.generalized_force {
             (*total, *conversion) = (held(total), held(conversion));
         }
         for state in &mut part.first_order {
             state.rate = held(&state.rate);
+        }
+        for event in &mut part.events {
+            self.renumber(event, system);
         }
         part.helpers.retain(|helper| !helper.expr.mentions(|symbol| !self.has(symbol)));
         for definition in part.helpers.iter_mut().chain(&mut part.outputs) {
@@ -175,9 +211,15 @@ impl Kept {
 
 /// Everything the outputs need, directly or not.
 fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
-    let blocks = blocks(&equations.mass_matrix);
+    let constraints = &equations.constraints;
+    let blocks = blocks(equations);
     let mut needed = BTreeSet::new();
     let mut found: Vec<Symbol> = equations.outputs.iter().flat_map(Expr::symbols).collect();
+    for event in &equations.events {
+        found.extend(event.exprs().flat_map(Expr::symbols));
+        found.extend(event.set.iter().map(|(symbol, _)| *symbol));
+        found.extend(event.when.iter().map(|(id, _)| Symbol::FirstOrder(*id)));
+    }
     while let Some(symbol) = found.pop() {
         if !needed.insert(symbol) {
             continue;
@@ -186,8 +228,17 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
             Symbol::Coordinate(id) | Symbol::Acceleration(id) => {
                 found.push(Symbol::Velocity(id));
             }
+            Symbol::Multiplier(id) => {
+                let held = constraints.coordinates(id.0 as usize);
+                found.extend(held.map(|id| Symbol::Velocity(CoordinateId(id as u32))));
+            }
             Symbol::Velocity(id) => {
                 let block = blocks[id.0 as usize];
+                for constraint in 0..constraints.len() {
+                    if constraints.coordinates(constraint).any(|id| blocks[id] == block) {
+                        found.extend(constraints.of(constraint).flat_map(Expr::symbols));
+                    }
+                }
                 for row in (0..blocks.len()).filter(|row| blocks[*row] == block) {
                     found.push(Symbol::Velocity(CoordinateId(row as u32)));
                     let entries = equations.mass_matrix[row].iter();
@@ -202,16 +253,24 @@ fn needed(equations: &EquationsOfMotion) -> BTreeSet<Symbol> {
     needed
 }
 
-/// For each row of a symmetric matrix the first row of its diagonal block.
-fn blocks(matrix: &[Vec<Expr>]) -> Vec<usize> {
-    let mut block: Vec<usize> = (0..matrix.len()).collect();
-    for (i, row) in matrix.iter().enumerate() {
+/// For each coordinate the first one that it is coupled to, by the mass matrix or by a
+/// constraint, directly or not.
+fn blocks(equations: &EquationsOfMotion) -> Vec<usize> {
+    let mut block: Vec<usize> = (0..equations.forcing.len()).collect();
+    let mut join = |i: usize, j: usize| {
+        let (from, to) = (block[i].max(block[j]), block[i].min(block[j]));
+        block.iter_mut().filter(|b| **b == from).for_each(|b| *b = to);
+    };
+    for (i, row) in equations.mass_matrix.iter().enumerate() {
         for (j, entry) in row.iter().enumerate().take(i) {
-            if *entry != Expr::integer(0) && block[i] != block[j] {
-                let (from, to) = (block[i].max(block[j]), block[i].min(block[j]));
-                block.iter_mut().filter(|b| **b == from).for_each(|b| *b = to);
+            if *entry != Expr::integer(0) {
+                join(i, j);
             }
         }
+    }
+    for constraint in 0..equations.constraints.len() {
+        let held: Vec<usize> = equations.constraints.coordinates(constraint).collect();
+        held.windows(2).for_each(|pair| join(pair[0], pair[1]));
     }
     block
 }

@@ -4,10 +4,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::cas::Cas;
+use crate::constraint::Constraints;
 use crate::expr::{Expr, Function, ParameterId, Symbol, TableId};
 use crate::lagrange::EquationsOfMotion;
 use crate::reduce::{Reduction, What, Why};
-use crate::system::LagrangianSystem;
+use crate::system::{Event, LagrangianSystem};
 
 /// The equations with only what they mention. `whole` is what they were made of.
 pub(super) fn drop(
@@ -188,6 +189,11 @@ fn consume(equations: &mut EquationsOfMotion) {
     for (output, expr) in system.outputs.iter_mut().zip(&equations.outputs) {
         output.expr = expr.clone();
     }
+    system.events.clone_from(&equations.events);
+    let Constraints { values, rates, .. } = &equations.constraints;
+    for ((constraint, value), rate) in system.constraints.iter_mut().zip(values).zip(rates) {
+        constraint.expr = if constraint.is_of_positions { value.clone() } else { rate.clone() };
+    }
     for (helper, expr) in system.helpers.iter_mut().zip(&equations.helpers) {
         helper.expr = expr.clone();
     }
@@ -199,6 +205,8 @@ fn renumber(equations: &mut EquationsOfMotion, used: &Used) {
     all.extend(equations.forcing.iter_mut().chain(&mut equations.rates));
     all.extend(equations.energy.iter_mut().chain(&mut equations.helpers));
     all.extend(&mut equations.outputs);
+    all.extend(equations.events.iter_mut().flat_map(Event::exprs_mut));
+    all.extend(equations.constraints.exprs_mut());
     all.extend([
         &mut equations.dissipation,
         &mut equations.supplied,

@@ -1,5 +1,8 @@
 //! The system of a scene whose coordinates are known.
 
+mod constraints;
+mod distributed;
+mod events;
 mod initial;
 mod outputs;
 mod precision;
@@ -56,13 +59,18 @@ pub fn assemble(
         Assembler { spec, layout, values, resolver: Resolver::new(spec, layout), mistakes };
     assembler.inputs();
     let (energies, springs) = assembler.energies();
-    let [kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
+    let [mut kinetic, potential, dissipation, stored_energy, supplied_power, dissipated_power] =
         energies;
-    let generalized_force = assembler.forces();
-    let initial = assembler.initial();
+    let mut generalized_force = assembler.forces();
+    let events = assembler.events();
+    let constraints = assembler.constraints();
+    let (initial, profiles) = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
-    let parameters = assembler.parameters();
+    let mut parameters = assembler.parameters();
+    let fields = assembler.fields(&profiles);
+    distributed::take_hold(&fields, &mut kinetic, &mut generalized_force);
+    parameters.extend(assembler.handed());
     let freeze = assembler.freeze();
     let helpers = assembler.helpers();
     let outputs = assembler.outputs();
@@ -90,6 +98,8 @@ pub fn assemble(
         outputs,
         tables,
         discontinuities,
+        events,
+        constraints,
         run: RunDefaults {
             from: run.from,
             until: run.until,
@@ -98,6 +108,7 @@ pub fn assemble(
             method: run.method.clone(),
         },
         freeze,
+        fields,
         files: spec.sources.files(),
     }
 }
@@ -248,8 +259,9 @@ impl<'a> Assembler<'a> {
 
     fn coordinates(&mut self, initial: &initial::Initial) -> Vec<Coordinate> {
         let layout = self.layout;
-        let coordinates = layout.representatives.iter().zip(&initial.coordinates);
-        let coordinates = coordinates.enumerate().map(|(id, (slot, initial))| {
+        let values = initial.coordinates.iter().zip(&initial.given);
+        let coordinates = layout.representatives.iter().zip(values);
+        let coordinates = coordinates.enumerate().map(|(id, (slot, (initial, given)))| {
             let spec = coordinate_spec(self.spec, layout, *slot);
             let instance = &self.spec.instances[layout.coordinate(*slot).0].name.value;
             let position = quantity(Some(instance), &spec.name.value, &spec.unit.text, &spec.doc);
@@ -257,11 +269,9 @@ impl<'a> Assembler<'a> {
                 if spec.doc.is_empty() { String::new() } else { format!("rate of {}", spec.doc) };
             let unit = per_second(&spec.unit);
             let velocity = quantity(Some(instance), &spec.velocity.value, &unit, &doc);
-            let followers = layout
-                .links
-                .iter()
-                .enumerate()
-                .filter(|(other, link)| link.id.0 as usize == id && other != slot);
+            let followers = layout.links.iter().enumerate().filter(|(other, link)| {
+                link.id.0 as usize == id && other != slot && !layout.is_fixed(*other)
+            });
             let identified = followers.map(|(other, link)| {
                 let spec = &coordinate_spec(self.spec, layout, other).name.value;
                 let instance = &self.spec.instances[layout.coordinate(other).0].name.value;
@@ -273,6 +283,7 @@ impl<'a> Assembler<'a> {
                 velocity,
                 identified,
                 initial: initial.clone(),
+                is_given: *given,
                 scale: spec.scale,
             }
         });
@@ -291,7 +302,8 @@ impl<'a> Assembler<'a> {
                 let instance = Some(instance.name.value.as_str());
                 let quantity = quantity(instance, &state.name.value, &state.unit.text, &state.doc);
                 let initial = initial.states[states.len()].clone();
-                states.push(FirstOrderState { quantity, rate, initial, scale: state.scale });
+                let (scale, is_mode) = (state.scale, state.is_mode);
+                states.push(FirstOrderState { quantity, rate, initial, scale, is_mode });
             }
         }
         states

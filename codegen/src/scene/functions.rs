@@ -235,7 +235,8 @@ impl Resolver<'_> {
         Ok(value)
     }
 
-    /// `t < at` with `at` of parameters only, where the solver has to stop.
+    /// `t < at` with `at` of parameters only, where the solver has to stop; or
+    /// `mode < number`, of whole numbers, which is asked as `mode < number - 1/2`.
     fn condition(
         &mut self,
         t: &Ast,
@@ -244,6 +245,9 @@ impl Resolver<'_> {
         allowed: Uses,
     ) -> Result<(Typed, Typed), Box<Mistake>> {
         let time = self.resolve(t, scope, allowed)?;
+        if self.is_mode(&time.expr) {
+            return self.mode_condition(time, at, scope);
+        }
         if time.expr != Expr::Symbol(Symbol::Time) {
             return Err(Box::new(no_condition(t.span)));
         }
@@ -262,6 +266,34 @@ impl Resolver<'_> {
             self.discontinuities.push(at_time.expr.clone());
         }
         Ok((time, at_time))
+    }
+
+    /// Whether an expression is a mode.
+    fn is_mode(&self, expr: &Expr) -> bool {
+        let Expr::Symbol(Symbol::FirstOrder(id)) = expr else { return false };
+        let spec = self.spec;
+        let states = spec.instances.iter().flat_map(|instance| &spec.units[instance.unit].states);
+        states.enumerate().any(|(index, state)| index == id.0 as usize && state.is_mode)
+    }
+
+    fn mode_condition(
+        &mut self,
+        mode: Typed,
+        at: &Ast,
+        scope: Scope,
+    ) -> Result<(Typed, Typed), Box<Mistake>> {
+        let bound = self.resolve(at, scope, Uses::PARAMETERS)?;
+        let Expr::Number(number) = &bound.expr else {
+            let message = "a mode is compared with a whole number";
+            return Err(Box::new(Mistake::new(at.span, message, "not a number")));
+        };
+        if !number.is_integer() || bound.dimension.is_some_and(|d| d != Dimension::ONE) {
+            let message = "a mode is compared with a whole number";
+            return Err(Box::new(Mistake::new(at.span, message, "not a whole number")));
+        }
+        let half = num_rational::BigRational::new(1.into(), 2.into());
+        let between = Typed { expr: Expr::Number(number - half), ..bound };
+        Ok((mode, between))
     }
 
     fn table(
@@ -349,9 +381,12 @@ fn like(x: &Typed, parts: &[&Typed]) -> Typed {
 }
 
 fn no_condition(span: Span) -> Mistake {
-    let message = "a condition compares time `t` with a time made of parameters";
-    Mistake::new(span, message, "not such a condition")
-        .help("switching on a coordinate or state would need an event; use smooth_step, min or max")
+    let message = "a condition compares time `t` with a time made of parameters, or a mode with a \
+                   whole number";
+    Mistake::new(span, message, "not such a condition").help(
+        "switching on a coordinate or state needs an event that sets a mode; or use smooth_step, \
+         min or max",
+    )
 }
 
 fn unknown(function: &str, name: Span, span: Span, given: usize) -> Mistake {

@@ -17,8 +17,8 @@ struct Edge {
     ratio: Option<Expr>,
 }
 
-/// Identifies joined coordinates. Of a joined set, the coordinate of the earliest
-/// instance with a kinetic energy of its own stands for all (a rotor's angle rather
+/// Identifies joined coordinates. Of a joined set, a place on a field, else the
+/// coordinate of the earliest instance with a kinetic energy of its own stands for all (a rotor's angle rather
 /// than that of the coupling's end on it), else the earliest; since joints may close
 /// no loop, the others follow it by the product of ratios along the only path there
 /// is.
@@ -54,9 +54,12 @@ fn starts(spec: &SceneSpec, layout: &Layout, roots: &mut [usize]) -> Vec<usize> 
         spec.units[spec.instances[instance].unit].energy.kinetic.is_some()
     };
     let mut starts: Vec<Option<usize>> = vec![None; layout.links.len()];
-    for slot in 0..layout.links.len() {
+    let rank = |slot: usize| {
+        (layout.attachment(slot).is_some(), layout.attachment(slot).is_none() && has_inertia(slot))
+    };
+    for slot in (0..layout.links.len()).filter(|slot| !layout.is_fixed(*slot)) {
         let start = &mut starts[root(roots, slot)];
-        if start.is_none_or(|start| !has_inertia(start) && has_inertia(slot)) {
+        if start.is_none_or(|start| rank(start) < rank(slot)) {
             *start = Some(slot);
         }
     }
@@ -171,5 +174,7 @@ fn follow(layout: &mut Layout, edges: &[Edge], starts: &[usize]) {
             }
         }
     }
-    layout.links = links.into_iter().flatten().collect();
+    // An end that is fixed follows anything by nothing.
+    let fixed = || Link { id: CoordinateId(0), factor: Some(integer(0)) };
+    layout.links = links.into_iter().map(|link| link.unwrap_or_else(fixed)).collect();
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::{Mistake, Span, Spanned};
 use crate::dimension::{Dimension, Unit};
-use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId};
+use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, ParameterId};
 use crate::scene::typed::integer;
 use crate::spec::{
     CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, quoted,
@@ -25,6 +25,30 @@ pub enum Local {
     State(usize),
     Helper(usize),
     Output(usize),
+    /// Stands for the multiplier.
+    Constraint(usize),
+    /// A field, or its rate.
+    Field(usize, FieldPart),
+    /// The derivative along the field at a port, before it or after it.
+    Slope(usize, Side),
+    /// x along the fields.
+    Place,
+}
+
+/// What of a field a name stands for; the numbers are those of the density's symbols.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FieldPart {
+    Value,
+    Gradient,
+    Rate,
+    GradientRate,
+}
+
+/// Before a port, towards x = 0, or after it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    Before,
+    After,
 }
 
 /// Whose names an expression uses.
@@ -32,6 +56,50 @@ pub enum Local {
 pub enum Scope {
     Scene,
     Instance(usize),
+    /// A density of a field: names of its unit, the field and x.
+    Density(usize, usize),
+    /// The start of a field along x: names of the scene, and x.
+    Profile,
+}
+
+impl Scope {
+    /// The scope without the names of fields.
+    pub fn base(self) -> Scope {
+        match self {
+            Scope::Density(instance, _) => Scope::Instance(instance),
+            Scope::Profile => Scope::Scene,
+            other => other,
+        }
+    }
+}
+
+/// Numbers that a field hands to the machine at each port.
+pub const HANDED: usize = 4;
+
+/// A port on a field.
+#[derive(Debug, Clone)]
+pub struct Attachment {
+    pub instance: usize,
+    pub field: usize,
+    pub port: usize,
+    /// x, of parameters.
+    pub expr: Expr,
+    /// Its value in the spec \[m\].
+    pub x: f64,
+    pub place: self::Place,
+    /// The field is held at zero here.
+    pub fixed: bool,
+}
+
+/// Where on its field a port is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// At x = 0.
+    Start,
+    /// Between both ends.
+    Inside,
+    /// At x = length.
+    End,
 }
 
 /// Names of a unit or of the scene, in the order of the spec.
@@ -56,7 +124,7 @@ impl Names {
         if self.by_name.contains_key(&name.value) {
             let message = format!("the name {} is given twice", quoted(&name.value));
             let help = "coordinates, velocities, accelerations, parameters, inputs, states, \
-                        helpers and outputs share their names";
+                        helpers, outputs and constraints share their names";
             mistakes.push(Mistake::new(name.span, message, "given again").help(help));
             return;
         }
@@ -78,12 +146,20 @@ pub struct Link {
 pub struct Layout {
     pub units: Vec<Names>,
     pub scene: Names,
-    /// First coordinate, parameter and state of each instance.
-    first: Vec<[usize; 3]>,
+    /// First coordinate, parameter, state and constraint of each instance.
+    first: Vec<[usize; 4]>,
+    /// Constraints of all instances.
+    constraints: usize,
     /// How each coordinate of each instance follows one of the scene.
     pub links: Vec<Link>,
     /// For each coordinate of the scene, the one that stands for it.
     pub representatives: Vec<usize>,
+    /// Ports on fields, in the order of instances, fields and x.
+    pub attachments: Vec<Attachment>,
+    /// For each coordinate of each instance, what it is attached to.
+    attached: Vec<Option<usize>>,
+    /// Number of parameters without those that fields hand over.
+    parameters: usize,
 }
 
 impl Layout {
@@ -100,7 +176,10 @@ impl Layout {
         for (index, helper) in spec.helpers.iter().enumerate() {
             scene.add(&helper.name, Local::Helper(index), mistakes);
         }
-        let mut next = [0, spec.parameters.len(), 0];
+        for (index, constraint) in spec.constraints.iter().enumerate() {
+            scene.add(&constraint.name, Local::Constraint(index), mistakes);
+        }
+        let mut next = [0, spec.parameters.len(), 0, 0];
         let mut first = Vec::new();
         let mut size = 0;
         for instance in &spec.instances {
@@ -109,6 +188,7 @@ impl Layout {
             next[0] += unit.coordinates.len();
             next[1] += unit.parameters.len();
             next[2] += unit.states.len();
+            next[3] += unit.constraints.len();
             let names = units[instance.unit].order.len();
             if size <= MAX_NAMES && size + names > MAX_NAMES {
                 let message = format!("a scene has at most {MAX_NAMES} named things");
@@ -119,7 +199,53 @@ impl Layout {
         let slots = next[0];
         let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });
         let (links, representatives) = (links.collect(), (0..slots).collect());
-        Layout { units, scene, first, links, representatives }
+        let parameters = next[1];
+        let (attachments, attached) = (Vec::new(), vec![None; slots]);
+        Layout {
+            units,
+            scene,
+            first,
+            constraints: next[3],
+            links,
+            representatives,
+            attachments,
+            attached,
+            parameters,
+        }
+    }
+
+    /// Takes the ports on fields in.
+    pub fn attach(&mut self, spec: &SceneSpec, attachments: Vec<Attachment>) {
+        for (index, attachment) in attachments.iter().enumerate() {
+            let unit = spec.instances[attachment.instance].unit;
+            let name = &spec.units[unit].ports[attachment.port].coordinate.value;
+            if let Some(Local::Coordinate(coordinate)) = self.units[unit].get(name) {
+                let slot = self.slot(attachment.instance, coordinate);
+                self.attached[slot] = Some(index);
+            }
+        }
+        self.attachments = attachments;
+    }
+
+    /// The place on a field that a coordinate is, if it is one.
+    pub fn attachment(&self, slot: usize) -> Option<&Attachment> {
+        self.attached[slot].map(|index| &self.attachments[index])
+    }
+
+    /// Whether a coordinate is held at zero, as the end of a field.
+    pub fn is_fixed(&self, slot: usize) -> bool {
+        self.attachment(slot).is_some_and(|attachment| attachment.fixed)
+    }
+
+    /// The parameter in which a field hands a number to the machine: inertia of the
+    /// node, force on it, slopes before and after it.
+    pub fn handed(&self, attachment: usize, which: usize) -> ParameterId {
+        ParameterId((self.parameters + HANDED * attachment + which) as u32)
+    }
+
+    /// The attachment of a port.
+    pub fn attachment_of(&self, instance: usize, port: usize) -> Option<usize> {
+        self.attachments.iter().position(|at| (at.instance, at.port) == (instance, port))
     }
 
     /// Index of a coordinate of an instance among those of all instances.
@@ -129,9 +255,9 @@ impl Layout {
 
     /// Id of a parameter; those of the scene come first.
     pub fn parameter(&self, scope: Scope, index: usize) -> ParameterId {
-        let first = match scope {
-            Scope::Scene => 0,
+        let first = match scope.base() {
             Scope::Instance(instance) => self.first[instance][1],
+            _ => 0,
         };
         ParameterId((first + index) as u32)
     }
@@ -139,6 +265,15 @@ impl Layout {
     /// Id of a first-order state.
     pub fn state(&self, instance: usize, index: usize) -> FirstOrderId {
         FirstOrderId((self.first[instance][2] + index) as u32)
+    }
+
+    /// Id of a constraint; those of the scene come last.
+    pub fn constraint(&self, scope: Scope, index: usize) -> ConstraintId {
+        let first = match scope.base() {
+            Scope::Instance(instance) => self.first[instance][3],
+            _ => self.constraints,
+        };
+        ConstraintId((first + index) as u32)
     }
 
     /// Instance and index of a slot.
@@ -198,7 +333,16 @@ pub fn find_port<'a>(
         return Err(Box::new(Mistake::new(path.span, message, "unknown").help(help)));
     };
     match layout.units[unit_index].get(&found.coordinate.value) {
-        Some(Local::Coordinate(index)) => Ok((found, layout.slot(instance, index))),
+        Some(Local::Coordinate(index)) => {
+            let slot = layout.slot(instance, index);
+            if layout.is_fixed(slot) {
+                let message = format!("{} is at an end that is fixed", quoted(&path.value));
+                let help = "an end has one boundary condition: leave this out, or let it be free";
+                let mistake = Mistake::new(path.span, message, "fixed already");
+                return Err(Box::new(mistake.help(help)));
+            }
+            Ok((found, slot))
+        }
         _ => Err(Box::new(unknown_coordinate(&found.coordinate, unit))),
     }
 }
@@ -212,6 +356,29 @@ pub fn unknown_coordinate(name: &Spanned<String>, unit: &UnitSpec) -> Mistake {
 
 fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
     let mut names = Names::default();
+    if let Some(field) = unit.fields.first() {
+        names.add(
+            &Spanned { value: "x".to_owned(), span: field.name.span },
+            Local::Place,
+            mistakes,
+        );
+    }
+    for (index, field) in unit.fields.iter().enumerate() {
+        names.add(&field.name, Local::Field(index, FieldPart::Value), mistakes);
+        names.add(&field.gradient, Local::Field(index, FieldPart::Gradient), mistakes);
+        names.add(&field.rate, Local::Field(index, FieldPart::Rate), mistakes);
+        names.add(&field.gradient_rate, Local::Field(index, FieldPart::GradientRate), mistakes);
+        for (number, port) in unit.ports.iter().enumerate() {
+            let on = port.attachment.as_ref().is_some_and(|at| at.field.value == field.name.value);
+            for (side, word) in [(Side::Before, "before"), (Side::After, "after")] {
+                let value = format!("{}_{}_{word}", port.name.value, field.gradient.value);
+                let name = Spanned { value, span: port.name.span };
+                if on {
+                    names.add(&name, Local::Slope(number, side), mistakes);
+                }
+            }
+        }
+    }
     for (index, coordinate) in unit.coordinates.iter().enumerate() {
         names.add(&coordinate.name, Local::Coordinate(index), mistakes);
         names.add(&coordinate.velocity, Local::Velocity(index), mistakes);
@@ -231,6 +398,9 @@ fn unit_names(unit: &UnitSpec, mistakes: &mut Vec<Mistake>) -> Names {
     }
     for (index, output) in unit.outputs.iter().enumerate() {
         names.add(&output.name, Local::Output(index), mistakes);
+    }
+    for (index, constraint) in unit.constraints.iter().enumerate() {
+        names.add(&constraint.name, Local::Constraint(index), mistakes);
     }
     names
 }

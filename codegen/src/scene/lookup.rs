@@ -7,8 +7,8 @@ use num_traits::Zero as _;
 
 use crate::diagnostic::{Mistake, Span};
 use crate::dimension::{Angular, Dimension, Unit};
-use crate::expr::{Expr, Symbol};
-use crate::scene::layout::{Link, Local, Scope, find_instance};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
+use crate::scene::layout::{FieldPart, Link, Local, Place, Scope, Side, find_instance};
 use crate::scene::resolve::{Resolved, Resolver, Wanted, beyond_reason, fits, sound};
 use crate::scene::typed::{Typed, Uses, product};
 use crate::spec::expression::{Ast, Literal, Node};
@@ -25,6 +25,7 @@ pub(super) enum Definition {
     Helper(Scope, usize),
     Input(usize, usize),
     Output(usize, usize),
+    Constraint(Scope, usize),
 }
 
 pub(super) enum State {
@@ -54,13 +55,16 @@ impl Resolver<'_> {
                 let pi = Typed::number(&pi.map_or_else(BigRational::zero, |pi| pi.0), None);
                 Typed { expr: Expr::Symbol(Symbol::Pi), ..pi }
             }
-            (None, ..) => self.local(name, span, scope)?,
-            (Some(_), Scope::Instance(_), _) => {
+            (None, ..) => match self.of_field(name, span, scope) {
+                Some(typed) => typed?,
+                None => self.outside_of_field(name, span, scope)?,
+            },
+            (Some(_), Scope::Instance(_) | Scope::Density(..), _) => {
                 let message = "a name with a dot is used in scenes only";
                 let help = "a unit knows its own names; let the scene bind an input";
                 return Err(Box::new(Mistake::new(span, message, "not in a unit").help(help)));
             }
-            (Some(instance), Scope::Scene, _) => {
+            (Some(instance), Scope::Scene | Scope::Profile, _) => {
                 let instance = find_instance(self.spec, instance, span)?;
                 self.local(name, span, Scope::Instance(instance))?
             }
@@ -71,7 +75,9 @@ impl Resolver<'_> {
                 let message =
                     format!("{} depends on {what}, which is not allowed here", quoted(name));
                 let help = match what {
-                    "an acceleration" => "accelerations may be used in outputs only",
+                    "an acceleration" => {
+                        "accelerations, forces of constraints and slopes of fields may be used in outputs only"
+                    }
                     "a velocity" => "write it with coordinates, states, time and parameters",
                     _ => "write it with numbers and parameters",
                 };
@@ -80,10 +86,57 @@ impl Resolver<'_> {
         }
     }
 
+    /// x and what the field is there, within its densities.
+    fn of_field(&mut self, name: &str, span: Span, scope: Scope) -> Option<Resolved> {
+        let position = Uses { position: true, ..Uses::default() };
+        let metre = Unit { dimension: Dimension::LENGTH, rad: 0 };
+        let place = Symbol::FirstOrder(FirstOrderId(0));
+        let (instance, field) = match scope {
+            Scope::Density(instance, field) => (instance, field),
+            Scope::Profile if name == "x" => return Some(self.leaf(place, metre, position, span)),
+            _ => return None,
+        };
+        let unit = self.spec.instances[instance].unit;
+        let (symbol, rates, slopes) = match self.layout.units[unit].get(name)? {
+            Local::Place => return Some(self.leaf(place, metre, position, span)),
+            Local::Field(index, part) if index == field => match part {
+                FieldPart::Value => (Symbol::Coordinate(CoordinateId(0)), 0, 0),
+                FieldPart::Gradient => (Symbol::Coordinate(CoordinateId(1)), 0, 1),
+                FieldPart::Rate => (Symbol::Velocity(CoordinateId(0)), 1, 0),
+                FieldPart::GradientRate => (Symbol::Velocity(CoordinateId(1)), 1, 1),
+            },
+            _ => return None,
+        };
+        let declared = self.spec.units[unit].fields[field].unit.unit;
+        let dimension = declared.per_second(rates).and_then(|unit| {
+            let per_metres = Dimension::LENGTH.power(slopes, 1)?;
+            Some(Unit { dimension: unit.dimension.over(per_metres)?, rad: unit.rad })
+        });
+        let uses = Uses { position: rates == 0, velocity: rates == 1, ..Uses::default() };
+        Some(match dimension {
+            Some(unit) => self.leaf(symbol, unit, uses, span),
+            None => Err(Box::new(beyond_reason(span))),
+        })
+    }
+
+    /// A name that is not the field's; within a density it must not move.
+    fn outside_of_field(&mut self, name: &str, span: Span, scope: Scope) -> Resolved {
+        let typed = self.local(name, span, scope.base())?;
+        if scope != scope.base() && typed.uses.moves() {
+            let message = format!("{} moves with the machine, not with the field", quoted(name));
+            let help = "along a field there are the field, x, t and parameters; what moves with \
+                        the machine is joined to a port";
+            return Err(Box::new(Mistake::new(span, message, "not of the field").help(help)));
+        }
+        Ok(typed)
+    }
+
     pub(super) fn local(&mut self, name: &str, span: Span, scope: Scope) -> Resolved {
         let names = match scope {
-            Scope::Scene => &self.layout.scene,
-            Scope::Instance(instance) => &self.layout.units[self.spec.instances[instance].unit],
+            Scope::Scene | Scope::Profile => &self.layout.scene,
+            Scope::Instance(instance) | Scope::Density(instance, _) => {
+                &self.layout.units[self.spec.instances[instance].unit]
+            }
         };
         let Some(local) = names.get(name) else {
             let message = format!("unknown name {}", quoted(name));
@@ -105,17 +158,28 @@ impl Resolver<'_> {
                 let symbol = Symbol::Parameter(self.layout.parameter(scope, index));
                 self.leaf(symbol, unit, Uses::default(), span)
             }
+            (scope, Local::Constraint(index)) => self.multiplier(scope, index, span),
             (Scope::Instance(instance), local) => self.motion(instance, local, span),
-            (Scope::Scene, _) => {
-                Err(Box::new(Mistake::new(span, "this name has no value", "not a value")))
-            }
+            _ => Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
         }
+    }
+
+    /// The force of a constraint: energy over what it constrains, or power over that
+    /// if it is of velocities.
+    fn multiplier(&mut self, scope: Scope, index: usize, span: Span) -> Resolved {
+        let constraint = self.definition(Definition::Constraint(scope, index), span)?;
+        let work = if constraint.uses.velocity { Dimension::POWER } else { Dimension::ENERGY };
+        let dimension = work.over(constraint.dimension.unwrap_or(Dimension::ONE));
+        let dimension = dimension.ok_or_else(|| beyond_reason(span))?;
+        let unit = Unit { dimension, rad: 0 };
+        let uses = Uses { acceleration: true, ..Uses::default() };
+        self.leaf(Symbol::Multiplier(self.layout.constraint(scope, index)), unit, uses, span)
     }
 
     fn parameter_unit(&self, scope: Scope, index: usize) -> Unit {
         match scope {
-            Scope::Scene => self.spec.parameters[index].unit.unit,
-            Scope::Instance(i) => {
+            Scope::Scene | Scope::Profile => self.spec.parameters[index].unit.unit,
+            Scope::Instance(i) | Scope::Density(i, _) => {
                 self.spec.units[self.spec.instances[i].unit].parameters[index].unit.unit
             }
         }
@@ -133,6 +197,12 @@ impl Resolver<'_> {
                 let symbol = Symbol::FirstOrder(self.layout.state(instance, index));
                 let uses = Uses { position: true, ..none };
                 return self.leaf(symbol, unit.states[index].unit.unit, uses, span);
+            }
+            Local::Slope(port, side) => return self.slope(instance, port, side, span),
+            Local::Place | Local::Field(..) => {
+                let help = "ask for it at a port, by the name of the port";
+                let mistake = Mistake::new(span, "a field has no one value", "along a field");
+                return Err(Box::new(mistake.help(help)));
             }
             _ => return Err(Box::new(Mistake::new(span, "this name has no value", "not a value"))),
         };
@@ -153,6 +223,33 @@ impl Resolver<'_> {
             typed.expr = product(vec![factor.clone(), typed.expr]);
         }
         Ok(typed)
+    }
+
+    /// The derivative along a field on one side of a port.
+    fn slope(&mut self, instance: usize, port: usize, side: Side, span: Span) -> Resolved {
+        let unit = &self.spec.units[self.spec.instances[instance].unit];
+        let at = self.layout.attachment_of(instance, port);
+        let Some((index, attachment)) = at.map(|index| (index, &self.layout.attachments[index]))
+        else {
+            return Err(Box::new(Mistake::new(span, "this name has no value", "not a value")));
+        };
+        let outside = match side {
+            Side::Before => attachment.place == Place::Start,
+            Side::After => attachment.place == Place::End,
+        };
+        if outside {
+            let message = "the field ends at this port";
+            return Err(Box::new(Mistake::new(span, message, "no field on this side")));
+        }
+        let declared = unit.fields[attachment.field].unit.unit;
+        let dimension = declared.dimension.over(Dimension::LENGTH);
+        let dimension = dimension.ok_or_else(|| beyond_reason(span))?;
+        let slope = Unit { dimension, rad: declared.rad };
+        let which = if side == Side::Before { 2 } else { 3 };
+        let symbol = Symbol::Parameter(self.layout.handed(index, which));
+        // As an acceleration it is there once the motion is known: in outputs only.
+        let uses = Uses { acceleration: true, ..Uses::default() };
+        self.leaf(symbol, slope, uses, span)
     }
 
     fn leaf(&mut self, symbol: Symbol, unit: Unit, uses: Uses, span: Span) -> Resolved {
@@ -201,15 +298,23 @@ impl Resolver<'_> {
         let spec = self.spec;
         let unit = |instance: usize| &spec.units[spec.instances[instance].unit];
         match definition {
-            Definition::Helper(Scope::Scene, index) => {
+            Definition::Helper(Scope::Scene | Scope::Profile, index) => {
                 self.named(&spec.helpers[index], Scope::Scene, "helper", Uses::MOTION)
             }
-            Definition::Helper(scope @ Scope::Instance(instance), index) => {
-                self.named(&unit(instance).helpers[index], scope, "helper", Uses::MOTION)
-            }
+            Definition::Helper(
+                scope @ (Scope::Instance(instance) | Scope::Density(instance, _)),
+                index,
+            ) => self.named(&unit(instance).helpers[index], scope, "helper", Uses::MOTION),
             Definition::Output(instance, index) => {
                 let output = &unit(instance).outputs[index];
                 self.named(output, Scope::Instance(instance), "output", Uses::ANYTHING)
+            }
+            Definition::Constraint(scope, index) => {
+                let constraint = match scope.base() {
+                    Scope::Instance(instance) => &unit(instance).constraints[index],
+                    _ => &spec.constraints[index],
+                };
+                self.resolve(&constraint.expression, scope, Uses::MOTION)
             }
             Definition::Input(instance, index) => {
                 let input = &unit(instance).inputs[index];

@@ -110,6 +110,15 @@ impl<'a> Resolver<'a> {
         self.resolve(ast, scope, Uses::ANYTHING)
     }
 
+    /// Resolves a guard, which may be of any dimension.
+    ///
+    /// # Errors
+    /// As [`Resolver::expect`].
+    pub fn expect_motion(&mut self, ast: &Ast, scope: Scope) -> Resolved {
+        (self.level, self.spent) = (0, 0);
+        self.resolve(ast, scope, Uses::MOTION)
+    }
+
     /// Resolves a formula; a bare number is in the unit of what it is for.
     ///
     /// # Errors

@@ -18,11 +18,27 @@ macro_rules! builtin {
 /// The units that come with Machinist, by name; the one list of them.
 const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("bobbin_holder"),
+    builtin!("bouncer"),
+    builtin!("cloth_fell_contact"),
     builtin!("coupling"),
+    builtin!("friction_slider"),
+    builtin!("friction_slider_smooth"),
+    builtin!("imposed_drive"),
     builtin!("induction_motor"),
     builtin!("induction_motor_as_printed"),
     builtin!("induction_motor_stationary"),
+    builtin!("loom_shaft"),
+    builtin!("one_sided_contact"),
+    builtin!("planar_body"),
+    builtin!("point_mass"),
+    builtin!("reed"),
     builtin!("rotor"),
+    builtin!("saw_shaft"),
+    builtin!("shaft"),
+    builtin!("spring_damper"),
+    builtin!("sprung_mass"),
+    builtin!("stop"),
+    builtin!("stop_smooth"),
     builtin!("technological_load"),
     builtin!("three_pendulums"),
     builtin!("yarn_layer"),
@@ -53,7 +69,10 @@ pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {
             parameters: scene.parameters,
             helpers: scene.helpers,
             forces: scene.forces,
+            events: scene.events,
+            constraints: scene.constraints,
             initial: scene.initial,
+            guess: scene.guess,
             outputs: scene.outputs,
             tunable: scene.tunable,
             rigid: scene.rigid,
@@ -85,8 +104,8 @@ impl Loader<'_> {
                 Some(self.units.len() - 1)
             });
             let Some(unit) = unit else { continue };
-            let (parameters, inputs) = (text.parameters, text.inputs);
-            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs });
+            let (parameters, inputs, fields) = (text.parameters, text.inputs, text.fields);
+            instances.push(InstanceSpec { name: text.name, unit, parameters, inputs, fields });
         }
         instances
     }

@@ -1,13 +1,17 @@
 //! A scene's table to plain data, before its units are looked for.
 
 use crate::diagnostic::{FileId, Mistake, Span, Spanned};
+use crate::spec::constraint::constraint;
+use crate::spec::distributed;
+use crate::spec::event;
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::unit::{self, each};
 use crate::spec::{
-    DefinitionSpec, Formula, JointSpec, OutputSpec, ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
+    ConstraintSpec, DefinitionSpec, DiscretisationSpec, EventSpec, Formula, JointSpec, OutputSpec,
+    ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
 };
 use crate::system::METHODS;
 
@@ -26,7 +30,10 @@ pub struct SceneText {
     pub parameters: Vec<ParameterSpec>,
     pub helpers: Vec<DefinitionSpec>,
     pub forces: Vec<PortForceSpec>,
+    pub events: Vec<EventSpec>,
+    pub constraints: Vec<ConstraintSpec>,
     pub initial: Vec<(Spanned<String>, Formula)>,
+    pub guess: Vec<(Spanned<String>, Formula)>,
     pub outputs: Vec<OutputSpec>,
     pub tunable: Option<Vec<Spanned<String>>>,
     pub rigid: Vec<Spanned<String>>,
@@ -50,6 +57,7 @@ pub struct InstanceText {
     pub unit: Spanned<String>,
     pub parameters: Vec<(Spanned<String>, f64)>,
     pub inputs: Vec<(Spanned<String>, Formula)>,
+    pub fields: Vec<DiscretisationSpec>,
 }
 
 /// Reads a scene.
@@ -69,8 +77,12 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
     let helpers = each(&mut fields, "helpers", unit::definition);
     let forces = fields.list("forces");
     let forces = forces.iter().filter_map(|tree| force(tree, fields.found())).collect();
+    let events = each(&mut fields, "events", event::event);
+    let constraints = each(&mut fields, "constraints", constraint);
     let initial = fields.entries("initial");
-    let initial = initial_values(initial, &mut fields);
+    let initial = values_by_name(initial, &mut fields);
+    let guess = fields.entries("guess");
+    let guess = values_by_name(guess, &mut fields);
     let outputs = each(&mut fields, "outputs", output);
     let tunable = fields.take("tunable").map(|tree| tunable(tree, fields.found()));
     let freeze = fields.take("freeze").map(|tree| freeze(tree, fields.found()));
@@ -85,7 +97,10 @@ pub fn read(tree: &Spanned<Tree>, file: FileId, found: &mut Findings) -> SceneTe
         parameters,
         helpers,
         forces,
+        events,
+        constraints,
         initial,
+        guess,
         outputs,
         tunable,
         rigid,
@@ -122,8 +137,10 @@ fn instance(entry: &Entry, found: &mut Findings) -> Option<InstanceText> {
         Some((entry.key.clone(), formula))
     });
     let inputs = inputs.collect();
+    let choices = each(&mut fields, "fields", distributed::discretisation);
     fields.close();
-    Some(InstanceText { name: entry.key.clone(), unit: unit?, parameters, inputs })
+    let name = entry.key.clone();
+    Some(InstanceText { name, unit: unit?, parameters, inputs, fields: choices })
 }
 
 fn joint(tree: &Spanned<Tree>, found: &mut Findings) -> Option<JointSpec> {
@@ -156,7 +173,10 @@ fn force(tree: &Spanned<Tree>, found: &mut Findings) -> Option<PortForceSpec> {
 }
 
 /// Both `"motor.angle" = 0` and `motor.angle = 0`, which TOML takes for a table.
-fn initial_values(entries: &[Entry], fields: &mut Fields<'_>) -> Vec<(Spanned<String>, Formula)> {
+pub fn values_by_name(
+    entries: &[Entry],
+    fields: &mut Fields<'_>,
+) -> Vec<(Spanned<String>, Formula)> {
     let mut values = Vec::new();
     for Entry { key, value } in entries {
         let Tree::Table(inner) = &value.value else {

@@ -1,6 +1,9 @@
 //! A unit's table to a [`UnitSpec`].
 
 use crate::diagnostic::{FileId, Mistake, Spanned};
+use crate::spec::constraint::constraint;
+use crate::spec::distributed::{self, AttachmentSpec};
+use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};
@@ -22,12 +25,17 @@ pub fn read(
     let header = if whole { fields.require("unit") } else { fields.take("unit") };
     let [title, doc, source] =
         header.map(|tree| self::header(tree, fields.found())).unwrap_or_default();
-    let coordinates = each(&mut fields, "coordinates", coordinate);
+    let mut coordinates = each(&mut fields, "coordinates", coordinate);
+    let distributed = each(&mut fields, "fields", distributed::field);
     let ports = each(&mut fields, "ports", port);
+    coordinates.extend(ports.iter().filter_map(|port| distributed::coordinate(port, &distributed)));
     let parameters = each(&mut fields, "parameters", parameter);
     let inputs = each(&mut fields, "inputs", input);
     let helpers = each(&mut fields, "helpers", definition);
-    let states = each(&mut fields, "states", state);
+    let mut states = each(&mut fields, "states", state);
+    states.extend(each(&mut fields, "modes", event::mode));
+    let events = each(&mut fields, "events", event::event);
+    let constraints = each(&mut fields, "constraints", constraint);
     let energy = fields.take("energy").map(|tree| energy(tree, fields.found()));
     let power = fields.take("power").map(|tree| power(tree, fields.found()));
     let forces = fields.list("forces");
@@ -41,11 +49,14 @@ pub fn read(
         doc,
         source,
         coordinates,
+        fields: distributed,
         ports,
         parameters,
         inputs,
         helpers,
         states,
+        events,
+        constraints,
         energy: energy.unwrap_or_default(),
         power: power.unwrap_or_default(),
         forces,
@@ -105,7 +116,15 @@ fn coordinate(entry: &Entry, found: &mut Findings) -> Option<CoordinateSpec> {
 fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
     let mut fields = open(entry, "port", found);
     let kind = fields.required_text("kind");
-    let coordinate = fields.required_text("coordinate");
+    let field = fields.take("field").and_then(|tree| fields.as_text(tree, "field"));
+    let (coordinate, attachment) = match field {
+        None => (fields.required_text("coordinate"), None),
+        Some(field) => {
+            fields.require("at");
+            let attachment = fields.formula("at").map(|at| AttachmentSpec { field, at });
+            (attachment.is_some().then(|| entry.key.clone()), attachment)
+        }
+    };
     fields.close();
     let kind = kind?;
     let Some((_, value)) = PortKind::ALL.into_iter().find(|(name, _)| *name == kind.value) else {
@@ -115,7 +134,7 @@ fn port(entry: &Entry, found: &mut Findings) -> Option<PortSpec> {
         return None;
     };
     let kind = Spanned { value, span: kind.span };
-    Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate? })
+    Some(PortSpec { name: entry.key.clone(), kind, coordinate: coordinate?, attachment })
 }
 
 /// Reads a parameter.
@@ -154,7 +173,15 @@ fn state(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
     let initial = fields.formula("initial");
     let scale = fields.scale("scale");
     fields.close();
-    Some(StateSpec { name: entry.key.clone(), unit: unit?, doc, rate: rate?, initial, scale })
+    Some(StateSpec {
+        name: entry.key.clone(),
+        unit: unit?,
+        doc,
+        rate: rate?,
+        is_mode: false,
+        initial,
+        scale,
+    })
 }
 
 fn energy(tree: &Spanned<Tree>, found: &mut Findings) -> EnergySpec {

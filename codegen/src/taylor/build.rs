@@ -20,8 +20,12 @@ pub fn recurrences(program: &Program) -> TaylorTape {
     let pattern = &program.mass_matrix.pattern.entries;
     let couples = pattern.iter().any(|(row, column)| row != column);
     let moves = entries.iter().any(|&entry| !builder.tape.is_constant(entry));
-    let mut tape =
-        if couples && moves { unsolved(builder, program, &entries) } else { solved(program) };
+    let is_free = program.constraints.is_empty();
+    let mut tape = if couples && moves && is_free {
+        unsolved(builder, program, &entries)
+    } else {
+        solved(program)
+    };
     keep_needed(&mut tape);
     tape
 }

@@ -134,6 +134,15 @@ pub fn pendulum() -> Program {
         }),
         energy: tape(energy),
         power_balance: tape(power_balance),
+        events: vec![],
+        constraints: vec![],
+        guards: Tape::default(),
+        guard_rates: Tape::default(),
+        resets: Tape::default(),
+        constraint_values: Tape::default(),
+        constraint_rates: Tape::default(),
+        constraint_matrix: MatrixTape::default(),
+        fields: vec![],
     }
 }
 
@@ -148,6 +157,7 @@ fn pendulum_system() -> LagrangianSystem {
             velocity: quantity("arm.phi_dot", "rad/s", "speed of arm.phi"),
             identified: vec![],
             initial: [zero(), zero()],
+            is_given: [true; 2],
             scale: [1.0, 10.0],
         }],
         first_order: vec![FirstOrderState {
@@ -155,6 +165,7 @@ fn pendulum_system() -> LagrangianSystem {
             rate: zero(),
             initial: zero(),
             scale: 100.0,
+            is_mode: false,
         }],
         parameters: vec![
             parameter("arm.mass", "kg", 4.2, "mass of the bob"),
@@ -172,6 +183,7 @@ fn pendulum_system() -> LagrangianSystem {
         stored_energy: zero(),
         supplied_power: zero(),
         dissipated_power: zero(),
+        fields: vec![],
         helpers: vec![],
         outputs: vec![
             Definition { quantity: quantity("height", "m", "height of the bob"), expr: zero() },
@@ -183,6 +195,8 @@ fn pendulum_system() -> LagrangianSystem {
             coefficients: vec![[0.0, 1.25, 0.0, -0.25], [1.0, 0.5, -0.75, 0.125]],
         }],
         discontinuities: vec![zero()],
+        events: vec![],
+        constraints: vec![],
         run: RunDefaults {
             from: 0.0,
             until: 2.0,
@@ -423,6 +437,7 @@ pub fn recurrences() -> Program {
             rate: zero(),
             initial: zero(),
             scale: 1.0,
+            is_mode: false,
         })
         .collect();
     program.rate = rate;

@@ -3,7 +3,79 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module and one feature a scene.
-use crate::{Real, Simulator};
+use crate::{Real, Simulator, field::FieldScene};
+
+/// Mass bouncing on a shaken plate
+#[cfg(feature = "bouncing_mass")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod bouncing_mass;
+
+/// Oscillator with a one-sided stop
+#[cfg(feature = "contact_oscillator")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod contact_oscillator;
+
+/// Oscillator with a one-sided stop, smoothed
+#[cfg(feature = "contact_oscillator_smooth")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod contact_oscillator_smooth;
+
+/// Oscillator braked by dry friction
+#[cfg(feature = "coulomb_oscillator")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod coulomb_oscillator;
+
+/// Four-bar linkage under gravity
+#[cfg(feature = "four_bar")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod four_bar;
+
+/// Loom: motor, coupling, shaft and reed in one machine
+#[cfg(feature = "loom_drive")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod loom_drive;
 
 /// Induction motor running up empty
 #[cfg(feature = "motor_run_up")]
@@ -41,6 +113,30 @@ pub mod motor_stationary_axes;
 )]
 pub mod pendulum_chain;
 
+/// Chain of three pendulums, by constraints
+#[cfg(feature = "pendulum_constrained")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod pendulum_constrained;
+
+/// Beat-up of a reed by an elastic shaft
+#[cfg(feature = "reed_beat_up")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod reed_beat_up;
+
 /// Saw gin: motor, coupling and saw cylinder
 #[cfg(feature = "saw_gin")]
 #[rustfmt::skip]
@@ -65,6 +161,78 @@ pub mod saw_gin;
 )]
 pub mod saw_gin_as_printed;
 
+/// Saw gin with a distributed shaft
+#[cfg(feature = "saw_gin_shaft")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod saw_gin_shaft;
+
+/// Uniform shaft under a step of end torque
+#[cfg(feature = "shaft_step_torque")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_step_torque;
+
+/// Shaft with a rotor at each end, let go twisted
+#[cfg(feature = "shaft_with_rotors")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod shaft_with_rotors;
+
+/// Slider-crank turned at constant speed
+#[cfg(feature = "slider_crank")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod slider_crank;
+
+/// Stick-slip oscillation on a belt
+#[cfg(feature = "stick_slip")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod stick_slip;
+
+/// Stick-slip oscillation on a belt, smoothed
+#[cfg(feature = "stick_slip_smooth")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod stick_slip_smooth;
+
 /// Two rotors on an elasto-dissipative coupling
 #[cfg(feature = "two_mass")]
 #[rustfmt::skip]
@@ -77,6 +245,18 @@ pub mod saw_gin_as_printed;
 )]
 pub mod two_mass;
 
+/// Four-link bobbin holder, let go
+#[cfg(feature = "winder_holder_drop")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_holder_drop;
+
 /// Bobbin on a winding drum, linear layer
 #[cfg(feature = "winder_linear")]
 #[rustfmt::skip]
@@ -88,6 +268,18 @@ pub mod two_mass;
     reason = "the spec's own names and numbers, in bodies as long as its equations"
 )]
 pub mod winder_linear;
+
+/// Four-link bobbin holder, at work
+#[cfg(feature = "winder_linkage")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_linkage;
 
 /// Bobbin on a winding drum, stiffening layer
 #[cfg(feature = "winder_nonlinear")]
@@ -104,20 +296,42 @@ pub mod winder_nonlinear;
 /// Names of all scenes whose feature is on, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &[
+    #[cfg(feature = "bouncing_mass")]
+    "bouncing_mass",
+    #[cfg(feature = "contact_oscillator")]
+    "contact_oscillator",
+    #[cfg(feature = "contact_oscillator_smooth")]
+    "contact_oscillator_smooth",
+    #[cfg(feature = "coulomb_oscillator")]
+    "coulomb_oscillator",
+    #[cfg(feature = "four_bar")]
+    "four_bar",
     #[cfg(feature = "motor_run_up")]
     "motor_run_up",
     #[cfg(feature = "motor_stationary_axes")]
     "motor_stationary_axes",
     #[cfg(feature = "pendulum_chain")]
     "pendulum_chain",
+    #[cfg(feature = "pendulum_constrained")]
+    "pendulum_constrained",
     #[cfg(feature = "saw_gin")]
     "saw_gin",
     #[cfg(feature = "saw_gin_as_printed")]
     "saw_gin_as_printed",
+    #[cfg(feature = "slider_crank")]
+    "slider_crank",
+    #[cfg(feature = "stick_slip")]
+    "stick_slip",
+    #[cfg(feature = "stick_slip_smooth")]
+    "stick_slip_smooth",
     #[cfg(feature = "two_mass")]
     "two_mass",
+    #[cfg(feature = "winder_holder_drop")]
+    "winder_holder_drop",
     #[cfg(feature = "winder_linear")]
     "winder_linear",
+    #[cfg(feature = "winder_linkage")]
+    "winder_linkage",
     #[cfg(feature = "winder_nonlinear")]
     "winder_nonlinear",
 ];
@@ -125,24 +339,83 @@ pub const NAMES: &[&str] = &[
 /// The scene of a name, if its feature is on.
 #[must_use]
 #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+#[rustfmt::skip]
 pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     match name {
+        #[cfg(feature = "bouncing_mass")]
+        "bouncing_mass" => Some(&bouncing_mass::BouncingMass),
+        #[cfg(feature = "contact_oscillator")]
+        "contact_oscillator" => Some(&contact_oscillator::ContactOscillator),
+        #[cfg(feature = "contact_oscillator_smooth")]
+        "contact_oscillator_smooth" => {
+            Some(&contact_oscillator_smooth::ContactOscillatorSmooth)
+        }
+        #[cfg(feature = "coulomb_oscillator")]
+        "coulomb_oscillator" => Some(&coulomb_oscillator::CoulombOscillator),
+        #[cfg(feature = "four_bar")]
+        "four_bar" => Some(&four_bar::FourBar),
         #[cfg(feature = "motor_run_up")]
         "motor_run_up" => Some(&motor_run_up::MotorRunUp),
         #[cfg(feature = "motor_stationary_axes")]
         "motor_stationary_axes" => Some(&motor_stationary_axes::MotorStationaryAxes),
         #[cfg(feature = "pendulum_chain")]
         "pendulum_chain" => Some(&pendulum_chain::PendulumChain),
+        #[cfg(feature = "pendulum_constrained")]
+        "pendulum_constrained" => Some(&pendulum_constrained::PendulumConstrained),
         #[cfg(feature = "saw_gin")]
         "saw_gin" => Some(&saw_gin::SawGin),
         #[cfg(feature = "saw_gin_as_printed")]
         "saw_gin_as_printed" => Some(&saw_gin_as_printed::SawGinAsPrinted),
+        #[cfg(feature = "slider_crank")]
+        "slider_crank" => Some(&slider_crank::SliderCrank),
+        #[cfg(feature = "stick_slip")]
+        "stick_slip" => Some(&stick_slip::StickSlip),
+        #[cfg(feature = "stick_slip_smooth")]
+        "stick_slip_smooth" => Some(&stick_slip_smooth::StickSlipSmooth),
         #[cfg(feature = "two_mass")]
         "two_mass" => Some(&two_mass::TwoMass),
+        #[cfg(feature = "winder_holder_drop")]
+        "winder_holder_drop" => Some(&winder_holder_drop::WinderHolderDrop),
         #[cfg(feature = "winder_linear")]
         "winder_linear" => Some(&winder_linear::WinderLinear),
+        #[cfg(feature = "winder_linkage")]
+        "winder_linkage" => Some(&winder_linkage::WinderLinkage),
         #[cfg(feature = "winder_nonlinear")]
         "winder_nonlinear" => Some(&winder_nonlinear::WinderNonlinear),
+        _ => None,
+    }
+}
+
+/// Names of all scenes with fields, sorted.
+#[rustfmt::skip]
+pub const FIELD_NAMES: &[&str] = &[
+    #[cfg(feature = "loom_drive")]
+    "loom_drive",
+    #[cfg(feature = "reed_beat_up")]
+    "reed_beat_up",
+    #[cfg(feature = "saw_gin_shaft")]
+    "saw_gin_shaft",
+    #[cfg(feature = "shaft_step_torque")]
+    "shaft_step_torque",
+    #[cfg(feature = "shaft_with_rotors")]
+    "shaft_with_rotors",
+];
+
+/// The scene with fields of a name, not yet cut into elements.
+#[must_use]
+#[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
+    match name {
+        #[cfg(feature = "loom_drive")]
+        "loom_drive" => Some(&loom_drive::LoomDrive),
+        #[cfg(feature = "reed_beat_up")]
+        "reed_beat_up" => Some(&reed_beat_up::ReedBeatUp),
+        #[cfg(feature = "saw_gin_shaft")]
+        "saw_gin_shaft" => Some(&saw_gin_shaft::SawGinShaft),
+        #[cfg(feature = "shaft_step_torque")]
+        "shaft_step_torque" => Some(&shaft_step_torque::ShaftStepTorque),
+        #[cfg(feature = "shaft_with_rotors")]
+        "shaft_with_rotors" => Some(&shaft_with_rotors::ShaftWithRotors),
         _ => None,
     }
 }

@@ -158,10 +158,9 @@ fn mass_matrix(piece: &Piece, stretch: &Stretch<'_>) -> Option<DMatrix<f64>> {
     if n == 0 || shape.positions != n || shape.first_order != 0 || shape.quadratures != 0 {
         return None;
     }
-    let is_kinematic = (0..n).all(|row| {
-        (0..2 * n)
-            .all(|column| piece.matrix[(row, column)] == if column == row + n { 1.0 } else { 0.0 })
-    });
+    let mut kinematic = DMatrix::zeros(n, 2 * n);
+    kinematic.view_mut((0, n), (n, n)).fill_with_identity();
+    let is_kinematic = piece.matrix.rows(0, n) == kinematic;
     let mut forces = piece.waves.iter().flat_map(|wave| &wave.amplitudes);
     if !is_kinematic || forces.any(|(entry, _)| *entry < n) {
         return None;

@@ -143,7 +143,7 @@ impl<'a> Newton<'a> {
     }
 
     /// Solves with the real matrix of the last factorization.
-    pub(super) fn solve_real(&self, r: &mut [f64]) {
+    pub(super) fn solve_real(&mut self, r: &mut [f64]) {
         self.real.solve(&self.jacobian, r);
     }
 
@@ -284,7 +284,8 @@ impl<'a> Newton<'a> {
             *residual -= real * w;
         }
         self.real.solve(&self.jacobian, first);
-        for (pair, (&(a, b), matrix)) in coefficients.pairs.iter().zip(&self.pairs).enumerate() {
+        for (pair, (&(a, b), matrix)) in coefficients.pairs.iter().zip(&mut self.pairs).enumerate()
+        {
             let shift = Complex64::new(a / step, b / step);
             let (two, others) = rest.split_at_mut(2 * size);
             rest = others;

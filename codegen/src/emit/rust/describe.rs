@@ -8,7 +8,7 @@ use crate::emit::EmitError;
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
 use crate::state::Motion;
-use crate::system::Quantity;
+use crate::system::{Direction, Quantity};
 
 /// Both implementations and the statics they read.
 pub(super) fn implementations(
@@ -40,6 +40,25 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             }
         )
     });
+    let event_methods = (!scene.program.events.is_empty()).then(|| {
+        quote!(
+            fn events(&self) -> usize {
+                EVENTS
+            }
+            fn event(&self, index: usize) -> Event<'_> {
+                EVENT_SHAPES[index]
+            }
+        )
+    });
+    let modes = mode_places(scene);
+    let is_mode = (!modes.is_empty()).then(|| {
+        quote!(
+            fn is_mode(&self, index: usize) -> bool {
+                matches!(index, #(#modes)|*)
+            }
+        )
+    });
+    let constraint_methods = constraint_methods(scene);
     quote! {
         impl Describe for #machine {
             fn name(&self) -> &'static str { #name }
@@ -67,8 +86,57 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             }
             fn mass_matrix_pattern(&self) -> SparsityPattern<'_> { MASS_MATRIX_PATTERN }
             fn run_defaults(&self) -> RunDefaults<'_> { RUN_DEFAULTS }
+            #event_methods
+            #is_mode
+            #constraint_methods
         }
     }
+}
+
+/// Nothing for a scene without constraints.
+fn constraint_methods(scene: &Scene<'_>) -> Option<TokenStream> {
+    let program = scene.program;
+    let is_given = program.is_given();
+    let given = is_given.iter().enumerate().filter(|(_, given)| **given);
+    let given = given.map(|(index, _)| proc_macro2::Literal::usize_unsuffixed(index));
+    let given: Vec<_> = given.collect();
+    let given = if given.is_empty() { quote!(false) } else { quote!(matches!(index, #(#given)|*)) };
+    let index = if is_given.contains(&true) { quote!(index) } else { quote!(_index) };
+    (!program.constraints.is_empty()).then(|| {
+        quote!(
+            fn constraints(&self) -> usize {
+                CONSTRAINTS
+            }
+            fn constraint(&self, index: usize) -> Constraint<'_> {
+                CONSTRAINT_SHAPES[index]
+            }
+            fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+                CONSTRAINT_MATRIX_PATTERN
+            }
+            fn is_given(&self, #index: usize) -> bool {
+                #given
+            }
+        )
+    })
+}
+
+/// What the scene's constraints are, if it has any.
+fn constraint_shapes(scene: &Scene<'_>) -> Option<TokenStream> {
+    let constraints = &scene.program.constraints;
+    let shapes = constraints.iter().map(|constraint| {
+        let (name, unit, doc) = (&constraint.name.path, &constraint.unit, &constraint.doc);
+        let is_of_positions = constraint.is_of_positions;
+        quote! {
+            Constraint { name: #name, unit: #unit, doc: #doc, is_of_positions: #is_of_positions }
+        }
+    });
+    let docs = doc(["What coordinates must fulfil."]);
+    (!constraints.is_empty()).then(|| {
+        quote! {
+            #docs
+            pub static CONSTRAINT_SHAPES: [Constraint<'static>; CONSTRAINTS] = [#(#shapes),*];
+        }
+    })
 }
 
 fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
@@ -113,6 +181,16 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
         "forcing",
     ]
     .map(|name| delegate(name, None));
+    let event_functions: &[&str] = match scene.program.events.len() {
+        0 => &[],
+        _ => &["guards", "guard_rates", "resets"],
+    };
+    let event_functions = event_functions.iter().map(|name| delegate(name, None));
+    let constraint_functions: &[&str] = match scene.program.constraints.len() {
+        0 => &[],
+        _ => &["constraint_values", "constraint_rates", "constraint_matrix"],
+    };
+    let constraint_functions = constraint_functions.iter().map(|name| delegate(name, None));
     let outputs = delegate("outputs", Some(quote!(.to_array())));
     let structs =
         [("energy", "Energy"), ("power_balance", "PowerBalance")].map(|(name, result)| {
@@ -141,6 +219,8 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
             #(#arrays)*
             #outputs
             #(#structs)*
+            #(#event_functions)*
+            #(#constraint_functions)*
             #taylor
             #linear
         }
@@ -195,6 +275,8 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let defaults = numbers("parameter", system.parameters.iter().map(|p| p.value))?;
     let run = run_defaults(scene)?;
     let layout = layout_statics(scene);
+    let events = event_shapes(scene)?;
+    let constraints = constraint_shapes(scene);
     Ok(quote! {
         #layout
         static STATE_QUANTITIES: [Quantity<'static>; STATES] = [#(#states),*];
@@ -203,6 +285,8 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
         static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [#(#defaults),*];
         static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [#(#outputs),*];
         #run
+        #events
+        #constraints
     })
 }
 
@@ -222,6 +306,51 @@ fn layout_statics(scene: &Scene<'_>) -> Option<TokenStream> {
         static STATE_KINDS: [StateKind; STATES] = [#(#kinds),*];
         static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [#(#coordinates),*];
     })
+}
+
+/// Entries of the state that are modes.
+fn mode_places(scene: &Scene<'_>) -> Vec<proc_macro2::Literal> {
+    let states = scene.program.layout.states.iter().enumerate();
+    let modes = states.filter(|(_, state)| match state.motion {
+        Motion::FirstOrder(id) => scene.program.system.first_order[id.0 as usize].is_mode,
+        _ => false,
+    });
+    modes.map(|(index, _)| proc_macro2::Literal::usize_unsuffixed(index)).collect()
+}
+
+/// What the scene's events are, if it has any.
+fn event_shapes(scene: &Scene<'_>) -> Result<Option<TokenStream>, EmitError> {
+    let events = &scene.program.events;
+    if events.is_empty() {
+        return Ok(None);
+    }
+    let entry = |entry: &u32| proc_macro2::Literal::u32_unsuffixed(*entry);
+    let shapes = events.iter().map(|event| {
+        let (name, doc) = (&event.name.path, &event.doc);
+        let direction = match event.direction {
+            Direction::Rising => quote!(Direction::Rising),
+            Direction::Falling => quote!(Direction::Falling),
+            Direction::Both => quote!(Direction::Both),
+        };
+        let values = numbers("mode of an event", event.when.iter().map(|(_, value)| *value))?;
+        let modes = event.when.iter().map(|(mode, _)| entry(mode));
+        let sets = event.sets.iter().map(entry);
+        Ok(quote! {
+            Event {
+                name: #name,
+                doc: #doc,
+                direction: #direction,
+                when: &[#((#modes, #values)),*],
+                sets: &[#(#sets),*],
+            }
+        })
+    });
+    let shapes = shapes.collect::<Result<Vec<_>, EmitError>>()?;
+    let docs = doc(["What happens where guards pass zero."]);
+    Ok(Some(quote! {
+        #docs
+        pub static EVENT_SHAPES: [Event<'static>; EVENTS] = [#(#shapes),*];
+    }))
 }
 
 fn quantities<'a>(quantities: impl Iterator<Item = &'a Quantity>) -> Vec<TokenStream> {

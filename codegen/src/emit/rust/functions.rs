@@ -176,6 +176,10 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
     let fields = |names: [&str; 3]| names.map(|name| format_ident!("{name}")).to_vec();
     let system = &scene.program.system;
     let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_dot")).collect();
+    let events = |what: &str| {
+        let events = scene.program.events.iter();
+        events.map(|event| format!("{}_{what}", event.name.ident)).collect()
+    };
     match function {
         "initial_state" => Manner {
             of_parameters_only: true,
@@ -185,9 +189,15 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             of_parameters_only: true,
             ..array("DISCONTINUITIES", "Times at which the right-hand side jumps \\[s\\].", vec![])
         },
-        "rate" => array(
+        "rate" if scene.program.constraints.is_empty() => array(
             "STATES",
             "`y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.",
+            rates,
+        ),
+        "rate" => array(
+            "STATES",
+            "`y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the \
+             units of the states per second.",
             rates,
         ),
         "mass_matrix" => {
@@ -214,6 +224,25 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             array("STATES", "Partial derivative of `y'` with respect to time.", names)
         }
         "outputs" => structure("Outputs", "Wanted outputs.", scene.outputs.clone()),
+        "guards" => array(
+            "EVENTS",
+            "What passes zero where an event happens, in the order of `EVENT_SHAPES`.",
+            events("guard"),
+        ),
+        "guard_rates" => {
+            array("EVENTS", "`dg/dt` of the guards along the motion.", events("guard_rate"))
+        }
+        "resets" => {
+            let sets = scene.program.events.iter().flat_map(|event| {
+                let states = event.sets.iter().filter_map(|s| scene.states.get(*s as usize));
+                states.map(|state| format!("{state}_after_{}", event.name.ident))
+            });
+            let doc = "New values of the states that each event sets, event by event.";
+            array("RESETS", doc, sets.collect())
+        }
+        "constraint_values" | "constraint_rates" | "constraint_matrix" => {
+            of_constraints(scene, function)
+        }
         "energy" => structure(
             "Energy",
             "T, V and the energy of first-order states \\[J\\].",
@@ -225,6 +254,28 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             fields(["stored_rate", "supplied", "dissipated"]),
         ),
     }
+}
+
+/// How the functions of constraints are presented.
+fn of_constraints(scene: &Scene<'_>, function: &str) -> Manner {
+    let (doc, what) = match function {
+        "constraint_values" => {
+            ("`g`, zero on the constraints, in the order of `CONSTRAINT_SHAPES`.", "value")
+        }
+        "constraint_rates" => ("`g'`, zero on the constraints too.", "rate"),
+        _ => ("`G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.", ""),
+    };
+    let (length, names) = if what.is_empty() {
+        let entries = scene.program.constraint_matrix.pattern.entries.len();
+        let length = Literal::usize_unsuffixed(entries);
+        (quote!(#length), vec![])
+    } else {
+        let constraints = scene.program.constraints.iter();
+        let names = constraints.map(|constraint| format!("{}_{what}", constraint.name.ident));
+        (quote!(CONSTRAINTS), names.collect())
+    };
+    let returns = Returns::Array(length);
+    Manner { doc: doc.to_owned(), returns, names: spread(names), of_parameters_only: false }
 }
 
 /// `phi_dot_dot_by_phi` for every nonzero of a Jacobian.

@@ -35,6 +35,7 @@ pub(super) fn header(program: &Program, options: &EmitOptions) -> String {
     lines.push("Operations:".to_owned());
     lines.extend(
         functions(program)
+            .iter()
             .map(|(function, tape)| format!("  {function:<20} {:>6}", tape_operations(tape))),
     );
     let Hoisted { constants, rate, rate_jacobian } = Hoisted::new(program);
@@ -70,7 +71,7 @@ fn section(text: &str) -> Vec<String> {
 fn shapes(program: &Program) -> Vec<String> {
     let system = &program.system;
     let row = |name, count: usize| format!("  {name:<20} {count:>6}");
-    vec![
+    let mut rows = vec![
         "Shapes; all quantities are in SI units:".to_owned(),
         row("coordinates", system.coordinates.len()),
         row("first-order states", system.first_order.len()),
@@ -78,7 +79,14 @@ fn shapes(program: &Program) -> Vec<String> {
         row("parameters", system.parameters.len()),
         row("outputs", system.outputs.len()),
         row("discontinuities", system.discontinuities.len()),
-    ]
+    ];
+    if !program.events.is_empty() {
+        rows.push(row("events", program.events.len()));
+    }
+    if !program.constraints.is_empty() {
+        rows.push(row("constraints", program.constraints.len()));
+    }
+    rows
 }
 
 /// The state as a table: index, name, unit, meaning.

@@ -14,12 +14,6 @@ use crate::system::Quantity;
 /// Shapes and patterns.
 pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
     let system = &scene.program.system;
-    let count = |name: &str, value: usize, meaning: &str| {
-        let name = format_ident!("{name}");
-        let value = proc_macro2::Literal::usize_unsuffixed(value);
-        let meaning = doc([meaning]);
-        quote!(#meaning pub const #name: usize = #value;)
-    };
     let counts = [
         count("COORDINATES", system.coordinates.len(), "Generalized coordinates, n."),
         count("STATES", scene.program.layout.len(), "Length of the state y."),
@@ -32,6 +26,17 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
         ),
     ];
     let program = scene.program;
+    let constraints = &program.constraints;
+    let of_constraints = (!constraints.is_empty()).then(|| {
+        let pattern = pattern(
+            "CONSTRAINT_MATRIX_PATTERN",
+            &program.constraint_matrix.pattern,
+            "Nonzeros of G = dg'/dq'.",
+        );
+        let count = count("CONSTRAINTS", constraints.len(), "Constraints.");
+        quote!(#count #pattern)
+    });
+    let counts = counts.into_iter().chain(event_counts(program));
     let patterns = [
         pattern(
             "MASS_MATRIX_PATTERN",
@@ -45,7 +50,24 @@ pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
             "Nonzeros of dy'/dp.",
         ),
     ];
-    quote!(#(#counts)* #(#patterns)*)
+    quote!(#(#counts)* #(#patterns)* #of_constraints)
+}
+
+fn count(name: &str, value: usize, meaning: &str) -> TokenStream {
+    let name = format_ident!("{name}");
+    let value = proc_macro2::Literal::usize_unsuffixed(value);
+    let meaning = doc([meaning]);
+    quote!(#meaning pub const #name: usize = #value;)
+}
+
+/// Nothing for a scene without events.
+fn event_counts(program: &Program) -> Vec<TokenStream> {
+    let resets = program.events.iter().map(|event| event.sets.len()).sum();
+    let counts = [
+        count("EVENTS", program.events.len(), "Events."),
+        count("RESETS", resets, "States that events set, those of all events."),
+    ];
+    if program.events.is_empty() { vec![] } else { counts.into() }
 }
 
 fn pattern(name: &str, pattern: &SparsityPattern, meaning: &str) -> TokenStream {
@@ -261,33 +283,51 @@ pub(super) fn index(
             pub mod #module;
         }
     });
-    let names = programs.iter().map(|program| {
-        let name = program.system.name.as_str();
-        let condition = condition(name);
-        quote!(#condition #name)
-    });
-    let arms = programs.iter().zip(modules).map(|(program, module)| {
+    let with_fields = |wanted: bool| {
+        let programs = programs.iter().zip(modules);
+        programs.filter(move |(program, _)| program.fields.is_empty() != wanted)
+    };
+    let arm = |(program, module): (&&Program, &Ident)| {
         let name = &program.system.name;
         let machine = format_ident!("{}", super::names::type_name(name));
         let condition = condition(name);
         quote!(#condition #name => Some(&#module::#machine),)
-    });
-    let [inner, names_doc, find_doc] = if options.scene_features {
-        [
-            "Simulators emitted from the specs, one module and one feature a scene.",
-            "Names of all scenes whose feature is on, sorted.",
-            "The scene of a name, if its feature is on.",
-        ]
-    } else {
-        [
-            "Simulators emitted from the specs, one module a scene.",
-            "Names of all scenes, sorted.",
-            "The scene of a name, if there is one.",
-        ]
     };
+    let listed = |(program, _): (&&Program, &Ident)| {
+        let name = program.system.name.as_str();
+        let condition = condition(name);
+        quote!(#condition #name)
+    };
+    let names = with_fields(false).map(listed);
+    let arms: Vec<TokenStream> = with_fields(false).map(arm).collect();
+    let field_names = with_fields(true).map(listed);
+    let field_names: Vec<TokenStream> = field_names.collect();
+    let field_arms = with_fields(true).map(arm);
+    let (field_names_doc, find_field_doc) = (
+        doc(["Names of all scenes with fields, sorted."]),
+        doc(["The scene with fields of a name, not yet cut into elements."]),
+    );
+    let of_fields = (!field_names.is_empty()).then(|| {
+        quote! {
+            #field_names_doc
+            #[rustfmt::skip]
+            pub const FIELD_NAMES: &[&str] = &[#(#field_names),*];
+            #find_field_doc
+            #[must_use]
+            #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+            pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
+                match name {
+                    #(#field_arms)*
+                    _ => None,
+                }
+            }
+        }
+    });
+    let field_import = (!field_names.is_empty()).then(|| quote!(, field::FieldScene));
+    let [inner, names_doc, find_doc] = index_docs(options);
     let (names_doc, find_doc) = (doc([names_doc]), doc([find_doc]));
     let inner = format!(" {inner}");
-    let find = if programs.is_empty() {
+    let find = if arms.is_empty() {
         quote!(
             pub fn find<R: Real>(_name: &str) -> Option<&'static dyn Simulator<R>> {
                 None
@@ -305,7 +345,7 @@ pub(super) fn index(
     };
     quote! {
         #![doc = #inner]
-        use #contract::{Real, Simulator};
+        use #contract::{Real, Simulator #field_import};
         #(#declarations)*
         #names_doc
         #[rustfmt::skip]
@@ -313,6 +353,25 @@ pub(super) fn index(
         #find_doc
         #[must_use]
         #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+        #[rustfmt::skip]
         #find
+        #of_fields
+    }
+}
+
+/// What the index says of itself, of its list of names and of its look-up.
+fn index_docs(options: &EmitOptions) -> [&'static str; 3] {
+    if options.scene_features {
+        [
+            "Simulators emitted from the specs, one module and one feature a scene.",
+            "Names of all scenes whose feature is on, sorted.",
+            "The scene of a name, if its feature is on.",
+        ]
+    } else {
+        [
+            "Simulators emitted from the specs, one module a scene.",
+            "Names of all scenes, sorted.",
+            "The scene of a name, if there is one.",
+        ]
     }
 }

@@ -31,7 +31,9 @@ impl Series {
     /// The series of a scene, unless it has no states or too many nodes.
     pub(super) fn new(scene: &Scene<'_>) -> Option<Self> {
         let tape = recurrences(scene.program);
-        let is_wanted = !tape.rate.is_empty() && tape.nodes.len() <= MOST_NODES;
+        // A series does not keep to constraints.
+        let is_free = scene.program.constraints.is_empty();
+        let is_wanted = is_free && !tape.rate.is_empty() && tape.nodes.len() <= MOST_NODES;
         is_wanted.then(|| Self { needs: needs(&tape), tape })
     }
 

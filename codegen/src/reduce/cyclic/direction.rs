@@ -198,6 +198,7 @@ fn sampled(expr: &Expr, sample: i64) -> Expr {
         Symbol::Velocity(id) => Some(value(3, id.0)),
         Symbol::Acceleration(id) => Some(value(4, id.0)),
         Symbol::FirstOrder(id) => Some(value(5, id.0)),
+        Symbol::Multiplier(id) => Some(value(6, id.0)),
         Symbol::Pi | Symbol::Parameter(_) | Symbol::Helper(_) => None,
     })
 }

@@ -4,6 +4,7 @@ use crate::diagnostic::{Mistake, Span, Spanned};
 use crate::dimension::Dimension;
 use crate::expr::{Expr, ParameterId};
 use crate::scene::assemble::Assembler;
+use crate::scene::assemble::distributed::Profiles;
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::resolve::Wanted;
@@ -14,12 +15,14 @@ use crate::spec::{Formula, did_you_mean, quoted};
 pub struct Initial {
     /// Position and velocity of each coordinate of the scene.
     pub coordinates: Vec<[Expr; 2]>,
+    /// Whether the spec gives them, so that constraints may not move them.
+    pub given: Vec<[bool; 2]>,
     /// Of each first-order state.
     pub states: Vec<Expr>,
 }
 
-/// What an entry of `[initial]` sets.
-enum Target {
+/// What an entry of `[initial]` sets, or an event.
+pub enum Target {
     /// Coordinate of the scene, 0 or 1 for its velocity, and the factor by which
     /// the named one follows it.
     Coordinate(usize, usize, Option<Expr>),
@@ -27,11 +30,23 @@ enum Target {
 }
 
 impl Assembler<'_> {
-    pub(super) fn initial(&mut self) -> Initial {
+    /// Initial values of the machine, and those of its fields along x.
+    pub(super) fn initial(&mut self) -> (Initial, Profiles) {
         let coordinates = self.layout.representatives.iter().map(|_| [integer(0), integer(0)]);
-        let mut initial = Initial { coordinates: coordinates.collect(), states: self.of_units() };
+        let mut initial = Initial {
+            coordinates: coordinates.collect(),
+            given: vec![[false; 2]; self.layout.representatives.len()],
+            states: self.of_units(),
+        };
         let mut set: Vec<(usize, usize)> = Vec::new();
-        for (name, formula) in &self.spec.initial {
+        self.refuse_guesses();
+        let spec = self.spec;
+        let mut profiles = Profiles::new();
+        let given = spec.initial.iter().map(|entry| (true, entry));
+        for (is_given, (name, formula)) in given.chain(spec.guess.iter().map(|g| (false, g))) {
+            if is_given && self.profile(name, formula, &mut profiles) {
+                continue;
+            }
             let (target, dimension) = match self.target(name) {
                 Ok(found) => found,
                 Err(mistake) => {
@@ -48,6 +63,7 @@ impl Assembler<'_> {
                         Some(factor) => product(vec![value, reciprocal(factor)]),
                         None => value,
                     };
+                    initial.given[index][order] = is_given;
                     (&mut initial.coordinates[index][order], value, (index, order))
                 }
             };
@@ -59,7 +75,29 @@ impl Assembler<'_> {
             }
             set.push(key);
         }
-        initial
+        self.start_on_fields(&profiles, &mut initial);
+        (initial, profiles)
+    }
+
+    /// Guesses are of what constraints leave to be solved for.
+    fn refuse_guesses(&mut self) {
+        let spec = self.spec;
+        let mut constraints = spec.constraints.len();
+        constraints += self.instances().map(|(_, _, unit)| unit.constraints.len()).sum::<usize>();
+        if constraints == 0
+            && let Some((name, _)) = spec.guess.first()
+        {
+            let message = "a scene without constraints has nothing to guess";
+            let mistake = Mistake::new(name.span, message, "a guess");
+            self.mistakes.push(mistake.help("write it in [initial]"));
+        }
+        for (name, _) in &spec.guess {
+            if let Ok((Target::State(_), _)) = self.target(name) {
+                let message = format!("{} is no coordinate or velocity", quoted(&name.value));
+                let mistake = Mistake::new(name.span, message, "a first-order state");
+                self.mistakes.push(mistake.help("constraints do not move it: see [initial]"));
+            }
+        }
     }
 
     /// Initial values of states as their units say.
@@ -111,6 +149,16 @@ impl Assembler<'_> {
             return Err(Box::new(mistake.help("write \"instance.name\" = value")));
         };
         let instance = find_instance(self.spec, instance, path.span)?;
+        self.target_of(instance, name, path)
+    }
+
+    /// What `name` is of an instance; `path` is how the spec writes it.
+    pub(super) fn target_of(
+        &self,
+        instance: usize,
+        name: &str,
+        path: &Spanned<String>,
+    ) -> Result<(Target, Dimension), Box<Mistake>> {
         let unit_index = self.spec.instances[instance].unit;
         let (unit, names) = (&self.spec.units[unit_index], &self.layout.units[unit_index]);
         let (index, order) = match names.get(name) {
@@ -131,6 +179,14 @@ impl Assembler<'_> {
             }
         };
         let link = self.layout.link(instance, index);
+        let stands_for = self.layout.representatives.get(link.id.0 as usize);
+        if stands_for.is_none_or(|slot| self.layout.attachment(*slot).is_some())
+            || self.layout.is_fixed(self.layout.slot(instance, index))
+        {
+            let message = format!("{} starts as the field that it is part of", quoted(&path.value));
+            let help = "give the field's initial value, an expression of x";
+            return Err(Box::new(Mistake::new(path.span, message, "part of a field").help(help)));
+        }
         let target = Target::Coordinate(link.id.0 as usize, order, link.factor.clone());
         let declared = unit.coordinates[index].unit.unit;
         let dimension = declared.per_second(order as i32).unwrap_or(declared).dimension;

@@ -49,6 +49,10 @@ impl Assembler<'_> {
                 OutputSpec::Alias { of, .. } => {
                     let wanted = self.alias(of).and_then(|(unit, doc)| {
                         let typed = self.resolver.expect_any(of, Scope::Scene)?;
+                        let unit = match typed.dimension {
+                            Some(dimension) if unit.is_empty() => dimension.as_unit(),
+                            _ => unit,
+                        };
                         Ok((unit, doc, typed))
                     });
                     let name = &output.name().value;
@@ -89,6 +93,9 @@ impl Assembler<'_> {
                     let parameter = &self.spec.parameters[index];
                     plain(&parameter.unit, &parameter.doc)
                 }
+                Some(Local::Constraint(index)) => {
+                    Ok((String::new(), force_of(&self.spec.constraints[index].doc)))
+                }
                 _ => self.unknown_alias(name, of.span),
             },
             Node::Name(Some(instance), name) => {
@@ -119,7 +126,18 @@ impl Assembler<'_> {
                     Some(Local::State(i)) => plain(&unit.states[i].unit, &unit.states[i].doc),
                     Some(Local::Helper(i)) => plain(&unit.helpers[i].unit, &unit.helpers[i].doc),
                     Some(Local::Output(i)) => plain(&unit.outputs[i].unit, &unit.outputs[i].doc),
-                    None => Ok((String::new(), String::new())),
+                    Some(Local::Constraint(i)) => {
+                        Ok((String::new(), force_of(&unit.constraints[i].doc)))
+                    }
+                    Some(Local::Slope(port, _)) => {
+                        let at = self.layout.attachment_of(instance, port);
+                        let field = at.map(|at| &unit.fields[self.layout.attachments[at].field]);
+                        let unit = field.map_or("1", |field| field.unit.text.trim());
+                        Ok((format!("{unit}/m"), "slope of the field".to_owned()))
+                    }
+                    None | Some(Local::Place | Local::Field(..)) => {
+                        Ok((String::new(), String::new()))
+                    }
                 }
             }
             _ => {
@@ -140,4 +158,9 @@ impl Assembler<'_> {
         let help = crate::spec::did_you_mean(name, known);
         Err(Box::new(Mistake::new(span, message, "unknown").help(help)))
     }
+}
+
+/// Meaning of a constraint's multiplier.
+fn force_of(doc: &str) -> String {
+    if doc.is_empty() { String::new() } else { format!("force of the constraint: {doc}") }
 }

@@ -100,6 +100,7 @@ pub const NAMES: &[&str] = &["m1", "m2", "m3_10", "m4_7", "m5", "m6_10", "m6_2",
 /// The scene of a name, if there is one.
 #[must_use]
 #[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+#[rustfmt::skip]
 pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     match name {
         "m1" => Some(&m1::M1),

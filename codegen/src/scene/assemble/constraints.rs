@@ -1,0 +1,93 @@
+//! Constraints: expressions of coordinates that are zero, or of velocities, in which
+//! they are linear.
+
+use crate::diagnostic::Mistake;
+use crate::dimension::Dimension;
+use crate::expr::{Expr, Symbol};
+use crate::scene::assemble::Assembler;
+use crate::scene::layout::Scope;
+use crate::scene::names::{Flat, name};
+use crate::scene::typed::Typed;
+use crate::spec::{ConstraintSpec, quoted};
+use crate::system::Constraint;
+
+impl Assembler<'_> {
+    /// Every constraint, those of instances first.
+    pub(super) fn constraints(&mut self) -> Vec<Constraint> {
+        let spec = self.spec;
+        let mut constraints = Vec::new();
+        let mut names = Flat::default();
+        let of_units = self.instances().flat_map(|(index, instance, unit)| {
+            let whose = Some(instance.name.value.as_str());
+            let all = unit.constraints.iter();
+            all.map(move |constraint| (Scope::Instance(index), whose, constraint))
+        });
+        let own = spec.constraints.iter().map(|constraint| (Scope::Scene, None, constraint));
+        for (scope, whose, constraint) in of_units.chain(own) {
+            let name = name(whose, &constraint.name.value);
+            if let Err(mistake) = names.take(&name, constraint.name.span) {
+                self.mistakes.push(*mistake);
+            }
+            let resolved = self.resolver.expect_motion(&constraint.expression, scope);
+            if let Ok(typed) = &resolved
+                && let Some(mistake) = unfit(constraint, typed)
+            {
+                self.mistakes.push(mistake);
+            }
+            let dimension = resolved.as_ref().ok().and_then(|typed| typed.dimension);
+            let is_of_positions = resolved.as_ref().is_ok_and(|typed| !typed.uses.velocity);
+            let doc = constraint.doc.split_whitespace().collect::<Vec<_>>().join(" ");
+            let unit = dimension.unwrap_or(Dimension::ONE).as_unit();
+            let expr = self.note(resolved);
+            constraints.push(Constraint { name, doc, unit, expr, is_of_positions });
+        }
+        constraints
+    }
+}
+
+/// What makes an expression unfit to be a constraint.
+fn unfit(constraint: &ConstraintSpec, typed: &Typed) -> Option<Mistake> {
+    let name = quoted(&constraint.name.value);
+    let refuse = |message: String, label: &str, help: &str| {
+        Some(Mistake::new(constraint.expression.span, message, label).help(help))
+    };
+    let is_state = |symbol| matches!(symbol, Symbol::FirstOrder(_));
+    let moves = |symbol| {
+        matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::FirstOrder(_))
+    };
+    if typed.expr.mentions(is_state) {
+        let message = format!("constraint {name} depends on a state or mode");
+        let help = "a constraint is of coordinates, velocities, time and parameters";
+        return refuse(message, "of a first-order state", help);
+    }
+    if !typed.expr.mentions(moves) {
+        let message = format!("constraint {name} constrains no coordinate");
+        let help = "a constraint is an expression of coordinates that is to be zero";
+        return refuse(message, "of no coordinate", help);
+    }
+    if is_bent(&typed.expr) {
+        let message = format!("constraint {name} is not linear in velocities");
+        let help = "a constraint of velocities is a sum of velocities with coefficients of \
+                    coordinates and time, such as rolling: v - radius*omega";
+        return refuse(message, "not linear in them", help);
+    }
+    None
+}
+
+fn has_velocity(expr: &Expr) -> bool {
+    expr.mentions(|symbol| matches!(symbol, Symbol::Velocity(_)))
+}
+
+/// Whether velocities stand where they may not: within functions or powers, or
+/// multiplied by one another.
+fn is_bent(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Symbol(_) => false,
+        Expr::Sum(terms) => terms.iter().any(is_bent),
+        Expr::Product(factors) => {
+            factors.iter().filter(|factor| has_velocity(factor)).count() > 1
+                || factors.iter().any(is_bent)
+        }
+        Expr::Power(..) | Expr::Call(..) => has_velocity(expr),
+    }
+}

@@ -1,0 +1,157 @@
+//! Events: guards, the modes in which they are watched, and what they set.
+
+use crate::diagnostic::{Mistake, Spanned};
+use crate::dimension::Dimension;
+use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
+use crate::scene::assemble::Assembler;
+use crate::scene::assemble::initial::Target;
+use crate::scene::layout::{Local, Scope, find_instance};
+use crate::scene::names::{Flat, name};
+use crate::scene::resolve::Wanted;
+use crate::scene::typed::{Uses, product, reciprocal};
+use crate::spec::{EventSpec, did_you_mean, quoted};
+use crate::system::Event;
+
+impl Assembler<'_> {
+    /// Every event, those of instances first.
+    pub(super) fn events(&mut self) -> Vec<Event> {
+        let spec = self.spec;
+        let mut events = Vec::new();
+        let mut names = Flat::default();
+        let of_units = self.instances().flat_map(|(index, instance, unit)| {
+            let whose = Some(instance.name.value.as_str());
+            unit.events.iter().map(move |event| (Scope::Instance(index), whose, event))
+        });
+        let own = spec.events.iter().map(|event| (Scope::Scene, None, event));
+        for (scope, whose, event) in of_units.chain(own) {
+            let name = name(whose, &event.name.value);
+            if let Err(mistake) = names.take(&name, event.name.span) {
+                self.mistakes.push(*mistake);
+            }
+            let guard = self.guard(event, scope);
+            let (when, set) = (self.modes(event, scope), self.new_values(event, scope));
+            let doc = event.doc.split_whitespace().collect::<Vec<_>>().join(" ");
+            events.push(Event { name, doc, guard, direction: event.direction, when, set });
+        }
+        events
+    }
+
+    /// A guard may be of any dimension, but must be able to pass zero.
+    fn guard(&mut self, event: &EventSpec, scope: Scope) -> Expr {
+        let resolved = self.resolver.expect_motion(&event.guard, scope);
+        if let Ok(typed) = &resolved
+            && typed.uses == Uses::default()
+        {
+            let what = if typed.value == Some(0.0) { "is always zero" } else { "never changes" };
+            let name = quoted(&event.name.value);
+            let message = format!("the guard of event {name} {what}");
+            let mistake = Mistake::new(event.guard.span, message, "of parameters only");
+            let help = "a guard is an expression of time, coordinates, velocities and states";
+            self.mistakes.push(mistake.help(help));
+        }
+        self.note(resolved)
+    }
+
+    fn modes(&mut self, event: &EventSpec, scope: Scope) -> Vec<(FirstOrderId, i32)> {
+        let mut modes: Vec<(FirstOrderId, i32)> = Vec::new();
+        for (path, value) in &event.when {
+            match self.mode(path, scope) {
+                Ok(id) if modes.iter().any(|(known, _)| *known == id) => {
+                    let message = format!("mode {} is asked for twice", quoted(&path.value));
+                    self.mistakes.push(Mistake::new(path.span, message, "again"));
+                }
+                Ok(id) => modes.push((id, *value)),
+                Err(mistake) => self.mistakes.push(*mistake),
+            }
+        }
+        modes
+    }
+
+    /// The mode of a name.
+    fn mode(&self, path: &Spanned<String>, scope: Scope) -> Result<FirstOrderId, Box<Mistake>> {
+        let (instance, name) = self.owner(path, scope)?;
+        let unit_index = self.spec.instances[instance].unit;
+        let unit = &self.spec.units[unit_index];
+        match self.layout.units[unit_index].get(name) {
+            Some(Local::State(index)) if unit.states[index].is_mode => {
+                Ok(self.layout.state(instance, index))
+            }
+            _ => {
+                let modes = unit.states.iter().filter(|state| state.is_mode);
+                let help = did_you_mean(name, modes.map(|state| state.name.value.as_str()));
+                let message = format!("{} is no mode", quoted(&path.value));
+                Err(Box::new(Mistake::new(path.span, message, "not a mode").help(help)))
+            }
+        }
+    }
+
+    /// What an event sets, each once, by an expression of its dimension.
+    fn new_values(&mut self, event: &EventSpec, scope: Scope) -> Vec<(Symbol, Expr)> {
+        let mut set: Vec<(Symbol, Expr)> = Vec::new();
+        for (path, formula) in &event.set {
+            let (symbol, factor, dimension) = match self.settable(path, scope) {
+                Ok(found) => found,
+                Err(mistake) => {
+                    self.mistakes.push(*mistake);
+                    continue;
+                }
+            };
+            let what = format!("the new {}", quoted(&path.value));
+            let wanted = Wanted::new(dimension, what);
+            let resolved = self.resolver.formula(formula, scope, &wanted);
+            let value = self.note(resolved);
+            let value = match factor {
+                Some(factor) => product(vec![value, reciprocal(factor)]),
+                None => value,
+            };
+            if set.iter().any(|(known, _)| *known == symbol) {
+                let message = format!("{} is set twice by one event", quoted(&path.value));
+                let mistake = Mistake::new(path.span, message, "set again");
+                self.mistakes.push(mistake.help("joined coordinates move together"));
+            }
+            set.push((symbol, value));
+        }
+        set
+    }
+
+    fn settable(
+        &self,
+        path: &Spanned<String>,
+        scope: Scope,
+    ) -> Result<(Symbol, Option<Expr>, Dimension), Box<Mistake>> {
+        let (instance, name) = self.owner(path, scope)?;
+        let (target, dimension) = self.target_of(instance, name, path)?;
+        Ok(match target {
+            Target::State(id) => (Symbol::FirstOrder(FirstOrderId(id as u32)), None, dimension),
+            Target::Coordinate(id, order, factor) => {
+                let id = CoordinateId(id as u32);
+                let symbol = if order == 0 { Symbol::Coordinate(id) } else { Symbol::Velocity(id) };
+                (symbol, factor, dimension)
+            }
+        })
+    }
+
+    /// The instance a name belongs to, and the name within it.
+    fn owner<'n>(
+        &self,
+        path: &'n Spanned<String>,
+        scope: Scope,
+    ) -> Result<(usize, &'n str), Box<Mistake>> {
+        match (scope.base(), path.value.split_once('.')) {
+            (Scope::Instance(instance), None) => Ok((instance, &path.value)),
+            (_, Some((instance, name))) if scope == Scope::Scene => {
+                Ok((find_instance(self.spec, instance, path.span)?, name))
+            }
+            (_, None) => {
+                let message = format!("{} is nothing that an event could set", quoted(&path.value));
+                let mistake = Mistake::new(path.span, message, "not instance.name");
+                Err(Box::new(mistake.help("write \"instance.name\"")))
+            }
+            (_, Some(_)) => {
+                let message = "a name with a dot is used in scenes only";
+                let help = "a unit's event sets what is the unit's own";
+                Err(Box::new(Mistake::new(path.span, message, "not in a unit").help(help)))
+            }
+        }
+    }
+}

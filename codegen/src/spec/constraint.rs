@@ -1,0 +1,16 @@
+//! Constraints: what coordinates must fulfil.
+
+use crate::spec::ConstraintSpec;
+use crate::spec::fields::{Fields, Findings};
+use crate::spec::names::quoted;
+use crate::spec::toml::Entry;
+
+/// Reads a constraint.
+pub fn constraint(entry: &Entry, found: &mut Findings) -> Option<ConstraintSpec> {
+    let what = format!("constraint {}", quoted(&entry.key.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let expression = fields.required_expression("expression");
+    let doc = fields.text("doc");
+    fields.close();
+    Some(ConstraintSpec { name: entry.key.clone(), expression: expression?, doc })
+}

@@ -1,0 +1,192 @@
+//! `[fields.NAME]` of a unit, and what a scene chooses for it.
+
+use crate::diagnostic::{Mistake, Spanned};
+use crate::spec::expression::Ast;
+use crate::spec::fields::{Fields, Findings};
+use crate::spec::names::{self, did_you_mean, quoted};
+use crate::spec::toml::Entry;
+use crate::spec::{CoordinateSpec, Declared, Formula, PortSpec};
+
+/// Elements that a field may be cut into.
+pub const MAX_ELEMENTS: f64 = 1e6;
+/// Order that its elements may have.
+pub const MAX_ORDER: f64 = 16.0;
+
+/// A one-dimensional field, by its densities a length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldSpec {
+    /// Its name.
+    pub name: Spanned<String>,
+    /// Name of its rate.
+    pub rate: Spanned<String>,
+    /// Name of its derivative along the field.
+    pub gradient: Spanned<String>,
+    /// Name of the rate of that.
+    pub gradient_rate: Spanned<String>,
+    /// Unit of the field.
+    pub unit: Declared,
+    /// Meaning.
+    pub doc: String,
+    /// Typical sizes of field and rate.
+    pub scale: [f64; 2],
+    /// The parameter that is its length.
+    pub over: Spanned<String>,
+    /// T, V, D a length.
+    pub densities: [Option<Ast>; 3],
+    /// Q a length.
+    pub force: Option<Ast>,
+    /// What holds at x = 0 and at x = length, unless a scene says otherwise.
+    pub ends: [Boundary; 2],
+}
+
+/// What holds at an end of a field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Boundary {
+    /// Nothing but what is joined to it acts on it.
+    Free,
+    /// The field is zero.
+    Fixed,
+}
+
+/// How the inertia of a field is cut into elements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mass {
+    /// At the nodes, by the quadrature of the energies: a diagonal M.
+    Lumped,
+    /// As the shape functions have it: a banded M.
+    Consistent,
+}
+
+/// How a scene cuts a field of an instance into elements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DiscretisationSpec {
+    /// The field.
+    pub field: Spanned<String>,
+    /// Elements unless a run says otherwise.
+    pub elements: usize,
+    /// Order of the shape functions.
+    pub order: usize,
+    /// Where its inertia is.
+    pub mass: Spanned<Mass>,
+    /// What holds at its ends, where the scene says so.
+    pub ends: [Option<Boundary>; 2],
+}
+
+/// The place along a field at which a port is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AttachmentSpec {
+    /// The field.
+    pub field: Spanned<String>,
+    /// x, of parameters.
+    pub at: Formula,
+}
+
+/// Reads a field of a unit.
+pub fn field(entry: &Entry, found: &mut Findings) -> Option<FieldSpec> {
+    let what = format!("field {}", quoted(&entry.key.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let unit = fields.unit();
+    let doc = fields.text("doc");
+    let default = |suffix: &str| Spanned {
+        value: format!("{}_{suffix}", entry.key.value),
+        span: entry.key.span,
+    };
+    let rate = fields.name("rate").unwrap_or_else(|| default("dot"));
+    let gradient = fields.name("gradient").unwrap_or_else(|| default("x"));
+    let gradient_rate = fields.name("gradient_rate").unwrap_or_else(|| default("x_dot"));
+    let scale = [fields.scale("scale"), fields.scale("rate_scale")];
+    let over = fields.required_text("over");
+    let densities = ["kinetic", "potential", "dissipation"].map(|key| fields.expression(key));
+    let force = fields.expression("force");
+    let ends = ["start", "end"].map(|key| boundary(&mut fields, key).unwrap_or(Boundary::Free));
+    fields.close();
+    for name in [&rate, &gradient, &gradient_rate] {
+        if let Err(mistake) = names::check(name) {
+            found.mistakes.push(mistake);
+        }
+    }
+    Some(FieldSpec {
+        name: entry.key.clone(),
+        rate,
+        gradient,
+        gradient_rate,
+        unit: unit?,
+        doc,
+        scale,
+        over: over?,
+        densities,
+        force,
+        ends,
+    })
+}
+
+fn boundary(fields: &mut Fields<'_>, key: &'static str) -> Option<Boundary> {
+    let choices = [("free", Boundary::Free), ("fixed", Boundary::Fixed)];
+    Some(choice(fields, key, &choices)?.value)
+}
+
+fn choice<T: Copy>(
+    fields: &mut Fields<'_>,
+    key: &'static str,
+    choices: &[(&'static str, T)],
+) -> Option<Spanned<T>> {
+    let tree = fields.take(key)?;
+    let text = fields.as_text(tree, key)?;
+    let found = choices.iter().find(|(name, _)| *name == text.value);
+    if found.is_none() {
+        let message = format!("{} is no value of `{key}`", quoted(&text.value));
+        let known: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+        let help = format!(
+            "{}\nit is one of: {}",
+            did_you_mean(&text.value, known.iter().copied()),
+            known.join(", ")
+        );
+        let mistake = Mistake::new(text.span, message, "unknown");
+        fields.found().mistakes.push(mistake.help(help.trim_start()));
+    }
+    found.map(|(_, value)| Spanned { value: *value, span: text.span })
+}
+
+/// Reads what a scene chooses for a field.
+pub fn discretisation(entry: &Entry, found: &mut Findings) -> Option<DiscretisationSpec> {
+    let what = format!("field {}", quoted(&entry.key.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let elements = count(&mut fields, "elements", MAX_ELEMENTS);
+    let order = count(&mut fields, "order", MAX_ORDER);
+    let masses = [("lumped", Mass::Lumped), ("consistent", Mass::Consistent)];
+    let mass = choice(&mut fields, "mass", &masses);
+    let ends = ["start", "end"].map(|key| boundary(&mut fields, key));
+    fields.close();
+    let mass = mass.unwrap_or(Spanned { value: Mass::Lumped, span: entry.key.span });
+    let (elements, order) = (elements?, order?);
+    Some(DiscretisationSpec { field: entry.key.clone(), elements, order, mass, ends })
+}
+
+fn count(fields: &mut Fields<'_>, key: &'static str, most: f64) -> Option<usize> {
+    let number = fields.required_number(key)?;
+    if number.value.fract() == 0.0 && (1.0..=most).contains(&number.value) {
+        return Some(number.value as usize);
+    }
+    let message = format!("`{key}` is an integer from 1 to {most}");
+    fields.found().mistakes.push(Mistake::new(number.span, message, "out of range"));
+    None
+}
+
+/// The coordinate of a port on a field: what the field is at the place of the port.
+pub fn coordinate(port: &PortSpec, unit_fields: &[FieldSpec]) -> Option<CoordinateSpec> {
+    let attachment = port.attachment.as_ref()?;
+    let field = unit_fields.iter().find(|field| field.name.value == attachment.field.value)?;
+    let name = |suffix: &str| Spanned {
+        value: format!("{}{suffix}", port.name.value),
+        span: port.name.span,
+    };
+    let doc = if field.doc.is_empty() { &field.name.value } else { &field.doc };
+    Some(CoordinateSpec {
+        name: name(""),
+        velocity: name("_dot"),
+        acceleration: name("_ddot"),
+        unit: field.unit.clone(),
+        doc: format!("{doc}, at port {}", port.name.value),
+        scale: field.scale,
+    })
+}

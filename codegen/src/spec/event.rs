@@ -1,0 +1,107 @@
+//! Modes and events: what a machine does where an expression passes zero.
+
+use crate::diagnostic::{Mistake, Span, Spanned};
+use crate::dimension::Unit;
+use crate::spec::expression::{Ast, Literal, Node};
+use crate::spec::fields::{Fields, Findings};
+use crate::spec::names::{did_you_mean, quoted};
+use crate::spec::scene::values_by_name;
+use crate::spec::toml::{Entry, Tree};
+use crate::spec::{Declared, EventSpec, Formula, StateSpec};
+use crate::system::Direction;
+
+/// Reads an event.
+pub fn event(entry: &Entry, found: &mut Findings) -> Option<EventSpec> {
+    let what = format!("event {}", quoted(&entry.key.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let guard = fields.required_expression("guard");
+    let direction = direction(&mut fields);
+    let when = fields.entries("when");
+    let when = whole_numbers(when, &mut fields);
+    let set = fields.entries("set");
+    let set = values_by_name(set, &mut fields);
+    let doc = fields.text("doc");
+    fields.close();
+    Some(EventSpec {
+        name: entry.key.clone(),
+        guard: guard?,
+        direction: direction?,
+        when,
+        set,
+        doc,
+    })
+}
+
+/// Reads a mode: a state of no dimension whose rate is 0.
+#[expect(clippy::unnecessary_wraps, reason = "as all that are read by name")]
+pub fn mode(entry: &Entry, found: &mut Findings) -> Option<StateSpec> {
+    let what = format!("mode {}", quoted(&entry.key.value));
+    let mut fields = Fields::open(&entry.value, what, found);
+    let initial = fields.formula("initial");
+    let doc = fields.text("doc");
+    fields.close();
+    if let Some(Formula::Number(number)) = &initial
+        && !number.value.0.is_integer()
+    {
+        found.mistakes.push(no_whole_number(number.span, "a mode"));
+    }
+    let span = entry.key.span;
+    let number = |value| Ast { span, node: Node::Number(Literal::of_integer(value), None) };
+    Some(StateSpec {
+        name: entry.key.clone(),
+        unit: Declared { text: "1".to_owned(), unit: Unit::default(), span },
+        doc,
+        rate: number(0),
+        is_mode: true,
+        initial,
+        scale: 1.0,
+    })
+}
+
+/// `rising`, `falling` or `both`, which is the default.
+fn direction(fields: &mut Fields<'_>) -> Option<Direction> {
+    let Some(tree) = fields.take("direction") else { return Some(Direction::Both) };
+    let text = fields.as_text(tree, "direction")?;
+    let known = Direction::ALL.into_iter().find(|direction| direction.name() == text.value);
+    if known.is_none() {
+        let message = format!("unknown direction {}", quoted(&text.value));
+        let help = did_you_mean(&text.value, Direction::ALL.into_iter().map(Direction::name));
+        fields.found().mistakes.push(Mistake::new(text.span, message, "unknown").help(help));
+    }
+    known
+}
+
+/// Modes with the whole numbers that they must be; `instance.mode` too, which TOML
+/// takes for a table.
+fn whole_numbers(entries: &[Entry], fields: &mut Fields<'_>) -> Vec<(Spanned<String>, i32)> {
+    let mut numbers = Vec::new();
+    for Entry { key, value } in entries {
+        if let Tree::Table(inner) = &value.value {
+            for entry in inner {
+                let path = format!("{}.{}", key.value, entry.key.value);
+                let name = Spanned { value: path, span: entry.key.span };
+                let number = whole_number(&entry.value, &entry.key.value, fields);
+                numbers.extend(number.map(|number| (name, number)));
+            }
+        } else {
+            let number = whole_number(value, &key.value, fields);
+            numbers.extend(number.map(|number| (key.clone(), number)));
+        }
+    }
+    numbers
+}
+
+fn whole_number(tree: &Spanned<Tree>, key: &str, fields: &mut Fields<'_>) -> Option<i32> {
+    let number = fields.as_number(tree, key)?;
+    let is_whole = number.value.fract() == 0.0 && number.value.abs() <= f64::from(i32::MAX);
+    if !is_whole {
+        fields.found().mistakes.push(no_whole_number(number.span, "a mode"));
+        return None;
+    }
+    Some(number.value as i32)
+}
+
+fn no_whole_number(span: Span, what: &str) -> Mistake {
+    let message = format!("{what} is a whole number");
+    Mistake::new(span, message, "not a whole number")
+}

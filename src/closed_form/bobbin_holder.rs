@@ -1,0 +1,138 @@
+//! The four-link bobbin holder at rest at work: N and Q by balances of moments.
+//!
+//! With D the pin of plate and strut, K the contact of bobbin and drum, T that of post
+//! and stop, R the force of the strut on the plate, n along the centres from drum to
+//! bobbin and t across,
+//!
+//! ```text
+//! strut about E:               R_across = -g sum m x/L      R_along = push, less weight
+//! plate and bobbin about C:    CD x R + weights + N CK x n + P CK x t = 0
+//! post as well about O:        OD x R + weights + N OK x n + P OK x t + Q OT = 0
+//! ```
+//!
+//! Source: study of a winding mechanism; dimensions are those of `winder_linkage`.
+
+/// Places and masses, as the scene's spec has them; see there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BobbinHolder {
+    /// Length of the post OC \[m\].
+    pub post: f64,
+    /// Length CD on the plate \[m\].
+    pub plate: f64,
+    /// A on the plate, from C towards D and to the right \[m\].
+    pub axle: [f64; 2],
+    /// B \[m\].
+    pub drum: [f64; 2],
+    /// E \[m\].
+    pub foot: [f64; 2],
+    /// T \[m\].
+    pub stop: [f64; 2],
+    /// Radii of package and drum \[m\].
+    pub radii: [f64; 2],
+    /// Length of cylinder and of rod, their centres of mass in the middle \[m\].
+    pub strut: f64,
+    /// Masses of post, plate, cylinder, rod, bobbin \[kg\].
+    pub masses: [f64; 5],
+    /// Stiffness \[N/m\] and free length \[m\] of the strut's spring.
+    pub spring: [f64; 2],
+    /// P, winding force at K \[N\].
+    pub winding_force: f64,
+}
+
+/// The holder of the scene `winder_linkage`.
+pub const HOLDER: BobbinHolder = BobbinHolder {
+    post: 0.2,
+    plate: 0.12,
+    axle: [0.05, 0.10],
+    drum: [0.328, 0.058],
+    foot: [0.0, 0.28],
+    stop: [0.143, 0.044],
+    radii: [0.06, 0.04],
+    strut: 0.12,
+    masses: [0.8, 1.2, 0.3, 0.2, 0.7],
+    spring: [2000.0, 0.116],
+    winding_force: 0.0,
+};
+
+const GRAVITY: f64 = 9.81;
+
+impl BobbinHolder {
+    /// N and Q \[N\]; NaN if the package does not reach the drum.
+    #[must_use]
+    pub fn forces(&self) -> [f64; 2] {
+        let [post_mass, plate_mass, cylinder_mass, rod_mass, bobbin_mass] = self.masses;
+        let distance_t = self.stop[0].hypot(self.stop[1]);
+        let along_post = [self.stop[0] / distance_t, self.stop[1] / distance_t];
+        let c = along_post.map(|part| self.post * part);
+        let a = self.axle_place(c);
+        let turned = (a[1] - c[1]).atan2(a[0] - c[0]) - (-self.axle[1]).atan2(self.axle[0]);
+        let (sin, cos) = turned.sin_cos();
+        let d = [c[0] + self.plate * cos, c[1] + self.plate * sin];
+        let of_strut = self.strut_on_plate(d, cylinder_mass, rod_mass);
+        let reach = self.radii[0] + self.radii[1];
+        let n = [(a[0] - self.drum[0]) / reach, (a[1] - self.drum[1]) / reach];
+        let t = [-n[1], n[0]];
+        let k = [a[0] - self.radii[0] * n[0], a[1] - self.radii[0] * n[1]];
+        let plate_x = 0.5 * (c[0] + d[0]);
+        let weights = |x: f64| -GRAVITY * (plate_mass * (plate_x - x) + bobbin_mass * (a[0] - x));
+        let about_c = moment(c, d, of_strut) + weights(c[0]) + self.winding_force * moment(c, k, t);
+        let normal = -about_c / moment(c, k, n);
+        let o = [0.0, 0.0];
+        let about_o = moment(o, d, of_strut) + weights(0.0) - GRAVITY * post_mass * 0.5 * c[0]
+            + self.winding_force * moment(o, k, t)
+            + normal * moment(o, k, n);
+        [normal, -about_o / distance_t]
+    }
+
+    /// A, where the circles about C and B meet, to the left of the way from C to B.
+    fn axle_place(&self, c: [f64; 2]) -> [f64; 2] {
+        let to_c = self.axle[0].hypot(self.axle[1]);
+        let to_b = self.radii[0] + self.radii[1];
+        let (x, y) = (self.drum[0] - c[0], self.drum[1] - c[1]);
+        let between = x.hypot(y);
+        let along = (to_c * to_c - to_b * to_b + between * between) / (2.0 * between);
+        let across = (to_c * to_c - along * along).sqrt();
+        let (x, y) = (x / between, y / between);
+        [c[0] + along * x - across * y, c[1] + along * y + across * x]
+    }
+
+    /// Force of the strut on the plate at D.
+    fn strut_on_plate(&self, d: [f64; 2], cylinder_mass: f64, rod_mass: f64) -> [f64; 2] {
+        let (x, y) = (self.foot[0] - d[0], self.foot[1] - d[1]);
+        let length = x.hypot(y);
+        let (x, y) = (x / length, y / length);
+        let [stiffness, free] = self.spring;
+        let push = stiffness * (free - (length - self.strut));
+        let half = 0.5 * self.strut;
+        // What D gives the strut: along it, from D to E, and across, to the left of that.
+        let along = push + GRAVITY * cylinder_mass * y;
+        let weights = cylinder_mass * (length - half) + rod_mass * half;
+        let across = GRAVITY * weights * x / length;
+        [-(along * x - across * y), -(along * y + across * x)]
+    }
+}
+
+/// Moment about a point of a force at another.
+fn moment(about: [f64; 2], at: [f64; 2], force: [f64; 2]) -> f64 {
+    (at[0] - about[0]) * force[1] - (at[1] - about[1]) * force[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_holder_works_steadily_with_the_winding_force_either_way() {
+        for winding_force in [-8.0, 0.0, 8.0] {
+            let [normal, stop] = BobbinHolder { winding_force, ..HOLDER }.forces();
+            assert!(normal > 0.0 && stop > 0.0, "{winding_force}: {normal} {stop}");
+        }
+    }
+
+    #[test]
+    fn a_stiffer_spring_presses_bobbin_and_post_harder() {
+        let stiff = BobbinHolder { spring: [2500.0, 0.116], ..HOLDER }.forces();
+        let soft = HOLDER.forces();
+        assert!(stiff[0] > soft[0] && stiff[1] > soft[1]);
+    }
+}

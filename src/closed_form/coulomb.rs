@@ -1,0 +1,93 @@
+//! Oscillator braked by dry friction, half cycle by half cycle.
+//!
+//! ```text
+//! m x'' + k x = -F sign(x')      x(0) = X, x'(0) = 0
+//! x = c + (X - c) cos w t        c = F/k sign(X), w^2 = k/m, for 0 <= w t <= pi
+//! ```
+//!
+//! Each half cycle ends at 2 c - X, where the next begins if the spring is stronger than
+//! the friction that can hold it, k |x| > F_s; the mass rests there if not.
+//!
+//! Source: textbook.
+
+use std::f64::consts::PI;
+
+/// Mass on a spring with dry friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoulombOscillator {
+    /// m \[kg\], positive.
+    pub mass: f64,
+    /// k \[N/m\], positive.
+    pub stiffness: f64,
+    /// F \[N\], friction while it slides.
+    pub kinetic: f64,
+    /// F_s \[N\], largest friction while it sticks, at least F.
+    pub limit: f64,
+}
+
+impl CoulombOscillator {
+    /// Position \[m\] and velocity \[m/s\] at time t \[s\] after let go at X \[m\].
+    #[must_use]
+    pub fn motion(&self, t: f64, start: f64) -> (f64, f64) {
+        let frequency = (self.stiffness / self.mass).sqrt();
+        let (mut x, mut phase) = (start, frequency * t);
+        while self.slides_from(x) {
+            let centre = self.centre(x);
+            if phase < PI {
+                let (sin, cos) = phase.sin_cos();
+                return (centre + (x - centre) * cos, -frequency * (x - centre) * sin);
+            }
+            x = 2.0 * centre - x;
+            phase -= PI;
+        }
+        (x, 0.0)
+    }
+
+    /// Half cycles until the mass rests.
+    #[must_use]
+    pub fn half_cycles(&self, start: f64) -> usize {
+        let (mut x, mut count) = (start, 0);
+        while self.slides_from(x) {
+            x = 2.0 * self.centre(x) - x;
+            count += 1;
+        }
+        count
+    }
+
+    fn slides_from(&self, x: f64) -> bool {
+        self.stiffness * x.abs() > self.limit
+    }
+
+    fn centre(&self, x: f64) -> f64 {
+        self.kinetic / self.stiffness * x.signum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::CoulombOscillator;
+
+    const SLIDER: CoulombOscillator =
+        CoulombOscillator { mass: 1.0, stiffness: 400.0, kinetic: 2.5, limit: 4.0 };
+
+    #[test]
+    fn every_half_cycle_takes_as_much_off_and_the_last_ends_within_the_limit() {
+        // 97, 84.5, 72, ..., 9.5 mm: seven times 12.5 mm less, the last below 10 mm.
+        assert_eq!(SLIDER.half_cycles(0.097), 7);
+        let (x, v) = SLIDER.motion(10.0, 0.097);
+        assert!((x + 0.0095).abs() < 1e-15 && v == 0.0, "{x} {v}");
+    }
+
+    #[test]
+    fn the_motion_obeys_its_equation() {
+        let step = 1e-4;
+        for tenth in 1..10 {
+            let t = 0.1 * f64::from(tenth);
+            let at = |t| SLIDER.motion(t, 0.097);
+            let acceleration = (at(t + step).1 - at(t - step).1) / (2.0 * step);
+            let (x, v) = at(t);
+            let residual = acceleration + 400.0 * x + 2.5 * v.signum();
+            assert!(residual.abs() < 1e-4, "{residual} at {t}");
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! Constraints at run time: how far a state is off them, back onto them, and how many
+//! ways of moving they leave.
+//!
+//! The emitted accelerations fulfil G q'' = gamma, so that an exact motion that starts
+//! on its constraints stays on them. A computed one drifts off by the error of its
+//! steps, and is put back after each: by the shortest way as the mass matrix measures
+//! it, first in position, then in velocity.
+//!
+//! ```text
+//! M dq + G^T mu = 0,  G dq = -g      until g vanishes but for rounding
+//! M dv + G^T nu = 0,  G dv = -g'     likewise
+//! ```
+
+mod mobility;
+mod start;
+
+use std::cell::Cell;
+
+use machinist_scenes::Simulator;
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+pub use mobility::{Mobility, Redundant, mobility};
+pub use start::start;
+pub(crate) use start::{consistent, require_independent};
+
+/// How far the states of a run were off the constraints at most, each constraint
+/// measured by the move of typical size of its coordinates that it would take.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Drift {
+    /// Before a state was put back: at the end of a step, or between two.
+    pub before: f64,
+    /// After that.
+    pub after: f64,
+}
+
+/// The constraints of a simulator at given parameters.
+pub(crate) struct Constraints<'a> {
+    simulator: &'a dyn Simulator<f64>,
+    parameters: &'a [f64],
+    coordinates: usize,
+    count: usize,
+    drift: Cell<Drift>,
+}
+
+/// The first constraint that a state cannot be put back onto.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Lost(pub(crate) usize);
+
+/// Of positions or of velocities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Level {
+    Positions,
+    Velocities,
+}
+
+impl<'a> Constraints<'a> {
+    /// Nothing if the simulator has no constraints.
+    pub(crate) fn of(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Option<Self> {
+        let (count, coordinates) = (simulator.constraints(), simulator.shape().coordinates);
+        let drift = Cell::default();
+        (count > 0).then_some(Self { simulator, parameters, coordinates, count, drift })
+    }
+
+    /// The largest drift so far.
+    pub(crate) fn drift(&self) -> Drift {
+        self.drift.get()
+    }
+
+    /// Puts a state of a run back onto the constraints.
+    ///
+    /// # Errors
+    /// [`Lost`] if that does not succeed.
+    pub(crate) fn project(&self, time: f64, state: &mut [f64]) -> Result<(), Lost> {
+        let states = self.simulator.shape().states();
+        let state = &mut state[..states];
+        let before = self.size(time, state);
+        self.put_back(Level::Positions, time, state)?;
+        self.put_back(Level::Velocities, time, state)?;
+        let after = self.size(time, state);
+        let Drift { before: worst, after: left } = self.drift.get();
+        self.drift.set(Drift { before: worst.max(before), after: left.max(after) });
+        Ok(())
+    }
+
+    /// Newton's iteration along the shortest way, while it gets nearer.
+    pub(crate) fn put_back(&self, level: Level, time: f64, state: &mut [f64]) -> Result<(), Lost> {
+        const ROUNDS: usize = 10;
+        const ROUNDING: f64 = 1e-12;
+        let first = self.first(level);
+        let mut matrix = self.matrix(time, state);
+        let mut residual = self.residual(level, time, state);
+        let mut off = self.relative(level, &matrix, &residual, state);
+        for _ in 0..ROUNDS {
+            if off.iter().all(|off| *off <= 4.0 * f64::EPSILON) {
+                return Ok(());
+            }
+            let Some(shift) = self.shortest(time, state, &matrix, &residual) else { break };
+            let trial: Vec<f64> =
+                (0..self.coordinates).map(|index| state[first + index] - shift[index]).collect();
+            let kept = state[first..first + self.coordinates].to_vec();
+            state[first..first + self.coordinates].copy_from_slice(&trial);
+            matrix = self.matrix(time, state);
+            residual = self.residual(level, time, state);
+            let now = self.relative(level, &matrix, &residual, state);
+            let is_nearer = largest_of(&now) < largest_of(&off);
+            if !is_nearer {
+                state[first..first + self.coordinates].copy_from_slice(&kept);
+                break;
+            }
+            off = now;
+        }
+        // What is left is rounding, or the state is lost.
+        match off.iter().position(|off| off.is_nan() || *off > ROUNDING) {
+            None => Ok(()),
+            Some(constraint) => Err(Lost(constraint)),
+        }
+    }
+
+    /// dq of M dq + G^T mu = 0, G dq = r.
+    fn shortest(
+        &self,
+        time: f64,
+        state: &[f64],
+        matrix: &DMatrix<f64>,
+        residual: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
+        let (n, m) = (self.coordinates, self.count);
+        let pattern = self.simulator.mass_matrix_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        self.simulator.mass_matrix(time, state, self.parameters, &mut values);
+        let mut system = DMatrix::zeros(n + m, n + m);
+        for ((row, column), value) in pattern.entries.iter().zip(&values) {
+            system[(*row as usize, *column as usize)] = *value;
+        }
+        system.view_mut((n, 0), (m, n)).copy_from(matrix);
+        system.view_mut((0, n), (n, m)).copy_from(&matrix.transpose());
+        let mut right_side = DVector::zeros(n + m);
+        right_side.rows_mut(n, m).copy_from(residual);
+        let solution = system.lu().solve(&right_side)?;
+        solution.iter().all(|value| value.is_finite()).then_some(solution)
+    }
+
+    /// G at a state, m by n.
+    pub(crate) fn matrix(&self, time: f64, state: &[f64]) -> DMatrix<f64> {
+        let pattern = self.simulator.constraint_matrix_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        self.simulator.constraint_matrix(time, state, self.parameters, &mut values);
+        let mut matrix = DMatrix::zeros(self.count, self.coordinates);
+        for ((row, column), value) in pattern.entries.iter().zip(&values) {
+            matrix[(*row as usize, *column as usize)] = *value;
+        }
+        matrix
+    }
+
+    /// g or g', m long.
+    pub(crate) fn residual(&self, level: Level, time: f64, state: &[f64]) -> DVector<f64> {
+        let mut values = vec![0.0; self.count];
+        match level {
+            Level::Positions => {
+                self.simulator.constraint_values(time, state, self.parameters, &mut values);
+            }
+            Level::Velocities => {
+                self.simulator.constraint_rates(time, state, self.parameters, &mut values);
+            }
+        }
+        DVector::from_vec(values)
+    }
+
+    /// Each residual over the sum of what its coordinates make of it when they move by
+    /// their size: their typical one, or what they are if that is more.
+    pub(crate) fn relative(
+        &self,
+        level: Level,
+        matrix: &DMatrix<f64>,
+        residual: &DVector<f64>,
+        state: &[f64],
+    ) -> Vec<f64> {
+        let scales = self.scales(level);
+        let first = self.first(level);
+        let sizes = matrix.row_iter().map(|row| {
+            let moves = row.iter().zip(&scales).zip(&state[first..]);
+            moves.map(|((slope, scale), now)| slope.abs() * scale.max(now.abs())).sum::<f64>()
+        });
+        let off = |(residual, size): (&f64, f64)| {
+            if *residual == 0.0 { 0.0 } else { residual.abs() / size }
+        };
+        residual.iter().zip(sizes).map(off).collect()
+    }
+
+    /// Where the positions or the velocities begin in the state.
+    fn first(&self, level: Level) -> usize {
+        if level == Level::Positions { 0 } else { self.coordinates }
+    }
+
+    /// How far a state is off in position.
+    fn size(&self, time: f64, state: &[f64]) -> f64 {
+        let matrix = self.matrix(time, state);
+        let residual = self.residual(Level::Positions, time, state);
+        let off = self.relative(Level::Positions, &matrix, &residual, state);
+        largest_of(&off)
+    }
+
+    /// Typical sizes of positions or velocities.
+    fn scales(&self, level: Level) -> Vec<f64> {
+        let first = self.first(level);
+        (0..self.coordinates).map(|index| self.simulator.state_scale(first + index)).collect()
+    }
+
+    /// Name of a constraint.
+    pub(crate) fn name(&self, constraint: usize) -> &'a str {
+        self.simulator.constraint(constraint).name
+    }
+}
+
+/// The largest; NaN if one is.
+fn largest_of(values: &[f64]) -> f64 {
+    values.iter().fold(
+        0.0,
+        |most: f64, value| {
+            if most.is_nan() || *value <= most { most } else { *value }
+        },
+    )
+}

@@ -1,0 +1,165 @@
+//! A state on the constraints, from guesses.
+
+use machinist_scenes::Simulator;
+use nalgebra::{DMatrix, DVector};
+
+use super::{Constraints, Level, largest_of, mobility};
+use crate::error::SimulateError;
+
+/// A state that fulfils the constraints: what is given stays, the rest is solved for
+/// from where it stands, by the shortest moves that the sizes of states measure.
+///
+/// Gauss and Newton's iteration with halved steps; each by the least squares of an SVD,
+/// so that neither too few nor repeated constraints stop it.
+///
+/// # Errors
+/// [`SimulateError::ImpossibleStart`] if that does not succeed.
+pub(crate) fn consistent(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+    mut state: Vec<f64>,
+    is_given: impl Fn(usize) -> bool,
+) -> Result<Vec<f64>, SimulateError> {
+    let Some(constraints) = Constraints::of(simulator, parameters) else { return Ok(state) };
+    for (level, what) in [(Level::Positions, "position"), (Level::Velocities, "velocity")] {
+        let off = constraints.solve(level, time, &mut state, &is_given);
+        if let Some(worst) = off {
+            let residuals = constraints.residual(level, time, &state);
+            let unit = if level == Level::Positions { "" } else { " per second" };
+            let named = |index: usize| {
+                let constraint = simulator.constraint(index);
+                let value = residuals[index];
+                format!("`{}` is {value:.3e} [{}]{unit}", constraint.name, constraint.unit)
+            };
+            let others = (0..constraints.count)
+                .filter(|index| *index != worst && residuals[*index].abs() > 1e-12)
+                .map(named);
+            let others: Vec<String> = others.take(5).collect();
+            let others =
+                if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
+            return Err(SimulateError::ImpossibleStart {
+                scene: simulator.name().to_owned(),
+                what,
+                constraint: constraints.name(worst).to_owned(),
+                residuals: format!("{}{others}", named(worst)),
+            });
+        }
+    }
+    Ok(state)
+}
+
+/// The state at which a simulator's spec has it start at `time` \[s\]: what the spec
+/// gives stays, the rest fulfils the constraints.
+///
+/// # Errors
+/// [`SimulateError::ImpossibleStart`] if there is none near the spec's guesses.
+pub fn start(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+) -> Result<Vec<f64>, SimulateError> {
+    let mut state = vec![0.0; simulator.shape().states()];
+    simulator.initial_state(parameters, &mut state);
+    consistent(simulator, parameters, time, state, |index| simulator.is_given(index))
+}
+
+/// Refuses constraints that repeat others at a state, or that nothing can move.
+///
+/// # Errors
+/// [`SimulateError::RedundantConstraint`] names the first.
+pub(crate) fn require_independent(
+    simulator: &dyn Simulator<f64>,
+    parameters: &[f64],
+    time: f64,
+    state: &[f64],
+) -> Result<(), SimulateError> {
+    let found = mobility(simulator, parameters, time, state);
+    let redundant = found.into_iter().flat_map(|mobility| mobility.redundant).next();
+    redundant.map_or(Ok(()), |redundant| {
+        Err(SimulateError::RedundantConstraint {
+            scene: simulator.name().to_owned(),
+            why: redundant.why(),
+            constraint: redundant.constraint,
+        })
+    })
+}
+
+impl Constraints<'_> {
+    /// Solves one level; gives the worst constraint if it cannot be.
+    fn solve(
+        &self,
+        level: Level,
+        time: f64,
+        state: &mut [f64],
+        is_given: &impl Fn(usize) -> bool,
+    ) -> Option<usize> {
+        const ROUNDS: usize = 200;
+        const HALVINGS: usize = 30;
+        let first = self.first(level);
+        let free: Vec<usize> =
+            (0..self.coordinates).filter(|index| !is_given(first + index)).collect();
+        let scales = self.scales(level);
+        let mut residual = self.residual(level, time, state);
+        for _ in 0..ROUNDS {
+            let matrix = self.matrix(time, state);
+            self.worst(level, &matrix, &residual, state)?;
+            let weighed = DMatrix::from_fn(self.count, free.len(), |row, column| {
+                matrix[(row, free[column])] * scales[free[column]]
+            });
+            let Some(step) = least_squares(&weighed, &residual) else { break };
+            let start: Vec<f64> = free.iter().map(|index| state[first + index]).collect();
+            let before = residual.norm();
+            let mut share = 1.0;
+            let mut improved = false;
+            for _ in 0..HALVINGS {
+                for ((index, start), step) in free.iter().zip(&start).zip(step.iter()) {
+                    state[first + index] = start - share * scales[*index] * step;
+                }
+                residual = self.residual(level, time, state);
+                if residual.norm() < before {
+                    improved = true;
+                    break;
+                }
+                share *= 0.5;
+            }
+            if !improved {
+                for (index, start) in free.iter().zip(&start) {
+                    state[first + index] = *start;
+                }
+                residual = self.residual(level, time, state);
+                break;
+            }
+        }
+        let matrix = self.matrix(time, state);
+        self.worst(level, &matrix, &residual, state)
+    }
+
+    /// The constraint that is farthest from fulfilled, beyond rounding.
+    fn worst(
+        &self,
+        level: Level,
+        matrix: &DMatrix<f64>,
+        residual: &DVector<f64>,
+        state: &[f64],
+    ) -> Option<usize> {
+        const ROUNDING: f64 = 1e-13;
+        let off = self.relative(level, matrix, residual, state);
+        let worst = largest_of(&off);
+        if worst <= ROUNDING {
+            return None;
+        }
+        off.iter().position(|off| off.is_nan() || *off >= worst)
+    }
+}
+
+/// The shortest x of those that make A x nearest to b.
+fn least_squares(matrix: &DMatrix<f64>, right_side: &DVector<f64>) -> Option<DVector<f64>> {
+    const SMALLEST: f64 = 1e-11;
+    if matrix.ncols() == 0 || !matrix.iter().all(|value| value.is_finite()) {
+        return None;
+    }
+    let svd = matrix.clone().svd(true, true);
+    let largest = svd.singular_values.max();
+    svd.solve(right_side, SMALLEST * largest.max(f64::MIN_POSITIVE)).ok()
+}

@@ -1,0 +1,362 @@
+//! Scenes with fields, cut into elements: a [`FieldSimulator`] runs like any other.
+//!
+//! ```text
+//! y = [q, u, q', u', z]     q, z of the machine; u at the nodes that are the field's own
+//! M(q, t) q'' = f(q, q', z, t) with inertia and force of the fields at their ports
+//! M_i u_i''   = F_i(u, u', t)
+//! ```
+//!
+//! The number of elements and their order are chosen when the simulator is made. What
+//! is computed a node costs the same for any number of them: rate, Jacobian and an
+//! implicit step are linear in the number of nodes.
+
+mod lobatto;
+mod mesh;
+#[cfg(feature = "linear")]
+mod modal;
+mod simulator;
+
+use std::cell::RefCell;
+
+use machinist_scenes::field::{FieldScene, HANDED, MAX_ORDER};
+use machinist_scenes::{Real, Shape};
+
+pub use lobatto::Lobatto;
+use mesh::{Mesh, Owner};
+#[cfg(feature = "linear")]
+pub use modal::{ModalError, ModalSimulator};
+
+/// Elements that all fields of a scene may have together.
+pub const MAX_ELEMENTS: usize = 1_000_000;
+
+/// How fields are cut into elements; what is not given is as the scene's spec says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Discretisation {
+    /// Number of elements of each field.
+    pub elements: Option<usize>,
+    /// Order of the elements.
+    pub order: Option<usize>,
+}
+
+/// Why a field cannot be cut into elements.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FieldError {
+    /// Too few or too many elements.
+    #[error(
+        "field `{field}` is cut into at least {least} and at most {most} elements, not {found}"
+    )]
+    Elements {
+        /// The field.
+        field: String,
+        /// One a stretch between ports.
+        least: usize,
+        /// [`MAX_ELEMENTS`].
+        most: usize,
+        /// What was asked for.
+        found: usize,
+    },
+    /// Order 0, or too high.
+    #[error("elements have an order from 1 to {MAX_ORDER}, not {0}")]
+    Order(usize),
+}
+
+/// A scene with fields, cut into elements. Not for several threads at once: room for
+/// the values at nodes is kept between calls, so that no call allocates.
+pub struct FieldSimulator<'a, R> {
+    scene: &'a dyn FieldScene<R>,
+    machine: Shape,
+    /// Parameters without those that fields hand over.
+    parameters: usize,
+    meshes: Vec<Mesh>,
+    /// Nodes that are fields' own, over all fields.
+    own_nodes: usize,
+    /// Name of u and u' of every own node.
+    names: [Vec<String>; 2],
+    /// Field of every own node.
+    field_of: Vec<u32>,
+    border: Vec<u32>,
+    rate_jacobian: Vec<(u32, u32)>,
+    /// Where the machine's entries of the Jacobian are.
+    machine_entries: Vec<u32>,
+    /// Where the entries of every element are, by u and by u'.
+    element_entries: Vec<[u32; 2]>,
+    parameter_jacobian: Vec<(u32, u32)>,
+    mass_matrix: Vec<(u32, u32)>,
+    machine_parameter_jacobian: Vec<(u32, u32)>,
+    work: RefCell<Work<R>>,
+}
+
+/// Values between calls.
+struct Work<R> {
+    /// Parameters of the machine, with what fields hand over.
+    p: Vec<R>,
+    /// State of the machine.
+    state: Vec<R>,
+    /// Its rate, or another result.
+    result: Vec<R>,
+    parameter_jacobian: Vec<R>,
+    /// Bounds of the segments of every field.
+    bounds: Vec<Vec<R>>,
+    places: Vec<R>,
+    /// u, u', M and F at every node of every field.
+    u: Vec<R>,
+    v: Vec<R>,
+    inertia: Vec<R>,
+    force: Vec<R>,
+    /// Derivatives of M and F.
+    inertia_change: Vec<R>,
+    force_change: Vec<R>,
+    gradient: Vec<R>,
+    slopes: Vec<R>,
+    bound_changes: Vec<R>,
+    /// dF at ports: port, column, value.
+    at_ports: Vec<(usize, u32, R)>,
+}
+
+impl<'a, R: Real> FieldSimulator<'a, R> {
+    /// Cuts the fields of a scene into elements. Stretches between ports get elements
+    /// by their lengths at the spec's parameters.
+    ///
+    /// # Errors
+    /// [`FieldError`] if numbers are out of range.
+    pub fn new(
+        scene: &'a dyn FieldScene<R>,
+        discretisation: Discretisation,
+    ) -> Result<Self, FieldError> {
+        let machine = scene.shape();
+        let attachments: usize =
+            (0..scene.fields()).map(|index| scene.field(index).attachments.len()).sum();
+        let meshes = mesh::meshes(scene, discretisation)?;
+        let own_nodes: usize = meshes.iter().map(|mesh| mesh.own_nodes).sum();
+        let parameters = machine.parameters - HANDED * attachments;
+        let mut simulator = Self {
+            scene,
+            machine,
+            parameters,
+            own_nodes,
+            names: [Vec::new(), Vec::new()],
+            field_of: Vec::new(),
+            border: Vec::new(),
+            rate_jacobian: Vec::new(),
+            machine_entries: Vec::new(),
+            element_entries: Vec::new(),
+            parameter_jacobian: Vec::new(),
+            mass_matrix: Vec::new(),
+            machine_parameter_jacobian: scene.parameter_jacobian_pattern().entries.to_vec(),
+            work: RefCell::new(Work::new(scene, &meshes)),
+            meshes,
+        };
+        simulator.name_nodes();
+        simulator.border = (0..machine.states()).map(|index| simulator.entry(index)).collect();
+        simulator.lay_out_rate_jacobian();
+        simulator.lay_out_others();
+        Ok(simulator)
+    }
+
+    /// Number of coordinates.
+    fn coordinates(&self) -> usize {
+        self.machine.coordinates + self.own_nodes
+    }
+
+    /// Where an entry of the machine's state is in the state.
+    fn entry(&self, index: usize) -> u32 {
+        let (n, all) = (self.machine.coordinates, self.coordinates());
+        let moved = match index {
+            _ if index < n => index,
+            _ if index < 2 * n => index - n + all,
+            _ => index - 2 * n + 2 * all,
+        };
+        moved as u32
+    }
+
+    /// Positions of u and u' of a node in the state; none where it is held.
+    fn columns(&self, owner: Owner) -> Option<[u32; 2]> {
+        let coordinate = match owner {
+            Owner::Fixed => return None,
+            Owner::Port { coordinate, .. } => coordinate,
+            Owner::Field(own) => self.machine.coordinates as u32 + own,
+        };
+        Some([coordinate, coordinate + self.coordinates() as u32])
+    }
+
+    /// x of the nodes of a field \[m\] at given parameters.
+    #[must_use]
+    pub fn places(&self, field: usize, parameters: &[R]) -> Vec<R> {
+        let mut work = self.work.borrow_mut();
+        self.place(parameters, &mut work);
+        let mesh = &self.meshes[field];
+        let mut x = vec![R::literal(0.0); mesh.owners.len()];
+        mesh.elements(field, &work.bounds[field]).places(&mut x);
+        x
+    }
+
+    /// u at the nodes of a field in a given state.
+    #[must_use]
+    pub fn values(&self, field: usize, state: &[R]) -> Vec<R> {
+        let value = |owner: &Owner| match self.columns(*owner) {
+            Some([position, _]) => state[position as usize],
+            None => R::literal(0.0),
+        };
+        self.meshes[field].owners.iter().map(value).collect()
+    }
+
+    /// Nodes of all fields.
+    #[must_use]
+    pub fn nodes(&self) -> usize {
+        self.meshes.iter().map(|mesh| mesh.owners.len()).sum()
+    }
+
+    fn name_nodes(&mut self) {
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let description = self.scene.field(index);
+            for (node, owner) in mesh.owners.iter().enumerate() {
+                if let Owner::Field(_) = owner {
+                    self.names[0].push(format!("{}[{node}]", description.value.name));
+                    self.names[1].push(format!("{}[{node}]", description.rate.name));
+                    self.field_of.push(index as u32);
+                }
+            }
+        }
+    }
+
+    /// Rows of the machine's state that the force on a port reaches.
+    fn rows_of_port(&self, handed: u32) -> impl Iterator<Item = (usize, u32)> + '_ {
+        let entries = self.machine_parameter_jacobian.iter().enumerate();
+        entries
+            .filter(move |(_, (_, column))| *column == handed + 1)
+            .map(|(index, (row, _))| (index, *row))
+    }
+
+    fn lay_out_rate_jacobian(&mut self) {
+        let machine = self.scene.rate_jacobian_pattern().entries;
+        let n = self.coordinates() as u32;
+        let mut entries: Vec<(u32, u32)> = (0..n).map(|row| (row, row + n)).collect();
+        let machine: Vec<(u32, u32)> = machine
+            .iter()
+            .map(|(row, column)| (self.entry(*row as usize), self.entry(*column as usize)))
+            .collect();
+        entries.extend(&machine);
+        self.each_element_entry(|owner, columns| match owner {
+            Owner::Fixed => {}
+            Owner::Field(own) => {
+                let row = n + self.machine.coordinates as u32 + own;
+                entries.extend(columns.map(|column| (row, column)));
+            }
+            Owner::Port { handed, .. } => {
+                for (_, row) in self.rows_of_port(handed) {
+                    let row = self.entry(row as usize);
+                    entries.extend(columns.map(|column| (row, column)));
+                }
+            }
+        });
+        entries.sort_unstable();
+        entries.dedup();
+        let find = |entry: (u32, u32)| {
+            entries.binary_search(&entry).map_or(u32::MAX, |index| index as u32)
+        };
+        self.machine_entries = machine.into_iter().map(find).collect();
+        let mut element_entries = Vec::new();
+        for mesh in &self.meshes {
+            for nodes in mesh.elements_of_nodes() {
+                for row in nodes.clone() {
+                    for column in nodes.clone() {
+                        let place = match (mesh.owners[row], self.columns(mesh.owners[column])) {
+                            (Owner::Field(own), Some(columns)) => {
+                                let row = n + self.machine.coordinates as u32 + own;
+                                columns.map(|column| find((row, column)))
+                            }
+                            _ => [u32::MAX; 2],
+                        };
+                        element_entries.push(place);
+                    }
+                }
+            }
+        }
+        self.element_entries = element_entries;
+        self.rate_jacobian = entries;
+    }
+
+    /// Calls `see` with the owner of a row and the columns of every pair of nodes of
+    /// every element.
+    fn each_element_entry(&self, mut see: impl FnMut(Owner, [u32; 2])) {
+        for mesh in &self.meshes {
+            for nodes in mesh.elements_of_nodes() {
+                for row in nodes.clone() {
+                    for column in nodes.clone() {
+                        if let Some(columns) = self.columns(mesh.owners[column]) {
+                            see(mesh.owners[row], columns);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn lay_out_others(&mut self) {
+        let n = self.machine.coordinates as u32;
+        let own = |index: usize| n + index as u32;
+        let mut mass = self.scene.mass_matrix_pattern().entries.to_vec();
+        mass.extend((0..self.own_nodes).map(|index| (own(index), own(index))));
+        self.mass_matrix = mass;
+
+        let mut entries: Vec<(u32, u32)> = Vec::new();
+        for (row, column) in &self.machine_parameter_jacobian {
+            if (*column as usize) < self.parameters {
+                entries.push((self.entry(*row as usize), *column));
+            }
+        }
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let description = self.scene.field(index);
+            for owner in &mesh.owners {
+                match *owner {
+                    Owner::Fixed => {}
+                    Owner::Field(node) => {
+                        let row = self.coordinates() as u32 + n + node;
+                        entries.extend(description.parameters.iter().map(|p| (row, *p)));
+                    }
+                    Owner::Port { handed, .. } => {
+                        let rows = self.machine_parameter_jacobian.iter();
+                        for (row, _) in rows.filter(|(_, c)| [handed, handed + 1].contains(c)) {
+                            let row = self.entry(*row as usize);
+                            entries.extend(description.parameters.iter().map(|p| (row, *p)));
+                        }
+                    }
+                }
+            }
+        }
+        entries.sort_unstable();
+        entries.dedup();
+        self.parameter_jacobian = entries;
+    }
+}
+
+impl<R: Real> Work<R> {
+    fn new(scene: &dyn FieldScene<R>, meshes: &[Mesh]) -> Self {
+        let zeros = |count: usize| vec![R::literal(0.0); count];
+        let shape = scene.shape();
+        let nodes: usize = meshes.iter().map(|mesh| mesh.owners.len()).sum();
+        let most = |count: &dyn Fn(usize) -> usize| {
+            (0..scene.fields()).map(count).max().unwrap_or_default()
+        };
+        let parameters = most(&|index| scene.field(index).parameters.len());
+        let places = most(&|index| scene.field(index).attachments.len()) + 1;
+        Self {
+            p: (0..shape.parameters).map(|i| R::literal(scene.parameter_default(i))).collect(),
+            state: zeros(shape.states()),
+            result: zeros(shape.states().max(scene.rate_jacobian_pattern().entries.len())),
+            parameter_jacobian: zeros(scene.parameter_jacobian_pattern().entries.len()),
+            bounds: meshes.iter().map(|mesh| zeros(mesh.segments.len() + 1)).collect(),
+            places: zeros(places),
+            u: zeros(nodes),
+            v: zeros(nodes),
+            inertia: zeros(nodes),
+            force: zeros(nodes),
+            inertia_change: zeros(nodes),
+            force_change: zeros(nodes),
+            gradient: zeros(2 * (2 + parameters)),
+            slopes: zeros(places * parameters),
+            bound_changes: zeros(places + 1),
+            at_ports: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! Elements of one field: segments between its places, and whose every node is.
+
+use std::cmp::Ordering;
+use std::ops::Range;
+
+use machinist_scenes::Real;
+use machinist_scenes::field::{
+    Elements, FieldDescription, FieldPlace, FieldScene, MAX_ORDER, Segment,
+};
+
+use super::{Discretisation, FieldError, Lobatto, MAX_ELEMENTS};
+
+/// Whose a node is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Owner {
+    /// Nobody's: it is held at zero.
+    Fixed,
+    /// The machine's.
+    Port {
+        /// Coordinate of the machine.
+        coordinate: u32,
+        /// First of the parameters that the field hands over.
+        handed: u32,
+    },
+    /// The field's, by its number among those of all fields.
+    Field(u32),
+}
+
+/// One field, cut into elements.
+#[derive(Debug, Clone)]
+pub(super) struct Mesh {
+    pub rule: Lobatto,
+    pub order: usize,
+    pub segments: Vec<Segment>,
+    /// One for each node, by x.
+    pub owners: Vec<Owner>,
+    /// Attachment, its bound and its node.
+    pub attached: Vec<[usize; 3]>,
+    /// First node among those of all fields.
+    pub first_node: usize,
+    pub own_nodes: usize,
+}
+
+impl Mesh {
+    /// For the loops of the contract.
+    pub fn elements<'a, R: Real>(&'a self, field: usize, bounds: &'a [R]) -> Elements<'a, R> {
+        Elements { field, rule: self.rule.rule(), segments: &self.segments, bounds }
+    }
+
+    /// Its nodes among those of all fields.
+    pub fn nodes(&self) -> Range<usize> {
+        self.first_node..self.first_node + self.owners.len()
+    }
+
+    /// Nodes of each element.
+    pub fn elements_of_nodes(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        let elements = (self.owners.len() - 1) / self.order;
+        (0..elements).map(|element| {
+            let first = element * self.order;
+            first..first + self.order + 1
+        })
+    }
+}
+
+/// Cuts every field of a scene.
+pub(super) fn meshes<R: Real>(
+    scene: &dyn FieldScene<R>,
+    wanted: Discretisation,
+) -> Result<Vec<Mesh>, FieldError> {
+    let (mut nodes, mut own) = (0, 0);
+    let mut meshes = Vec::new();
+    for index in 0..scene.fields() {
+        let mesh = mesh(scene, index, wanted, [nodes, own])?;
+        nodes += mesh.owners.len();
+        own += mesh.own_nodes;
+        meshes.push(mesh);
+    }
+    Ok(meshes)
+}
+
+fn mesh<R: Real>(
+    scene: &dyn FieldScene<R>,
+    index: usize,
+    wanted: Discretisation,
+    [first_node, first_own]: [usize; 2],
+) -> Result<Mesh, FieldError> {
+    let description = scene.field(index);
+    let order = wanted.order.unwrap_or(description.order);
+    if !(1..=MAX_ORDER).contains(&order) {
+        return Err(FieldError::Order(order));
+    }
+    let inside = |place: FieldPlace| place == FieldPlace::Inside;
+    let stretches = 1 + description.attachments.iter().filter(|at| inside(at.place)).count();
+    let elements = wanted.elements.unwrap_or(description.elements);
+    if !(stretches..=MAX_ELEMENTS).contains(&elements) {
+        let field = description.value.name.to_owned();
+        let (least, most) = (stretches, MAX_ELEMENTS);
+        return Err(FieldError::Elements { field, least, most, found: elements });
+    }
+    let counts = share(elements, &lengths(&description));
+    let mut segments = Vec::new();
+    let mut node = 0;
+    for (number, count) in counts.iter().enumerate() {
+        let bounds = [number as u32, number as u32 + 1];
+        segments.push(Segment { bounds, elements: *count as u32, first_node: node as u32 });
+        node += count * order;
+    }
+    let nodes = node + 1;
+    let mut owners: Vec<Option<Owner>> = vec![None; nodes];
+    if description.fixed[0] {
+        owners[0] = Some(Owner::Fixed);
+    }
+    if description.fixed[1] {
+        owners[nodes - 1] = Some(Owner::Fixed);
+    }
+    let mut attached = Vec::new();
+    let mut bound = 0;
+    for (number, at) in description.attachments.iter().enumerate() {
+        bound = match at.place {
+            FieldPlace::Start => 0,
+            FieldPlace::Inside => bound + 1,
+            FieldPlace::End => segments.len(),
+        };
+        let node = segments.get(bound).map_or(nodes - 1, |segment| segment.first_node as usize);
+        if let Some(coordinate) = at.coordinate {
+            owners[node] = Some(Owner::Port { coordinate, handed: at.handed });
+        }
+        attached.push([number, bound, node]);
+    }
+    let mut own = first_own as u32;
+    let owners: Vec<Owner> = owners
+        .into_iter()
+        .map(|owner| {
+            owner.unwrap_or_else(|| {
+                own += 1;
+                Owner::Field(own - 1)
+            })
+        })
+        .collect();
+    let own_nodes = own as usize - first_own;
+    let rule = Lobatto::new(order);
+    Ok(Mesh { rule, order, segments, owners, attached, first_node, own_nodes })
+}
+
+/// Lengths of the stretches between places, as the spec has them \[m\].
+fn lengths(description: &FieldDescription<'_>) -> Vec<f64> {
+    let inside = description.attachments.iter().filter(|at| at.place == FieldPlace::Inside);
+    let ends = inside.map(|at| at.at).chain([description.length]);
+    let mut start = 0.0;
+    let lengths = ends.map(|end| {
+        let length = end - start;
+        start = end;
+        length
+    });
+    lengths.collect()
+}
+
+/// Elements for each stretch: at least one, the rest by length.
+fn share(elements: usize, lengths: &[f64]) -> Vec<usize> {
+    let mut counts = vec![1; lengths.len()];
+    let total: f64 = lengths.iter().sum();
+    if !(total > 0.0 && total.is_finite()) {
+        counts[0] += elements - counts.len();
+        return counts;
+    }
+    for (count, length) in counts.iter_mut().zip(lengths) {
+        let ideal = (elements as f64 * length / total).floor() as usize;
+        *count = ideal.max(1);
+    }
+    loop {
+        let given: usize = counts.iter().sum();
+        let longest = |index: &usize| lengths[*index] / counts[*index] as f64;
+        let order = |a: &usize, b: &usize| longest(a).total_cmp(&longest(b));
+        match given.cmp(&elements) {
+            Ordering::Less => {
+                let Some(index) = (0..counts.len()).rev().max_by(order) else { return counts };
+                counts[index] += 1;
+            }
+            Ordering::Greater => {
+                let many = (0..counts.len()).filter(|index| counts[*index] > 1);
+                let Some(index) = many.min_by(order) else { return counts };
+                counts[index] -= 1;
+            }
+            Ordering::Equal => return counts,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::share;
+
+    #[test]
+    fn stretches_get_elements_by_their_lengths_and_one_at_least() {
+        assert_eq!(share(10, &[1.0, 1.0]), [5, 5]);
+        assert_eq!(share(7, &[1.0, 0.75]), [4, 3]);
+        assert_eq!(share(4, &[1.0, 1e-6, 1.0]), [2, 1, 1]);
+        assert_eq!(share(100, &[1e-9, 1.0]), [1, 99]);
+    }
+}

@@ -1,0 +1,181 @@
+//! Fields of scenes run from their tapes.
+
+use std::cell::RefCell;
+
+use machinist_codegen::evaluate::Evaluator;
+use machinist_codegen::program::FieldProgram;
+use machinist_codegen::system::{Place, Table};
+use machinist_scenes::field::{
+    FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene,
+};
+
+use super::{InterpretedSimulator, described};
+
+/// The point functions of one field.
+#[derive(Debug)]
+pub(super) struct InterpretedField {
+    attachments: Vec<FieldAttachment>,
+    parameters: Vec<u32>,
+    inertia: RefCell<Evaluator>,
+    inertia_gradient: RefCell<Evaluator>,
+    force: RefCell<Evaluator>,
+    force_jacobian: RefCell<Evaluator>,
+    force_gradient: RefCell<Evaluator>,
+    energy: RefCell<Evaluator>,
+    power: RefCell<Evaluator>,
+    places: RefCell<Evaluator>,
+    places_gradient: RefCell<Evaluator>,
+    initial: RefCell<Evaluator>,
+}
+
+impl InterpretedField {
+    pub(super) fn new(program: &FieldProgram) -> Self {
+        let prepared = |tape| RefCell::new(Evaluator::new(tape));
+        let attachments = program.field.attachments.iter().map(|at| FieldAttachment {
+            coordinate: at.coordinate.map(|id| id.0),
+            place: match at.place {
+                Place::Start => FieldPlace::Start,
+                Place::Inside => FieldPlace::Inside,
+                Place::End => FieldPlace::End,
+            },
+            at: at.x,
+            handed: at.handed.0,
+        });
+        Self {
+            attachments: attachments.collect(),
+            parameters: program.parameters.iter().map(|id| id.0).collect(),
+            inertia: prepared(&program.inertia),
+            inertia_gradient: prepared(&program.inertia_gradient),
+            force: prepared(&program.force),
+            force_jacobian: prepared(&program.force_jacobian),
+            force_gradient: prepared(&program.force_gradient),
+            energy: prepared(&program.energy),
+            power: prepared(&program.power),
+            places: prepared(&program.places),
+            places_gradient: prepared(&program.places_gradient),
+            initial: prepared(&program.initial),
+        }
+    }
+}
+
+impl InterpretedSimulator {
+    fn tables(&self) -> &[Table] {
+        &self.program.system.tables
+    }
+
+    fn at_point(
+        &self,
+        evaluator: &RefCell<Evaluator>,
+        (time, x, point): (f64, f64, &FieldPoint<f64>),
+        p: &[f64],
+        results: &mut [f64],
+    ) {
+        let [value, slope, rate, slope_rate] = *point;
+        let state = [value, slope, rate, slope_rate, x];
+        evaluator.borrow_mut().evaluate(time, &state, p, self.tables(), results);
+    }
+
+    fn at_place(&self, evaluator: &RefCell<Evaluator>, x: f64, p: &[f64], results: &mut [f64]) {
+        self.at_point(evaluator, (0.0, x, &[0.0; 4]), p, results);
+    }
+}
+
+impl FieldScene<f64> for InterpretedSimulator {
+    fn fields(&self) -> usize {
+        self.fields.len()
+    }
+    fn field(&self, index: usize) -> FieldDescription<'_> {
+        let field = &self.program.fields[index].field;
+        let [value, slope, rate, ..] = &field.quantities;
+        FieldDescription {
+            value: described(value),
+            rate: described(rate),
+            slope: described(slope),
+            scale: field.scale,
+            fixed: field.fixed,
+            length: field.length_value,
+            attachments: &self.fields[index].attachments,
+            parameters: &self.fields[index].parameters,
+            elements: field.elements,
+            order: field.order,
+        }
+    }
+    fn field_inertia(&self, index: usize, x: f64, p: &[f64]) -> f64 {
+        let mut inertia = [0.0];
+        self.at_place(&self.fields[index].inertia, x, p, &mut inertia);
+        inertia[0]
+    }
+    fn field_inertia_gradient(&self, index: usize, x: f64, p: &[f64], gradient: &mut [f64]) {
+        self.at_place(&self.fields[index].inertia_gradient, x, p, gradient);
+    }
+    fn field_force(
+        &self,
+        index: usize,
+        time: f64,
+        x: f64,
+        point: &FieldPoint<f64>,
+        p: &[f64],
+    ) -> [f64; 2] {
+        let mut force = [0.0; 2];
+        self.at_point(&self.fields[index].force, (time, x, point), p, &mut force);
+        force
+    }
+    fn field_force_jacobian(
+        &self,
+        index: usize,
+        time: f64,
+        x: f64,
+        point: &FieldPoint<f64>,
+        p: &[f64],
+    ) -> [f64; 8] {
+        let mut jacobian = [0.0; 8];
+        self.at_point(&self.fields[index].force_jacobian, (time, x, point), p, &mut jacobian);
+        jacobian
+    }
+    fn field_force_gradient(
+        &self,
+        index: usize,
+        time: f64,
+        x: f64,
+        point: &FieldPoint<f64>,
+        p: &[f64],
+        gradient: &mut [f64],
+    ) {
+        self.at_point(&self.fields[index].force_gradient, (time, x, point), p, gradient);
+    }
+    fn field_energy(
+        &self,
+        index: usize,
+        time: f64,
+        x: f64,
+        point: &FieldPoint<f64>,
+        p: &[f64],
+    ) -> [f64; 2] {
+        let mut energy = [0.0; 2];
+        self.at_point(&self.fields[index].energy, (time, x, point), p, &mut energy);
+        energy
+    }
+    fn field_power(
+        &self,
+        index: usize,
+        time: f64,
+        x: f64,
+        point: &FieldPoint<f64>,
+        p: &[f64],
+    ) -> [f64; 3] {
+        let mut power = [0.0; 3];
+        self.at_point(&self.fields[index].power, (time, x, point), p, &mut power);
+        power
+    }
+    fn field_places(&self, index: usize, p: &[f64], places: &mut [f64]) {
+        self.at_place(&self.fields[index].places, 0.0, p, places);
+    }
+    fn field_places_gradient(&self, index: usize, p: &[f64], gradient: &mut [f64]) {
+        self.at_place(&self.fields[index].places_gradient, 0.0, p, gradient);
+    }
+    fn field_initial(&self, index: usize, x: f64, p: &[f64]) -> [f64; 2] {
+        let mut initial = [0.0; 2];
+        self.at_place(&self.fields[index].initial, x, p, &mut initial);
+        initial
+    }
+}

@@ -1,0 +1,283 @@
+//! Watches guards while a method steps, and does what events say where one passes
+//! zero.
+//!
+//! - A step is looked at in four parts: a guard that changes its sign over a part, or
+//!   turns round beyond zero within it, has passed. The root is bracketed on the step's
+//!   dense output; then the step is taken anew, so that it ends there, and the root is
+//!   corrected by Newton's method: an event is as exact as a step.
+//! - Just after an event its guard is zero but for rounding. Then the side it is on is
+//!   that to which dg/dt points; if that vanishes too, that on which it is next seen.
+//!   So nothing happens twice, and no bounce, however short, is overlooked.
+//! - A guard that sets out from zero to the far side without having just passed has
+//!   passed now.
+//! - Events without end within no time (Zeno) stop the run.
+
+mod passing;
+
+use std::cell::RefCell;
+use std::collections::VecDeque;
+
+use super::one_step::OneStep;
+use super::{Stopped, System};
+use crate::error::StopCause;
+use crate::trajectory::Switch;
+use passing::{Outcome, Parts};
+
+/// So many events within [`NO_TIME`] are taken for endless ones.
+const ENDLESS: usize = 50;
+/// Share of the time reached, or of the run if that is longer.
+const NO_TIME: f64 = 1e-10;
+
+/// The guards of a run, and what became of them.
+pub struct Watch<'a> {
+    system: &'a System<'a>,
+    span: f64,
+    inner: RefCell<Inner>,
+}
+
+struct Inner {
+    sides: Vec<Side>,
+    /// Start of the next step.
+    time: f64,
+    start: Vec<f64>,
+    parts: Parts,
+    outcomes: Vec<Outcome>,
+    /// Time and events, where a guard passed.
+    happening: Option<(f64, Vec<usize>)>,
+    latest: VecDeque<f64>,
+    switches: Vec<Switch>,
+}
+
+/// Where a guard is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Side {
+    /// Not watched: a mode has another value.
+    Idle,
+    /// Above zero (1) or below (-1).
+    Known(f64),
+    /// To be seen; what is not larger than `residual` is zero.
+    Fresh { passed: bool, residual: f64 },
+}
+
+impl<'a> Watch<'a> {
+    /// A watch over a run from a state, or nothing if the simulator has no events.
+    #[must_use]
+    pub fn new(system: &'a System<'a>, (from, until): (f64, f64), state: &[f64]) -> Option<Self> {
+        let count = system.simulator().events();
+        let inner = Inner {
+            sides: vec![Side::Idle; count],
+            time: from,
+            start: state.to_vec(),
+            parts: Parts::new(count, state.len()),
+            outcomes: Vec::new(),
+            happening: None,
+            latest: VecDeque::new(),
+            switches: Vec::new(),
+        };
+        let watch = Self { system, span: until - from, inner: RefCell::new(inner) };
+        watch.arm(&mut watch.inner.borrow_mut().sides, state);
+        (count > 0).then_some(watch)
+    }
+
+    /// Every event that has happened, in order.
+    #[must_use]
+    pub fn into_switches(self) -> Vec<Switch> {
+        self.inner.into_inner().switches
+    }
+
+    /// Starts on a stretch.
+    pub(super) fn start(&self, time: f64, state: &[f64]) {
+        let inner = &mut *self.inner.borrow_mut();
+        inner.time = time;
+        inner.start.copy_from_slice(state);
+    }
+
+    /// State at the start of the current step.
+    pub(super) fn copy_start(&self, state: &mut [f64]) {
+        state.copy_from_slice(&self.inner.borrow().start);
+    }
+
+    /// The first time at which a guard passes zero within the current step, which ends
+    /// at `until`; if none does, the step's end is the start of the next one.
+    pub(super) fn first_passing<M: OneStep>(&self, method: &mut M, until: f64) -> Option<f64> {
+        let inner = &mut *self.inner.borrow_mut();
+        inner.parts.fill(self.system, method, (inner.time, until), &inner.start);
+        inner.outcomes.clear();
+        for (index, side) in inner.sides.iter().enumerate() {
+            let direction = self.system.simulator().event(index).direction;
+            let outcome = inner.parts.outcome(self.system, method, index, direction, *side);
+            inner.outcomes.push(outcome);
+        }
+        let passings = inner.outcomes.iter().filter_map(Outcome::passing);
+        let first = passings.min_by(f64::total_cmp);
+        if first.is_none() {
+            for (side, outcome) in inner.sides.iter_mut().zip(&inner.outcomes) {
+                if let Outcome::Stays(on) = outcome {
+                    *side = *on;
+                }
+            }
+            inner.time = until;
+            inner.start.copy_from_slice(method.end());
+        }
+        first
+    }
+
+    /// By how much a passing at `time`, where the state is `end`, is early; nothing if
+    /// the guard says too little there.
+    pub(super) fn correction(&self, time: f64, end: &[f64]) -> Option<f64> {
+        let inner = &mut *self.inner.borrow_mut();
+        let first = |outcome: &Outcome| outcome.passing();
+        let events = inner.outcomes.iter().enumerate();
+        let earliest = events.filter_map(|(index, outcome)| Some((index, first(outcome)?)));
+        let (index, _) = earliest.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (guard, rate) = inner.parts.at(self.system, time, end, index);
+        let correction = -guard / rate;
+        correction.is_finite().then_some(correction)
+    }
+
+    /// The step ends at `time` because of the events that were found, in state `end`.
+    pub(super) fn happens(&self, time: f64, first: f64, end: &[f64]) {
+        let inner = &mut *self.inner.borrow_mut();
+        let near = 64.0 * f64::EPSILON * time.abs().max(inner.time.abs());
+        let mut happening = Vec::new();
+        for (index, outcome) in inner.outcomes.iter().enumerate() {
+            let (guard, _) = inner.parts.at(self.system, time, end, index);
+            match *outcome {
+                Outcome::Passes { time: passing, from } => {
+                    if passing <= first + near || guard * from < 0.0 {
+                        happening.push(index);
+                    } else {
+                        inner.sides[index] = Side::Known(from);
+                    }
+                }
+                Outcome::Stays(Side::Known(_)) if guard != 0.0 && time > inner.time => {
+                    inner.sides[index] = Side::Known(guard.signum());
+                }
+                Outcome::Stays(_) => {}
+            }
+        }
+        inner.happening = Some((time, happening));
+    }
+
+    /// Where the method stopped for events: does what they say to `state`, all of it
+    /// from left to right in the order of the spec, each event only if it is still
+    /// watched for. Gives the time.
+    ///
+    /// # Errors
+    /// If a new value is not finite, or if events do not end.
+    pub(super) fn switch(&self, state: &mut [f64]) -> Result<Option<f64>, Stopped> {
+        let Some((time, events)) = self.inner.borrow_mut().happening.take() else {
+            return Ok(None);
+        };
+        let states = self.system.states();
+        let guards_before = self.guards(time, state);
+        let mut passed = vec![false; guards_before.len()];
+        for index in events {
+            if self.is_armed(index, state) {
+                passed[index] = true;
+                self.apply(index, time, &mut state[..states])?;
+                self.count(index, time)?;
+            }
+        }
+        let guards = self.guards(time, state);
+        let inner = &mut *self.inner.borrow_mut();
+        for (index, side) in inner.sides.iter_mut().enumerate() {
+            let was_watched = *side != Side::Idle;
+            let is_same = guards[index].to_bits() == guards_before[index].to_bits();
+            if !self.is_armed(index, state) {
+                *side = Side::Idle;
+            } else if passed[index] {
+                let residual = 4.0 * guards_before[index].abs();
+                *side = Side::Fresh { passed: true, residual };
+            } else if !(was_watched && is_same) {
+                *side = Side::Fresh { passed: false, residual: 0.0 };
+            }
+        }
+        Ok(Some(time))
+    }
+
+    fn guards(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let simulator = self.system.simulator();
+        let mut guards = vec![0.0; simulator.events()];
+        let state = &state[..self.system.states()];
+        simulator.guards(time, state, self.system.parameters(), &mut guards);
+        guards
+    }
+
+    /// Whether the modes are those in which an event is watched for.
+    fn is_armed(&self, index: usize, state: &[f64]) -> bool {
+        let when = self.system.simulator().event(index).when;
+        // Modes are whole numbers, and stay so but for rounding.
+        when.iter().all(|(entry, value)| (state[*entry as usize] - value).abs() < 0.5)
+    }
+
+    fn arm(&self, sides: &mut [Side], state: &[f64]) {
+        for (index, side) in sides.iter_mut().enumerate() {
+            if self.is_armed(index, state) {
+                *side = Side::Fresh { passed: false, residual: 0.0 };
+            }
+        }
+    }
+
+    /// Gives the entries that an event sets their new values.
+    fn apply(&self, index: usize, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+        let simulator = self.system.simulator();
+        let lengths: Vec<usize> =
+            (0..simulator.events()).map(|event| simulator.event(event).sets.len()).collect();
+        let mut values = vec![0.0; lengths.iter().sum()];
+        simulator.resets(time, state, self.system.parameters(), &mut values);
+        let first: usize = lengths[..index].iter().sum();
+        let event = simulator.event(index);
+        for (entry, value) in event.sets.iter().zip(&values[first..]) {
+            let entry = *entry as usize;
+            if !value.is_finite() {
+                let what = format!(
+                    "the new value of `{}` at event `{}`",
+                    self.system.name(entry),
+                    event.name
+                );
+                return Err(Stopped { time, cause: StopCause::NotFinite { what } });
+            }
+            state[entry] = if simulator.is_mode(entry) { value.round() } else { *value };
+        }
+        Ok(())
+    }
+
+    /// Counts an event, and stops what does not end.
+    fn count(&self, index: usize, time: f64) -> Result<(), Stopped> {
+        let event = self.system.simulator().event(index).name.to_owned();
+        self.system.count(|work| work.switches += 1);
+        let inner = &mut *self.inner.borrow_mut();
+        inner.latest.push_back(time);
+        if inner.latest.len() > ENDLESS {
+            let earliest = inner.latest.pop_front().unwrap_or(time);
+            if time - earliest <= NO_TIME * self.span.max(time.abs()) {
+                return Err(Stopped { time, cause: StopCause::Zeno { event, count: ENDLESS } });
+            }
+        }
+        inner.switches.push(Switch { time, event });
+        Ok(())
+    }
+}
+
+/// The event whose guard and its rate are exactly zero at all of some states spread over
+/// the run and over the states' scales: it could never pass.
+pub(crate) fn identically_zero(system: &System<'_>, (from, until): (f64, f64)) -> Option<usize> {
+    const PROBES: usize = 8;
+    let simulator = system.simulator();
+    let count = simulator.events();
+    let mut moves = vec![false; count];
+    let (mut guards, mut rates) = (vec![0.0; count], vec![0.0; count]);
+    for probe in 0..PROBES {
+        let spread = |index: usize| ((probe * 31 + index * 17) as f64 * 0.618 + 0.3).sin();
+        let value = |index: usize| simulator.state_scale(index) * spread(index + 1);
+        let state: Vec<f64> = (0..system.states()).map(value).collect();
+        let time = from + (until - from) * (probe as f64 + 0.5) / PROBES as f64;
+        simulator.guards(time, &state, system.parameters(), &mut guards);
+        simulator.guard_rates(time, &state, system.parameters(), &mut rates);
+        for ((moves, guard), rate) in moves.iter_mut().zip(&guards).zip(&rates) {
+            *moves |= *guard != 0.0 || *rate != 0.0;
+        }
+    }
+    moves.iter().position(|moves| !moves)
+}

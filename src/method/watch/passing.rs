@@ -1,0 +1,291 @@
+//! Where within a step a guard passes zero.
+
+use machinist_scenes::Direction;
+
+use super::super::System;
+use super::super::one_step::OneStep;
+use super::Side;
+
+/// Parts of a step.
+const PARTS: usize = 4;
+/// Below this share of its largest value over a step, a guard is zero but for rounding.
+const ROUNDING: f64 = 1e-12;
+/// A guard that would change by less than this share, at the rate it has, is at rest.
+const AT_REST: f64 = 1e-9;
+
+/// Guards and their rates at the ends of the parts of a step.
+pub(super) struct Parts {
+    times: [f64; PARTS + 1],
+    /// One row for each end.
+    guards: Vec<f64>,
+    rates: Vec<f64>,
+    count: usize,
+    state: Vec<f64>,
+    one: [Vec<f64>; 2],
+}
+
+/// What a guard does over a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Outcome {
+    /// Its event does not happen; where it is at the end.
+    Stays(Side),
+    /// Its event happens: the guard comes from this side (1 or -1).
+    Passes { time: f64, from: f64 },
+}
+
+impl Outcome {
+    pub(super) fn passing(&self) -> Option<f64> {
+        match self {
+            Outcome::Passes { time, .. } => Some(*time),
+            Outcome::Stays(_) => None,
+        }
+    }
+}
+
+impl Parts {
+    pub(super) fn new(count: usize, states: usize) -> Self {
+        let rows = || vec![0.0; (PARTS + 1) * count];
+        let one = [vec![0.0; count], vec![0.0; count]];
+        let times = [0.0; PARTS + 1];
+        Self { times, guards: rows(), rates: rows(), count, state: vec![0.0; states], one }
+    }
+
+    /// Looks at a step of `method`.
+    pub(super) fn fill<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        (from, until): (f64, f64),
+        start: &[f64],
+    ) {
+        for part in 0..=PARTS {
+            let time = from + (until - from) * (part as f64 / PARTS as f64);
+            let time = if part == PARTS { until } else { time };
+            match part {
+                0 => self.state.copy_from_slice(start),
+                PARTS => self.state.copy_from_slice(method.end()),
+                _ => method.interpolate(time, &mut self.state),
+            }
+            self.times[part] = time;
+            let row = part * self.count..(part + 1) * self.count;
+            let (simulator, parameters) = (system.simulator(), system.parameters());
+            let state = &self.state[..system.states()];
+            simulator.guards(time, state, parameters, &mut self.guards[row.clone()]);
+            simulator.guard_rates(time, state, parameters, &mut self.rates[row]);
+        }
+    }
+
+    /// A guard and its rate at a state.
+    pub(super) fn at(
+        &mut self,
+        system: &System<'_>,
+        time: f64,
+        state: &[f64],
+        event: usize,
+    ) -> (f64, f64) {
+        let (simulator, parameters) = (system.simulator(), system.parameters());
+        let state = &state[..system.states()];
+        let [guards, rates] = &mut self.one;
+        simulator.guards(time, state, parameters, guards);
+        simulator.guard_rates(time, state, parameters, rates);
+        (guards[event], rates[event])
+    }
+
+    fn between<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        time: f64,
+        event: usize,
+    ) -> (f64, f64) {
+        let mut state = std::mem::take(&mut self.state);
+        method.interpolate(time, &mut state);
+        let found = self.at(system, time, &state, event);
+        self.state = state;
+        found
+    }
+
+    fn guard(&self, part: usize, event: usize) -> f64 {
+        self.guards[part * self.count + event]
+    }
+
+    fn rate(&self, part: usize, event: usize) -> f64 {
+        self.rates[part * self.count + event]
+    }
+
+    /// What a guard does that is on `side` at the start of the step.
+    pub(super) fn outcome<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        event: usize,
+        direction: Direction,
+        side: Side,
+    ) -> Outcome {
+        let start = match side {
+            Side::Idle => return Outcome::Stays(Side::Idle),
+            Side::Known(known) => self.carried(event, known),
+            Side::Fresh { passed, residual } => self.first_seen(event, direction, passed, residual),
+        };
+        let (mut side, first_part) = match start {
+            Start::On(side, part) => (side, part),
+            Start::Leaves { from } if is_wanted(direction, from) => {
+                return Outcome::Passes { time: self.times[0], from };
+            }
+            Start::Leaves { from } => (-from, 0),
+            Start::Unseen => return Outcome::Stays(side),
+        };
+        for part in first_part..PARTS {
+            let mut bracket = [self.times[part], self.times[part + 1]];
+            let crosses = side * self.guard(part + 1, event) < 0.0;
+            let turns =
+                side * self.rate(part, event) < 0.0 && side * self.rate(part + 1, event) > 0.0;
+            if crosses {
+                if side * self.guard(part, event) <= 0.0 && side * self.rate(part, event) > 0.0 {
+                    // It sets out from zero, and is back beyond it: the top is between.
+                    bracket[0] = self.turn(system, method, event, bracket, side);
+                }
+                if is_wanted(direction, side) {
+                    let time = self.root(system, method, event, bracket, side);
+                    return Outcome::Passes { time, from: side };
+                }
+                side = -side;
+            } else if turns {
+                let turn = self.turn(system, method, event, bracket, -side);
+                if side * self.between(system, method, turn, event).0 < 0.0 {
+                    let (bracket, from) = if is_wanted(direction, side) {
+                        ([bracket[0], turn], side)
+                    } else {
+                        ([turn, bracket[1]], -side)
+                    };
+                    let time = self.root(system, method, event, bracket, from);
+                    return Outcome::Passes { time, from };
+                }
+            }
+        }
+        Outcome::Stays(Side::Known(side))
+    }
+
+    fn largest(&self, event: usize) -> f64 {
+        (0..=PARTS).fold(0.0, |most: f64, part| most.max(self.guard(part, event).abs()))
+    }
+
+    /// The start of a step for a guard whose side is known: it is still there, unless
+    /// the guard itself jumped.
+    fn carried(&self, event: usize, side: f64) -> Start {
+        let guard = self.guard(0, event);
+        if side * guard < -ROUNDING * self.largest(event) {
+            Start::Leaves { from: side }
+        } else {
+            Start::On(side, 0)
+        }
+    }
+
+    /// The start of a step for a guard whose side is not known.
+    fn first_seen(&self, event: usize, direction: Direction, passed: bool, residual: f64) -> Start {
+        let (guard, rate) = (self.guard(0, event), self.rate(0, event));
+        let (largest, span) = (self.largest(event), self.times[PARTS] - self.times[0]);
+        let by_time = 16.0 * f64::EPSILON * self.times[0].abs() * rate.abs();
+        let zero = residual.max(ROUNDING * largest).max(by_time);
+        if guard.abs() > zero {
+            return Start::On(guard.signum(), 0);
+        }
+        let (seen, part) = if rate.abs() * span > AT_REST * largest && rate != 0.0 {
+            (rate.signum(), 0)
+        } else {
+            let clear = |part: &usize| self.guard(*part, event).abs() > zero.max(AT_REST * largest);
+            let Some(part) = (1..=PARTS).find(clear) else { return Start::Unseen };
+            (self.guard(part, event).signum(), part)
+        };
+        // What has just passed at a finite rate goes on; what then rests does not.
+        let goes_on = passed && part == 0;
+        if !goes_on && direction != Direction::Both && is_wanted(direction, -seen) {
+            Start::Leaves { from: -seen }
+        } else {
+            Start::On(seen, part)
+        }
+    }
+
+    /// Where `side` g is largest between two times, at which its rate is above and
+    /// below zero.
+    fn turn<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        event: usize,
+        [mut low, mut high]: [f64; 2],
+        side: f64,
+    ) -> f64 {
+        while let Some(middle) = middle(low, high) {
+            let (_, rate) = self.between(system, method, middle, event);
+            if side * rate > 0.0 { low = middle } else { high = middle }
+        }
+        low
+    }
+
+    /// Where g leaves `side` between two times, by the rule of false position with
+    /// halving (Illinois), to the last bit but some; never early.
+    fn root<M: OneStep>(
+        &mut self,
+        system: &System<'_>,
+        method: &mut M,
+        event: usize,
+        [mut low, mut high]: [f64; 2],
+        side: f64,
+    ) -> f64 {
+        let mut g_low = side * self.between(system, method, low, event).0;
+        let mut g_high = side * self.between(system, method, high, event).0;
+        let mut kept = 0;
+        let mut count = 0;
+        while let Some(middle) = middle(low, high) {
+            count += 1;
+            let chord = high - (high - low) * (g_high / (g_high - g_low));
+            let within = low < chord && chord < high;
+            let time = if within && count % 4 != 0 { chord } else { middle };
+            let guard = side * self.between(system, method, time, event).0;
+            if guard > 0.0 {
+                (low, g_low) = (time, guard);
+                if kept == 1 {
+                    g_high *= 0.5;
+                }
+                kept = 1;
+            } else {
+                (high, g_high) = (time, guard);
+                if kept == -1 {
+                    g_low *= 0.5;
+                }
+                kept = -1;
+            }
+            if guard == 0.0 {
+                break;
+            }
+        }
+        high
+    }
+}
+
+/// Where a guard is as a step starts.
+enum Start {
+    /// On a side, as seen at the start of this part.
+    On(f64, usize),
+    /// It leaves this side right there.
+    Leaves { from: f64 },
+    /// Zero all the step.
+    Unseen,
+}
+
+/// Whether a guard that comes from `side` passes in this direction.
+fn is_wanted(direction: Direction, side: f64) -> bool {
+    match direction {
+        Direction::Rising => side < 0.0,
+        Direction::Falling => side > 0.0,
+        Direction::Both => true,
+    }
+}
+
+/// Between two times, if numbers lie there that differ by more than rounding.
+fn middle(low: f64, high: f64) -> Option<f64> {
+    let middle = low + 0.5 * (high - low);
+    let resolved = 4.0 * f64::EPSILON * low.abs().max(high.abs());
+    (high - low > resolved && low < middle && middle < high).then_some(middle)
+}

@@ -1,0 +1,225 @@
+//! Events of scenes run from their specs: found, once each, by every method that watches.
+#![cfg(feature = "cli")]
+
+use machinist::error::StopCause;
+use machinist::interpreted::InterpretedSimulator;
+use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::pipeline;
+use machinist_codegen::reduce::Keep;
+
+/// A scene of one unit `ball` of coordinate `x`, mass 1 kg, with more of the unit.
+fn scene(more: &str) -> InterpretedSimulator {
+    let text = format!(
+        r#"
+        [scene]
+        name = "balls"
+        [units.ball]
+        unit = "ball"
+        [run]
+        until = 10.0
+        points = 101
+        rtol = 1e-10
+        method = "auto"
+        [define.ball.coordinates.x]
+        unit = "m"
+        velocity = "v"
+        [define.ball.modes.count]
+        [define.ball.modes.other]
+        [define.ball.parameters]
+        gravity = {{ value = 9.81, unit = "m/s^2" }}
+        restitution = {{ value = 1.0, unit = "1" }}
+        spring = {{ value = 0.0, unit = "N/m" }}
+        {more}
+        "#
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, text).expect("written");
+    match pipeline::generate(&path, Keep::Needed) {
+        Ok(program) => InterpretedSimulator::new(program),
+        Err(errors) => panic!("{}", errors.render()),
+    }
+}
+
+const FALLS: &str = r#"
+    [define.ball.energy]
+    kinetic = "1 [kg]*v^2/2"
+    potential = "1 [kg]*gravity*x"
+    [define.ball.events.bounce]
+    guard = "x"
+    direction = "falling"
+    set = { v = "-restitution*v", count = "count + 1" }
+"#;
+
+/// A swing x = cos t, with events.
+fn swings(events: &str) -> InterpretedSimulator {
+    scene(&format!(
+        "[define.ball.energy]\nkinetic = \"1 [kg]*v^2/2\"\n\
+         potential = \"1 [N/m]*x^2/2\"\n{events}"
+    ))
+}
+
+fn watching() -> impl Iterator<Item = Method> {
+    Method::ALL.iter().copied().filter(|method| method.watches_events())
+}
+
+fn from_height(ball: &InterpretedSimulator, method: Method) -> Simulation<'_> {
+    Simulation::new(ball).initial_state(&[1.0, 0.0, 0.0, 0.0]).method(method)
+}
+
+fn times(run: &Trajectory) -> Vec<f64> {
+    run.switches.iter().map(|switch| switch.time).collect()
+}
+
+#[test]
+fn every_watching_method_bounces_at_the_exact_times() {
+    let ball = scene(FALLS);
+    let fall = (2.0_f64 / 9.81).sqrt();
+    for method in watching() {
+        let run = from_height(&ball, method).run().expect("it runs");
+        let times = times(&run);
+        let expected = (0.5 + 5.0 / fall).floor() as usize;
+        assert_eq!(times.len(), expected, "{method}");
+        assert_eq!(run.work.switches, expected as u64, "{method}");
+        assert_eq!(run.last("ball.count"), Some(expected as f64), "{method}");
+        for (number, time) in times.iter().enumerate() {
+            let exact = (2.0 * number as f64 + 1.0) * fall;
+            assert!((time - exact).abs() < 1e-8, "{method}: {time} for {exact}");
+        }
+    }
+}
+
+#[test]
+fn bounces_that_decay_stop_with_the_name_of_the_event_where_they_end() {
+    let ball = scene(FALLS);
+    let fall = (2.0_f64 / 9.81).sqrt();
+    for restitution in [0.0, 0.3, 0.8] {
+        for method in watching() {
+            let run = from_height(&ball, method).parameter("ball.restitution", restitution);
+            let stopped = run.expect("a parameter").run().expect_err("it is endless");
+            let SimulateError::Stopped { time, cause: StopCause::Zeno { event, .. }, .. } = stopped
+            else {
+                panic!("{method}: {stopped}");
+            };
+            let end = fall * (1.0 + restitution) / (1.0 - restitution);
+            assert_eq!(event, "ball.bounce");
+            assert!((time - end).abs() < 1e-7, "{method}, {restitution}: {time} for {end}");
+        }
+    }
+}
+
+#[test]
+fn a_guard_is_seen_each_way_once_or_both_ways() {
+    for (direction, first, expected) in [("rising", 1.5, 1), ("falling", 0.5, 2), ("both", 0.5, 3)]
+    {
+        let ball = swings(&format!(
+            "[define.ball.events.crosses]\nguard = \"x\"\ndirection = \"{direction}\"\n\
+             set = {{ count = \"count + 1\" }}"
+        ));
+        for method in watching() {
+            let run = from_height(&ball, method).run().expect("it runs");
+            let times = times(&run);
+            assert_eq!(times.len(), expected, "{method} {direction}: {times:?}");
+            let exact = first * std::f64::consts::PI;
+            assert!((times[0] - exact).abs() < 1e-8, "{method} {direction}: {times:?}");
+        }
+    }
+}
+
+#[test]
+fn a_guard_that_only_just_dips_below_zero_within_a_step_is_seen() {
+    let ball =
+        swings("[define.ball.events.dips]\nguard = \"x + 0.9999999 [m]\"\ndirection = \"falling\"");
+    let half_width = 0.999_999_9_f64.acos();
+    for method in watching() {
+        let run = from_height(&ball, method).rtol(1e-12).run().expect("it runs");
+        let times = times(&run);
+        assert_eq!(times.len(), 2, "{method}: {times:?}");
+        let exact = std::f64::consts::PI - half_width;
+        assert!((times[0] - exact).abs() < 1e-7, "{method}: {} for {exact}", times[0]);
+    }
+}
+
+#[test]
+fn events_at_one_time_happen_in_the_order_of_the_spec() {
+    let ball = swings(
+        "[define.ball.events.first]\nguard = \"x\"\nset = { count = \"2*count + 1\" }\n\
+         [define.ball.events.second]\nguard = \"-3*x\"\nset = { count = \"2*count\" }",
+    );
+    for method in watching() {
+        let run = from_height(&ball, method).until(3.0).run().expect("it runs");
+        let events: Vec<&str> = run.switches.iter().map(|switch| &*switch.event).collect();
+        assert_eq!(events, ["ball.first", "ball.second"], "{method}");
+        assert_eq!(run.last("ball.count"), Some(2.0), "{method}");
+    }
+}
+
+#[test]
+fn an_event_that_leaves_the_mode_of_another_keeps_it_from_happening_too() {
+    let ball = swings(
+        "[define.ball.events.first]\nguard = \"x\"\nset = { other = 1 }\n\
+         [define.ball.events.second]\nguard = \"-3*x\"\nwhen = { other = 0 }\n\
+         set = { count = 7 }",
+    );
+    let run = from_height(&ball, Method::Auto).run().expect("it runs");
+    assert!(run.switches.iter().all(|switch| switch.event == "ball.first"));
+    assert_eq!(run.last("ball.count"), Some(0.0));
+}
+
+#[test]
+fn a_sample_at_an_event_is_from_before_it_and_one_after_it_from_after() {
+    let ball = scene(FALLS);
+    let fall = (2.0_f64 / 9.81).sqrt();
+    let wanted = [0.0, fall - 1e-9, fall + 1e-9, 1.0];
+    let run = from_height(&ball, Method::Dop853).until(1.0).times(&wanted).run().expect("it runs");
+    let speed = run.column("ball.v").expect("a state");
+    assert!(speed[1] < -4.0 && speed[2] > 4.0, "{speed:?}");
+}
+
+#[test]
+fn energy_lost_at_events_is_dissipated() {
+    let ball = scene(FALLS);
+    for method in watching() {
+        let run = from_height(&ball, method).until(2.0).parameter("ball.restitution", 0.9);
+        let run = run.expect("a parameter").with_energy_balance(true).run().expect("it runs");
+        let balance = run.energy_balance.expect("it was asked for");
+        assert!(balance.max_residual_relative() < 1e-8, "{method}");
+        let lost = balance.dissipated.last().copied().unwrap_or(0.0);
+        let kept = 0.81_f64.powi(run.switches.len() as i32);
+        assert!((lost - 9.81 * (1.0 - kept)).abs() < 1e-7, "{method}: {lost}");
+    }
+}
+
+#[test]
+fn a_new_value_that_is_not_finite_stops_the_run_and_is_named() {
+    let ball =
+        swings("[define.ball.events.breaks]\nguard = \"x\"\nset = { v = \"v/(spring/1 [N/m])\" }");
+    let stopped = from_height(&ball, Method::Auto).run().expect_err("it divides by zero");
+    let text = stopped.to_string();
+    assert!(text.contains("`ball.v` at event `ball.breaks`"), "{text}");
+}
+
+#[test]
+fn a_guard_that_is_zero_everywhere_is_refused_by_name() {
+    let ball = swings("[define.ball.events.never]\nguard = \"gravity*x - x*gravity\"");
+    let refused = from_height(&ball, Method::Auto).run().expect_err("it is zero");
+    assert!(matches!(&refused, SimulateError::GuardIsZero { event, .. } if event == "ball.never"));
+}
+
+#[test]
+fn a_method_that_does_not_watch_refuses_a_scene_with_events() {
+    let ball = scene(FALLS);
+    for &method in Method::ALL {
+        let refused = from_height(&ball, method).until(0.1).run().is_err();
+        assert_eq!(refused, !method.suits(&ball), "{method}");
+    }
+}
+
+#[test]
+fn a_ball_at_rest_on_the_guard_that_starts_downwards_bounces_at_once() {
+    let ball = scene(FALLS);
+    let start = [0.0, -1.0, 0.0, 0.0];
+    let run = Simulation::new(&ball).initial_state(&start).until(0.1).run().expect("it runs");
+    assert_eq!(times(&run), [0.0]);
+    assert!(run.last("ball.x").is_some_and(|x| x > 0.0));
+}

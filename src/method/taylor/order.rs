@@ -29,7 +29,7 @@ fn end(simulator: &dyn Simulator<f64>, order: usize, steps: usize) -> Vec<f64> {
 fn series_of_an_order_converge_at_it() {
     let simulator = scenes::find::<f64>("pendulum_chain").expect("built in");
     let exact = end(simulator, 20, 400);
-    for (order, steps) in [(3, 400), (5, 150), (8, 64), (12, 40), (16, 28)] {
+    for (order, steps) in [(3, 400), (5, 150), (8, 40)] {
         let error = |steps| {
             let found = end(simulator, order, steps);
             found.iter().zip(&exact).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))

@@ -21,6 +21,7 @@ mod response;
 mod run;
 mod scene;
 pub mod specs;
+mod stability;
 mod verify;
 
 use std::process::ExitCode;
@@ -51,6 +52,8 @@ enum Command {
     Run(run::Run),
     /// Measure error against run time of all methods on a scene
     Bench(bench::Bench),
+    /// Strain all methods by extreme cases: right, refused or wrong
+    Stability(stability::Stability),
     /// Natural frequencies, damping and mode shapes of a scene
     Modes(modes::Modes),
     /// Frequency response of a scene: amplitude and phase
@@ -72,6 +75,7 @@ pub fn main() -> ExitCode {
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
         Command::Bench(command) => command.execute(),
+        Command::Stability(command) => command.execute(),
         Command::Modes(command) => command.execute(),
         Command::Response(command) => command.execute(),
         Command::Verify(command) => command.execute(),

@@ -83,6 +83,12 @@ pub enum SimulateError {
         /// End time of the run \[s\].
         until: f64,
     },
+    /// No two unrelated methods get through a run whose truth they should tell.
+    #[error("{scene}: no two methods get through the run that is to be the reference")]
+    NoReference {
+        /// The scene.
+        scene: String,
+    },
     /// The method does not watch for events.
     #[error("scene `{scene}` has events, which `{method}` does not watch for; these do: {known}")]
     Events {

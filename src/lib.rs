@@ -34,6 +34,8 @@ pub mod plot;
 #[cfg(feature = "verify")]
 pub mod reed_study;
 pub mod simulate;
+#[cfg(feature = "verify")]
+pub mod stability;
 #[cfg(feature = "sweep")]
 pub mod sweep;
 pub mod trajectory;

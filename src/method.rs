@@ -13,6 +13,8 @@ mod diffsol;
 #[cfg(feature = "implicit")]
 mod exact;
 mod explicit;
+#[cfg(all(feature = "implicit", any(test, feature = "verify")))]
+pub(crate) mod fixed;
 mod lanes;
 #[cfg(feature = "implicit")]
 mod lu;

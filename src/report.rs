@@ -14,6 +14,7 @@ pub mod number;
 mod page;
 mod reduction;
 mod scene;
+pub mod stability;
 mod verification;
 mod winder_walk;
 
@@ -22,6 +23,7 @@ use std::path::Path;
 use machinist::interpreted::InterpretedSimulator;
 use machinist::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist::linear_analysis::LinearError;
+use machinist::stability::{Plan as Strain, Study, study};
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
 use machinist::winder_walk::FirstStage;
@@ -51,6 +53,8 @@ struct Report {
     /// Where a scene has fields.
     fields: Option<fields::Study>,
     work_precision: Vec<WorkPrecision>,
+    /// Takes about a minute, and so is left out with the times.
+    stability: Option<Study>,
 }
 
 /// One scene, derived and run.
@@ -105,8 +109,11 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     let fields = has_fields.then(|| during("cutting fields", fields::Study::new));
     let work_precision =
         if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
+    let strain = || during("straining the methods", || study(&Strain::default()));
+    let stability = with_times.then(strain).transpose()?;
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
-    let report = Report { scenes, emitted, verdicts, ledger, winder, fields, work_precision };
+    let report =
+        Report { scenes, emitted, verdicts, ledger, winder, fields, work_precision, stability };
     Ok(Page { html: page::render(&report), all_passed })
 }
 

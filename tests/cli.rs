@@ -127,16 +127,18 @@ fn a_run_that_makes_no_sense_is_refused_and_writes_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("run.csv");
     let plot = folder.path().join("run.svg");
-    for wrong in [
-        ["--until", "-1"],
-        ["--points", "1"],
-        ["--rtol", "0"],
-        ["--method", "bfd"],
-        ["--columns", "twist,twst"],
+    for (wrong, words) in [
+        (["--until", "-1"], "must end after it starts"),
+        (["--points", "1"], "2 to 10000000"),
+        (["--points", "10000001"], "2 to 10000000"),
+        (["--rtol", "0"], "must be a finite number above 0"),
+        (["--rtol", "-1e-6"], "must be a finite number above 0"),
+        (["--method", "bfd"], "did you mean `bdf`?"),
+        (["--columns", "twist,twst"], "twst"),
     ] {
         let mut arguments = vec!["run", "two_mass", "--out", text(&file), "--plot", text(&plot)];
         arguments.extend(wrong);
-        assert_refused(&arguments, &[]);
+        assert_refused(&arguments, &[words]);
     }
     assert_refused(&["run", "two_mass", "--out", "run.xls"], &[".csv or .json"]);
     assert_refused(&["run", "two_mass", "--plot", "run.pdf"], &[".svg or .png"]);
@@ -326,6 +328,9 @@ fn a_measurement_of_nonsense_is_refused() {
     assert_refused(&["bench", "two_mass", "--rtols", "0"], &["tolerance", "above 0"]);
     assert_refused(&["bench", "two_mass", "--rtols", "1e-3,-1"], &["tolerance", "above 0"]);
     assert_refused(&["bench", "two_mass", "--methods", "rk4"], &["no method", "tsit45"]);
+    assert_refused(&["stability", "--method", "rk4"], &["no method", "tsit45"]);
+    assert_refused(&["stability", "--rtol", "0"], &["tolerance", "above 0"]);
+    assert_refused(&["stability", "--only", "nothing such"], &["nothing such"]);
     assert_refused(&["bench", "twomass"], &["no scene", "two_mass"]);
 }
 
@@ -580,4 +585,19 @@ fn a_freeze_beyond_its_tolerance_is_refused_with_the_figure() {
     freeze("0.25", "");
     let run = answer(&["run", text(&path)]);
     assert!(run.contains("driver_speed"), "{run}");
+}
+
+#[test]
+fn extreme_cases_are_a_table_or_json() {
+    let arguments =
+        ["stability", "--method", "auto,tsit5", "--only", "Prothero-Robinson: lambda = -1e8"];
+    let table = answer(&arguments);
+    for words in ["tsit5", "lambda = -1e8", "steps", "more steps than are allowed", "WRONG"] {
+        assert!(table.contains(words), "`{words}` is not in {table}");
+    }
+    let json = answer(&[&arguments[..], &["--json"]].concat());
+    let study: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let cells = &study["rows"][0]["cells"];
+    assert_eq!(cells[0]["outcome"], "right", "{json}");
+    assert_eq!(cells[1]["outcome"], "refused", "{json}");
 }

@@ -1,11 +1,12 @@
 //! What the methods of this crate do that none other need do: stiff machines
 //! against each other, tolerances that are kept, choices that are told.
-#![cfg(all(feature = "implicit", feature = "scenes"))]
+#![cfg(feature = "verify")]
 
 mod common;
 
-use common::{HardSpring, Scalar, Stiff};
+use common::{HardSpring, Scalar};
 use machinist::error::StopCause;
+use machinist::stability::machines::{PROTHERO_ROBINSON, ROBERTSON, VAN_DER_POL};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_scenes::{Simulator, scenes};
 
@@ -42,10 +43,64 @@ fn errors_keep_to_the_tolerance_from_loose_to_tight() {
     }
 }
 
+/// Order that shows in errors against numbers of steps: least squares of logarithms.
+fn order_by_steps(points: &[(u64, f64)]) -> f64 {
+    let logs: Vec<(f64, f64)> =
+        points.iter().map(|(steps, error)| ((*steps as f64).ln(), error.ln())).collect();
+    let mean =
+        |of: &dyn Fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / logs.len() as f64;
+    let (x, y) = (mean(&|log| log.0), mean(&|log| log.1));
+    let covariance = mean(&|log| (log.0 - x) * (log.1 - y));
+    -covariance / mean(&|log| (log.0 - x).powi(2))
+}
+
+#[test]
+fn methods_of_fixed_order_show_it_in_errors_against_steps() {
+    // The steps of diffsol's methods cannot be told; bdf and radau change their order.
+    let base = Simulation::new(&HardSpring).points(2);
+    let reference = base.clone().method(Method::Dop853).rtol(1e-14).run().unwrap();
+    for (method, order, tightest) in [
+        (Method::TrBdf2, 2.0, -8),
+        (Method::Esdirk34, 3.0, -10),
+        (Method::Tsit45, 5.0, -11),
+        (Method::Tsit5, 5.0, -11),
+        (Method::Rodas5p, 5.0, -11),
+    ] {
+        let points: Vec<(u64, f64)> = (2 * tightest..=-8)
+            .map(|half_power| {
+                let rtol = 10f64.powf(0.5 * f64::from(half_power));
+                let run = base.clone().method(method).rtol(rtol).run().unwrap();
+                (run.work.steps, error(&HardSpring, &run, &reference))
+            })
+            .collect();
+        let observed = order_by_steps(&points);
+        println!("{method}: {observed:.2} {points:?}");
+        assert!((observed - order).abs() < 0.2, "{method} shows an order of {observed}");
+    }
+}
+
+#[test]
+fn errors_of_taylor_keep_to_the_tolerance_from_loose_to_tight() {
+    for name in ["winder_nonlinear", "motor_run_up", "saw_gin"] {
+        let simulator = scenes::find::<f64>(name).unwrap();
+        let base = Simulation::new(simulator).points(101);
+        let reference = base.clone().method(Method::Radau).rtol(1e-14).run().unwrap();
+        let (mut least, mut most) = (f64::INFINITY, 0.0);
+        for power in 3..=12 {
+            let rtol = 10f64.powi(-power);
+            let run = base.clone().method(Method::Taylor).rtol(rtol).run().unwrap();
+            let found = error(simulator, &run, &reference) / rtol;
+            println!("{name} {rtol:.0e}: {found:.2} rtol, {} steps", run.work.steps);
+            (least, most) = (found.min(least), found.max(most));
+        }
+        assert!(most < 10.0 * least && most < 20.0, "{name}: {least} to {most} tolerances");
+    }
+}
+
 #[test]
 fn two_unrelated_methods_agree_on_van_der_pol() {
-    // y'' = mu (1 - y^2) y' - y, mu = 1e6, in time over mu until 2.
-    let simulation = Simulation::new(&Stiff::VanDerPol).points(21);
+    // y'' = mu (1 - y^2) y' - y, mu = 1e3, in time over mu until 2.
+    let simulation = Simulation::new(&VAN_DER_POL).points(21);
     let radau = simulation.clone().method(Method::Radau).rtol(1e-12).run().unwrap();
     // Hairer, Wanner, test set of stiff problems: y(2), y'(2).
     let published = [1.706_167_732_170_483, -8.928_097_010_248_25e-1];
@@ -66,7 +121,7 @@ fn two_unrelated_methods_agree_on_van_der_pol() {
 
 #[test]
 fn two_unrelated_methods_agree_on_robertson() {
-    let simulation = Simulation::new(&Stiff::Robertson).times(&[0.0, 40.0, 4e5, 1e11]);
+    let simulation = Simulation::new(&ROBERTSON).times(&[0.0, 40.0, 4e5, 1e11]);
     let radau = simulation.clone().method(Method::Radau).rtol(1e-11).run().unwrap();
     // The same test set: y at 1e11.
     let published = [2.083_340_149_701_253e-8, 8.333_360_770_334_716e-14, 9.999_999_791_665_05e-1];
@@ -91,12 +146,31 @@ fn two_unrelated_methods_agree_on_robertson() {
 fn rosenbrock_keeps_its_order_near_a_stiff_equilibrium() {
     // Prothero and Robinson: y' = -L (y - cos t) - sin t, from y = cos t. Methods
     // that are not made for it lose all orders but one or two.
-    let scalar = Scalar::new(|t, y| -1e5 * (y - t.cos()) - t.sin(), |_, _| -1e5, 1.0);
+    let scalar = Simulation::new(&PROTHERO_ROBINSON).parameter("lambda", -1e5).unwrap();
     for (method, most) in [(Method::Rodas5p, 100), (Method::Radau, 60)] {
-        let run = Simulation::new(&scalar).method(method).rtol(1e-6).until(3.0).run().unwrap();
-        let error = (run.last("y").unwrap() - 3.0f64.cos()).abs();
+        let run = scalar.clone().method(method).rtol(1e-6).run().unwrap();
+        let error = (run.last("y1").unwrap() - 3.0f64.cos()).abs();
         println!("{method}: {error:e} {:?}", run.work);
         assert!(error < 1e-6 && run.work.steps < most, "{method}: {error:e}, {:?}", run.work);
+    }
+}
+
+#[test]
+fn states_between_the_ends_of_long_steps_keep_to_the_tolerance() {
+    // The stiffer, the longer the steps that end right: up to the whole run at once.
+    for power in [4, 6, 8, 10, 12] {
+        let lambda = -10f64.powi(power);
+        let scalar = Simulation::new(&PROTHERO_ROBINSON).parameter("lambda", lambda).unwrap();
+        for method in [Method::Rodas5p, Method::Radau, Method::Auto] {
+            for rtol in [1e-4, 1e-7, 1e-10] {
+                let run = scalar.clone().method(method).rtol(rtol).points(301).run().unwrap();
+                let values = run.times.iter().zip(run.column("y1").unwrap());
+                let error = values.fold(0.0f64, |most, (t, y)| most.max((y - t.cos()).abs()));
+                let about = format!("{method}, {lambda:e}, {rtol:e}: {error:e}");
+                println!("{about}, {:?}", run.work);
+                assert!(error < 100.0 * rtol && run.work.steps < 5000, "{about}");
+            }
+        }
     }
 }
 
@@ -108,7 +182,7 @@ fn auto_says_what_it_chose_and_why() {
     assert_eq!(run(&HardSpring, 1e-2), ["starts with tsit5, for a relative tolerance of 1e-2"]);
     assert_eq!(run(&HardSpring, 1e-6), ["starts with dop853, for a relative tolerance of 1e-6"]);
     for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
-        let notes = run(&Stiff::VanDerPol, rtol);
+        let notes = run(&VAN_DER_POL, rtol);
         assert!(notes[1].starts_with(implicit), "{notes:?}");
         assert!(notes[1].contains("held by stability"), "{notes:?}");
     }

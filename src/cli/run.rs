@@ -44,7 +44,7 @@ pub struct Run {
     #[arg(long, value_name = "NUMBER")]
     modes: Option<usize>,
     /// Relative tolerance of a step
-    #[arg(long, value_name = "TOLERANCE")]
+    #[arg(long, value_name = "TOLERANCE", allow_negative_numbers = true)]
     rtol: Option<f64>,
     /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto or taylor
     #[arg(long, value_name = "NAME")]

@@ -21,12 +21,25 @@ pub(super) trait OneStep {
     /// State at `time` within the current step.
     fn interpolate(&mut self, time: f64, state: &mut [f64]);
 
+    /// The error half way through the current step, between its ends, over what is
+    /// allowed there, [`BETWEEN`] times the tolerances; asked where samples or events may
+    /// lie.
+    ///
+    /// The error of a step's end says nothing of states between, where a stiff machine
+    /// follows its excitation: any end is then right, and steps grow without bound.
+    fn error_between(&mut self) -> f64 {
+        0.0
+    }
+
     /// Takes the current step: its end is the start of the next one.
     fn accept(&mut self);
 
     /// How the error grows with the step.
     fn pace(&self) -> Pace;
 }
+
+/// States between the ends of steps may err by so many tolerances.
+pub(super) const BETWEEN: f64 = 10.0;
 
 /// What came of a step.
 #[derive(Debug, Clone, Copy)]
@@ -81,13 +94,21 @@ pub(super) fn drive<M: OneStep>(
     require_possible_tolerance(stretch, state)?;
     let (mut time, mut step) = (from.time, from.step);
     let mut last_error = 1e-4;
+    let mut before = None;
     let mut rejected = false;
     let mut kept = Kept::new(state.len());
     loop {
         let remaining = stretch.until - time;
         let (now, arrives) = end_of_step(time, step, stretch.until);
         let tried = if arrives { remaining } else { now - time };
-        let trial = method.attempt(tried);
+        let mut trial = method.attempt(tried);
+        if let Trial::Error(error) = trial
+            && error <= 1.0
+            && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
+        {
+            let between = method.error_between();
+            trial = Trial::Error(if between <= error { error } else { between });
+        }
         let pace = method.pace();
         if let Trial::Error(error) = trial
             && error <= 1.0
@@ -108,11 +129,12 @@ pub(super) fn drive<M: OneStep>(
             stretch.system.count(|work| work.steps += 1);
             let has_moved = kept.put_back(method, stretch, now)?;
             sample(method, stretch, (now, &kept.end), state, samples)?;
-            let mut factor = pace.factor(error, last_error);
+            let mut factor = pace.factor(pace.believed(error, tried, before), last_error);
             if rejected {
                 factor = factor.min(1.0);
             }
             last_error = error.max(1e-4);
+            before = Some((tried, error));
             rejected = false;
             method.accept();
             (time, step) = (now, tried * factor);
@@ -233,6 +255,22 @@ pub(super) fn drive_all<M: OneStep>(
 }
 
 impl Pace {
+    /// The error to choose the next step by, after an error at a step and, before that,
+    /// a step and its error.
+    ///
+    /// An estimate is a number that changes its sign, and passes through zero now and
+    /// then where the error does not: in a fast oscillation as often as once in a few
+    /// hundred steps. A step that grew by that would be far too long, and might be
+    /// accepted by the same chance. So an error that is suddenly far below what the step
+    /// before foretells is not believed at once.
+    fn believed(&self, error: f64, step: f64, before: Option<(f64, f64)>) -> f64 {
+        const LUCK: f64 = 1e-2;
+        let foretold = |(step_before, error): (f64, f64)| {
+            error * (step / step_before).powf(1.0 / self.exponent)
+        };
+        before.map_or(error, |before| error.max(LUCK * foretold(before)))
+    }
+
     fn factor(&self, error: f64, last_error: f64) -> f64 {
         let wanted = self.safety * error.powf(-self.exponent) * last_error.powf(self.memory);
         // An error of zero wants an infinite step; a NaN cannot be.
@@ -407,5 +445,31 @@ pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), T
     match values.iter().position(|value| !value.is_finite()) {
         None => Ok(()),
         Some(index) => Err(Trial::NotFinite { what, index }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Pace;
+
+    #[test]
+    fn an_error_far_below_what_was_foretold_is_not_believed_at_once() {
+        let pace = Pace {
+            exponent: 0.125,
+            memory: 0.0,
+            safety: 0.9,
+            smallest: 0.2,
+            largest: 8.0,
+            hold: 1.0,
+        };
+        // As foretold, and better than foretold by little: as it is.
+        assert_eq!(pace.believed(0.2, 1.0, Some((1.0, 0.5))).to_bits(), 0.2f64.to_bits());
+        assert_eq!(pace.believed(1e-9, 1.0, None).to_bits(), 1e-9f64.to_bits());
+        // Growth at the order of the method, as after a short first step: as it is.
+        let grown = 1e-12 * 8f64.powi(8);
+        assert_eq!(pace.believed(grown, 8.0, Some((1.0, 1e-12))).to_bits(), grown.to_bits());
+        // Out of the blue: the step grows less than twofold.
+        let believed = pace.believed(1e-9, 1.0, Some((1.0, 0.5)));
+        assert!(pace.factor(believed, 0.5) < 2.0 && pace.factor(1e-9, 0.5) > 7.0);
     }
 }

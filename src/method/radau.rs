@@ -9,7 +9,7 @@ mod newton;
 
 use self::collocation::Collocation;
 use self::newton::{Newton, Outcome};
-use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
+use super::one_step::{BETWEEN, OneStep, Pace, Trial, drive_all, first_step, weighted_norm};
 use super::tableau::RADAU;
 use super::{Integrator, Samples, Stopped, Stretch};
 
@@ -126,7 +126,7 @@ impl<'a> RadauSteps<'a> {
     }
 
     /// Keeps to the method of so many stages, and solves for them to rounding.
-    #[cfg(test)]
+    #[cfg(any(test, feature = "verify"))]
     pub(super) fn of_stages(mut self, stages: usize) -> Self {
         self.current = (stages - 3) / 2;
         self.is_fixed = true;
@@ -374,6 +374,27 @@ impl OneStep for RadauSteps<'_> {
         method.differences(&self.start, &self.stages, &mut self.previous.differences);
         let theta = (time - self.time) / self.step;
         method.evaluate(&self.previous.differences, theta, state);
+    }
+
+    /// Norm of (gamma/h I - J)^-1 (f(t, u) - u'(t)) half way, u the polynomial.
+    fn error_between(&mut self) -> f64 {
+        const THETA: f64 = 0.5;
+        let method = &self.methods[self.current];
+        method.differences(&self.start, &self.stages, &mut self.previous.differences);
+        method.evaluate(&self.previous.differences, THETA, &mut self.scratch);
+        let time = self.time + THETA * self.step;
+        self.stretch.state_rate(time, &self.scratch[..self.size], &mut self.error[..self.size]);
+        method.slope_at(&self.previous.differences, THETA, &mut self.scratch);
+        let states = &mut self.error[..self.size];
+        for (error, slope) in states.iter_mut().zip(&self.scratch) {
+            *error -= slope / self.step;
+        }
+        self.newton.solve_real(states);
+        let (start, end) = (&self.start[..self.size], &self.end[..self.size]);
+        let error = weighted_norm(self.stretch, states, start, end) / BETWEEN;
+        self.last_error = self.last_error.max(error);
+        self.was_rejected |= error > 1.0;
+        error
     }
 
     fn accept(&mut self) {

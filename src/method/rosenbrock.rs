@@ -3,7 +3,8 @@
 
 use super::lanes::{LANES, Sum, combine, sum};
 use super::one_step::{
-    OneStep, Pace, Trial, drive_all, finite_jacobian, first_step, require_finite, weighted_norm,
+    BETWEEN, OneStep, Pace, Trial, drive_all, finite_jacobian, first_step, require_finite,
+    weighted_norm,
 };
 use super::quadrature::{Flows, NODES, Quadrature};
 use super::step_matrix::StepMatrix;
@@ -257,6 +258,27 @@ impl OneStep for RosenbrockSteps<'_> {
                 state[self.size + flow] = self.start[self.size + flow] + gained;
             }
         }
+    }
+
+    /// Norm of (1/(gamma h) I - J)^-1 (f(t, u) - u'(t)) half way, u the dense output.
+    fn error_between(&mut self) -> f64 {
+        const THETA: f64 = 0.5;
+        self.states_at(THETA);
+        let (size, width) = (self.size, self.width);
+        let time = self.time + THETA * self.step;
+        self.stretch.state_rate(time, &self.argument[..size], &mut self.slope[..size]);
+        for index in 0..size {
+            let [d_1, d_2, d_3] = [0, 1, 2].map(|row| self.dense[row * width + index]);
+            let inner = d_1 + THETA * (d_2 + THETA * d_3);
+            let chord = self.end[index] - self.start[index];
+            // u = (1 - theta) y_0 + theta y_1 + theta (1 - theta) inner(theta)
+            let bow =
+                (1.0 - 2.0 * THETA) * inner + THETA * (1.0 - THETA) * (d_2 + 2.0 * THETA * d_3);
+            self.slope[index] -= (chord + bow) / self.step;
+        }
+        self.matrix.solve(&self.jacobian, &mut self.slope[..size]);
+        let (start, end) = (&self.start[..size], &self.end[..size]);
+        weighted_norm(self.stretch, &self.slope[..size], start, end) / BETWEEN
     }
 
     fn accept(&mut self) {

@@ -39,8 +39,14 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    #[cfg(all(test, feature = "implicit"))]
-    pub(super) fn for_test(system: &'a System<'a>, from: f64, until: f64, atol: &'a [f64]) -> Self {
+    /// A stretch for steps that no tolerance chooses.
+    #[cfg(all(feature = "implicit", any(test, feature = "verify")))]
+    pub(super) fn without_control(
+        system: &'a System<'a>,
+        from: f64,
+        until: f64,
+        atol: &'a [f64],
+    ) -> Self {
         Self { system, from, until, rtol: 1e-6, atol, max_steps: usize::MAX, watch: None }
     }
 

@@ -5,6 +5,8 @@
 //! evaluation of the rate and orders of ten to twenty pay. Between its ends a
 //! step is its polynomial: dense output costs no order of accuracy.
 
+#[cfg(all(test, feature = "scenes"))]
+mod order;
 pub(super) mod quadrature;
 mod step;
 #[cfg(feature = "sweep")]

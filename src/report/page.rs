@@ -5,7 +5,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use machinist::work_precision::{Plan, WorkPrecision};
 
-use super::{Report, figure, ledger, licences, scene, verification, winder_walk};
+use super::{Report, figure, ledger, licences, scene, stability, verification, winder_walk};
 
 /// Nothing may be loaded: everything the page needs is in it.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; font-src data:; \
@@ -33,6 +33,12 @@ pub fn render(report: &Report) -> String {
                         section id="work-precision" {
                             h2 { "Error against run time" }
                             (work_precision(&report.work_precision))
+                        }
+                    }
+                    @if let Some(study) = &report.stability {
+                        section id="stability" {
+                            h2 { "Extreme cases" }
+                            (stability::section(study))
                         }
                     }
                     @if let Some(fields) = &report.fields {
@@ -97,6 +103,9 @@ fn contents(report: &Report) -> Markup {
                     }
                     @if !report.work_precision.is_empty() {
                         li { a href="#work-precision" { "Error against run time" } }
+                    }
+                    @if report.stability.is_some() {
+                        li { a href="#stability" { "Extreme cases" } }
                     }
                     li { a href="#fields" { "Fields" } }
                     li { a href="#winder-walk" { "Which model a winder needs" } }

@@ -4,12 +4,10 @@
 pub mod hard_spring;
 pub mod oscillator;
 pub mod scalar;
-pub mod stiff;
 
 pub use hard_spring::HardSpring;
 pub use oscillator::Oscillator;
 pub use scalar::Scalar;
-pub use stiff::Stiff;
 
 /// Closed form of [`Oscillator`] with its default parameters: angle and speed.
 pub fn oscillator_state(time: f64) -> [f64; 2] {

@@ -65,6 +65,19 @@ impl Collocation {
             }
         }
     }
+
+    /// u'(theta) from its divided differences.
+    pub(super) fn slope_at(&self, differences: &[f64], theta: f64, into: &mut [f64]) {
+        let (len, count) = (into.len(), self.stages());
+        for (index, into) in into.iter_mut().enumerate() {
+            let (mut value, mut slope) = (differences[count * len + index], 0.0);
+            for (node, at) in self.nodes[..count].iter().enumerate().rev() {
+                slope = value + (theta - at) * slope;
+                value = differences[node * len + index] + (theta - at) * value;
+            }
+            *into = slope;
+        }
+    }
 }
 
 /// A = T D^-1 T^-1, D the block diagonal.
@@ -128,6 +141,12 @@ mod tests {
                 let mut found = [0.0];
                 method.evaluate(&differences, theta, &mut found);
                 assert!((found[0] / value(theta) - 1.0).abs() < 1e-11, "{theta}: {found:?}");
+            }
+            for theta in [0.0, 0.5, 1.0] {
+                let mut found = [0.0];
+                method.slope_at(&differences, theta, &mut found);
+                let exact = -2.0 + count as f64 * theta.powi(count as i32 - 1);
+                assert!((found[0] - exact).abs() < 1e-10, "{theta}: {found:?}");
             }
             let slope: f64 = method.slope.iter().zip(&stages).map(|(w, z)| w * z).sum();
             assert!((slope + 2.0).abs() < 1e-12, "{slope}");

@@ -45,10 +45,10 @@ pub(super) const CHECKS: &[Check] = &[
         measure: power_balance,
     },
     Check {
-        name: "energy account of the run at rtol 1e-10",
+        name: "energy account of the run at rtol 1e-11",
         reference: "energy stored, supplied and lost, relative to the energy passed, if any, or in motion",
         tolerance: 1e-8,
-        reason: "a hundred times the tolerance of a step, which errors of many steps stay below",
+        reason: "a thousand times the tolerance of a step, which errors of many steps stay below",
         measure: energy_account,
     },
 ];
@@ -206,7 +206,7 @@ fn energy_gradient(machine: &Machine, p: &Point) -> Vec<f64> {
 /// integral of |supplied| + |lost| power, or where none of either flows by the largest
 /// energy in motion.
 fn energy_account(machine: &Machine) -> Result<Measured, CheckFailure> {
-    let trajectory = machine.simulation(&[])?.rtol(1e-10).with_energy_balance(true).run()?;
+    let trajectory = machine.simulation(&[])?.rtol(1e-11).with_energy_balance(true).run()?;
     let error = trajectory.energy_balance.as_ref().map_or(f64::NAN, |balance| {
         let largest = balance.residual.iter().fold(0.0, |most, r| worse(most, r.abs()));
         let passed = balance.passed.last().copied().unwrap_or(0.0);

@@ -13,13 +13,13 @@ mod diffsol;
 #[cfg(feature = "implicit")]
 mod exact;
 mod explicit;
-#[cfg(all(feature = "implicit", any(test, feature = "verify")))]
+#[cfg(feature = "verify")]
 pub(crate) mod fixed;
 mod lanes;
 #[cfg(feature = "implicit")]
 mod lu;
 mod one_step;
-#[cfg(all(test, feature = "implicit"))]
+#[cfg(all(test, feature = "verify"))]
 mod order;
 #[cfg(feature = "implicit")]
 mod quadrature;

@@ -1,5 +1,6 @@
 //! Scenes with fields, cut into elements: methods against each other, emitted code
 //! against interpreted, the numbers that are refused.
+#![cfg(feature = "verify")]
 
 use machinist::error::StopCause;
 use machinist::field::{Discretisation, FieldError, FieldSimulator, MAX_ELEMENTS};

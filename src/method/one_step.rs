@@ -39,6 +39,7 @@ pub(super) trait OneStep {
 }
 
 /// States between the ends of steps may err by so many tolerances.
+#[cfg(feature = "implicit")]
 pub(super) const BETWEEN: f64 = 10.0;
 
 /// What came of a step.

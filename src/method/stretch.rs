@@ -40,7 +40,7 @@ impl<'a> Stretch<'a> {
     }
 
     /// A stretch for steps that no tolerance chooses.
-    #[cfg(all(feature = "implicit", any(test, feature = "verify")))]
+    #[cfg(feature = "verify")]
     pub(super) fn without_control(
         system: &'a System<'a>,
         from: f64,

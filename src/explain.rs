@@ -37,6 +37,8 @@ pub struct Explanation {
     pub states: Vec<String>,
     /// What the structure of what is left allows.
     pub structure: Structure,
+    /// Whether fields belong to it, whose part is not in the structure.
+    pub has_fields: bool,
     /// Why there are no object files, where they were wanted.
     pub no_object: Option<ObjectError>,
     /// What could be taken for rigid, and at what price, if runs were wanted.
@@ -114,6 +116,7 @@ impl Explanation {
             stages,
             states: needed.layout.quantities().map(|q| q.name.path.clone()).collect(),
             structure: Structure::of(&needed),
+            has_fields: !needed.fields.is_empty(),
             no_object,
             candidates: if with_times { freeze::candidates(scene)? } else { Vec::new() },
             times: with_times.then(|| Times::measure(programs.whole, needed)),

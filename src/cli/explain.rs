@@ -3,7 +3,7 @@
 use clap::Args;
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
-use machinist_codegen::structure::{Frequency, Structure};
+use machinist_codegen::structure::Frequency;
 use serde_json::{Value, json};
 
 use super::Failure;
@@ -53,7 +53,7 @@ fn as_text(explanation: &Explanation) -> String {
     text.push_str(&sizes(explanation));
     text.extend(["\nStates: ", &explanation.states.join(", "), "\n"]);
     text.push_str("\nStructure\n");
-    for line in structure(&explanation.structure, &explanation.states) {
+    for line in structure(explanation) {
         text.extend(["  ", &line, "\n"]);
     }
     text.push_str(&candidates(&explanation.candidates));
@@ -136,7 +136,15 @@ pub fn price(candidate: &Candidate) -> String {
 }
 
 /// Sentences on what the structure allows.
-pub fn structure(structure: &Structure, states: &[String]) -> Vec<String> {
+pub fn structure(explanation: &Explanation) -> Vec<String> {
+    if explanation.has_fields {
+        return vec![
+            "fields hold everything together: the scene is kept whole, and the numbers above are \
+             those of the machine at its ports, without the elements"
+                .to_owned(),
+        ];
+    }
+    let (structure, states) = (&explanation.structure, &explanation.states);
     let named = |entries: &[u32]| {
         let names = entries.iter().filter_map(|entry| states.get(*entry as usize));
         names.map(String::as_str).collect::<Vec<_>>().join(", ")

@@ -30,7 +30,7 @@ pub fn section(explanation: &Explanation, dependencies: &Dependencies) -> Markup
             (left_out(explanation))
         }
         (sizes(explanation))
-        ul { @for line in explain::structure(&explanation.structure, &explanation.states) { li { (line) } } }
+        ul { @for line in explain::structure(explanation) { li { (line) } } }
         @match &explanation.times {
             Some(Ok(times)) => p { (explain::run_times(times)) "." },
             Some(Err(error)) => p.warning { "The runs to compare stopped. " (error) },

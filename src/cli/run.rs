@@ -26,10 +26,10 @@ pub struct Run {
     #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
     set: Vec<(String, f64)>,
     /// Start time, s
-    #[arg(long, value_name = "TIME", allow_negative_numbers = true)]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     from: Option<f64>,
     /// End time, s
-    #[arg(long, value_name = "TIME", allow_negative_numbers = true)]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<f64>,
     /// Number of output times, both ends included
     #[arg(long, value_name = "NUMBER")]
@@ -44,7 +44,7 @@ pub struct Run {
     #[arg(long, value_name = "NUMBER")]
     modes: Option<usize>,
     /// Relative tolerance of a step
-    #[arg(long, value_name = "TOLERANCE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
     /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto or taylor
     #[arg(long, value_name = "NAME")]

@@ -18,7 +18,7 @@ pub struct Stability {
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
     /// Relative tolerance of every run
-    #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-6, allow_negative_numbers = true)]
+    #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-6, allow_hyphen_values = true)]
     rtol: f64,
     /// Print JSON, with the reasons of all refusals
     #[arg(long)]

@@ -43,6 +43,7 @@ use serde::{Serialize, Serializer};
 
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
 use crate::trajectory::Switch;
+pub(crate) use stretch::cut;
 pub use stretch::{Samples, Stretch};
 pub use system::{System, Work};
 pub use watch::Watch;
@@ -139,7 +140,7 @@ impl Problem<'_> {
         while samples.next_until(self.from).is_some() {
             samples.push(&state);
         }
-        for ends in self.ends().windows(2) {
+        for ends in cut(self.from, self.until, self.jumps.clone()).windows(2) {
             let mut from = ends[0];
             while from < ends[1] {
                 let stretch = Stretch::new(self, (from, ends[1]), watch.as_ref());
@@ -182,16 +183,6 @@ impl Problem<'_> {
             state[states + 2] += lost.abs();
         }
         Ok(Some(time))
-    }
-
-    /// Start, jumps strictly inside the run in order and each once, end.
-    fn ends(&self) -> Vec<f64> {
-        let inside = |jump: &f64| self.from < *jump && *jump < self.until;
-        let mut ends: Vec<f64> = self.jumps.iter().copied().filter(inside).collect();
-        ends.extend([self.from, self.until]);
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
-        ends
     }
 }
 

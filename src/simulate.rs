@@ -6,6 +6,8 @@ use machinist_scenes::Simulator;
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
 #[cfg(feature = "sweep")]
+use crate::method::cut;
+#[cfg(feature = "sweep")]
 use crate::method::taylor::variants::Variant;
 use crate::method::{Method, Problem, Run, System, identically_zero};
 use crate::trajectory::{Column, ColumnKind, EnergyBalance, Trajectory};
@@ -203,14 +205,9 @@ impl<'a> Simulation<'a> {
     #[cfg(feature = "sweep")]
     pub(crate) fn variant(&self) -> Result<Variant, SimulateError> {
         let initial = self.checked_initial_state()?;
-        let mut ends = self.checked_jumps()?;
-        ends.retain(|jump| self.from < *jump && *jump < self.until);
-        ends.extend([self.from, self.until]);
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
         Ok(Variant {
             parameters: self.checked_parameters()?.to_vec(),
-            ends,
+            ends: cut(self.from, self.until, self.checked_jumps()?),
             times: self.checked_times()?,
             atol: self.checked_atol(initial.len())?,
             rtol: self.rtol,
@@ -222,9 +219,13 @@ impl<'a> Simulation<'a> {
     /// The method of the run, and its relative tolerance.
     #[cfg(feature = "sweep")]
     pub(crate) fn method_and_rtol(&self) -> Result<(Method, f64), SimulateError> {
+        Ok((self.chosen_method()?, self.rtol))
+    }
+
+    fn chosen_method(&self) -> Result<Method, SimulateError> {
         match self.method {
-            Some(method) => Ok((method, self.rtol)),
-            None => Ok((Method::from_name(self.simulator.run_defaults().method)?, self.rtol)),
+            Some(method) => Ok(method),
+            None => Ok(Method::from_name(self.simulator.run_defaults().method)?),
         }
     }
 
@@ -234,10 +235,7 @@ impl<'a> Simulation<'a> {
     /// [`SimulateError`] if something asked for makes no sense, or if the
     /// integration cannot go on; it then says where and why.
     pub fn run(&self) -> Result<Trajectory, SimulateError> {
-        let method = match self.method {
-            Some(method) => method,
-            None => Method::from_name(self.simulator.run_defaults().method)?,
-        };
+        let method = self.chosen_method()?;
         if !method.is_compiled_in() {
             return Err(NotCompiledIn::of(method).into());
         }

@@ -101,22 +101,23 @@ impl FourBar {
     }
 }
 
+/// The machine of the scene `four_bar`.
+pub const FOUR_BAR: FourBar = FourBar {
+    crank: Bar { length: 0.1, mass: 0.5, inertia: 4.5e-4 },
+    coupler: Bar { length: 0.25, mass: 0.9, inertia: 4.7e-3 },
+    rocker: Bar { length: 0.2, mass: 0.7, inertia: 2.4e-3 },
+    base: 0.22,
+    gravity: 9.81,
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const LINKAGE: FourBar = FourBar {
-        crank: Bar { length: 0.1, mass: 0.5, inertia: 4.5e-4 },
-        coupler: Bar { length: 0.25, mass: 0.9, inertia: 4.7e-3 },
-        rocker: Bar { length: 0.2, mass: 0.7, inertia: 2.4e-3 },
-        base: 0.22,
-        gravity: 9.81,
-    };
-
     #[test]
     fn the_loop_closes() {
         for angle in [0.0, 1.5, 3.0, 5.0] {
-            let (coupler, rocker) = LINKAGE.angles(angle);
+            let (coupler, rocker) = FOUR_BAR.angles(angle);
             let x = 0.1 * angle.cos() + 0.25 * coupler.cos() - 0.2 * rocker.cos() - 0.22;
             let y = 0.1 * angle.sin() + 0.25 * coupler.sin() - 0.2 * rocker.sin();
             assert!(x.abs() < 1e-15 && y.abs() < 1e-15);
@@ -127,8 +128,8 @@ mod tests {
     fn ratios_are_differences_of_angles() {
         for angle in [0.2, 1.5, 3.0, 5.0] {
             let step = 1e-5;
-            let (before, after) = (LINKAGE.angles(angle - step), LINKAGE.angles(angle + step));
-            let (coupler, rocker) = LINKAGE.ratios(angle);
+            let (before, after) = (FOUR_BAR.angles(angle - step), FOUR_BAR.angles(angle + step));
+            let (coupler, rocker) = FOUR_BAR.ratios(angle);
             assert!(((after.0 - before.0) / (2.0 * step) - coupler).abs() < 1e-8);
             assert!(((after.1 - before.1) / (2.0 * step) - rocker).abs() < 1e-8);
         }

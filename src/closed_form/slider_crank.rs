@@ -80,25 +80,26 @@ impl SliderCrank {
     }
 }
 
+/// The machine of the scene `slider_crank`.
+pub const SLIDER_CRANK: SliderCrank = SliderCrank {
+    crank: 0.05,
+    rod: 0.2,
+    crank_mass: 0.8,
+    rod_mass: 0.6,
+    rod_inertia: 2e-3,
+    slider_mass: 1.1,
+    gravity: 9.81,
+    speed: 30.0,
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const MACHINE: SliderCrank = SliderCrank {
-        crank: 0.05,
-        rod: 0.2,
-        crank_mass: 0.8,
-        rod_mass: 0.6,
-        rod_inertia: 2e-3,
-        slider_mass: 1.1,
-        gravity: 9.81,
-        speed: 30.0,
-    };
-
     #[test]
     fn the_slider_turns_round_at_the_dead_points() {
         for (angle, stroke) in [(0.0, 0.25), (std::f64::consts::PI, 0.15)] {
-            let state = MACHINE.at(angle);
+            let state = SLIDER_CRANK.at(angle);
             assert!((state.stroke - stroke).abs() < 1e-15);
             assert!(state.slider_speed.abs() < 1e-14);
         }
@@ -109,7 +110,7 @@ mod tests {
         for angle in [0.3, 2.0, 4.5] {
             let step = 1e-5;
             let [before, now, after] =
-                [angle - step, angle, angle + step].map(|angle| MACHINE.at(angle));
+                [angle - step, angle, angle + step].map(|angle| SLIDER_CRANK.at(angle));
             let rate = 30.0 / (2.0 * step);
             let speed = rate * (after.stroke - before.stroke);
             assert!((speed - now.slider_speed).abs() < 1e-8);
@@ -120,7 +121,7 @@ mod tests {
 
     #[test]
     fn the_torque_does_no_work_over_a_turn() {
-        let turn = (0..720).map(|i| MACHINE.at(f64::from(i) * std::f64::consts::TAU / 720.0));
+        let turn = (0..720).map(|i| SLIDER_CRANK.at(f64::from(i) * std::f64::consts::TAU / 720.0));
         let work: f64 = turn.map(|state| state.torque).sum();
         assert!(work.abs() < 1e-9, "{work}");
     }

@@ -59,7 +59,7 @@ impl<'a> Stretch<'a> {
     /// rounding; likewise no trial step looks back in front of the stretch.
     #[must_use]
     pub fn within(&self, time: f64) -> f64 {
-        time.min(self.until.next_down()).max(self.from)
+        within(time, self.from, self.until)
     }
 
     /// f(t, y) at `time` moved into the stretch.
@@ -141,6 +141,21 @@ impl<'a> Stretch<'a> {
         let what = format!("{what} `{}`", self.system.name(index));
         Stopped { time, cause: StopCause::NotFinite { what } }
     }
+}
+
+/// `time` moved into \[from, until); see [`Stretch::within`].
+pub(super) fn within(time: f64, from: f64, until: f64) -> f64 {
+    time.min(until.next_down()).max(from)
+}
+
+/// Start and end of a span, and between them the times that are strictly inside it,
+/// in order and each once.
+pub(crate) fn cut(from: f64, until: f64, mut times: Vec<f64>) -> Vec<f64> {
+    times.retain(|time| from < *time && *time < until);
+    times.extend([from, until]);
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
 }
 
 /// The states at the wanted times, gathered in order.

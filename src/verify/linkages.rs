@@ -3,9 +3,9 @@
 
 use super::machine;
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
-use crate::closed_form::four_bar::{Bar, FourBar};
+use crate::closed_form::four_bar::FOUR_BAR;
 use crate::closed_form::pendulum_chain::CHAIN;
-use crate::closed_form::slider_crank::{SliderCrank, SliderCrankState};
+use crate::closed_form::slider_crank::{SLIDER_CRANK, SliderCrankState};
 use crate::trajectory::ColumnKind;
 use crate::{Method, Trajectory};
 
@@ -139,23 +139,13 @@ fn force(machine: &Machine) -> Result<Measured, CheckFailure> {
     Ok(Measured::error(relative_distance(machine.column(&ours, "force_3")?, &forces)))
 }
 
-const CRANK: SliderCrank = SliderCrank {
-    crank: 0.05,
-    rod: 0.2,
-    crank_mass: 0.8,
-    rod_mass: 0.6,
-    rod_inertia: 2e-3,
-    slider_mass: 1.1,
-    gravity: 9.81,
-    speed: 30.0,
-};
-
 /// A column and what it should be.
 type Wanted = (&'static str, fn(&SliderCrankState) -> f64);
 
 fn distances(machine: &Machine, wanted: &[Wanted]) -> Result<Measured, CheckFailure> {
     let run = run(machine, 1e-12)?;
-    let states: Vec<_> = run.times.iter().map(|time| CRANK.at(0.4 + CRANK.speed * time)).collect();
+    let states: Vec<_> =
+        run.times.iter().map(|time| SLIDER_CRANK.at(0.4 + SLIDER_CRANK.speed * time)).collect();
     let mut error = 0.0;
     for (name, of) in wanted {
         let exact: Vec<f64> = states.iter().map(of).collect();
@@ -180,19 +170,11 @@ fn torque(machine: &Machine) -> Result<Measured, CheckFailure> {
     distances(machine, &[("torque", |state| state.torque)])
 }
 
-const LINKAGE: FourBar = FourBar {
-    crank: Bar { length: 0.1, mass: 0.5, inertia: 4.5e-4 },
-    coupler: Bar { length: 0.25, mass: 0.9, inertia: 4.7e-3 },
-    rocker: Bar { length: 0.2, mass: 0.7, inertia: 2.4e-3 },
-    base: 0.22,
-    gravity: 9.81,
-};
-
 fn freudenstein(machine: &Machine) -> Result<Measured, CheckFailure> {
     let run = run(machine, 1e-10)?;
     let crank = machine.column(&run, "crank_angle")?;
     let (coupler, rocker): (Vec<f64>, Vec<f64>) =
-        crank.iter().map(|angle| LINKAGE.angles(*angle)).unzip();
+        crank.iter().map(|angle| FOUR_BAR.angles(*angle)).unzip();
     let coupler = relative_distance(machine.column(&run, "coupler_angle")?, &coupler);
     let rocker = relative_distance(machine.column(&run, "rocker_angle")?, &rocker);
     Ok(Measured::error(worse(coupler, rocker)))
@@ -201,6 +183,6 @@ fn freudenstein(machine: &Machine) -> Result<Measured, CheckFailure> {
 fn speed(machine: &Machine) -> Result<Measured, CheckFailure> {
     let run = run(machine, 1e-12)?;
     let crank = machine.column(&run, "crank_angle")?;
-    let exact: Vec<f64> = crank.iter().map(|angle| LINKAGE.speed(*angle, (1.5, 25.0))).collect();
+    let exact: Vec<f64> = crank.iter().map(|angle| FOUR_BAR.speed(*angle, (1.5, 25.0))).collect();
     Ok(Measured::error(relative_distance(machine.column(&run, "crank_speed")?, &exact)))
 }

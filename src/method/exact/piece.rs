@@ -3,7 +3,7 @@
 use machinist_scenes::linear::{LinearEquations, TERM_NUMBERS};
 use nalgebra::{Complex, DMatrix};
 
-use crate::method::Stretch;
+use crate::method::{Stretch, cut};
 
 /// A linear machine between two switches.
 pub(super) struct Piece {
@@ -87,9 +87,5 @@ impl Piece {
 pub(super) fn ends(stretch: &Stretch<'_>, linear: &dyn LinearEquations<f64>) -> Vec<f64> {
     let mut ends = vec![0.0; linear.switches()];
     linear.switch_times(stretch.system.parameters(), &mut ends);
-    ends.retain(|time| stretch.from < *time && *time < stretch.until);
-    ends.extend([stretch.from, stretch.until]);
-    ends.sort_by(f64::total_cmp);
-    ends.dedup();
-    ends
+    cut(stretch.from, stretch.until, ends)
 }

@@ -9,6 +9,7 @@ use machinist_scenes::taylor::TaylorSeries;
 use super::step::{self, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
+use crate::method::stretch::within;
 use crate::method::{Stopped, Work};
 
 /// A variant of a machine, to be run.
@@ -129,9 +130,9 @@ impl Lane {
         self.variant.ends[self.stretch + 1]
     }
 
-    /// Moved into the stretch; see `Stretch::within`.
+    /// Moved into the stretch.
     fn within(&self, time: f64) -> f64 {
-        time.min(self.until().next_down()).max(self.from())
+        within(time, self.from(), self.until())
     }
 
     fn next_sample_until(&self, time: f64) -> Option<f64> {

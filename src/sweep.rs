@@ -127,7 +127,10 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
         let simulation = (self.each)(Simulation::new(self.machine));
         let machine: &dyn Simulator<F64x8> = self.machine;
         match (simulation.method_and_rtol(), machine.taylor()) {
-            (Ok((Method::Taylor, rtol)), Some(series)) if rtol >= 4.0 * f64::EPSILON => {
+            // Single runs refuse what the method does not suit, such as events.
+            (Ok((Method::Taylor, rtol)), Some(series))
+                if rtol >= 4.0 * f64::EPSILON && Method::Taylor.suits(self.machine) =>
+            {
                 self.run_in_lanes(chunk, rtol, series)
             }
             _ => chunk.iter().map(|parameters| self.run_one(parameters)).collect(),

@@ -5,7 +5,9 @@ use machinist::error::StopCause;
 use machinist::lanes::{F64x4, F64x8, Lanes};
 use machinist::sweep::{Sweepable, VariantRun};
 use machinist::{Method, SimulateError, Simulation, Sweep};
-use machinist_scenes::scenes::{pendulum_chain, saw_gin, two_mass, winder_nonlinear};
+use machinist_scenes::scenes::{
+    bouncing_mass, pendulum_chain, saw_gin, two_mass, winder_nonlinear,
+};
 use machinist_scenes::{Real, Simulator};
 
 /// What one run after another gives.
@@ -102,6 +104,15 @@ fn a_variant_that_cannot_be_run_leaves_the_others_alone() {
         Err(SimulateError::Stopped { cause: StopCause::TooManySteps { limit: 2 }, .. }) => {}
         other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn a_machine_with_events_is_refused_in_lanes_as_in_a_single_run() {
+    let each = |run: Simulation<'static>| run.until(0.5).points(2).method(Method::Taylor);
+    let alone = each(Simulation::new(&bouncing_mass::BouncingMass)).run();
+    assert!(matches!(alone, Err(SimulateError::Events { .. })), "{alone:?}");
+    let runs = Sweep::new(&bouncing_mass::BouncingMass).each(each).run();
+    assert_eq!(runs[0].as_ref().err(), alone.as_ref().err());
 }
 
 #[test]

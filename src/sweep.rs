@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use crate::error::SimulateError;
 use crate::lanes::F64x8;
 use crate::method::Method;
+use crate::method::taylor::LEAST_RTOL;
 use crate::method::taylor::variants::{self, Outcome};
 use crate::simulate::Simulation;
 use crate::trajectory::ColumnKind;
@@ -129,7 +130,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
         match (simulation.method_and_rtol(), machine.taylor()) {
             // Single runs refuse what the method does not suit, such as events.
             (Ok((Method::Taylor, rtol)), Some(series))
-                if rtol >= 4.0 * f64::EPSILON && Method::Taylor.suits(self.machine) =>
+                if rtol >= LEAST_RTOL && Method::Taylor.suits(self.machine) =>
             {
                 self.run_in_lanes(chunk, rtol, series)
             }

@@ -15,6 +15,7 @@ mod modal;
 mod piece;
 mod response;
 
+use super::taylor::quadrature::Gauss;
 use super::{Integrator, Samples, Stopped, Stretch};
 use crate::error::StopCause;
 use exponential::Exponential;
@@ -84,6 +85,7 @@ fn carry(
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
     let states = piece.states();
+    let rule = Gauss::new(flows::POINTS);
     let mut reached = piece.from;
     let mut next = vec![0.0; states];
     loop {
@@ -94,7 +96,7 @@ fn carry(
             if let Some(index) = next.iter().position(|value| !value.is_finite()) {
                 return Err(stretch.not_finite("the state", index, reached));
             }
-            flows::carry(stretch, solution, [reached, time], &mut state[states..]);
+            flows::carry(stretch, solution, &rule, [reached, time], &mut state[states..]);
             state[..states].copy_from_slice(&next);
             solution.settle(time, &next);
             reached = time;

@@ -20,6 +20,9 @@ use crate::error::StopCause;
 use quadrature::Gauss;
 use step::{Tolerance, order_for};
 
+/// Tighter tolerances are below rounding.
+pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
+
 /// Taylor series of an order that follows the tolerance.
 pub(super) struct Taylor;
 
@@ -30,7 +33,7 @@ impl Integrator for Taylor {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        if stretch.rtol < 4.0 * f64::EPSILON {
+        if stretch.rtol < LEAST_RTOL {
             return Err(Stopped { time: stretch.from, cause: StopCause::StepTooSmall });
         }
         let series = stretch.system.simulator().taylor().ok_or_else(|| Stopped {

@@ -7,7 +7,7 @@ use crate::method::system::FLOWS;
 use crate::method::taylor::quadrature::Gauss;
 
 /// Points of an interval.
-const POINTS: usize = 8;
+pub(super) const POINTS: usize = 8;
 /// Smallest interval, as a part of the whole: 2^-20.
 const DEEPEST: usize = 20;
 
@@ -15,6 +15,7 @@ const DEEPEST: usize = 20;
 pub(super) fn carry(
     stretch: &Stretch<'_>,
     solution: &mut dyn Solution,
+    rule: &Gauss,
     [from, until]: [f64; 2],
     totals: &mut [f64],
 ) {
@@ -25,7 +26,7 @@ pub(super) fn carry(
     let mut sums = Sums {
         stretch,
         solution,
-        rule: Gauss::new(POINTS),
+        rule,
         between: vec![0.0; states],
         tolerance: stretch.atol[states],
     };
@@ -39,7 +40,7 @@ pub(super) fn carry(
 struct Sums<'a> {
     stretch: &'a Stretch<'a>,
     solution: &'a mut dyn Solution,
-    rule: Gauss,
+    rule: &'a Gauss,
     between: Vec<f64>,
     tolerance: f64,
 }

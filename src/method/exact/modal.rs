@@ -23,6 +23,8 @@ pub(super) struct Modal<'a> {
     /// Modes by columns, normalized by mass.
     shapes: DMatrix<f64>,
     modes: Vec<Mode>,
+    /// Each wave in local time; see [`Piece::local`].
+    locals: Vec<Vec<Complex<f64>>>,
 }
 
 /// x'' + d x' + k x = f, by its two eigenvalues.
@@ -64,7 +66,8 @@ impl<'a> Modal<'a> {
             let start = [position[index], velocity[index]];
             modes.push(Mode { eigenvalues, is_double, start, amplitudes });
         }
-        Some(Modal { piece, shapes, modes })
+        let locals = piece.waves.iter().map(|wave| piece.local(wave)).collect();
+        Some(Modal { piece, shapes, modes, locals })
     }
 
     /// How many modes there are.
@@ -77,12 +80,11 @@ impl Solution for Modal<'_> {
     fn state_at(&mut self, time: f64, state: &mut [f64]) {
         let h = time - self.piece.from;
         let n = self.modes.len();
-        let locals: Vec<_> = self.piece.waves.iter().map(|wave| self.piece.local(wave)).collect();
         let mut moved = DMatrix::zeros(n, 2);
         for (index, mode) in self.modes.iter().enumerate() {
             let [mut position, mut velocity] = mode.free(h);
             for ((wave, local), amplitude) in
-                self.piece.waves.iter().zip(&locals).zip(&mode.amplitudes)
+                self.piece.waves.iter().zip(&self.locals).zip(&mode.amplitudes)
             {
                 if *amplitude == Complex::ZERO {
                     continue;

@@ -169,12 +169,7 @@ impl Problem<'_> {
         let states = self.system.states();
         let before = state[..states].to_vec();
         let Some(time) = watch.switch(state)? else { return Ok(None) };
-        if let Some(constraints) = self.system.constraints() {
-            constraints.project(time, state).map_err(|lost| {
-                let constraint = constraints.name(lost.0).to_owned();
-                Stopped { time, cause: StopCause::OffConstraint { constraint } }
-            })?;
-        }
+        self.system.constrain(time, state)?;
         if state.len() > states {
             let (simulator, parameters) = (self.system.simulator(), self.system.parameters());
             let energy = |state: &[f64]| simulator.energy(time, state, parameters).total();

@@ -97,11 +97,8 @@ impl<'a> Stretch<'a> {
 
     /// Puts a state back onto the constraints, if there are any.
     pub(super) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
-        let Some(constraints) = self.system.constraints() else { return Ok(()) };
-        constraints.project(self.within(time), state).map_err(|lost| {
-            let constraint = constraints.name(lost.0).to_owned();
-            Stopped { time, cause: StopCause::OffConstraint { constraint } }
-        })
+        let constrained = self.system.constrain(self.within(time), state);
+        constrained.map_err(|stopped| Stopped { time, ..stopped })
     }
 
     /// Whether there is nothing for a method to step on: no states, or a stretch

@@ -2,7 +2,9 @@
 
 use std::cell::{Cell, RefCell};
 
+use super::Stopped;
 use crate::constraints::Constraints;
+use crate::error::StopCause;
 use machinist_scenes::{Simulator, SparsityPattern};
 use serde::Serialize;
 
@@ -76,6 +78,15 @@ impl<'a> System<'a> {
     /// The constraints, if there are any.
     pub(crate) fn constraints(&self) -> Option<&Constraints<'a>> {
         self.constraints.as_ref()
+    }
+
+    /// Puts a state back onto the constraints, if there are any.
+    pub(super) fn constrain(&self, time: f64, state: &mut [f64]) -> Result<(), Stopped> {
+        let Some(constraints) = &self.constraints else { return Ok(()) };
+        constraints.project(time, state).map_err(|lost| {
+            let constraint = constraints.name(lost.0).to_owned();
+            Stopped { time, cause: StopCause::OffConstraint { constraint } }
+        })
     }
 
     /// The parameters.

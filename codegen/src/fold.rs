@@ -4,6 +4,7 @@
 //! 0 x is 0 also where x would be infinite: a term with a structural zero is not
 //! there.
 
+use crate::expr::Function;
 use crate::lower::Graph;
 use crate::tape::{NodeId, Op};
 
@@ -30,6 +31,7 @@ pub fn fold(graph: &mut Graph, op: Op) -> Folded {
         Op::Sub(a, b) => sub(graph, a, b),
         Op::Mul(a, b) => mul(graph, a, b),
         Op::Div(a, b) => div(graph, a, b),
+        Op::Call(function, a) => call(graph, function, a),
         Op::SelectLess { then, otherwise, .. } if then == otherwise => Folded::Node(then),
         Op::SelectLess { lhs, rhs, then, otherwise } => {
             match (graph.literal_value(lhs), graph.literal_value(rhs)) {
@@ -94,6 +96,28 @@ fn div(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
     }
 }
 
+/// Odd and even functions of a difference, so that both ways round are one call.
+fn call(graph: &mut Graph, function: Function, a: NodeId) -> Folded {
+    let Some(is_odd) = parity(function) else { return Folded::Op(Op::Call(function, a)) };
+    let positive = match graph.op(a) {
+        Op::Neg(x) => x,
+        Op::Sub(x, y) if y < x => graph.sub(y, x),
+        _ => return Folded::Op(Op::Call(function, a)),
+    };
+    let value = graph.call(function, positive);
+    Folded::Node(if is_odd { graph.neg(value) } else { value })
+}
+
+/// Whether f(-x) is -f(x), or else f(x), to the last bit; nothing if neither.
+fn parity(function: Function) -> Option<bool> {
+    use Function as F;
+    match function {
+        F::Sin | F::Tan | F::Asin | F::Atan | F::Sinh | F::Tanh => Some(true),
+        F::Cos | F::Cosh | F::Abs => Some(false),
+        F::Sqrt | F::Exp | F::Ln | F::Acos | F::SelectLess | F::Table { .. } => None,
+    }
+}
+
 /// The value of an operation on literals, if it is finite.
 fn computed(graph: &Graph, op: &Op) -> Option<f64> {
     let value = |id: NodeId| graph.literal_value(id);
@@ -115,8 +139,8 @@ fn computed(graph: &Graph, op: &Op) -> Option<f64> {
 
 /// A function of one argument in f64.
 #[must_use]
-pub fn apply(function: crate::expr::Function, x: f64) -> Option<f64> {
-    use crate::expr::Function as F;
+pub fn apply(function: Function, x: f64) -> Option<f64> {
+    use Function as F;
     Some(match function {
         F::Sqrt => x.sqrt(),
         F::Abs => x.abs(),

@@ -2,6 +2,7 @@
 //!
 //! The straight line is [`pipeline`]; each stage takes the previous one's type.
 pub mod abbreviate;
+pub mod angles;
 mod build;
 pub mod cas;
 pub mod constraint;

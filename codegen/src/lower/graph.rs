@@ -183,6 +183,10 @@ impl Graph {
     ) -> NodeId {
         self.push(Op::SelectLess { lhs, rhs, then, otherwise })
     }
+    /// An operation on nodes of this graph.
+    pub fn insert(&mut self, op: Op) -> NodeId {
+        self.push(op)
+    }
     /// A table or a derivative of it.
     pub fn table(&mut self, table: TableId, order: u32, argument: NodeId) -> NodeId {
         self.push(Op::Table { table, order, argument })

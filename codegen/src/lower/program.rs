@@ -2,6 +2,7 @@
 
 use super::graph::Graph;
 use crate::abbreviate::Abbreviations;
+use crate::angles::expand;
 use crate::expr::{Expr, Symbol};
 use crate::factor::{Factorization, factor};
 use crate::lagrange::EquationsOfMotion;
@@ -16,7 +17,8 @@ use crate::tape::NodeId;
 pub fn lower(linearization: &Linearization) -> Program {
     let mut build = Build::new(linearization);
     let system = &linearization.equations.system;
-    let rate_jacobian = build.jacobian(&linearization.state);
+    let mut rate_jacobian = build.jacobian(&linearization.state);
+    rate_jacobian.tape = expand(&rate_jacobian.tape);
     let parameter_jacobian = build.jacobian(&linearization.parameters);
     let time_column = build.column(&linearization.time);
     let initial = build.initial_state();
@@ -37,7 +39,7 @@ pub fn lower(linearization: &Linearization) -> Program {
         excitation: is_whole.then(|| Excitation::of(&rate)).flatten(),
         initial_state: graph.tape(&initial),
         discontinuities: graph.tape(&discontinuities),
-        rate,
+        rate: expand(&rate),
         rate_jacobian,
         parameter_jacobian,
         time_derivative: graph.tape(&time_column),

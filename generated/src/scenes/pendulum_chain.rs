@@ -37,18 +37,18 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                    110
+//   rate                    117
 //   mass_matrix              24
-//   forcing                  64
+//   forcing                  59
 //   rate_jacobian           285
-//   parameter_jacobian      338
+//   parameter_jacobian      330
 //   time_derivative           0
 //   outputs                  17
 //   energy                   48
-//   power_balance           226
+//   power_balance           221
 // With constants of the parameters, prepared once a run:
 //   prepare                  30
-//   prepared_rate            88
+//   prepared_rate            95
 //   prepared_rate_jacobian  255
 
 use crate::{
@@ -400,7 +400,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 110 operations.
+/// 117 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
@@ -409,7 +409,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 88 operations.
+/// 95 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -420,48 +420,45 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let sin_chain_th_1 = chain_th_1.sin();
+    let cos_chain_th_1 = chain_th_1.cos();
     let sin_chain_th_2 = chain_th_2.sin();
-    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
-    let t0 = c.t0 * chain_th_1_minus_chain_th_2.cos();
-    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
-    let t1 = c.t1 * chain_th_1_minus_chain_th_3.cos();
-    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
-    let t2 = t0 * c.t4;
-    let t3 = t1 * c.t4;
-    let t4 = R::literal(1.0) / (c.t2 - t2 * t0);
-    let t5 = c.t3 * chain_th_2_minus_chain_th_3.cos() - t3 * t0;
-    let t6 = t5 * t4;
+    let cos_chain_th_2 = chain_th_2.cos();
+    let sin_chain_th_3 = chain_th_3.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let t0 = sin_chain_th_1 * cos_chain_th_2 - cos_chain_th_1 * sin_chain_th_2;
+    let t1 = c.t0 * (cos_chain_th_1 * cos_chain_th_2 + sin_chain_th_1 * sin_chain_th_2);
+    let t2 = sin_chain_th_1 * cos_chain_th_3 - cos_chain_th_1 * sin_chain_th_3;
+    let t3 = c.t1 * (cos_chain_th_1 * cos_chain_th_3 + sin_chain_th_1 * sin_chain_th_3);
+    let t4 = sin_chain_th_2 * cos_chain_th_3 - cos_chain_th_2 * sin_chain_th_3;
+    let t5 = t1 * c.t4;
+    let t6 = t3 * c.t4;
+    let t7 = R::literal(1.0) / (c.t2 - t5 * t1);
+    let t8 = c.t3 * (cos_chain_th_2 * cos_chain_th_3 + sin_chain_th_2 * sin_chain_th_3)
+        - t6 * t1;
+    let t9 = t8 * t7;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
-    let t7 = c.chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
-    let t8 = p.chain_l_1
+    let t10 = c.chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
+    let t11 = p.chain_l_1
         * (c.chain_m_1_times_chain_gravity * sin_chain_th_1
-            + c.chain_m_2_times_chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2
+            + c.chain_m_2_times_chain_l_2 * chain_w_2_squared * t0
             + c.chain_m_2_times_chain_gravity * sin_chain_th_1
-            + c.chain_m_3_times_chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2
-            + t7 * chain_th_1_minus_chain_th_3.sin()
+            + c.chain_m_3_times_chain_l_2 * chain_w_2_squared * t0 + t10 * t2
             + c.chain_m_3_times_chain_gravity * sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
-    let t9 = t2 * t8
+    let t12 = t5 * t11
         - p.chain_l_2
-            * (c.chain_m_2_times_chain_l_1 * chain_w_1_squared
-                * sin_chain_th_2_minus_chain_th_1
-                + c.chain_m_2_times_chain_gravity * sin_chain_th_2
-                + c.chain_m_3_times_chain_l_1 * chain_w_1_squared
-                    * sin_chain_th_2_minus_chain_th_1
-                + t7 * chain_th_2_minus_chain_th_3.sin()
+            * (c.chain_m_2_times_chain_gravity * sin_chain_th_2
+                - c.chain_m_2_times_chain_l_1 * chain_w_1_squared * t0
+                - c.chain_m_3_times_chain_l_1 * chain_w_1_squared * t0 + t10 * t4
                 + c.chain_m_3_times_chain_gravity * sin_chain_th_2);
-    let chain_w_3_dot = (t3 * t8
+    let chain_w_3_dot = (t6 * t11
         - c.chain_m_3_times_chain_l_3
-            * (p.chain_l_1 * chain_w_1_squared * (chain_th_3 - chain_th_1).sin()
-                + p.chain_l_2 * chain_w_2_squared * (chain_th_3 - chain_th_2).sin()
-                + p.chain_gravity * chain_th_3.sin()) - t6 * t9)
-        * (R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t3 * t1 - t6 * t5));
-    let chain_w_2_dot = t9 * t4 - t6 * chain_w_3_dot;
-    let chain_w_1_dot = -(t8 * c.t4) - t2 * chain_w_2_dot - t3 * chain_w_3_dot;
+            * (-(p.chain_l_1 * chain_w_1_squared * t2)
+                - p.chain_l_2 * chain_w_2_squared * t4
+                + p.chain_gravity * sin_chain_th_3) - t9 * t12)
+        * (R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t6 * t3 - t9 * t8));
+    let chain_w_2_dot = t12 * t7 - t9 * chain_w_3_dot;
+    let chain_w_1_dot = -(t11 * c.t4) - t5 * chain_w_2_dot - t6 * chain_w_3_dot;
     [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
 }
 
@@ -491,7 +488,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 64 operations.
+/// 59 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     _time: R,
@@ -504,6 +501,7 @@ pub fn forcing<R: Real>(
     let chain_w_2_squared = chain_w_2 * chain_w_2;
     let sin_chain_th_1_minus_chain_th_2 = (chain_th_1 - chain_th_2).sin();
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let sin_chain_th_1_minus_chain_th_3 = (chain_th_1 - chain_th_3).sin();
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t0 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
@@ -513,20 +511,20 @@ pub fn forcing<R: Real>(
                 * sin_chain_th_1_minus_chain_th_2
             + chain_m_2_times_chain_gravity * sin_chain_th_1
             + p.chain_m_3 * p.chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2 + t0 * (chain_th_1 - chain_th_3).sin()
+                * sin_chain_th_1_minus_chain_th_2 + t0 * sin_chain_th_1_minus_chain_th_3
             + chain_m_3_times_chain_gravity * sin_chain_th_1));
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
+    let sin_chain_th_2_minus_chain_th_3 = (chain_th_2 - chain_th_3).sin();
     let chain_th_2_forcing = -(p.chain_l_2
-        * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-            * sin_chain_th_2_minus_chain_th_1
-            + chain_m_2_times_chain_gravity * sin_chain_th_2
-            + p.chain_m_3 * p.chain_l_1 * chain_w_1_squared
-                * sin_chain_th_2_minus_chain_th_1 + t0 * (chain_th_2 - chain_th_3).sin()
+        * (chain_m_2_times_chain_gravity * sin_chain_th_2
+            - p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+                * sin_chain_th_1_minus_chain_th_2
+            - p.chain_m_3 * p.chain_l_1 * chain_w_1_squared
+                * sin_chain_th_1_minus_chain_th_2 + t0 * sin_chain_th_2_minus_chain_th_3
             + chain_m_3_times_chain_gravity * sin_chain_th_2));
     let chain_th_3_forcing = -(chain_m_3_times_chain_l_3
-        * (p.chain_l_1 * chain_w_1_squared * (chain_th_3 - chain_th_1).sin()
-            + p.chain_l_2 * chain_w_2_squared * (chain_th_3 - chain_th_2).sin()
+        * (-(p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+            - p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
             + p.chain_gravity * chain_th_3.sin()));
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
@@ -559,129 +557,105 @@ pub fn prepared_rate_jacobian<R: Real>(
     let cos_chain_th_1 = chain_th_1.cos();
     let sin_chain_th_2 = chain_th_2.sin();
     let cos_chain_th_2 = chain_th_2.cos();
-    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
-    let cos_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.cos();
-    let t0 = c.t0 * cos_chain_th_1_minus_chain_th_2;
-    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
-    let cos_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.cos();
-    let t1 = c.t1 * cos_chain_th_1_minus_chain_th_3;
-    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
-    let cos_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.cos();
-    let t2 = t0 * c.t4;
-    let t3 = t1 * c.t4;
-    let t4 = R::literal(1.0) / (c.t2 - t2 * t0);
-    let t5 = c.t3 * cos_chain_th_2_minus_chain_th_3 - t3 * t0;
-    let t6 = t5 * t4;
-    let t7 = R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t3 * t1 - t6 * t5);
+    let sin_chain_th_3 = chain_th_3.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let t0 = sin_chain_th_1 * cos_chain_th_2 - cos_chain_th_1 * sin_chain_th_2;
+    let t1 = cos_chain_th_1 * cos_chain_th_2 + sin_chain_th_1 * sin_chain_th_2;
+    let t2 = c.t0 * t1;
+    let t3 = sin_chain_th_1 * cos_chain_th_3 - cos_chain_th_1 * sin_chain_th_3;
+    let t4 = cos_chain_th_1 * cos_chain_th_3 + sin_chain_th_1 * sin_chain_th_3;
+    let t5 = c.t1 * t4;
+    let t6 = sin_chain_th_2 * cos_chain_th_3 - cos_chain_th_2 * sin_chain_th_3;
+    let t7 = cos_chain_th_2 * cos_chain_th_3 + sin_chain_th_2 * sin_chain_th_3;
+    let t8 = t2 * c.t4;
+    let t9 = t5 * c.t4;
+    let t10 = R::literal(1.0) / (c.t2 - t8 * t2);
+    let t11 = c.t3 * t7 - t9 * t2;
+    let t12 = t11 * t10;
+    let t13 = R::literal(1.0)
+        / (c.chain_m_3_times_chain_l_3_squared - t9 * t5 - t12 * t11);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
-    let t8 = c.chain_m_2_times_chain_l_2 * chain_w_2_squared;
-    let t9 = c.chain_m_3_times_chain_l_2 * chain_w_2_squared;
+    let t14 = c.chain_m_2_times_chain_l_2 * chain_w_2_squared;
+    let t15 = c.chain_m_3_times_chain_l_2 * chain_w_2_squared;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let sin_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.sin();
-    let t10 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let t11 = p.chain_l_1
-        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1
-            + t8 * sin_chain_th_1_minus_chain_th_2
-            + c.chain_m_2_times_chain_gravity * sin_chain_th_1
-            + t9 * sin_chain_th_1_minus_chain_th_2
-            + t10 * sin_chain_th_1_minus_chain_th_3
+    let t16 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let t17 = p.chain_l_1
+        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1 + t14 * t0
+            + c.chain_m_2_times_chain_gravity * sin_chain_th_1 + t15 * t0 + t16 * t3
             + c.chain_m_3_times_chain_gravity * sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let chain_th_2_minus_chain_th_1 = chain_th_2 - chain_th_1;
-    let sin_chain_th_2_minus_chain_th_1 = chain_th_2_minus_chain_th_1.sin();
-    let t12 = c.chain_m_2_times_chain_l_1 * chain_w_1_squared;
-    let t13 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
-    let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
-    let chain_th_3_minus_chain_th_1 = chain_th_3 - chain_th_1;
-    let sin_chain_th_3_minus_chain_th_1 = chain_th_3_minus_chain_th_1.sin();
+    let t18 = c.chain_m_2_times_chain_l_1 * chain_w_1_squared;
+    let t19 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
-    let chain_th_3_minus_chain_th_2 = chain_th_3 - chain_th_2;
-    let sin_chain_th_3_minus_chain_th_2 = chain_th_3_minus_chain_th_2.sin();
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t14 = t2 * t11
+    let t20 = t8 * t17
         - p.chain_l_2
-            * (t12 * sin_chain_th_2_minus_chain_th_1
-                + c.chain_m_2_times_chain_gravity * sin_chain_th_2
-                + t13 * sin_chain_th_2_minus_chain_th_1
-                + t10 * sin_chain_th_2_minus_chain_th_3
-                + c.chain_m_3_times_chain_gravity * sin_chain_th_2);
-    let chain_w_3_dot = (t3 * t11
+            * (c.chain_m_2_times_chain_gravity * sin_chain_th_2 - t18 * t0 - t19 * t0
+                + t16 * t6 + c.chain_m_3_times_chain_gravity * sin_chain_th_2);
+    let chain_w_3_dot = (t9 * t17
         - c.chain_m_3_times_chain_l_3
-            * (chain_l_1_times_chain_w_1_squared * sin_chain_th_3_minus_chain_th_1
-                + chain_l_2_times_chain_w_2_squared * sin_chain_th_3_minus_chain_th_2
-                + p.chain_gravity * chain_th_3.sin()) - t6 * t14) * t7;
-    let chain_w_2_dot = t14 * t4 - t6 * chain_w_3_dot;
-    let chain_w_1_dot = -(t11 * c.t4) - t2 * chain_w_2_dot - t3 * chain_w_3_dot;
-    let cos_chain_th_2_minus_chain_th_1 = chain_th_2_minus_chain_th_1.cos();
-    let cos_chain_th_3_minus_chain_th_1 = chain_th_3_minus_chain_th_1.cos();
-    let t15 = c.t0 * sin_chain_th_1_minus_chain_th_2;
-    let t16 = t15 * chain_w_2_dot;
-    let t17 = t15 * chain_w_1_dot;
-    let t18 = c.t1 * sin_chain_th_1_minus_chain_th_3;
-    let t19 = t18 * chain_w_3_dot;
-    let t20 = t16
-        - p.chain_l_1
-            * (c.chain_m_1_times_chain_gravity * cos_chain_th_1
-                + t8 * cos_chain_th_1_minus_chain_th_2
-                + c.chain_m_2_times_chain_gravity * cos_chain_th_1
-                + t9 * cos_chain_th_1_minus_chain_th_2
-                + t10 * cos_chain_th_1_minus_chain_th_3
-                + c.chain_m_3_times_chain_gravity * cos_chain_th_1) + t19;
-    let t21 = t18 * chain_w_1_dot;
-    let t22 = c.t0 * chain_w_1_squared * cos_chain_th_2_minus_chain_th_1 + t17
-        - t2 * t20;
-    let chain_w_3_dot_by_chain_th_1 = (c.t1 * chain_w_1_squared
-        * cos_chain_th_3_minus_chain_th_1 + t21 - t3 * t20 - t6 * t22) * t7;
-    let chain_w_2_dot_by_chain_th_1 = t22 * t4 - t6 * chain_w_3_dot_by_chain_th_1;
-    let chain_w_1_dot_by_chain_th_1 = t20 * c.t4 - t2 * chain_w_2_dot_by_chain_th_1
-        - t3 * chain_w_3_dot_by_chain_th_1;
-    let cos_chain_th_3_minus_chain_th_2 = chain_th_3_minus_chain_th_2.cos();
-    let t23 = c.t0 * chain_w_2_squared * cos_chain_th_1_minus_chain_th_2 - t16;
-    let t24 = c.t3 * sin_chain_th_2_minus_chain_th_3;
+            * (-(chain_l_1_times_chain_w_1_squared * t3)
+                - chain_l_2_times_chain_w_2_squared * t6
+                + p.chain_gravity * sin_chain_th_3) - t12 * t20) * t13;
+    let chain_w_2_dot = t20 * t10 - t12 * chain_w_3_dot;
+    let chain_w_1_dot = -(t17 * c.t4) - t8 * chain_w_2_dot - t9 * chain_w_3_dot;
+    let t21 = c.t0 * t0;
+    let t22 = t21 * chain_w_2_dot;
+    let t23 = t21 * chain_w_1_dot;
+    let t24 = c.t1 * t3;
     let t25 = t24 * chain_w_3_dot;
-    let t26 = t24 * chain_w_2_dot;
-    let t27 = -(p.chain_l_2
-        * (t12 * cos_chain_th_2_minus_chain_th_1
-            + c.chain_m_2_times_chain_gravity * cos_chain_th_2
-            + t13 * cos_chain_th_2_minus_chain_th_1
-            + t10 * cos_chain_th_2_minus_chain_th_3
-            + c.chain_m_3_times_chain_gravity * cos_chain_th_2)) - t17 + t25 - t2 * t23;
-    let chain_w_3_dot_by_chain_th_2 = (c.t3 * chain_w_2_squared
-        * cos_chain_th_3_minus_chain_th_2 + t26 - t3 * t23 - t6 * t27) * t7;
-    let chain_w_2_dot_by_chain_th_2 = t27 * t4 - t6 * chain_w_3_dot_by_chain_th_2;
-    let chain_w_1_dot_by_chain_th_2 = t23 * c.t4 - t2 * chain_w_2_dot_by_chain_th_2
-        - t3 * chain_w_3_dot_by_chain_th_2;
-    let t28 = c.t1 * chain_w_3_squared * cos_chain_th_1_minus_chain_th_3 - t19;
-    let t29 = c.t3 * chain_w_3_squared * cos_chain_th_2_minus_chain_th_3 - t25
-        - t2 * t28;
+    let t26 = t22
+        - p.chain_l_1
+            * (c.chain_m_1_times_chain_gravity * cos_chain_th_1 + t14 * t1
+                + c.chain_m_2_times_chain_gravity * cos_chain_th_1 + t15 * t1 + t16 * t4
+                + c.chain_m_3_times_chain_gravity * cos_chain_th_1) + t25;
+    let t27 = t24 * chain_w_1_dot;
+    let t28 = c.t0 * chain_w_1_squared * t1 + t23 - t8 * t26;
+    let chain_w_3_dot_by_chain_th_1 = (c.t1 * chain_w_1_squared * t4 + t27 - t9 * t26
+        - t12 * t28) * t13;
+    let chain_w_2_dot_by_chain_th_1 = t28 * t10 - t12 * chain_w_3_dot_by_chain_th_1;
+    let chain_w_1_dot_by_chain_th_1 = t26 * c.t4 - t8 * chain_w_2_dot_by_chain_th_1
+        - t9 * chain_w_3_dot_by_chain_th_1;
+    let t29 = c.t0 * chain_w_2_squared * t1 - t22;
+    let t30 = c.t3 * t6;
+    let t31 = t30 * chain_w_3_dot;
+    let t32 = t30 * chain_w_2_dot;
+    let t33 = -(p.chain_l_2
+        * (t18 * t1 + c.chain_m_2_times_chain_gravity * cos_chain_th_2 + t19 * t1
+            + t16 * t7 + c.chain_m_3_times_chain_gravity * cos_chain_th_2)) - t23 + t31
+        - t8 * t29;
+    let chain_w_3_dot_by_chain_th_2 = (c.t3 * chain_w_2_squared * t7 + t32 - t9 * t29
+        - t12 * t33) * t13;
+    let chain_w_2_dot_by_chain_th_2 = t33 * t10 - t12 * chain_w_3_dot_by_chain_th_2;
+    let chain_w_1_dot_by_chain_th_2 = t29 * c.t4 - t8 * chain_w_2_dot_by_chain_th_2
+        - t9 * chain_w_3_dot_by_chain_th_2;
+    let t34 = c.t1 * chain_w_3_squared * t4 - t25;
+    let t35 = c.t3 * chain_w_3_squared * t7 - t31 - t8 * t34;
     let chain_w_3_dot_by_chain_th_3 = (-(c.chain_m_3_times_chain_l_3
-        * (chain_l_1_times_chain_w_1_squared * cos_chain_th_3_minus_chain_th_1
-            + chain_l_2_times_chain_w_2_squared * cos_chain_th_3_minus_chain_th_2
-            + p.chain_gravity * chain_th_3.cos())) - t21 - t26 - t3 * t28 - t6 * t29)
-        * t7;
-    let chain_w_2_dot_by_chain_th_3 = t29 * t4 - t6 * chain_w_3_dot_by_chain_th_3;
-    let chain_w_1_dot_by_chain_th_3 = t28 * c.t4 - t2 * chain_w_2_dot_by_chain_th_3
-        - t3 * chain_w_3_dot_by_chain_th_3;
-    let t30 = c.t5 * chain_w_1 * sin_chain_th_2_minus_chain_th_1;
-    let chain_w_3_dot_by_chain_w_1 = (t6 * t30
-        - c.t7 * chain_w_1 * sin_chain_th_3_minus_chain_th_1) * t7;
-    let chain_w_2_dot_by_chain_w_1 = -(t30 * t4) - t6 * chain_w_3_dot_by_chain_w_1;
-    let chain_w_1_dot_by_chain_w_1 = -(t2 * chain_w_2_dot_by_chain_w_1)
-        - t3 * chain_w_3_dot_by_chain_w_1;
-    let t31 = c.t5 * chain_w_2 * sin_chain_th_1_minus_chain_th_2;
-    let t32 = t2 * t31;
-    let chain_w_3_dot_by_chain_w_2 = (t3 * t31
-        - c.t8 * chain_w_2 * sin_chain_th_3_minus_chain_th_2 - t6 * t32) * t7;
-    let chain_w_2_dot_by_chain_w_2 = t32 * t4 - t6 * chain_w_3_dot_by_chain_w_2;
-    let chain_w_1_dot_by_chain_w_2 = -(t31 * c.t4) - t2 * chain_w_2_dot_by_chain_w_2
-        - t3 * chain_w_3_dot_by_chain_w_2;
-    let t33 = c.t7 * chain_w_3 * sin_chain_th_1_minus_chain_th_3;
-    let t34 = t2 * t33 - c.t8 * chain_w_3 * sin_chain_th_2_minus_chain_th_3;
-    let chain_w_3_dot_by_chain_w_3 = (t3 * t33 - t6 * t34) * t7;
-    let chain_w_2_dot_by_chain_w_3 = t34 * t4 - t6 * chain_w_3_dot_by_chain_w_3;
-    let chain_w_1_dot_by_chain_w_3 = -(t33 * c.t4) - t2 * chain_w_2_dot_by_chain_w_3
-        - t3 * chain_w_3_dot_by_chain_w_3;
+        * (chain_l_1_times_chain_w_1_squared * t4
+            + chain_l_2_times_chain_w_2_squared * t7 + p.chain_gravity * cos_chain_th_3))
+        - t27 - t32 - t9 * t34 - t12 * t35) * t13;
+    let chain_w_2_dot_by_chain_th_3 = t35 * t10 - t12 * chain_w_3_dot_by_chain_th_3;
+    let chain_w_1_dot_by_chain_th_3 = t34 * c.t4 - t8 * chain_w_2_dot_by_chain_th_3
+        - t9 * chain_w_3_dot_by_chain_th_3;
+    let t36 = c.t5 * chain_w_1 * t0;
+    let chain_w_3_dot_by_chain_w_1 = (c.t7 * chain_w_1 * t3 - t12 * t36) * t13;
+    let chain_w_2_dot_by_chain_w_1 = t36 * t10 - t12 * chain_w_3_dot_by_chain_w_1;
+    let chain_w_1_dot_by_chain_w_1 = -(t8 * chain_w_2_dot_by_chain_w_1)
+        - t9 * chain_w_3_dot_by_chain_w_1;
+    let t37 = c.t5 * chain_w_2 * t0;
+    let t38 = t8 * t37;
+    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_w_2 * t6 + t9 * t37 - t12 * t38)
+        * t13;
+    let chain_w_2_dot_by_chain_w_2 = t38 * t10 - t12 * chain_w_3_dot_by_chain_w_2;
+    let chain_w_1_dot_by_chain_w_2 = -(t37 * c.t4) - t8 * chain_w_2_dot_by_chain_w_2
+        - t9 * chain_w_3_dot_by_chain_w_2;
+    let t39 = c.t7 * chain_w_3 * t3;
+    let t40 = t8 * t39 - c.t8 * chain_w_3 * t6;
+    let chain_w_3_dot_by_chain_w_3 = (t9 * t39 - t12 * t40) * t13;
+    let chain_w_2_dot_by_chain_w_3 = t40 * t10 - t12 * chain_w_3_dot_by_chain_w_3;
+    let chain_w_1_dot_by_chain_w_3 = -(t39 * c.t4) - t8 * chain_w_2_dot_by_chain_w_3
+        - t9 * chain_w_3_dot_by_chain_w_3;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -709,7 +683,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 338 operations.
+/// 330 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     _time: R,
@@ -762,20 +736,16 @@ pub fn parameter_jacobian<R: Real>(
         + chain_m_3_times_chain_gravity * sin_chain_th_1;
     let t12 = p.chain_l_1 * t11;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
     let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
-    let t13 = p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-        * sin_chain_th_2_minus_chain_th_1
-        + chain_m_2_times_chain_gravity * sin_chain_th_2
-        + chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_2_minus_chain_th_1
+    let t13 = chain_m_2_times_chain_gravity * sin_chain_th_2
+        - p.chain_m_2 * p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
+        - chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
         + t10 * sin_chain_th_2_minus_chain_th_3
         + chain_m_3_times_chain_gravity * sin_chain_th_2;
-    let sin_chain_th_3_minus_chain_th_1 = (chain_th_3 - chain_th_1).sin();
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
-    let sin_chain_th_3_minus_chain_th_2 = (chain_th_3 - chain_th_2).sin();
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t14 = chain_l_1_times_chain_w_1_squared * sin_chain_th_3_minus_chain_th_1
-        + chain_l_2_times_chain_w_2_squared * sin_chain_th_3_minus_chain_th_2
+    let t14 = -(chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+        - chain_l_2_times_chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
         + p.chain_gravity * sin_chain_th_3;
     let t15 = t4 * t12 - p.chain_l_2 * t13;
     let chain_w_3_dot = (t5 * t12 - chain_m_3_times_chain_l_3 * t14 - t8 * t15) * t9;
@@ -790,14 +760,14 @@ pub fn parameter_jacobian<R: Real>(
         - t5 * chain_w_3_dot_by_chain_m_1;
     let t19 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
-    let t20 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_minus_chain_th_1;
+    let t20 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
     let t21 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
     let t22 = t21 * chain_w_2_dot;
     let t23 = -(p.chain_l_1 * (t19 + chain_gravity_times_sin_chain_th_1)) - t16 - t22;
     let t24 = t21 * chain_w_1_dot;
     let t25 = chain_l_2_squared * chain_w_2_dot;
-    let t26 = -(p.chain_l_2 * (t20 + chain_gravity_times_sin_chain_th_2)) - t24 - t25
+    let t26 = -(p.chain_l_2 * (chain_gravity_times_sin_chain_th_2 - t20)) - t24 - t25
         - t4 * t23;
     let chain_w_3_dot_by_chain_m_2 = (-(t5 * t23) - t8 * t26) * t9;
     let chain_w_2_dot_by_chain_m_2 = t26 * t6 - t8 * chain_w_3_dot_by_chain_m_2;
@@ -810,7 +780,7 @@ pub fn parameter_jacobian<R: Real>(
             + chain_gravity_times_sin_chain_th_1)) - t16 - t22 - t27 * chain_w_3_dot;
     let t29 = p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
     let t30 = -(p.chain_l_2
-        * (t20 + chain_l_3_times_chain_w_3_squared * sin_chain_th_2_minus_chain_th_3
+        * (chain_l_3_times_chain_w_3_squared * sin_chain_th_2_minus_chain_th_3 - t20
             + chain_gravity_times_sin_chain_th_2)) - t24 - t25 - t29 * chain_w_3_dot
         - t4 * t28;
     let chain_w_3_dot_by_chain_m_3 = (-(p.chain_l_3 * t14) - t27 * chain_w_1_dot
@@ -824,10 +794,10 @@ pub fn parameter_jacobian<R: Real>(
     let t33 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
     let t34 = -t11 - R::literal(2.0) * p.chain_l_1 * t0 * chain_w_1_dot
         - t32 * chain_w_2_dot - t33 * chain_w_3_dot;
-    let t35 = -(t31 * chain_w_1_squared * sin_chain_th_2_minus_chain_th_1)
+    let t35 = t31 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
         - t32 * chain_w_1_dot - t4 * t34;
-    let chain_w_3_dot_by_chain_l_1 = (-(chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_3_minus_chain_th_1) - t33 * chain_w_1_dot - t5 * t34 - t8 * t35)
+    let chain_w_3_dot_by_chain_l_1 = (chain_m_3_times_chain_l_3 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_3 - t33 * chain_w_1_dot - t5 * t34 - t8 * t35)
         * t9;
     let chain_w_2_dot_by_chain_l_1 = t35 * t6 - t8 * chain_w_3_dot_by_chain_l_1;
     let chain_w_1_dot_by_chain_l_1 = t34 * t3 - t4 * chain_w_2_dot_by_chain_l_1
@@ -840,8 +810,8 @@ pub fn parameter_jacobian<R: Real>(
     let t40 = -t13 - t37 * chain_w_1_dot
         - R::literal(2.0) * p.chain_l_2 * chain_m_2_plus_chain_m_3 * chain_w_2_dot
         - t39 * chain_w_3_dot - t4 * t38;
-    let chain_w_3_dot_by_chain_l_2 = (-(chain_m_3_times_chain_l_3 * chain_w_2_squared
-        * sin_chain_th_3_minus_chain_th_2) - t39 * chain_w_2_dot - t5 * t38 - t8 * t40)
+    let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * chain_w_2_squared
+        * sin_chain_th_2_minus_chain_th_3 - t39 * chain_w_2_dot - t5 * t38 - t8 * t40)
         * t9;
     let chain_w_2_dot_by_chain_l_2 = t40 * t6 - t8 * chain_w_3_dot_by_chain_l_2;
     let chain_w_1_dot_by_chain_l_2 = t38 * t3 - t4 * chain_w_2_dot_by_chain_l_2
@@ -965,7 +935,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 226 operations.
+/// 221 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -1010,6 +980,7 @@ pub fn power_balance<R: Real>(
     let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
     let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let sin_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.sin();
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t8 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
@@ -1019,24 +990,23 @@ pub fn power_balance<R: Real>(
                 * sin_chain_th_1_minus_chain_th_2
             + chain_m_2_times_chain_gravity * sin_chain_th_1
             + chain_m_3_times_chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2
-            + t8 * chain_th_1_minus_chain_th_3.sin()
+                * sin_chain_th_1_minus_chain_th_2 + t8 * sin_chain_th_1_minus_chain_th_3
             + chain_m_3_times_chain_gravity * sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2_minus_chain_th_1 = (chain_th_2 - chain_th_1).sin();
+    let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
     let t10 = t3 * t9
         - p.chain_l_2
-            * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-                * sin_chain_th_2_minus_chain_th_1
-                + chain_m_2_times_chain_gravity * sin_chain_th_2
-                + chain_m_3_times_chain_l_1 * chain_w_1_squared
-                    * sin_chain_th_2_minus_chain_th_1
-                + t8 * chain_th_2_minus_chain_th_3.sin()
+            * (chain_m_2_times_chain_gravity * sin_chain_th_2
+                - p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+                    * sin_chain_th_1_minus_chain_th_2
+                - chain_m_3_times_chain_l_1 * chain_w_1_squared
+                    * sin_chain_th_1_minus_chain_th_2
+                + t8 * sin_chain_th_2_minus_chain_th_3
                 + chain_m_3_times_chain_gravity * sin_chain_th_2);
     let chain_w_3_dot = (t4 * t9
         - chain_m_3_times_chain_l_3
-            * (p.chain_l_1 * chain_w_1_squared * (chain_th_3 - chain_th_1).sin()
-                + p.chain_l_2 * chain_w_2_squared * (chain_th_3 - chain_th_2).sin()
+            * (-(p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+                - p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
                 + p.chain_gravity * sin_chain_th_3) - t7 * t10)
         * (R::literal(1.0)
             / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t4 * t1 - t7 * t6));
@@ -1088,7 +1058,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 111 recurrences. 29 sums of products an order.
+/// 109 recurrences. 29 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1160,38 +1130,36 @@ pub fn series<R: Real>(
     let t48 = t47 * p.chain_l_1;
     let t49 = -t48;
     let t50 = chain_w_1 * chain_w_1;
-    let t51 = -t6;
-    let t52 = p.chain_m_2 * p.chain_l_1;
-    let t53 = t50 * t52;
-    let t54 = t53 * t51;
-    let t55 = sin_chain_th_2 * t33;
-    let t56 = t50 * t14;
-    let t57 = t56 * t51;
-    let t58 = t39 * t20;
-    let t59 = sin_chain_th_2 * t41;
-    let t60 = t54 + t55;
+    let t51 = p.chain_m_2 * p.chain_l_1;
+    let t52 = t50 * t51;
+    let t53 = t52 * t6;
+    let t54 = sin_chain_th_2 * t33;
+    let t55 = t50 * t14;
+    let t56 = t55 * t6;
+    let t57 = t39 * t20;
+    let t58 = sin_chain_th_2 * t41;
+    let t59 = t54 - t53;
+    let t60 = t59 - t56;
     let t61 = t60 + t57;
     let t62 = t61 + t58;
-    let t63 = t62 + t59;
-    let t64 = t63 * p.chain_l_2;
-    let t65 = -t64;
-    let t66 = -t12;
-    let t67 = t50 * p.chain_l_1;
-    let t68 = t67 * t66;
-    let t69 = -t20;
-    let t70 = t29 * p.chain_l_2;
-    let t71 = t70 * t69;
-    let t72 = sin_chain_th_3 * p.chain_gravity;
-    let t73 = t68 + t71;
-    let t74 = t73 + t72;
-    let t75 = t74 * t38;
-    let t76 = -t75;
+    let t63 = t62 * p.chain_l_2;
+    let t64 = -t63;
+    let t65 = t50 * p.chain_l_1;
+    let t66 = t65 * t12;
+    let t67 = -t66;
+    let t68 = t29 * p.chain_l_2;
+    let t69 = t68 * t20;
+    let t70 = sin_chain_th_3 * p.chain_gravity;
+    let t71 = t67 - t69;
+    let t72 = t71 + t70;
+    let t73 = t72 * t38;
+    let t74 = -t73;
     let factored = Factored::new([
         [t3, R::literal(0.0), R::literal(0.0)],
         [t10, t18, R::literal(0.0)],
         [t16, t24, t26],
     ]);
-    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t49, t65, t76]);
+    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t49, t64, t74]);
     let mut rates = [
         chain_w_1,
         chain_w_2,
@@ -1250,45 +1218,43 @@ pub fn series<R: Real>(
         let t48_k = t47_k * p.chain_l_1;
         let t49_k = -t48_k;
         let t50_k = sums_1[7] + chain_w_1 * chain_w_1_k + chain_w_1_k * chain_w_1;
-        let t51_k = -t6_k;
-        let t53_k = t50_k * t52;
-        let t54_k = sums_1[8] + t53 * t51_k + t53_k * t51;
-        let t55_k = sin_chain_th_2_k * t33;
-        let t56_k = t50_k * t14;
-        let t57_k = sums_1[9] + t56 * t51_k + t56_k * t51;
-        let t58_k = sums_2[0] + t39 * t20_k + t39_k * t20;
-        let t59_k = sin_chain_th_2_k * t41;
-        let t60_k = t54_k + t55_k;
+        let t52_k = t50_k * t51;
+        let t53_k = sums_1[8] + t52 * t6_k + t52_k * t6;
+        let t54_k = sin_chain_th_2_k * t33;
+        let t55_k = t50_k * t14;
+        let t56_k = sums_1[9] + t55 * t6_k + t55_k * t6;
+        let t57_k = sums_2[0] + t39 * t20_k + t39_k * t20;
+        let t58_k = sin_chain_th_2_k * t41;
+        let t59_k = t54_k - t53_k;
+        let t60_k = t59_k - t56_k;
         let t61_k = t60_k + t57_k;
         let t62_k = t61_k + t58_k;
-        let t63_k = t62_k + t59_k;
-        let t64_k = t63_k * p.chain_l_2;
-        let t65_k = -t64_k;
-        let t66_k = -t12_k;
-        let t67_k = t50_k * p.chain_l_1;
-        let t68_k = sums_2[1] + t67 * t66_k + t67_k * t66;
-        let t69_k = -t20_k;
-        let t70_k = t29_k * p.chain_l_2;
-        let t71_k = sums_2[2] + t70 * t69_k + t70_k * t69;
-        let t72_k = sin_chain_th_3_k * p.chain_gravity;
-        let t73_k = t68_k + t71_k;
-        let t74_k = t73_k + t72_k;
-        let t75_k = t74_k * t38;
-        let t76_k = -t75_k;
-        let n99_k = sums_2[3] + t10_k * chain_w_2_dot;
-        let n100_k = sums_2[4] + t16_k * chain_w_3_dot;
-        let n101_k = sums_2[5] + t10_k * chain_w_1_dot;
-        let n102_k = sums_2[6] + t24_k * chain_w_3_dot;
-        let n103_k = sums_2[7] + t16_k * chain_w_1_dot;
-        let n104_k = sums_2[8] + t24_k * chain_w_2_dot;
+        let t63_k = t62_k * p.chain_l_2;
+        let t64_k = -t63_k;
+        let t65_k = t50_k * p.chain_l_1;
+        let t66_k = sums_2[1] + t65 * t12_k + t65_k * t12;
+        let t67_k = -t66_k;
+        let t68_k = t29_k * p.chain_l_2;
+        let t69_k = sums_2[2] + t68 * t20_k + t68_k * t20;
+        let t70_k = sin_chain_th_3_k * p.chain_gravity;
+        let t71_k = t67_k - t69_k;
+        let t72_k = t71_k + t70_k;
+        let t73_k = t72_k * t38;
+        let t74_k = -t73_k;
+        let n97_k = sums_2[3] + t10_k * chain_w_2_dot;
+        let n98_k = sums_2[4] + t16_k * chain_w_3_dot;
+        let n99_k = sums_2[5] + t10_k * chain_w_1_dot;
+        let n100_k = sums_2[6] + t24_k * chain_w_3_dot;
+        let n101_k = sums_2[7] + t16_k * chain_w_1_dot;
+        let n102_k = sums_2[8] + t24_k * chain_w_2_dot;
+        let n103_k = n97_k + n98_k;
+        let t49_k_2 = t49_k - n103_k;
         let n105_k = n99_k + n100_k;
-        let t49_k_2 = t49_k - n105_k;
+        let t64_k_2 = t64_k - n105_k;
         let n107_k = n101_k + n102_k;
-        let t65_k_2 = t65_k - n107_k;
-        let n109_k = n103_k + n104_k;
-        let t76_k_2 = t76_k - n109_k;
+        let t74_k_2 = t74_k - n107_k;
         let [chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k] = factored
-            .solve([t49_k_2, t65_k_2, t76_k_2]);
+            .solve([t49_k_2, t64_k_2, t74_k_2]);
         lanes
             .set(
                 order,
@@ -1329,8 +1295,8 @@ pub fn series<R: Real>(
                     chain_w_3_k,
                     t12_k,
                     chain_w_1_k,
-                    t51_k,
-                    t51_k,
+                    t6_k,
+                    t6_k,
                 ],
                 [
                     cos_chain_th_3_k,
@@ -1341,18 +1307,18 @@ pub fn series<R: Real>(
                     chain_w_3_k,
                     t39_k,
                     chain_w_1_k,
-                    t53_k,
-                    t56_k,
+                    t52_k,
+                    t55_k,
                 ],
             );
         lanes_2
             .set(
                 order,
-                [t20_k, t66_k, t69_k, t10_k, t16_k, t10_k, t24_k, t16_k, t24_k],
+                [t20_k, t12_k, t20_k, t10_k, t16_k, t10_k, t24_k, t16_k, t24_k],
                 [
                     t39_k,
-                    t67_k,
-                    t70_k,
+                    t65_k,
+                    t68_k,
                     chain_w_2_dot_k,
                     chain_w_3_dot_k,
                     chain_w_1_dot_k,

@@ -51,15 +51,15 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                   1099
+//   rate                   1145
 //   mass_matrix             126
-//   forcing                 444
-//   rate_jacobian          5586
+//   forcing                 345
+//   rate_jacobian          5576
 //   parameter_jacobian        0
 //   time_derivative           0
 //   outputs                   0
 //   energy                  118
-//   power_balance          1751
+//   power_balance          1652
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -640,7 +640,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 1099 operations.
+/// 1145 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -648,352 +648,428 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
-    let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = R::literal(9.0) * chain_theta_1_minus_chain_theta_2.cos();
-    let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
-    let t1 = R::literal(8.0) * chain_theta_1_minus_chain_theta_3.cos();
-    let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
-    let t2 = R::literal(7.0) * chain_theta_1_minus_chain_theta_4.cos();
-    let chain_theta_1_minus_chain_theta_5 = chain_theta_1 - chain_theta_5;
-    let t3 = R::literal(6.0) * chain_theta_1_minus_chain_theta_5.cos();
-    let chain_theta_1_minus_chain_theta_6 = chain_theta_1 - chain_theta_6;
-    let t4 = R::literal(5.0) * chain_theta_1_minus_chain_theta_6.cos();
-    let chain_theta_1_minus_chain_theta_7 = chain_theta_1 - chain_theta_7;
-    let t5 = R::literal(4.0) * chain_theta_1_minus_chain_theta_7.cos();
-    let chain_theta_1_minus_chain_theta_8 = chain_theta_1 - chain_theta_8;
-    let t6 = R::literal(3.0) * chain_theta_1_minus_chain_theta_8.cos();
-    let chain_theta_1_minus_chain_theta_9 = chain_theta_1 - chain_theta_9;
-    let t7 = R::literal(2.0) * chain_theta_1_minus_chain_theta_9.cos();
-    let chain_theta_1_minus_chain_theta_10 = chain_theta_1 - chain_theta_10;
-    let t8 = chain_theta_1_minus_chain_theta_10.cos();
-    let chain_theta_2_minus_chain_theta_3 = chain_theta_2 - chain_theta_3;
-    let chain_theta_2_minus_chain_theta_4 = chain_theta_2 - chain_theta_4;
-    let chain_theta_2_minus_chain_theta_5 = chain_theta_2 - chain_theta_5;
-    let chain_theta_2_minus_chain_theta_6 = chain_theta_2 - chain_theta_6;
-    let chain_theta_2_minus_chain_theta_7 = chain_theta_2 - chain_theta_7;
-    let chain_theta_2_minus_chain_theta_8 = chain_theta_2 - chain_theta_8;
-    let chain_theta_2_minus_chain_theta_9 = chain_theta_2 - chain_theta_9;
-    let chain_theta_2_minus_chain_theta_10 = chain_theta_2 - chain_theta_10;
-    let chain_theta_3_minus_chain_theta_4 = chain_theta_3 - chain_theta_4;
-    let chain_theta_3_minus_chain_theta_5 = chain_theta_3 - chain_theta_5;
-    let chain_theta_3_minus_chain_theta_6 = chain_theta_3 - chain_theta_6;
-    let chain_theta_3_minus_chain_theta_7 = chain_theta_3 - chain_theta_7;
-    let chain_theta_3_minus_chain_theta_8 = chain_theta_3 - chain_theta_8;
-    let chain_theta_3_minus_chain_theta_9 = chain_theta_3 - chain_theta_9;
-    let chain_theta_3_minus_chain_theta_10 = chain_theta_3 - chain_theta_10;
-    let chain_theta_4_minus_chain_theta_5 = chain_theta_4 - chain_theta_5;
-    let chain_theta_4_minus_chain_theta_6 = chain_theta_4 - chain_theta_6;
-    let chain_theta_4_minus_chain_theta_7 = chain_theta_4 - chain_theta_7;
-    let chain_theta_4_minus_chain_theta_8 = chain_theta_4 - chain_theta_8;
-    let chain_theta_4_minus_chain_theta_9 = chain_theta_4 - chain_theta_9;
-    let chain_theta_4_minus_chain_theta_10 = chain_theta_4 - chain_theta_10;
-    let chain_theta_5_minus_chain_theta_6 = chain_theta_5 - chain_theta_6;
-    let chain_theta_5_minus_chain_theta_7 = chain_theta_5 - chain_theta_7;
-    let chain_theta_5_minus_chain_theta_8 = chain_theta_5 - chain_theta_8;
-    let chain_theta_5_minus_chain_theta_9 = chain_theta_5 - chain_theta_9;
-    let chain_theta_5_minus_chain_theta_10 = chain_theta_5 - chain_theta_10;
-    let chain_theta_6_minus_chain_theta_7 = chain_theta_6 - chain_theta_7;
-    let chain_theta_6_minus_chain_theta_8 = chain_theta_6 - chain_theta_8;
-    let chain_theta_6_minus_chain_theta_9 = chain_theta_6 - chain_theta_9;
-    let chain_theta_6_minus_chain_theta_10 = chain_theta_6 - chain_theta_10;
-    let chain_theta_7_minus_chain_theta_8 = chain_theta_7 - chain_theta_8;
-    let chain_theta_7_minus_chain_theta_9 = chain_theta_7 - chain_theta_9;
-    let chain_theta_7_minus_chain_theta_10 = chain_theta_7 - chain_theta_10;
-    let chain_theta_8_minus_chain_theta_9 = chain_theta_8 - chain_theta_9;
-    let chain_theta_8_minus_chain_theta_10 = chain_theta_8 - chain_theta_10;
-    let chain_theta_9_minus_chain_theta_10 = chain_theta_9 - chain_theta_10;
-    let t9 = t0 * R::literal(0.1);
-    let t10 = t1 * R::literal(0.1);
-    let t11 = t2 * R::literal(0.1);
-    let t12 = t3 * R::literal(0.1);
-    let t13 = t4 * R::literal(0.1);
-    let t14 = t5 * R::literal(0.1);
-    let t15 = t6 * R::literal(0.1);
-    let t16 = t7 * R::literal(0.1);
-    let t17 = t8 * R::literal(0.1);
-    let t18 = R::literal(1.0) / (R::literal(9.0) - t9 * t0);
-    let t19 = R::literal(8.0) * chain_theta_2_minus_chain_theta_3.cos() - t10 * t0;
-    let t20 = t19 * t18;
-    let t21 = R::literal(7.0) * chain_theta_2_minus_chain_theta_4.cos() - t11 * t0;
-    let t22 = t21 * t18;
-    let t23 = R::literal(6.0) * chain_theta_2_minus_chain_theta_5.cos() - t12 * t0;
-    let t24 = t23 * t18;
-    let t25 = R::literal(5.0) * chain_theta_2_minus_chain_theta_6.cos() - t13 * t0;
-    let t26 = t25 * t18;
-    let t27 = R::literal(4.0) * chain_theta_2_minus_chain_theta_7.cos() - t14 * t0;
-    let t28 = t27 * t18;
-    let t29 = R::literal(3.0) * chain_theta_2_minus_chain_theta_8.cos() - t15 * t0;
-    let t30 = t29 * t18;
-    let t31 = R::literal(2.0) * chain_theta_2_minus_chain_theta_9.cos() - t16 * t0;
-    let t32 = t31 * t18;
-    let t33 = chain_theta_2_minus_chain_theta_10.cos() - t17 * t0;
-    let t34 = t33 * t18;
-    let t35 = R::literal(1.0) / (R::literal(8.0) - t10 * t1 - t20 * t19);
-    let t36 = R::literal(7.0) * chain_theta_3_minus_chain_theta_4.cos() - t11 * t1
-        - t22 * t19;
-    let t37 = t36 * t35;
-    let t38 = R::literal(6.0) * chain_theta_3_minus_chain_theta_5.cos() - t12 * t1
-        - t24 * t19;
-    let t39 = t38 * t35;
-    let t40 = R::literal(5.0) * chain_theta_3_minus_chain_theta_6.cos() - t13 * t1
-        - t26 * t19;
-    let t41 = t40 * t35;
-    let t42 = R::literal(4.0) * chain_theta_3_minus_chain_theta_7.cos() - t14 * t1
-        - t28 * t19;
-    let t43 = t42 * t35;
-    let t44 = R::literal(3.0) * chain_theta_3_minus_chain_theta_8.cos() - t15 * t1
-        - t30 * t19;
-    let t45 = t44 * t35;
-    let t46 = R::literal(2.0) * chain_theta_3_minus_chain_theta_9.cos() - t16 * t1
-        - t32 * t19;
-    let t47 = t46 * t35;
-    let t48 = chain_theta_3_minus_chain_theta_10.cos() - t17 * t1 - t34 * t19;
-    let t49 = t48 * t35;
-    let t50 = R::literal(1.0) / (R::literal(7.0) - t11 * t2 - t22 * t21 - t37 * t36);
-    let t51 = R::literal(6.0) * chain_theta_4_minus_chain_theta_5.cos() - t12 * t2
-        - t24 * t21 - t39 * t36;
-    let t52 = t51 * t50;
-    let t53 = R::literal(5.0) * chain_theta_4_minus_chain_theta_6.cos() - t13 * t2
-        - t26 * t21 - t41 * t36;
-    let t54 = t53 * t50;
-    let t55 = R::literal(4.0) * chain_theta_4_minus_chain_theta_7.cos() - t14 * t2
-        - t28 * t21 - t43 * t36;
-    let t56 = t55 * t50;
-    let t57 = R::literal(3.0) * chain_theta_4_minus_chain_theta_8.cos() - t15 * t2
-        - t30 * t21 - t45 * t36;
-    let t58 = t57 * t50;
-    let t59 = R::literal(2.0) * chain_theta_4_minus_chain_theta_9.cos() - t16 * t2
-        - t32 * t21 - t47 * t36;
-    let t60 = t59 * t50;
-    let t61 = chain_theta_4_minus_chain_theta_10.cos() - t17 * t2 - t34 * t21
-        - t49 * t36;
-    let t62 = t61 * t50;
-    let t63 = R::literal(1.0)
-        / (R::literal(6.0) - t12 * t3 - t24 * t23 - t39 * t38 - t52 * t51);
-    let t64 = R::literal(5.0) * chain_theta_5_minus_chain_theta_6.cos() - t13 * t3
-        - t26 * t23 - t41 * t38 - t54 * t51;
+    let sin_chain_theta_1 = chain_theta_1.sin();
+    let cos_chain_theta_1 = chain_theta_1.cos();
+    let sin_chain_theta_2 = chain_theta_2.sin();
+    let cos_chain_theta_2 = chain_theta_2.cos();
+    let sin_chain_theta_3 = chain_theta_3.sin();
+    let cos_chain_theta_3 = chain_theta_3.cos();
+    let sin_chain_theta_4 = chain_theta_4.sin();
+    let cos_chain_theta_4 = chain_theta_4.cos();
+    let sin_chain_theta_5 = chain_theta_5.sin();
+    let cos_chain_theta_5 = chain_theta_5.cos();
+    let sin_chain_theta_6 = chain_theta_6.sin();
+    let cos_chain_theta_6 = chain_theta_6.cos();
+    let sin_chain_theta_7 = chain_theta_7.sin();
+    let cos_chain_theta_7 = chain_theta_7.cos();
+    let sin_chain_theta_8 = chain_theta_8.sin();
+    let cos_chain_theta_8 = chain_theta_8.cos();
+    let sin_chain_theta_9 = chain_theta_9.sin();
+    let cos_chain_theta_9 = chain_theta_9.cos();
+    let sin_chain_theta_10 = chain_theta_10.sin();
+    let cos_chain_theta_10 = chain_theta_10.cos();
+    let t0 = sin_chain_theta_1 * cos_chain_theta_2
+        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t1 = R::literal(9.0)
+        * (cos_chain_theta_1 * cos_chain_theta_2
+            + sin_chain_theta_1 * sin_chain_theta_2);
+    let t2 = sin_chain_theta_1 * cos_chain_theta_3
+        - cos_chain_theta_1 * sin_chain_theta_3;
+    let t3 = R::literal(8.0)
+        * (cos_chain_theta_1 * cos_chain_theta_3
+            + sin_chain_theta_1 * sin_chain_theta_3);
+    let t4 = sin_chain_theta_1 * cos_chain_theta_4
+        - cos_chain_theta_1 * sin_chain_theta_4;
+    let t5 = R::literal(7.0)
+        * (cos_chain_theta_1 * cos_chain_theta_4
+            + sin_chain_theta_1 * sin_chain_theta_4);
+    let t6 = sin_chain_theta_1 * cos_chain_theta_5
+        - cos_chain_theta_1 * sin_chain_theta_5;
+    let t7 = R::literal(6.0)
+        * (cos_chain_theta_1 * cos_chain_theta_5
+            + sin_chain_theta_1 * sin_chain_theta_5);
+    let t8 = sin_chain_theta_1 * cos_chain_theta_6
+        - cos_chain_theta_1 * sin_chain_theta_6;
+    let t9 = R::literal(5.0)
+        * (cos_chain_theta_1 * cos_chain_theta_6
+            + sin_chain_theta_1 * sin_chain_theta_6);
+    let t10 = sin_chain_theta_1 * cos_chain_theta_7
+        - cos_chain_theta_1 * sin_chain_theta_7;
+    let t11 = R::literal(4.0)
+        * (cos_chain_theta_1 * cos_chain_theta_7
+            + sin_chain_theta_1 * sin_chain_theta_7);
+    let t12 = sin_chain_theta_1 * cos_chain_theta_8
+        - cos_chain_theta_1 * sin_chain_theta_8;
+    let t13 = R::literal(3.0)
+        * (cos_chain_theta_1 * cos_chain_theta_8
+            + sin_chain_theta_1 * sin_chain_theta_8);
+    let t14 = sin_chain_theta_1 * cos_chain_theta_9
+        - cos_chain_theta_1 * sin_chain_theta_9;
+    let t15 = R::literal(2.0)
+        * (cos_chain_theta_1 * cos_chain_theta_9
+            + sin_chain_theta_1 * sin_chain_theta_9);
+    let t16 = sin_chain_theta_1 * cos_chain_theta_10
+        - cos_chain_theta_1 * sin_chain_theta_10;
+    let t17 = cos_chain_theta_1 * cos_chain_theta_10
+        + sin_chain_theta_1 * sin_chain_theta_10;
+    let t18 = sin_chain_theta_2 * cos_chain_theta_3
+        - cos_chain_theta_2 * sin_chain_theta_3;
+    let t19 = sin_chain_theta_2 * cos_chain_theta_4
+        - cos_chain_theta_2 * sin_chain_theta_4;
+    let t20 = sin_chain_theta_2 * cos_chain_theta_5
+        - cos_chain_theta_2 * sin_chain_theta_5;
+    let t21 = sin_chain_theta_2 * cos_chain_theta_6
+        - cos_chain_theta_2 * sin_chain_theta_6;
+    let t22 = sin_chain_theta_2 * cos_chain_theta_7
+        - cos_chain_theta_2 * sin_chain_theta_7;
+    let t23 = sin_chain_theta_2 * cos_chain_theta_8
+        - cos_chain_theta_2 * sin_chain_theta_8;
+    let t24 = sin_chain_theta_2 * cos_chain_theta_9
+        - cos_chain_theta_2 * sin_chain_theta_9;
+    let t25 = sin_chain_theta_2 * cos_chain_theta_10
+        - cos_chain_theta_2 * sin_chain_theta_10;
+    let t26 = sin_chain_theta_3 * cos_chain_theta_4
+        - cos_chain_theta_3 * sin_chain_theta_4;
+    let t27 = sin_chain_theta_3 * cos_chain_theta_5
+        - cos_chain_theta_3 * sin_chain_theta_5;
+    let t28 = sin_chain_theta_3 * cos_chain_theta_6
+        - cos_chain_theta_3 * sin_chain_theta_6;
+    let t29 = sin_chain_theta_3 * cos_chain_theta_7
+        - cos_chain_theta_3 * sin_chain_theta_7;
+    let t30 = sin_chain_theta_3 * cos_chain_theta_8
+        - cos_chain_theta_3 * sin_chain_theta_8;
+    let t31 = sin_chain_theta_3 * cos_chain_theta_9
+        - cos_chain_theta_3 * sin_chain_theta_9;
+    let t32 = sin_chain_theta_3 * cos_chain_theta_10
+        - cos_chain_theta_3 * sin_chain_theta_10;
+    let t33 = sin_chain_theta_4 * cos_chain_theta_5
+        - cos_chain_theta_4 * sin_chain_theta_5;
+    let t34 = sin_chain_theta_4 * cos_chain_theta_6
+        - cos_chain_theta_4 * sin_chain_theta_6;
+    let t35 = sin_chain_theta_4 * cos_chain_theta_7
+        - cos_chain_theta_4 * sin_chain_theta_7;
+    let t36 = sin_chain_theta_4 * cos_chain_theta_8
+        - cos_chain_theta_4 * sin_chain_theta_8;
+    let t37 = sin_chain_theta_4 * cos_chain_theta_9
+        - cos_chain_theta_4 * sin_chain_theta_9;
+    let t38 = sin_chain_theta_4 * cos_chain_theta_10
+        - cos_chain_theta_4 * sin_chain_theta_10;
+    let t39 = sin_chain_theta_5 * cos_chain_theta_6
+        - cos_chain_theta_5 * sin_chain_theta_6;
+    let t40 = sin_chain_theta_5 * cos_chain_theta_7
+        - cos_chain_theta_5 * sin_chain_theta_7;
+    let t41 = sin_chain_theta_5 * cos_chain_theta_8
+        - cos_chain_theta_5 * sin_chain_theta_8;
+    let t42 = sin_chain_theta_5 * cos_chain_theta_9
+        - cos_chain_theta_5 * sin_chain_theta_9;
+    let t43 = sin_chain_theta_5 * cos_chain_theta_10
+        - cos_chain_theta_5 * sin_chain_theta_10;
+    let t44 = sin_chain_theta_6 * cos_chain_theta_7
+        - cos_chain_theta_6 * sin_chain_theta_7;
+    let t45 = sin_chain_theta_6 * cos_chain_theta_8
+        - cos_chain_theta_6 * sin_chain_theta_8;
+    let t46 = sin_chain_theta_6 * cos_chain_theta_9
+        - cos_chain_theta_6 * sin_chain_theta_9;
+    let t47 = sin_chain_theta_6 * cos_chain_theta_10
+        - cos_chain_theta_6 * sin_chain_theta_10;
+    let t48 = sin_chain_theta_7 * cos_chain_theta_8
+        - cos_chain_theta_7 * sin_chain_theta_8;
+    let t49 = sin_chain_theta_7 * cos_chain_theta_9
+        - cos_chain_theta_7 * sin_chain_theta_9;
+    let t50 = sin_chain_theta_7 * cos_chain_theta_10
+        - cos_chain_theta_7 * sin_chain_theta_10;
+    let t51 = sin_chain_theta_8 * cos_chain_theta_9
+        - cos_chain_theta_8 * sin_chain_theta_9;
+    let t52 = sin_chain_theta_8 * cos_chain_theta_10
+        - cos_chain_theta_8 * sin_chain_theta_10;
+    let t53 = sin_chain_theta_9 * cos_chain_theta_10
+        - cos_chain_theta_9 * sin_chain_theta_10;
+    let t54 = t1 * R::literal(0.1);
+    let t55 = t3 * R::literal(0.1);
+    let t56 = t5 * R::literal(0.1);
+    let t57 = t7 * R::literal(0.1);
+    let t58 = t9 * R::literal(0.1);
+    let t59 = t11 * R::literal(0.1);
+    let t60 = t13 * R::literal(0.1);
+    let t61 = t15 * R::literal(0.1);
+    let t62 = t17 * R::literal(0.1);
+    let t63 = R::literal(1.0) / (R::literal(9.0) - t54 * t1);
+    let t64 = R::literal(8.0)
+        * (cos_chain_theta_2 * cos_chain_theta_3 + sin_chain_theta_2 * sin_chain_theta_3)
+        - t55 * t1;
     let t65 = t64 * t63;
-    let t66 = R::literal(4.0) * chain_theta_5_minus_chain_theta_7.cos() - t14 * t3
-        - t28 * t23 - t43 * t38 - t56 * t51;
+    let t66 = R::literal(7.0)
+        * (cos_chain_theta_2 * cos_chain_theta_4 + sin_chain_theta_2 * sin_chain_theta_4)
+        - t56 * t1;
     let t67 = t66 * t63;
-    let t68 = R::literal(3.0) * chain_theta_5_minus_chain_theta_8.cos() - t15 * t3
-        - t30 * t23 - t45 * t38 - t58 * t51;
+    let t68 = R::literal(6.0)
+        * (cos_chain_theta_2 * cos_chain_theta_5 + sin_chain_theta_2 * sin_chain_theta_5)
+        - t57 * t1;
     let t69 = t68 * t63;
-    let t70 = R::literal(2.0) * chain_theta_5_minus_chain_theta_9.cos() - t16 * t3
-        - t32 * t23 - t47 * t38 - t60 * t51;
+    let t70 = R::literal(5.0)
+        * (cos_chain_theta_2 * cos_chain_theta_6 + sin_chain_theta_2 * sin_chain_theta_6)
+        - t58 * t1;
     let t71 = t70 * t63;
-    let t72 = chain_theta_5_minus_chain_theta_10.cos() - t17 * t3 - t34 * t23 - t49 * t38
-        - t62 * t51;
+    let t72 = R::literal(4.0)
+        * (cos_chain_theta_2 * cos_chain_theta_7 + sin_chain_theta_2 * sin_chain_theta_7)
+        - t59 * t1;
     let t73 = t72 * t63;
-    let t74 = R::literal(1.0)
-        / (R::literal(5.0) - t13 * t4 - t26 * t25 - t41 * t40 - t54 * t53 - t65 * t64);
-    let t75 = R::literal(4.0) * chain_theta_6_minus_chain_theta_7.cos() - t14 * t4
-        - t28 * t25 - t43 * t40 - t56 * t53 - t67 * t64;
-    let t76 = t75 * t74;
-    let t77 = R::literal(3.0) * chain_theta_6_minus_chain_theta_8.cos() - t15 * t4
-        - t30 * t25 - t45 * t40 - t58 * t53 - t69 * t64;
-    let t78 = t77 * t74;
-    let t79 = R::literal(2.0) * chain_theta_6_minus_chain_theta_9.cos() - t16 * t4
-        - t32 * t25 - t47 * t40 - t60 * t53 - t71 * t64;
-    let t80 = t79 * t74;
-    let t81 = chain_theta_6_minus_chain_theta_10.cos() - t17 * t4 - t34 * t25 - t49 * t40
-        - t62 * t53 - t73 * t64;
-    let t82 = t81 * t74;
-    let t83 = R::literal(1.0)
-        / (R::literal(4.0) - t14 * t5 - t28 * t27 - t43 * t42 - t56 * t55 - t67 * t66
-            - t76 * t75);
-    let t84 = R::literal(3.0) * chain_theta_7_minus_chain_theta_8.cos() - t15 * t5
-        - t30 * t27 - t45 * t42 - t58 * t55 - t69 * t66 - t78 * t75;
-    let t85 = t84 * t83;
-    let t86 = R::literal(2.0) * chain_theta_7_minus_chain_theta_9.cos() - t16 * t5
-        - t32 * t27 - t47 * t42 - t60 * t55 - t71 * t66 - t80 * t75;
-    let t87 = t86 * t83;
-    let t88 = chain_theta_7_minus_chain_theta_10.cos() - t17 * t5 - t34 * t27 - t49 * t42
-        - t62 * t55 - t73 * t66 - t82 * t75;
-    let t89 = t88 * t83;
-    let t90 = R::literal(1.0)
-        / (R::literal(3.0) - t15 * t6 - t30 * t29 - t45 * t44 - t58 * t57 - t69 * t68
-            - t78 * t77 - t85 * t84);
-    let t91 = R::literal(2.0) * chain_theta_8_minus_chain_theta_9.cos() - t16 * t6
-        - t32 * t29 - t47 * t44 - t60 * t57 - t71 * t68 - t80 * t77 - t87 * t84;
-    let t92 = t91 * t90;
-    let t93 = chain_theta_8_minus_chain_theta_10.cos() - t17 * t6 - t34 * t29 - t49 * t44
-        - t62 * t57 - t73 * t68 - t82 * t77 - t89 * t84;
-    let t94 = t93 * t90;
-    let t95 = R::literal(1.0)
-        / (R::literal(2.0) - t16 * t7 - t32 * t31 - t47 * t46 - t60 * t59 - t71 * t70
-            - t80 * t79 - t87 * t86 - t92 * t91);
-    let t96 = chain_theta_9_minus_chain_theta_10.cos() - t17 * t7 - t34 * t31 - t49 * t46
-        - t62 * t59 - t73 * t70 - t82 * t79 - t89 * t86 - t94 * t91;
+    let t74 = R::literal(3.0)
+        * (cos_chain_theta_2 * cos_chain_theta_8 + sin_chain_theta_2 * sin_chain_theta_8)
+        - t60 * t1;
+    let t75 = t74 * t63;
+    let t76 = R::literal(2.0)
+        * (cos_chain_theta_2 * cos_chain_theta_9 + sin_chain_theta_2 * sin_chain_theta_9)
+        - t61 * t1;
+    let t77 = t76 * t63;
+    let t78 = cos_chain_theta_2 * cos_chain_theta_10
+        + sin_chain_theta_2 * sin_chain_theta_10 - t62 * t1;
+    let t79 = t78 * t63;
+    let t80 = R::literal(1.0) / (R::literal(8.0) - t55 * t3 - t65 * t64);
+    let t81 = R::literal(7.0)
+        * (cos_chain_theta_3 * cos_chain_theta_4 + sin_chain_theta_3 * sin_chain_theta_4)
+        - t56 * t3 - t67 * t64;
+    let t82 = t81 * t80;
+    let t83 = R::literal(6.0)
+        * (cos_chain_theta_3 * cos_chain_theta_5 + sin_chain_theta_3 * sin_chain_theta_5)
+        - t57 * t3 - t69 * t64;
+    let t84 = t83 * t80;
+    let t85 = R::literal(5.0)
+        * (cos_chain_theta_3 * cos_chain_theta_6 + sin_chain_theta_3 * sin_chain_theta_6)
+        - t58 * t3 - t71 * t64;
+    let t86 = t85 * t80;
+    let t87 = R::literal(4.0)
+        * (cos_chain_theta_3 * cos_chain_theta_7 + sin_chain_theta_3 * sin_chain_theta_7)
+        - t59 * t3 - t73 * t64;
+    let t88 = t87 * t80;
+    let t89 = R::literal(3.0)
+        * (cos_chain_theta_3 * cos_chain_theta_8 + sin_chain_theta_3 * sin_chain_theta_8)
+        - t60 * t3 - t75 * t64;
+    let t90 = t89 * t80;
+    let t91 = R::literal(2.0)
+        * (cos_chain_theta_3 * cos_chain_theta_9 + sin_chain_theta_3 * sin_chain_theta_9)
+        - t61 * t3 - t77 * t64;
+    let t92 = t91 * t80;
+    let t93 = cos_chain_theta_3 * cos_chain_theta_10
+        + sin_chain_theta_3 * sin_chain_theta_10 - t62 * t3 - t79 * t64;
+    let t94 = t93 * t80;
+    let t95 = R::literal(1.0) / (R::literal(7.0) - t56 * t5 - t67 * t66 - t82 * t81);
+    let t96 = R::literal(6.0)
+        * (cos_chain_theta_4 * cos_chain_theta_5 + sin_chain_theta_4 * sin_chain_theta_5)
+        - t57 * t5 - t69 * t66 - t84 * t81;
     let t97 = t96 * t95;
-    let t98 = R::literal(1.0)
-        / (R::literal(1.0) - t17 * t8 - t34 * t33 - t49 * t48 - t62 * t61 - t73 * t72
-            - t82 * t81 - t89 * t88 - t94 * t93 - t97 * t96);
+    let t98 = R::literal(5.0)
+        * (cos_chain_theta_4 * cos_chain_theta_6 + sin_chain_theta_4 * sin_chain_theta_6)
+        - t58 * t5 - t71 * t66 - t86 * t81;
+    let t99 = t98 * t95;
+    let t100 = R::literal(4.0)
+        * (cos_chain_theta_4 * cos_chain_theta_7 + sin_chain_theta_4 * sin_chain_theta_7)
+        - t59 * t5 - t73 * t66 - t88 * t81;
+    let t101 = t100 * t95;
+    let t102 = R::literal(3.0)
+        * (cos_chain_theta_4 * cos_chain_theta_8 + sin_chain_theta_4 * sin_chain_theta_8)
+        - t60 * t5 - t75 * t66 - t90 * t81;
+    let t103 = t102 * t95;
+    let t104 = R::literal(2.0)
+        * (cos_chain_theta_4 * cos_chain_theta_9 + sin_chain_theta_4 * sin_chain_theta_9)
+        - t61 * t5 - t77 * t66 - t92 * t81;
+    let t105 = t104 * t95;
+    let t106 = cos_chain_theta_4 * cos_chain_theta_10
+        + sin_chain_theta_4 * sin_chain_theta_10 - t62 * t5 - t79 * t66 - t94 * t81;
+    let t107 = t106 * t95;
+    let t108 = R::literal(1.0)
+        / (R::literal(6.0) - t57 * t7 - t69 * t68 - t84 * t83 - t97 * t96);
+    let t109 = R::literal(5.0)
+        * (cos_chain_theta_5 * cos_chain_theta_6 + sin_chain_theta_5 * sin_chain_theta_6)
+        - t58 * t7 - t71 * t68 - t86 * t83 - t99 * t96;
+    let t110 = t109 * t108;
+    let t111 = R::literal(4.0)
+        * (cos_chain_theta_5 * cos_chain_theta_7 + sin_chain_theta_5 * sin_chain_theta_7)
+        - t59 * t7 - t73 * t68 - t88 * t83 - t101 * t96;
+    let t112 = t111 * t108;
+    let t113 = R::literal(3.0)
+        * (cos_chain_theta_5 * cos_chain_theta_8 + sin_chain_theta_5 * sin_chain_theta_8)
+        - t60 * t7 - t75 * t68 - t90 * t83 - t103 * t96;
+    let t114 = t113 * t108;
+    let t115 = R::literal(2.0)
+        * (cos_chain_theta_5 * cos_chain_theta_9 + sin_chain_theta_5 * sin_chain_theta_9)
+        - t61 * t7 - t77 * t68 - t92 * t83 - t105 * t96;
+    let t116 = t115 * t108;
+    let t117 = cos_chain_theta_5 * cos_chain_theta_10
+        + sin_chain_theta_5 * sin_chain_theta_10 - t62 * t7 - t79 * t68 - t94 * t83
+        - t107 * t96;
+    let t118 = t117 * t108;
+    let t119 = R::literal(1.0)
+        / (R::literal(5.0) - t58 * t9 - t71 * t70 - t86 * t85 - t99 * t98 - t110 * t109);
+    let t120 = R::literal(4.0)
+        * (cos_chain_theta_6 * cos_chain_theta_7 + sin_chain_theta_6 * sin_chain_theta_7)
+        - t59 * t9 - t73 * t70 - t88 * t85 - t101 * t98 - t112 * t109;
+    let t121 = t120 * t119;
+    let t122 = R::literal(3.0)
+        * (cos_chain_theta_6 * cos_chain_theta_8 + sin_chain_theta_6 * sin_chain_theta_8)
+        - t60 * t9 - t75 * t70 - t90 * t85 - t103 * t98 - t114 * t109;
+    let t123 = t122 * t119;
+    let t124 = R::literal(2.0)
+        * (cos_chain_theta_6 * cos_chain_theta_9 + sin_chain_theta_6 * sin_chain_theta_9)
+        - t61 * t9 - t77 * t70 - t92 * t85 - t105 * t98 - t116 * t109;
+    let t125 = t124 * t119;
+    let t126 = cos_chain_theta_6 * cos_chain_theta_10
+        + sin_chain_theta_6 * sin_chain_theta_10 - t62 * t9 - t79 * t70 - t94 * t85
+        - t107 * t98 - t118 * t109;
+    let t127 = t126 * t119;
+    let t128 = R::literal(1.0)
+        / (R::literal(4.0) - t59 * t11 - t73 * t72 - t88 * t87 - t101 * t100
+            - t112 * t111 - t121 * t120);
+    let t129 = R::literal(3.0)
+        * (cos_chain_theta_7 * cos_chain_theta_8 + sin_chain_theta_7 * sin_chain_theta_8)
+        - t60 * t11 - t75 * t72 - t90 * t87 - t103 * t100 - t114 * t111 - t123 * t120;
+    let t130 = t129 * t128;
+    let t131 = R::literal(2.0)
+        * (cos_chain_theta_7 * cos_chain_theta_9 + sin_chain_theta_7 * sin_chain_theta_9)
+        - t61 * t11 - t77 * t72 - t92 * t87 - t105 * t100 - t116 * t111 - t125 * t120;
+    let t132 = t131 * t128;
+    let t133 = cos_chain_theta_7 * cos_chain_theta_10
+        + sin_chain_theta_7 * sin_chain_theta_10 - t62 * t11 - t79 * t72 - t94 * t87
+        - t107 * t100 - t118 * t111 - t127 * t120;
+    let t134 = t133 * t128;
+    let t135 = R::literal(1.0)
+        / (R::literal(3.0) - t60 * t13 - t75 * t74 - t90 * t89 - t103 * t102
+            - t114 * t113 - t123 * t122 - t130 * t129);
+    let t136 = R::literal(2.0)
+        * (cos_chain_theta_8 * cos_chain_theta_9 + sin_chain_theta_8 * sin_chain_theta_9)
+        - t61 * t13 - t77 * t74 - t92 * t89 - t105 * t102 - t116 * t113 - t125 * t122
+        - t132 * t129;
+    let t137 = t136 * t135;
+    let t138 = cos_chain_theta_8 * cos_chain_theta_10
+        + sin_chain_theta_8 * sin_chain_theta_10 - t62 * t13 - t79 * t74 - t94 * t89
+        - t107 * t102 - t118 * t113 - t127 * t122 - t134 * t129;
+    let t139 = t138 * t135;
+    let t140 = R::literal(1.0)
+        / (R::literal(2.0) - t61 * t15 - t77 * t76 - t92 * t91 - t105 * t104
+            - t116 * t115 - t125 * t124 - t132 * t131 - t137 * t136);
+    let t141 = cos_chain_theta_9 * cos_chain_theta_10
+        + sin_chain_theta_9 * sin_chain_theta_10 - t62 * t15 - t79 * t76 - t94 * t91
+        - t107 * t104 - t118 * t115 - t127 * t124 - t134 * t131 - t139 * t136;
+    let t142 = t141 * t140;
+    let t143 = R::literal(1.0)
+        / (R::literal(1.0) - t62 * t17 - t79 * t78 - t94 * t93 - t107 * t106
+            - t118 * t117 - t127 * t126 - t134 * t133 - t139 * t138 - t142 * t141);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t99 = R::literal(8.0) * chain_omega_3_squared;
+    let t144 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t100 = R::literal(7.0) * chain_omega_4_squared;
+    let t145 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t101 = R::literal(6.0) * chain_omega_5_squared;
+    let t146 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t102 = R::literal(5.0) * chain_omega_6_squared;
+    let t147 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t103 = R::literal(4.0) * chain_omega_7_squared;
+    let t148 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t104 = R::literal(3.0) * chain_omega_8_squared;
+    let t149 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t105 = R::literal(2.0) * chain_omega_9_squared;
+    let t150 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t106 = -(R::literal(98.1) * chain_theta_1.sin())
-        - R::literal(9.0) * chain_omega_2_squared
-            * chain_theta_1_minus_chain_theta_2.sin()
-        - t99 * chain_theta_1_minus_chain_theta_3.sin()
-        - t100 * chain_theta_1_minus_chain_theta_4.sin()
-        - t101 * chain_theta_1_minus_chain_theta_5.sin()
-        - t102 * chain_theta_1_minus_chain_theta_6.sin()
-        - t103 * chain_theta_1_minus_chain_theta_7.sin();
-    let t107 = t106 - t104 * chain_theta_1_minus_chain_theta_8.sin()
-        - t105 * chain_theta_1_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_1_minus_chain_theta_10.sin();
+    let t151 = -(R::literal(98.1) * sin_chain_theta_1)
+        - R::literal(9.0) * chain_omega_2_squared * t0 - t144 * t2 - t145 * t4
+        - t146 * t6 - t147 * t8 - t148 * t10 - t149 * t12 - t150 * t14
+        - chain_omega_10_squared * t16;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t108 = -(R::literal(88.29) * chain_theta_2.sin())
-        - R::literal(9.0) * chain_omega_1_squared * (chain_theta_2 - chain_theta_1).sin()
-        - t99 * chain_theta_2_minus_chain_theta_3.sin()
-        - t100 * chain_theta_2_minus_chain_theta_4.sin()
-        - t101 * chain_theta_2_minus_chain_theta_5.sin()
-        - t102 * chain_theta_2_minus_chain_theta_6.sin()
-        - t103 * chain_theta_2_minus_chain_theta_7.sin();
-    let t109 = -(R::literal(78.48) * chain_theta_3.sin())
-        - R::literal(8.0) * chain_omega_1_squared * (chain_theta_3 - chain_theta_1).sin()
-        - R::literal(8.0) * chain_omega_2_squared * (chain_theta_3 - chain_theta_2).sin()
-        - t100 * chain_theta_3_minus_chain_theta_4.sin()
-        - t101 * chain_theta_3_minus_chain_theta_5.sin()
-        - t102 * chain_theta_3_minus_chain_theta_6.sin();
-    let t110 = -(R::literal(68.67) * chain_theta_4.sin())
-        - R::literal(7.0) * chain_omega_1_squared * (chain_theta_4 - chain_theta_1).sin()
-        - R::literal(7.0) * chain_omega_2_squared * (chain_theta_4 - chain_theta_2).sin()
-        - R::literal(7.0) * chain_omega_3_squared * (chain_theta_4 - chain_theta_3).sin()
-        - t101 * chain_theta_4_minus_chain_theta_5.sin()
-        - t102 * chain_theta_4_minus_chain_theta_6.sin();
-    let t111 = -(R::literal(58.86) * chain_theta_5.sin())
-        - R::literal(6.0) * chain_omega_1_squared * (chain_theta_5 - chain_theta_1).sin()
-        - R::literal(6.0) * chain_omega_2_squared * (chain_theta_5 - chain_theta_2).sin()
-        - R::literal(6.0) * chain_omega_3_squared * (chain_theta_5 - chain_theta_3).sin()
-        - R::literal(6.0) * chain_omega_4_squared
-            * (chain_theta_5 - chain_theta_4).sin();
-    let t112 = -(R::literal(49.05) * chain_theta_6.sin())
-        - R::literal(5.0) * chain_omega_1_squared * (chain_theta_6 - chain_theta_1).sin()
-        - R::literal(5.0) * chain_omega_2_squared * (chain_theta_6 - chain_theta_2).sin()
-        - R::literal(5.0) * chain_omega_3_squared * (chain_theta_6 - chain_theta_3).sin()
-        - R::literal(5.0) * chain_omega_4_squared
-            * (chain_theta_6 - chain_theta_4).sin();
-    let t113 = -(R::literal(39.24) * chain_theta_7.sin())
-        - R::literal(4.0) * chain_omega_1_squared * (chain_theta_7 - chain_theta_1).sin()
-        - R::literal(4.0) * chain_omega_2_squared * (chain_theta_7 - chain_theta_2).sin()
-        - R::literal(4.0) * chain_omega_3_squared * (chain_theta_7 - chain_theta_3).sin()
-        - R::literal(4.0) * chain_omega_4_squared
-            * (chain_theta_7 - chain_theta_4).sin();
-    let t114 = -(R::literal(29.43) * chain_theta_8.sin())
-        - R::literal(3.0) * chain_omega_1_squared * (chain_theta_8 - chain_theta_1).sin()
-        - R::literal(3.0) * chain_omega_2_squared * (chain_theta_8 - chain_theta_2).sin()
-        - R::literal(3.0) * chain_omega_3_squared * (chain_theta_8 - chain_theta_3).sin()
-        - R::literal(3.0) * chain_omega_4_squared
-            * (chain_theta_8 - chain_theta_4).sin();
-    let t115 = -(R::literal(19.62) * chain_theta_9.sin())
-        - R::literal(2.0) * chain_omega_1_squared * (chain_theta_9 - chain_theta_1).sin()
-        - R::literal(2.0) * chain_omega_2_squared * (chain_theta_9 - chain_theta_2).sin()
-        - R::literal(2.0) * chain_omega_3_squared * (chain_theta_9 - chain_theta_3).sin()
-        - R::literal(2.0) * chain_omega_4_squared
-            * (chain_theta_9 - chain_theta_4).sin();
-    let t116 = t115
-        - R::literal(2.0) * chain_omega_5_squared * (chain_theta_9 - chain_theta_5).sin()
-        - R::literal(2.0) * chain_omega_6_squared * (chain_theta_9 - chain_theta_6).sin()
-        - R::literal(2.0) * chain_omega_7_squared * (chain_theta_9 - chain_theta_7).sin()
-        - R::literal(2.0) * chain_omega_8_squared * (chain_theta_9 - chain_theta_8).sin()
-        - chain_omega_10_squared * chain_theta_9_minus_chain_theta_10.sin();
-    let t117 = -(R::literal(9.81) * chain_theta_10.sin())
-        - chain_omega_1_squared * (chain_theta_10 - chain_theta_1).sin()
-        - chain_omega_2_squared * (chain_theta_10 - chain_theta_2).sin()
-        - chain_omega_3_squared * (chain_theta_10 - chain_theta_3).sin()
-        - chain_omega_4_squared * (chain_theta_10 - chain_theta_4).sin()
-        - chain_omega_5_squared * (chain_theta_10 - chain_theta_5).sin();
-    let t118 = t108 - t104 * chain_theta_2_minus_chain_theta_8.sin()
-        - t105 * chain_theta_2_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_2_minus_chain_theta_10.sin() - t9 * t107;
-    let t119 = t109 - t103 * chain_theta_3_minus_chain_theta_7.sin()
-        - t104 * chain_theta_3_minus_chain_theta_8.sin()
-        - t105 * chain_theta_3_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_3_minus_chain_theta_10.sin() - t10 * t107
-        - t20 * t118;
-    let t120 = t110 - t103 * chain_theta_4_minus_chain_theta_7.sin()
-        - t104 * chain_theta_4_minus_chain_theta_8.sin()
-        - t105 * chain_theta_4_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_4_minus_chain_theta_10.sin() - t11 * t107
-        - t22 * t118 - t37 * t119;
-    let t121 = t111 - t102 * chain_theta_5_minus_chain_theta_6.sin()
-        - t103 * chain_theta_5_minus_chain_theta_7.sin()
-        - t104 * chain_theta_5_minus_chain_theta_8.sin()
-        - t105 * chain_theta_5_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_5_minus_chain_theta_10.sin() - t12 * t107
-        - t24 * t118 - t39 * t119 - t52 * t120;
-    let t122 = t112
-        - R::literal(5.0) * chain_omega_5_squared * (chain_theta_6 - chain_theta_5).sin()
-        - t103 * chain_theta_6_minus_chain_theta_7.sin()
-        - t104 * chain_theta_6_minus_chain_theta_8.sin()
-        - t105 * chain_theta_6_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_6_minus_chain_theta_10.sin() - t13 * t107
-        - t26 * t118 - t41 * t119;
-    let t123 = t122 - t54 * t120 - t65 * t121;
-    let t124 = t113
-        - R::literal(4.0) * chain_omega_5_squared * (chain_theta_7 - chain_theta_5).sin()
-        - R::literal(4.0) * chain_omega_6_squared * (chain_theta_7 - chain_theta_6).sin()
-        - t104 * chain_theta_7_minus_chain_theta_8.sin()
-        - t105 * chain_theta_7_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_7_minus_chain_theta_10.sin() - t14 * t107
-        - t28 * t118;
-    let t125 = t124 - t43 * t119 - t56 * t120 - t67 * t121 - t76 * t123;
-    let t126 = t114
-        - R::literal(3.0) * chain_omega_5_squared * (chain_theta_8 - chain_theta_5).sin()
-        - R::literal(3.0) * chain_omega_6_squared * (chain_theta_8 - chain_theta_6).sin()
-        - R::literal(3.0) * chain_omega_7_squared * (chain_theta_8 - chain_theta_7).sin()
-        - t105 * chain_theta_8_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_8_minus_chain_theta_10.sin() - t15 * t107;
-    let t127 = t126 - t30 * t118 - t45 * t119 - t58 * t120 - t69 * t121 - t78 * t123
-        - t85 * t125;
-    let t128 = t116 - t16 * t107 - t32 * t118 - t47 * t119 - t60 * t120 - t71 * t121
-        - t80 * t123 - t87 * t125 - t92 * t127;
-    let t129 = t117 - chain_omega_6_squared * (chain_theta_10 - chain_theta_6).sin()
-        - chain_omega_7_squared * (chain_theta_10 - chain_theta_7).sin()
-        - chain_omega_8_squared * (chain_theta_10 - chain_theta_8).sin()
-        - chain_omega_9_squared * (chain_theta_10 - chain_theta_9).sin() - t17 * t107
-        - t34 * t118 - t49 * t119 - t62 * t120;
-    let chain_omega_10_dot = (t129 - t73 * t121 - t82 * t123 - t89 * t125 - t94 * t127
-        - t97 * t128) * t98;
-    let chain_omega_9_dot = t128 * t95 - t97 * chain_omega_10_dot;
-    let chain_omega_8_dot = t127 * t90 - t92 * chain_omega_9_dot
-        - t94 * chain_omega_10_dot;
-    let chain_omega_7_dot = t125 * t83 - t85 * chain_omega_8_dot
-        - t87 * chain_omega_9_dot - t89 * chain_omega_10_dot;
-    let chain_omega_6_dot = t123 * t74 - t76 * chain_omega_7_dot
-        - t78 * chain_omega_8_dot - t80 * chain_omega_9_dot - t82 * chain_omega_10_dot;
-    let chain_omega_5_dot = t121 * t63 - t65 * chain_omega_6_dot
-        - t67 * chain_omega_7_dot - t69 * chain_omega_8_dot - t71 * chain_omega_9_dot
-        - t73 * chain_omega_10_dot;
-    let chain_omega_4_dot = t120 * t50 - t52 * chain_omega_5_dot
-        - t54 * chain_omega_6_dot - t56 * chain_omega_7_dot - t58 * chain_omega_8_dot
-        - t60 * chain_omega_9_dot - t62 * chain_omega_10_dot;
-    let chain_omega_3_dot = t119 * t35 - t37 * chain_omega_4_dot
-        - t39 * chain_omega_5_dot - t41 * chain_omega_6_dot - t43 * chain_omega_7_dot
-        - t45 * chain_omega_8_dot - t47 * chain_omega_9_dot - t49 * chain_omega_10_dot;
-    let chain_omega_2_dot = t118 * t18 - t20 * chain_omega_3_dot
-        - t22 * chain_omega_4_dot - t24 * chain_omega_5_dot - t26 * chain_omega_6_dot
-        - t28 * chain_omega_7_dot - t30 * chain_omega_8_dot - t32 * chain_omega_9_dot
-        - t34 * chain_omega_10_dot;
-    let chain_omega_1_dot = t107 * R::literal(0.1) - t9 * chain_omega_2_dot
-        - t10 * chain_omega_3_dot - t11 * chain_omega_4_dot - t12 * chain_omega_5_dot
-        - t13 * chain_omega_6_dot - t14 * chain_omega_7_dot - t15 * chain_omega_8_dot
-        - t16 * chain_omega_9_dot - t17 * chain_omega_10_dot;
+    let t152 = R::literal(6.0) * chain_omega_1_squared * t6
+        - R::literal(58.86) * sin_chain_theta_5
+        + R::literal(6.0) * chain_omega_2_squared * t20
+        + R::literal(6.0) * chain_omega_3_squared * t27
+        + R::literal(6.0) * chain_omega_4_squared * t33 - t147 * t39 - t148 * t40
+        - t149 * t41 - t150 * t42 - chain_omega_10_squared * t43;
+    let t153 = R::literal(5.0) * chain_omega_1_squared * t8
+        - R::literal(49.05) * sin_chain_theta_6
+        + R::literal(5.0) * chain_omega_2_squared * t21
+        + R::literal(5.0) * chain_omega_3_squared * t28
+        + R::literal(5.0) * chain_omega_4_squared * t34
+        + R::literal(5.0) * chain_omega_5_squared * t39 - t148 * t44 - t149 * t45
+        - t150 * t46 - chain_omega_10_squared * t47;
+    let t154 = R::literal(4.0) * chain_omega_1_squared * t10
+        - R::literal(39.24) * sin_chain_theta_7
+        + R::literal(4.0) * chain_omega_2_squared * t22
+        + R::literal(4.0) * chain_omega_3_squared * t29
+        + R::literal(4.0) * chain_omega_4_squared * t35
+        + R::literal(4.0) * chain_omega_5_squared * t40
+        + R::literal(4.0) * chain_omega_6_squared * t44 - t149 * t48 - t150 * t49;
+    let t155 = R::literal(3.0) * chain_omega_1_squared * t12
+        - R::literal(29.43) * sin_chain_theta_8
+        + R::literal(3.0) * chain_omega_2_squared * t23
+        + R::literal(3.0) * chain_omega_3_squared * t30
+        + R::literal(3.0) * chain_omega_4_squared * t36
+        + R::literal(3.0) * chain_omega_5_squared * t41
+        + R::literal(3.0) * chain_omega_6_squared * t45
+        + R::literal(3.0) * chain_omega_7_squared * t48 - t150 * t51;
+    let t156 = R::literal(2.0) * chain_omega_1_squared * t14
+        - R::literal(19.62) * sin_chain_theta_9
+        + R::literal(2.0) * chain_omega_2_squared * t24
+        + R::literal(2.0) * chain_omega_3_squared * t31
+        + R::literal(2.0) * chain_omega_4_squared * t37
+        + R::literal(2.0) * chain_omega_5_squared * t42
+        + R::literal(2.0) * chain_omega_6_squared * t46
+        + R::literal(2.0) * chain_omega_7_squared * t49;
+    let t157 = R::literal(9.0) * chain_omega_1_squared * t0
+        - R::literal(88.29) * sin_chain_theta_2 - t144 * t18 - t145 * t19 - t146 * t20
+        - t147 * t21 - t148 * t22 - t149 * t23 - t150 * t24
+        - chain_omega_10_squared * t25 - t54 * t151;
+    let t158 = R::literal(8.0) * chain_omega_1_squared * t2
+        - R::literal(78.48) * sin_chain_theta_3
+        + R::literal(8.0) * chain_omega_2_squared * t18 - t145 * t26 - t146 * t27
+        - t147 * t28 - t148 * t29 - t149 * t30 - t150 * t31
+        - chain_omega_10_squared * t32 - t55 * t151;
+    let t159 = t158 - t65 * t157;
+    let t160 = R::literal(7.0) * chain_omega_1_squared * t4
+        - R::literal(68.67) * sin_chain_theta_4
+        + R::literal(7.0) * chain_omega_2_squared * t19
+        + R::literal(7.0) * chain_omega_3_squared * t26 - t146 * t33 - t147 * t34
+        - t148 * t35 - t149 * t36 - t150 * t37 - chain_omega_10_squared * t38
+        - t56 * t151;
+    let t161 = t160 - t67 * t157 - t82 * t159;
+    let t162 = t152 - t57 * t151 - t69 * t157 - t84 * t159 - t97 * t161;
+    let t163 = t153 - t58 * t151 - t71 * t157 - t86 * t159 - t99 * t161 - t110 * t162;
+    let t164 = t154 - chain_omega_10_squared * t50 - t59 * t151 - t73 * t157 - t88 * t159
+        - t101 * t161 - t112 * t162 - t121 * t163;
+    let t165 = t155 - chain_omega_10_squared * t52 - t60 * t151 - t75 * t157 - t90 * t159
+        - t103 * t161 - t114 * t162 - t123 * t163 - t130 * t164;
+    let t166 = t156 + R::literal(2.0) * chain_omega_8_squared * t51
+        - chain_omega_10_squared * t53 - t61 * t151 - t77 * t157 - t92 * t159
+        - t105 * t161 - t116 * t162 - t125 * t163 - t132 * t164 - t137 * t165;
+    let t167 = chain_omega_1_squared * t16 - R::literal(9.81) * sin_chain_theta_10
+        + chain_omega_2_squared * t25 + chain_omega_3_squared * t32
+        + chain_omega_4_squared * t38 + chain_omega_5_squared * t43
+        + chain_omega_6_squared * t47 + chain_omega_7_squared * t50
+        + chain_omega_8_squared * t52 + chain_omega_9_squared * t53 - t62 * t151
+        - t79 * t157;
+    let chain_omega_10_dot = (t167 - t94 * t159 - t107 * t161 - t118 * t162 - t127 * t163
+        - t134 * t164 - t139 * t165 - t142 * t166) * t143;
+    let chain_omega_9_dot = t166 * t140 - t142 * chain_omega_10_dot;
+    let chain_omega_8_dot = t165 * t135 - t137 * chain_omega_9_dot
+        - t139 * chain_omega_10_dot;
+    let chain_omega_7_dot = t164 * t128 - t130 * chain_omega_8_dot
+        - t132 * chain_omega_9_dot - t134 * chain_omega_10_dot;
+    let chain_omega_6_dot = t163 * t119 - t121 * chain_omega_7_dot
+        - t123 * chain_omega_8_dot - t125 * chain_omega_9_dot
+        - t127 * chain_omega_10_dot;
+    let chain_omega_5_dot = t162 * t108 - t110 * chain_omega_6_dot
+        - t112 * chain_omega_7_dot - t114 * chain_omega_8_dot - t116 * chain_omega_9_dot
+        - t118 * chain_omega_10_dot;
+    let chain_omega_4_dot = t161 * t95 - t97 * chain_omega_5_dot
+        - t99 * chain_omega_6_dot - t101 * chain_omega_7_dot - t103 * chain_omega_8_dot
+        - t105 * chain_omega_9_dot - t107 * chain_omega_10_dot;
+    let chain_omega_3_dot = t159 * t80 - t82 * chain_omega_4_dot
+        - t84 * chain_omega_5_dot - t86 * chain_omega_6_dot - t88 * chain_omega_7_dot
+        - t90 * chain_omega_8_dot - t92 * chain_omega_9_dot - t94 * chain_omega_10_dot;
+    let chain_omega_2_dot = t157 * t63 - t65 * chain_omega_3_dot
+        - t67 * chain_omega_4_dot - t69 * chain_omega_5_dot - t71 * chain_omega_6_dot
+        - t73 * chain_omega_7_dot - t75 * chain_omega_8_dot - t77 * chain_omega_9_dot
+        - t79 * chain_omega_10_dot;
+    let chain_omega_1_dot = t151 * R::literal(0.1) - t54 * chain_omega_2_dot
+        - t55 * chain_omega_3_dot - t56 * chain_omega_4_dot - t57 * chain_omega_5_dot
+        - t58 * chain_omega_6_dot - t59 * chain_omega_7_dot - t60 * chain_omega_8_dot
+        - t61 * chain_omega_9_dot - t62 * chain_omega_10_dot;
     [
         chain_omega_1,
         chain_omega_2,
@@ -1180,7 +1256,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 444 operations.
+/// 345 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     _time: R,
@@ -1192,132 +1268,129 @@ pub fn forcing<R: Real>(
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
+    let t0 = (chain_theta_1 - chain_theta_2).sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t0 = R::literal(8.0) * chain_omega_3_squared;
+    let t1 = (chain_theta_1 - chain_theta_3).sin();
+    let t2 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t1 = R::literal(7.0) * chain_omega_4_squared;
+    let t3 = (chain_theta_1 - chain_theta_4).sin();
+    let t4 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t2 = R::literal(6.0) * chain_omega_5_squared;
+    let t5 = (chain_theta_1 - chain_theta_5).sin();
+    let t6 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t3 = R::literal(5.0) * chain_omega_6_squared;
+    let t7 = (chain_theta_1 - chain_theta_6).sin();
+    let t8 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t4 = R::literal(4.0) * chain_omega_7_squared;
+    let t9 = (chain_theta_1 - chain_theta_7).sin();
+    let t10 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t5 = R::literal(3.0) * chain_omega_8_squared;
+    let t11 = (chain_theta_1 - chain_theta_8).sin();
+    let t12 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t6 = R::literal(2.0) * chain_omega_9_squared;
+    let t13 = (chain_theta_1 - chain_theta_9).sin();
+    let t14 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t7 = -(R::literal(98.1) * chain_theta_1.sin())
-        - R::literal(9.0) * chain_omega_2_squared * (chain_theta_1 - chain_theta_2).sin()
-        - t0 * (chain_theta_1 - chain_theta_3).sin()
-        - t1 * (chain_theta_1 - chain_theta_4).sin()
-        - t2 * (chain_theta_1 - chain_theta_5).sin()
-        - t3 * (chain_theta_1 - chain_theta_6).sin();
-    let chain_theta_1_forcing = t7 - t4 * (chain_theta_1 - chain_theta_7).sin()
-        - t5 * (chain_theta_1 - chain_theta_8).sin()
-        - t6 * (chain_theta_1 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_1 - chain_theta_10).sin();
+    let t15 = (chain_theta_1 - chain_theta_10).sin();
+    let chain_theta_1_forcing = -(R::literal(98.1) * chain_theta_1.sin())
+        - R::literal(9.0) * chain_omega_2_squared * t0 - t2 * t1 - t4 * t3 - t6 * t5
+        - t8 * t7 - t10 * t9 - t12 * t11 - t14 * t13 - chain_omega_10_squared * t15;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t8 = -(R::literal(88.29) * chain_theta_2.sin())
-        - R::literal(9.0) * chain_omega_1_squared * (chain_theta_2 - chain_theta_1).sin()
-        - t0 * (chain_theta_2 - chain_theta_3).sin()
-        - t1 * (chain_theta_2 - chain_theta_4).sin()
-        - t2 * (chain_theta_2 - chain_theta_5).sin()
-        - t3 * (chain_theta_2 - chain_theta_6).sin();
-    let chain_theta_2_forcing = t8 - t4 * (chain_theta_2 - chain_theta_7).sin()
-        - t5 * (chain_theta_2 - chain_theta_8).sin()
-        - t6 * (chain_theta_2 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_2 - chain_theta_10).sin();
-    let t9 = -(R::literal(78.48) * chain_theta_3.sin())
-        - R::literal(8.0) * chain_omega_1_squared * (chain_theta_3 - chain_theta_1).sin()
-        - R::literal(8.0) * chain_omega_2_squared * (chain_theta_3 - chain_theta_2).sin()
-        - t1 * (chain_theta_3 - chain_theta_4).sin()
-        - t2 * (chain_theta_3 - chain_theta_5).sin();
-    let chain_theta_3_forcing = t9 - t3 * (chain_theta_3 - chain_theta_6).sin()
-        - t4 * (chain_theta_3 - chain_theta_7).sin()
-        - t5 * (chain_theta_3 - chain_theta_8).sin()
-        - t6 * (chain_theta_3 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_3 - chain_theta_10).sin();
-    let t10 = -(R::literal(68.67) * chain_theta_4.sin())
-        - R::literal(7.0) * chain_omega_1_squared * (chain_theta_4 - chain_theta_1).sin()
-        - R::literal(7.0) * chain_omega_2_squared * (chain_theta_4 - chain_theta_2).sin()
-        - R::literal(7.0) * chain_omega_3_squared * (chain_theta_4 - chain_theta_3).sin()
-        - t2 * (chain_theta_4 - chain_theta_5).sin();
-    let chain_theta_4_forcing = t10 - t3 * (chain_theta_4 - chain_theta_6).sin()
-        - t4 * (chain_theta_4 - chain_theta_7).sin()
-        - t5 * (chain_theta_4 - chain_theta_8).sin()
-        - t6 * (chain_theta_4 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_4 - chain_theta_10).sin();
-    let t11 = -(R::literal(58.86) * chain_theta_5.sin())
-        - R::literal(6.0) * chain_omega_1_squared * (chain_theta_5 - chain_theta_1).sin()
-        - R::literal(6.0) * chain_omega_2_squared * (chain_theta_5 - chain_theta_2).sin()
-        - R::literal(6.0) * chain_omega_3_squared * (chain_theta_5 - chain_theta_3).sin()
-        - R::literal(6.0) * chain_omega_4_squared
-            * (chain_theta_5 - chain_theta_4).sin();
-    let chain_theta_5_forcing = t11 - t3 * (chain_theta_5 - chain_theta_6).sin()
-        - t4 * (chain_theta_5 - chain_theta_7).sin()
-        - t5 * (chain_theta_5 - chain_theta_8).sin()
-        - t6 * (chain_theta_5 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_5 - chain_theta_10).sin();
-    let t12 = -(R::literal(49.05) * chain_theta_6.sin())
-        - R::literal(5.0) * chain_omega_1_squared * (chain_theta_6 - chain_theta_1).sin()
-        - R::literal(5.0) * chain_omega_2_squared * (chain_theta_6 - chain_theta_2).sin()
-        - R::literal(5.0) * chain_omega_3_squared * (chain_theta_6 - chain_theta_3).sin()
-        - R::literal(5.0) * chain_omega_4_squared
-            * (chain_theta_6 - chain_theta_4).sin();
-    let chain_theta_6_forcing = t12
-        - R::literal(5.0) * chain_omega_5_squared * (chain_theta_6 - chain_theta_5).sin()
-        - t4 * (chain_theta_6 - chain_theta_7).sin()
-        - t5 * (chain_theta_6 - chain_theta_8).sin()
-        - t6 * (chain_theta_6 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_6 - chain_theta_10).sin();
-    let t13 = -(R::literal(39.24) * chain_theta_7.sin())
-        - R::literal(4.0) * chain_omega_1_squared * (chain_theta_7 - chain_theta_1).sin()
-        - R::literal(4.0) * chain_omega_2_squared * (chain_theta_7 - chain_theta_2).sin()
-        - R::literal(4.0) * chain_omega_3_squared * (chain_theta_7 - chain_theta_3).sin()
-        - R::literal(4.0) * chain_omega_4_squared
-            * (chain_theta_7 - chain_theta_4).sin();
-    let chain_theta_7_forcing = t13
-        - R::literal(4.0) * chain_omega_5_squared * (chain_theta_7 - chain_theta_5).sin()
-        - R::literal(4.0) * chain_omega_6_squared * (chain_theta_7 - chain_theta_6).sin()
-        - t5 * (chain_theta_7 - chain_theta_8).sin()
-        - t6 * (chain_theta_7 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_7 - chain_theta_10).sin();
-    let t14 = -(R::literal(29.43) * chain_theta_8.sin())
-        - R::literal(3.0) * chain_omega_1_squared * (chain_theta_8 - chain_theta_1).sin()
-        - R::literal(3.0) * chain_omega_2_squared * (chain_theta_8 - chain_theta_2).sin()
-        - R::literal(3.0) * chain_omega_3_squared * (chain_theta_8 - chain_theta_3).sin()
-        - R::literal(3.0) * chain_omega_4_squared
-            * (chain_theta_8 - chain_theta_4).sin();
-    let chain_theta_8_forcing = t14
-        - R::literal(3.0) * chain_omega_5_squared * (chain_theta_8 - chain_theta_5).sin()
-        - R::literal(3.0) * chain_omega_6_squared * (chain_theta_8 - chain_theta_6).sin()
-        - R::literal(3.0) * chain_omega_7_squared * (chain_theta_8 - chain_theta_7).sin()
-        - t6 * (chain_theta_8 - chain_theta_9).sin()
-        - chain_omega_10_squared * (chain_theta_8 - chain_theta_10).sin();
-    let t15 = -(R::literal(19.62) * chain_theta_9.sin())
-        - R::literal(2.0) * chain_omega_1_squared * (chain_theta_9 - chain_theta_1).sin()
-        - R::literal(2.0) * chain_omega_2_squared * (chain_theta_9 - chain_theta_2).sin()
-        - R::literal(2.0) * chain_omega_3_squared * (chain_theta_9 - chain_theta_3).sin()
-        - R::literal(2.0) * chain_omega_4_squared
-            * (chain_theta_9 - chain_theta_4).sin();
-    let chain_theta_9_forcing = t15
-        - R::literal(2.0) * chain_omega_5_squared * (chain_theta_9 - chain_theta_5).sin()
-        - R::literal(2.0) * chain_omega_6_squared * (chain_theta_9 - chain_theta_6).sin()
-        - R::literal(2.0) * chain_omega_7_squared * (chain_theta_9 - chain_theta_7).sin()
-        - R::literal(2.0) * chain_omega_8_squared * (chain_theta_9 - chain_theta_8).sin()
-        - chain_omega_10_squared * (chain_theta_9 - chain_theta_10).sin();
-    let t16 = -(R::literal(9.81) * chain_theta_10.sin())
-        - chain_omega_1_squared * (chain_theta_10 - chain_theta_1).sin()
-        - chain_omega_2_squared * (chain_theta_10 - chain_theta_2).sin()
-        - chain_omega_3_squared * (chain_theta_10 - chain_theta_3).sin()
-        - chain_omega_4_squared * (chain_theta_10 - chain_theta_4).sin()
-        - chain_omega_5_squared * (chain_theta_10 - chain_theta_5).sin();
-    let chain_theta_10_forcing = t16
-        - chain_omega_6_squared * (chain_theta_10 - chain_theta_6).sin()
-        - chain_omega_7_squared * (chain_theta_10 - chain_theta_7).sin()
-        - chain_omega_8_squared * (chain_theta_10 - chain_theta_8).sin()
-        - chain_omega_9_squared * (chain_theta_10 - chain_theta_9).sin();
+    let t16 = (chain_theta_2 - chain_theta_3).sin();
+    let t17 = (chain_theta_2 - chain_theta_4).sin();
+    let t18 = (chain_theta_2 - chain_theta_5).sin();
+    let t19 = (chain_theta_2 - chain_theta_6).sin();
+    let t20 = (chain_theta_2 - chain_theta_7).sin();
+    let t21 = (chain_theta_2 - chain_theta_8).sin();
+    let t22 = (chain_theta_2 - chain_theta_9).sin();
+    let t23 = (chain_theta_2 - chain_theta_10).sin();
+    let chain_theta_2_forcing = R::literal(9.0) * chain_omega_1_squared * t0
+        - R::literal(88.29) * chain_theta_2.sin() - t2 * t16 - t4 * t17 - t6 * t18
+        - t8 * t19 - t10 * t20 - t12 * t21 - t14 * t22 - chain_omega_10_squared * t23;
+    let t24 = (chain_theta_3 - chain_theta_4).sin();
+    let t25 = (chain_theta_3 - chain_theta_5).sin();
+    let t26 = (chain_theta_3 - chain_theta_6).sin();
+    let t27 = (chain_theta_3 - chain_theta_7).sin();
+    let t28 = (chain_theta_3 - chain_theta_8).sin();
+    let t29 = (chain_theta_3 - chain_theta_9).sin();
+    let t30 = (chain_theta_3 - chain_theta_10).sin();
+    let chain_theta_3_forcing = R::literal(8.0) * chain_omega_1_squared * t1
+        - R::literal(78.48) * chain_theta_3.sin()
+        + R::literal(8.0) * chain_omega_2_squared * t16 - t4 * t24 - t6 * t25 - t8 * t26
+        - t10 * t27 - t12 * t28 - t14 * t29 - chain_omega_10_squared * t30;
+    let t31 = (chain_theta_4 - chain_theta_5).sin();
+    let t32 = (chain_theta_4 - chain_theta_6).sin();
+    let t33 = (chain_theta_4 - chain_theta_7).sin();
+    let t34 = (chain_theta_4 - chain_theta_8).sin();
+    let t35 = (chain_theta_4 - chain_theta_9).sin();
+    let t36 = (chain_theta_4 - chain_theta_10).sin();
+    let chain_theta_4_forcing = R::literal(7.0) * chain_omega_1_squared * t3
+        - R::literal(68.67) * chain_theta_4.sin()
+        + R::literal(7.0) * chain_omega_2_squared * t17
+        + R::literal(7.0) * chain_omega_3_squared * t24 - t6 * t31 - t8 * t32 - t10 * t33
+        - t12 * t34 - t14 * t35 - chain_omega_10_squared * t36;
+    let t37 = (chain_theta_5 - chain_theta_6).sin();
+    let t38 = (chain_theta_5 - chain_theta_7).sin();
+    let t39 = (chain_theta_5 - chain_theta_8).sin();
+    let t40 = (chain_theta_5 - chain_theta_9).sin();
+    let t41 = (chain_theta_5 - chain_theta_10).sin();
+    let chain_theta_5_forcing = R::literal(6.0) * chain_omega_1_squared * t5
+        - R::literal(58.86) * chain_theta_5.sin()
+        + R::literal(6.0) * chain_omega_2_squared * t18
+        + R::literal(6.0) * chain_omega_3_squared * t25
+        + R::literal(6.0) * chain_omega_4_squared * t31 - t8 * t37 - t10 * t38
+        - t12 * t39 - t14 * t40 - chain_omega_10_squared * t41;
+    let t42 = (chain_theta_6 - chain_theta_7).sin();
+    let t43 = (chain_theta_6 - chain_theta_8).sin();
+    let t44 = (chain_theta_6 - chain_theta_9).sin();
+    let t45 = (chain_theta_6 - chain_theta_10).sin();
+    let t46 = R::literal(5.0) * chain_omega_1_squared * t7
+        - R::literal(49.05) * chain_theta_6.sin()
+        + R::literal(5.0) * chain_omega_2_squared * t19
+        + R::literal(5.0) * chain_omega_3_squared * t26
+        + R::literal(5.0) * chain_omega_4_squared * t32
+        + R::literal(5.0) * chain_omega_5_squared * t37 - t10 * t42 - t12 * t43
+        - t14 * t44;
+    let chain_theta_6_forcing = t46 - chain_omega_10_squared * t45;
+    let t47 = (chain_theta_7 - chain_theta_8).sin();
+    let t48 = (chain_theta_7 - chain_theta_9).sin();
+    let t49 = (chain_theta_7 - chain_theta_10).sin();
+    let t50 = R::literal(4.0) * chain_omega_1_squared * t9
+        - R::literal(39.24) * chain_theta_7.sin()
+        + R::literal(4.0) * chain_omega_2_squared * t20
+        + R::literal(4.0) * chain_omega_3_squared * t27
+        + R::literal(4.0) * chain_omega_4_squared * t33
+        + R::literal(4.0) * chain_omega_5_squared * t38
+        + R::literal(4.0) * chain_omega_6_squared * t42 - t12 * t47 - t14 * t48;
+    let chain_theta_7_forcing = t50 - chain_omega_10_squared * t49;
+    let t51 = (chain_theta_8 - chain_theta_9).sin();
+    let t52 = (chain_theta_8 - chain_theta_10).sin();
+    let t53 = R::literal(3.0) * chain_omega_1_squared * t11
+        - R::literal(29.43) * chain_theta_8.sin()
+        + R::literal(3.0) * chain_omega_2_squared * t21
+        + R::literal(3.0) * chain_omega_3_squared * t28
+        + R::literal(3.0) * chain_omega_4_squared * t34
+        + R::literal(3.0) * chain_omega_5_squared * t39
+        + R::literal(3.0) * chain_omega_6_squared * t43
+        + R::literal(3.0) * chain_omega_7_squared * t47;
+    let chain_theta_8_forcing = t53 - t14 * t51 - chain_omega_10_squared * t52;
+    let t54 = (chain_theta_9 - chain_theta_10).sin();
+    let t55 = R::literal(2.0) * chain_omega_1_squared * t13
+        - R::literal(19.62) * chain_theta_9.sin()
+        + R::literal(2.0) * chain_omega_2_squared * t22
+        + R::literal(2.0) * chain_omega_3_squared * t29
+        + R::literal(2.0) * chain_omega_4_squared * t35
+        + R::literal(2.0) * chain_omega_5_squared * t40
+        + R::literal(2.0) * chain_omega_6_squared * t44
+        + R::literal(2.0) * chain_omega_7_squared * t48;
+    let chain_theta_9_forcing = t55 + R::literal(2.0) * chain_omega_8_squared * t51
+        - chain_omega_10_squared * t54;
+    let chain_theta_10_forcing = chain_omega_1_squared * t15
+        - R::literal(9.81) * chain_theta_10.sin() + chain_omega_2_squared * t23
+        + chain_omega_3_squared * t30 + chain_omega_4_squared * t36
+        + chain_omega_5_squared * t41 + chain_omega_6_squared * t45
+        + chain_omega_7_squared * t49 + chain_omega_8_squared * t52
+        + chain_omega_9_squared * t54;
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -1334,7 +1407,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 5586 operations.
+/// 5576 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     _time: R,
@@ -1345,2130 +1418,2110 @@ pub fn rate_jacobian<R: Real>(
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
-    let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = chain_theta_1_minus_chain_theta_2.cos();
-    let t1 = R::literal(9.0) * t0;
-    let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
-    let t2 = chain_theta_1_minus_chain_theta_3.cos();
-    let t3 = R::literal(8.0) * t2;
-    let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
-    let t4 = chain_theta_1_minus_chain_theta_4.cos();
-    let t5 = R::literal(7.0) * t4;
-    let chain_theta_1_minus_chain_theta_5 = chain_theta_1 - chain_theta_5;
-    let t6 = chain_theta_1_minus_chain_theta_5.cos();
-    let t7 = R::literal(6.0) * t6;
-    let chain_theta_1_minus_chain_theta_6 = chain_theta_1 - chain_theta_6;
-    let t8 = chain_theta_1_minus_chain_theta_6.cos();
-    let t9 = R::literal(5.0) * t8;
-    let chain_theta_1_minus_chain_theta_7 = chain_theta_1 - chain_theta_7;
-    let t10 = chain_theta_1_minus_chain_theta_7.cos();
-    let t11 = R::literal(4.0) * t10;
-    let chain_theta_1_minus_chain_theta_8 = chain_theta_1 - chain_theta_8;
-    let t12 = chain_theta_1_minus_chain_theta_8.cos();
-    let t13 = R::literal(3.0) * t12;
-    let chain_theta_1_minus_chain_theta_9 = chain_theta_1 - chain_theta_9;
-    let t14 = chain_theta_1_minus_chain_theta_9.cos();
-    let t15 = R::literal(2.0) * t14;
-    let chain_theta_1_minus_chain_theta_10 = chain_theta_1 - chain_theta_10;
-    let t16 = chain_theta_1_minus_chain_theta_10.cos();
-    let chain_theta_2_minus_chain_theta_3 = chain_theta_2 - chain_theta_3;
-    let t17 = chain_theta_2_minus_chain_theta_3.cos();
-    let chain_theta_2_minus_chain_theta_4 = chain_theta_2 - chain_theta_4;
-    let t18 = chain_theta_2_minus_chain_theta_4.cos();
-    let chain_theta_2_minus_chain_theta_5 = chain_theta_2 - chain_theta_5;
-    let t19 = chain_theta_2_minus_chain_theta_5.cos();
-    let chain_theta_2_minus_chain_theta_6 = chain_theta_2 - chain_theta_6;
-    let t20 = chain_theta_2_minus_chain_theta_6.cos();
-    let chain_theta_2_minus_chain_theta_7 = chain_theta_2 - chain_theta_7;
-    let t21 = chain_theta_2_minus_chain_theta_7.cos();
-    let chain_theta_2_minus_chain_theta_8 = chain_theta_2 - chain_theta_8;
-    let t22 = chain_theta_2_minus_chain_theta_8.cos();
-    let chain_theta_2_minus_chain_theta_9 = chain_theta_2 - chain_theta_9;
-    let t23 = chain_theta_2_minus_chain_theta_9.cos();
-    let chain_theta_2_minus_chain_theta_10 = chain_theta_2 - chain_theta_10;
-    let t24 = chain_theta_2_minus_chain_theta_10.cos();
-    let chain_theta_3_minus_chain_theta_4 = chain_theta_3 - chain_theta_4;
-    let t25 = chain_theta_3_minus_chain_theta_4.cos();
-    let chain_theta_3_minus_chain_theta_5 = chain_theta_3 - chain_theta_5;
-    let t26 = chain_theta_3_minus_chain_theta_5.cos();
-    let chain_theta_3_minus_chain_theta_6 = chain_theta_3 - chain_theta_6;
-    let t27 = chain_theta_3_minus_chain_theta_6.cos();
-    let chain_theta_3_minus_chain_theta_7 = chain_theta_3 - chain_theta_7;
-    let t28 = chain_theta_3_minus_chain_theta_7.cos();
-    let chain_theta_3_minus_chain_theta_8 = chain_theta_3 - chain_theta_8;
-    let t29 = chain_theta_3_minus_chain_theta_8.cos();
-    let chain_theta_3_minus_chain_theta_9 = chain_theta_3 - chain_theta_9;
-    let t30 = chain_theta_3_minus_chain_theta_9.cos();
-    let chain_theta_3_minus_chain_theta_10 = chain_theta_3 - chain_theta_10;
-    let t31 = chain_theta_3_minus_chain_theta_10.cos();
-    let chain_theta_4_minus_chain_theta_5 = chain_theta_4 - chain_theta_5;
-    let t32 = chain_theta_4_minus_chain_theta_5.cos();
-    let chain_theta_4_minus_chain_theta_6 = chain_theta_4 - chain_theta_6;
-    let t33 = chain_theta_4_minus_chain_theta_6.cos();
-    let chain_theta_4_minus_chain_theta_7 = chain_theta_4 - chain_theta_7;
-    let t34 = chain_theta_4_minus_chain_theta_7.cos();
-    let chain_theta_4_minus_chain_theta_8 = chain_theta_4 - chain_theta_8;
-    let t35 = chain_theta_4_minus_chain_theta_8.cos();
-    let chain_theta_4_minus_chain_theta_9 = chain_theta_4 - chain_theta_9;
-    let t36 = chain_theta_4_minus_chain_theta_9.cos();
-    let chain_theta_4_minus_chain_theta_10 = chain_theta_4 - chain_theta_10;
-    let t37 = chain_theta_4_minus_chain_theta_10.cos();
-    let chain_theta_5_minus_chain_theta_6 = chain_theta_5 - chain_theta_6;
-    let t38 = chain_theta_5_minus_chain_theta_6.cos();
-    let chain_theta_5_minus_chain_theta_7 = chain_theta_5 - chain_theta_7;
-    let t39 = chain_theta_5_minus_chain_theta_7.cos();
-    let chain_theta_5_minus_chain_theta_8 = chain_theta_5 - chain_theta_8;
-    let t40 = chain_theta_5_minus_chain_theta_8.cos();
-    let chain_theta_5_minus_chain_theta_9 = chain_theta_5 - chain_theta_9;
-    let t41 = chain_theta_5_minus_chain_theta_9.cos();
-    let chain_theta_5_minus_chain_theta_10 = chain_theta_5 - chain_theta_10;
-    let t42 = chain_theta_5_minus_chain_theta_10.cos();
-    let chain_theta_6_minus_chain_theta_7 = chain_theta_6 - chain_theta_7;
-    let t43 = chain_theta_6_minus_chain_theta_7.cos();
-    let chain_theta_6_minus_chain_theta_8 = chain_theta_6 - chain_theta_8;
-    let t44 = chain_theta_6_minus_chain_theta_8.cos();
-    let chain_theta_6_minus_chain_theta_9 = chain_theta_6 - chain_theta_9;
-    let t45 = chain_theta_6_minus_chain_theta_9.cos();
-    let chain_theta_6_minus_chain_theta_10 = chain_theta_6 - chain_theta_10;
-    let t46 = chain_theta_6_minus_chain_theta_10.cos();
-    let chain_theta_7_minus_chain_theta_8 = chain_theta_7 - chain_theta_8;
-    let t47 = chain_theta_7_minus_chain_theta_8.cos();
-    let chain_theta_7_minus_chain_theta_9 = chain_theta_7 - chain_theta_9;
-    let t48 = chain_theta_7_minus_chain_theta_9.cos();
-    let chain_theta_7_minus_chain_theta_10 = chain_theta_7 - chain_theta_10;
-    let t49 = chain_theta_7_minus_chain_theta_10.cos();
-    let chain_theta_8_minus_chain_theta_9 = chain_theta_8 - chain_theta_9;
-    let t50 = chain_theta_8_minus_chain_theta_9.cos();
-    let chain_theta_8_minus_chain_theta_10 = chain_theta_8 - chain_theta_10;
-    let t51 = chain_theta_8_minus_chain_theta_10.cos();
-    let chain_theta_9_minus_chain_theta_10 = chain_theta_9 - chain_theta_10;
-    let t52 = chain_theta_9_minus_chain_theta_10.cos();
-    let t53 = t1 * R::literal(0.1);
-    let t54 = t3 * R::literal(0.1);
-    let t55 = t5 * R::literal(0.1);
-    let t56 = t7 * R::literal(0.1);
-    let t57 = t9 * R::literal(0.1);
-    let t58 = t11 * R::literal(0.1);
-    let t59 = t13 * R::literal(0.1);
-    let t60 = t15 * R::literal(0.1);
-    let t61 = t16 * R::literal(0.1);
-    let t62 = R::literal(1.0) / (R::literal(9.0) - t53 * t1);
-    let t63 = R::literal(8.0) * t17 - t54 * t1;
-    let t64 = t63 * t62;
-    let t65 = R::literal(7.0) * t18 - t55 * t1;
-    let t66 = t65 * t62;
-    let t67 = R::literal(6.0) * t19 - t56 * t1;
-    let t68 = t67 * t62;
-    let t69 = R::literal(5.0) * t20 - t57 * t1;
-    let t70 = t69 * t62;
-    let t71 = R::literal(4.0) * t21 - t58 * t1;
-    let t72 = t71 * t62;
-    let t73 = R::literal(3.0) * t22 - t59 * t1;
-    let t74 = t73 * t62;
-    let t75 = R::literal(2.0) * t23 - t60 * t1;
-    let t76 = t75 * t62;
-    let t77 = t24 - t61 * t1;
-    let t78 = t77 * t62;
-    let t79 = R::literal(1.0) / (R::literal(8.0) - t54 * t3 - t64 * t63);
-    let t80 = R::literal(7.0) * t25 - t55 * t3 - t66 * t63;
-    let t81 = t80 * t79;
-    let t82 = R::literal(6.0) * t26 - t56 * t3 - t68 * t63;
-    let t83 = t82 * t79;
-    let t84 = R::literal(5.0) * t27 - t57 * t3 - t70 * t63;
-    let t85 = t84 * t79;
-    let t86 = R::literal(4.0) * t28 - t58 * t3 - t72 * t63;
-    let t87 = t86 * t79;
-    let t88 = R::literal(3.0) * t29 - t59 * t3 - t74 * t63;
-    let t89 = t88 * t79;
-    let t90 = R::literal(2.0) * t30 - t60 * t3 - t76 * t63;
-    let t91 = t90 * t79;
-    let t92 = t31 - t61 * t3 - t78 * t63;
-    let t93 = t92 * t79;
-    let t94 = R::literal(1.0) / (R::literal(7.0) - t55 * t5 - t66 * t65 - t81 * t80);
-    let t95 = R::literal(6.0) * t32 - t56 * t5 - t68 * t65 - t83 * t80;
-    let t96 = t95 * t94;
-    let t97 = R::literal(5.0) * t33 - t57 * t5 - t70 * t65 - t85 * t80;
-    let t98 = t97 * t94;
-    let t99 = R::literal(4.0) * t34 - t58 * t5 - t72 * t65 - t87 * t80;
-    let t100 = t99 * t94;
-    let t101 = R::literal(3.0) * t35 - t59 * t5 - t74 * t65 - t89 * t80;
-    let t102 = t101 * t94;
-    let t103 = R::literal(2.0) * t36 - t60 * t5 - t76 * t65 - t91 * t80;
-    let t104 = t103 * t94;
-    let t105 = t37 - t61 * t5 - t78 * t65 - t93 * t80;
-    let t106 = t105 * t94;
-    let t107 = R::literal(1.0)
-        / (R::literal(6.0) - t56 * t7 - t68 * t67 - t83 * t82 - t96 * t95);
-    let t108 = R::literal(5.0) * t38 - t57 * t7 - t70 * t67 - t85 * t82 - t98 * t95;
+    let sin_chain_theta_1 = chain_theta_1.sin();
+    let cos_chain_theta_1 = chain_theta_1.cos();
+    let sin_chain_theta_2 = chain_theta_2.sin();
+    let cos_chain_theta_2 = chain_theta_2.cos();
+    let sin_chain_theta_3 = chain_theta_3.sin();
+    let cos_chain_theta_3 = chain_theta_3.cos();
+    let sin_chain_theta_4 = chain_theta_4.sin();
+    let cos_chain_theta_4 = chain_theta_4.cos();
+    let sin_chain_theta_5 = chain_theta_5.sin();
+    let cos_chain_theta_5 = chain_theta_5.cos();
+    let sin_chain_theta_6 = chain_theta_6.sin();
+    let cos_chain_theta_6 = chain_theta_6.cos();
+    let sin_chain_theta_7 = chain_theta_7.sin();
+    let cos_chain_theta_7 = chain_theta_7.cos();
+    let sin_chain_theta_8 = chain_theta_8.sin();
+    let cos_chain_theta_8 = chain_theta_8.cos();
+    let sin_chain_theta_9 = chain_theta_9.sin();
+    let cos_chain_theta_9 = chain_theta_9.cos();
+    let sin_chain_theta_10 = chain_theta_10.sin();
+    let cos_chain_theta_10 = chain_theta_10.cos();
+    let t0 = sin_chain_theta_1 * cos_chain_theta_2
+        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t1 = cos_chain_theta_1 * cos_chain_theta_2
+        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t2 = R::literal(9.0) * t1;
+    let t3 = sin_chain_theta_1 * cos_chain_theta_3
+        - cos_chain_theta_1 * sin_chain_theta_3;
+    let t4 = cos_chain_theta_1 * cos_chain_theta_3
+        + sin_chain_theta_1 * sin_chain_theta_3;
+    let t5 = R::literal(8.0) * t4;
+    let t6 = sin_chain_theta_1 * cos_chain_theta_4
+        - cos_chain_theta_1 * sin_chain_theta_4;
+    let t7 = cos_chain_theta_1 * cos_chain_theta_4
+        + sin_chain_theta_1 * sin_chain_theta_4;
+    let t8 = R::literal(7.0) * t7;
+    let t9 = sin_chain_theta_1 * cos_chain_theta_5
+        - cos_chain_theta_1 * sin_chain_theta_5;
+    let t10 = cos_chain_theta_1 * cos_chain_theta_5
+        + sin_chain_theta_1 * sin_chain_theta_5;
+    let t11 = R::literal(6.0) * t10;
+    let t12 = sin_chain_theta_1 * cos_chain_theta_6
+        - cos_chain_theta_1 * sin_chain_theta_6;
+    let t13 = cos_chain_theta_1 * cos_chain_theta_6
+        + sin_chain_theta_1 * sin_chain_theta_6;
+    let t14 = R::literal(5.0) * t13;
+    let t15 = sin_chain_theta_1 * cos_chain_theta_7
+        - cos_chain_theta_1 * sin_chain_theta_7;
+    let t16 = cos_chain_theta_1 * cos_chain_theta_7
+        + sin_chain_theta_1 * sin_chain_theta_7;
+    let t17 = R::literal(4.0) * t16;
+    let t18 = sin_chain_theta_1 * cos_chain_theta_8
+        - cos_chain_theta_1 * sin_chain_theta_8;
+    let t19 = cos_chain_theta_1 * cos_chain_theta_8
+        + sin_chain_theta_1 * sin_chain_theta_8;
+    let t20 = R::literal(3.0) * t19;
+    let t21 = sin_chain_theta_1 * cos_chain_theta_9
+        - cos_chain_theta_1 * sin_chain_theta_9;
+    let t22 = cos_chain_theta_1 * cos_chain_theta_9
+        + sin_chain_theta_1 * sin_chain_theta_9;
+    let t23 = R::literal(2.0) * t22;
+    let t24 = sin_chain_theta_1 * cos_chain_theta_10
+        - cos_chain_theta_1 * sin_chain_theta_10;
+    let t25 = cos_chain_theta_1 * cos_chain_theta_10
+        + sin_chain_theta_1 * sin_chain_theta_10;
+    let t26 = sin_chain_theta_2 * cos_chain_theta_3
+        - cos_chain_theta_2 * sin_chain_theta_3;
+    let t27 = cos_chain_theta_2 * cos_chain_theta_3
+        + sin_chain_theta_2 * sin_chain_theta_3;
+    let t28 = sin_chain_theta_2 * cos_chain_theta_4
+        - cos_chain_theta_2 * sin_chain_theta_4;
+    let t29 = cos_chain_theta_2 * cos_chain_theta_4
+        + sin_chain_theta_2 * sin_chain_theta_4;
+    let t30 = sin_chain_theta_2 * cos_chain_theta_5
+        - cos_chain_theta_2 * sin_chain_theta_5;
+    let t31 = cos_chain_theta_2 * cos_chain_theta_5
+        + sin_chain_theta_2 * sin_chain_theta_5;
+    let t32 = sin_chain_theta_2 * cos_chain_theta_6
+        - cos_chain_theta_2 * sin_chain_theta_6;
+    let t33 = cos_chain_theta_2 * cos_chain_theta_6
+        + sin_chain_theta_2 * sin_chain_theta_6;
+    let t34 = sin_chain_theta_2 * cos_chain_theta_7
+        - cos_chain_theta_2 * sin_chain_theta_7;
+    let t35 = cos_chain_theta_2 * cos_chain_theta_7
+        + sin_chain_theta_2 * sin_chain_theta_7;
+    let t36 = sin_chain_theta_2 * cos_chain_theta_8
+        - cos_chain_theta_2 * sin_chain_theta_8;
+    let t37 = cos_chain_theta_2 * cos_chain_theta_8
+        + sin_chain_theta_2 * sin_chain_theta_8;
+    let t38 = sin_chain_theta_2 * cos_chain_theta_9
+        - cos_chain_theta_2 * sin_chain_theta_9;
+    let t39 = cos_chain_theta_2 * cos_chain_theta_9
+        + sin_chain_theta_2 * sin_chain_theta_9;
+    let t40 = sin_chain_theta_2 * cos_chain_theta_10
+        - cos_chain_theta_2 * sin_chain_theta_10;
+    let t41 = cos_chain_theta_2 * cos_chain_theta_10
+        + sin_chain_theta_2 * sin_chain_theta_10;
+    let t42 = sin_chain_theta_3 * cos_chain_theta_4
+        - cos_chain_theta_3 * sin_chain_theta_4;
+    let t43 = cos_chain_theta_3 * cos_chain_theta_4
+        + sin_chain_theta_3 * sin_chain_theta_4;
+    let t44 = sin_chain_theta_3 * cos_chain_theta_5
+        - cos_chain_theta_3 * sin_chain_theta_5;
+    let t45 = cos_chain_theta_3 * cos_chain_theta_5
+        + sin_chain_theta_3 * sin_chain_theta_5;
+    let t46 = sin_chain_theta_3 * cos_chain_theta_6
+        - cos_chain_theta_3 * sin_chain_theta_6;
+    let t47 = cos_chain_theta_3 * cos_chain_theta_6
+        + sin_chain_theta_3 * sin_chain_theta_6;
+    let t48 = sin_chain_theta_3 * cos_chain_theta_7
+        - cos_chain_theta_3 * sin_chain_theta_7;
+    let t49 = cos_chain_theta_3 * cos_chain_theta_7
+        + sin_chain_theta_3 * sin_chain_theta_7;
+    let t50 = sin_chain_theta_3 * cos_chain_theta_8
+        - cos_chain_theta_3 * sin_chain_theta_8;
+    let t51 = cos_chain_theta_3 * cos_chain_theta_8
+        + sin_chain_theta_3 * sin_chain_theta_8;
+    let t52 = sin_chain_theta_3 * cos_chain_theta_9
+        - cos_chain_theta_3 * sin_chain_theta_9;
+    let t53 = cos_chain_theta_3 * cos_chain_theta_9
+        + sin_chain_theta_3 * sin_chain_theta_9;
+    let t54 = sin_chain_theta_3 * cos_chain_theta_10
+        - cos_chain_theta_3 * sin_chain_theta_10;
+    let t55 = cos_chain_theta_3 * cos_chain_theta_10
+        + sin_chain_theta_3 * sin_chain_theta_10;
+    let t56 = sin_chain_theta_4 * cos_chain_theta_5
+        - cos_chain_theta_4 * sin_chain_theta_5;
+    let t57 = cos_chain_theta_4 * cos_chain_theta_5
+        + sin_chain_theta_4 * sin_chain_theta_5;
+    let t58 = sin_chain_theta_4 * cos_chain_theta_6
+        - cos_chain_theta_4 * sin_chain_theta_6;
+    let t59 = cos_chain_theta_4 * cos_chain_theta_6
+        + sin_chain_theta_4 * sin_chain_theta_6;
+    let t60 = sin_chain_theta_4 * cos_chain_theta_7
+        - cos_chain_theta_4 * sin_chain_theta_7;
+    let t61 = cos_chain_theta_4 * cos_chain_theta_7
+        + sin_chain_theta_4 * sin_chain_theta_7;
+    let t62 = sin_chain_theta_4 * cos_chain_theta_8
+        - cos_chain_theta_4 * sin_chain_theta_8;
+    let t63 = cos_chain_theta_4 * cos_chain_theta_8
+        + sin_chain_theta_4 * sin_chain_theta_8;
+    let t64 = sin_chain_theta_4 * cos_chain_theta_9
+        - cos_chain_theta_4 * sin_chain_theta_9;
+    let t65 = cos_chain_theta_4 * cos_chain_theta_9
+        + sin_chain_theta_4 * sin_chain_theta_9;
+    let t66 = sin_chain_theta_4 * cos_chain_theta_10
+        - cos_chain_theta_4 * sin_chain_theta_10;
+    let t67 = cos_chain_theta_4 * cos_chain_theta_10
+        + sin_chain_theta_4 * sin_chain_theta_10;
+    let t68 = sin_chain_theta_5 * cos_chain_theta_6
+        - cos_chain_theta_5 * sin_chain_theta_6;
+    let t69 = cos_chain_theta_5 * cos_chain_theta_6
+        + sin_chain_theta_5 * sin_chain_theta_6;
+    let t70 = sin_chain_theta_5 * cos_chain_theta_7
+        - cos_chain_theta_5 * sin_chain_theta_7;
+    let t71 = cos_chain_theta_5 * cos_chain_theta_7
+        + sin_chain_theta_5 * sin_chain_theta_7;
+    let t72 = sin_chain_theta_5 * cos_chain_theta_8
+        - cos_chain_theta_5 * sin_chain_theta_8;
+    let t73 = cos_chain_theta_5 * cos_chain_theta_8
+        + sin_chain_theta_5 * sin_chain_theta_8;
+    let t74 = sin_chain_theta_5 * cos_chain_theta_9
+        - cos_chain_theta_5 * sin_chain_theta_9;
+    let t75 = cos_chain_theta_5 * cos_chain_theta_9
+        + sin_chain_theta_5 * sin_chain_theta_9;
+    let t76 = sin_chain_theta_5 * cos_chain_theta_10
+        - cos_chain_theta_5 * sin_chain_theta_10;
+    let t77 = cos_chain_theta_5 * cos_chain_theta_10
+        + sin_chain_theta_5 * sin_chain_theta_10;
+    let t78 = sin_chain_theta_6 * cos_chain_theta_7
+        - cos_chain_theta_6 * sin_chain_theta_7;
+    let t79 = cos_chain_theta_6 * cos_chain_theta_7
+        + sin_chain_theta_6 * sin_chain_theta_7;
+    let t80 = sin_chain_theta_6 * cos_chain_theta_8
+        - cos_chain_theta_6 * sin_chain_theta_8;
+    let t81 = cos_chain_theta_6 * cos_chain_theta_8
+        + sin_chain_theta_6 * sin_chain_theta_8;
+    let t82 = sin_chain_theta_6 * cos_chain_theta_9
+        - cos_chain_theta_6 * sin_chain_theta_9;
+    let t83 = cos_chain_theta_6 * cos_chain_theta_9
+        + sin_chain_theta_6 * sin_chain_theta_9;
+    let t84 = sin_chain_theta_6 * cos_chain_theta_10
+        - cos_chain_theta_6 * sin_chain_theta_10;
+    let t85 = cos_chain_theta_6 * cos_chain_theta_10
+        + sin_chain_theta_6 * sin_chain_theta_10;
+    let t86 = sin_chain_theta_7 * cos_chain_theta_8
+        - cos_chain_theta_7 * sin_chain_theta_8;
+    let t87 = cos_chain_theta_7 * cos_chain_theta_8
+        + sin_chain_theta_7 * sin_chain_theta_8;
+    let t88 = sin_chain_theta_7 * cos_chain_theta_9
+        - cos_chain_theta_7 * sin_chain_theta_9;
+    let t89 = cos_chain_theta_7 * cos_chain_theta_9
+        + sin_chain_theta_7 * sin_chain_theta_9;
+    let t90 = sin_chain_theta_7 * cos_chain_theta_10
+        - cos_chain_theta_7 * sin_chain_theta_10;
+    let t91 = cos_chain_theta_7 * cos_chain_theta_10
+        + sin_chain_theta_7 * sin_chain_theta_10;
+    let t92 = sin_chain_theta_8 * cos_chain_theta_9
+        - cos_chain_theta_8 * sin_chain_theta_9;
+    let t93 = cos_chain_theta_8 * cos_chain_theta_9
+        + sin_chain_theta_8 * sin_chain_theta_9;
+    let t94 = sin_chain_theta_8 * cos_chain_theta_10
+        - cos_chain_theta_8 * sin_chain_theta_10;
+    let t95 = cos_chain_theta_8 * cos_chain_theta_10
+        + sin_chain_theta_8 * sin_chain_theta_10;
+    let t96 = sin_chain_theta_9 * cos_chain_theta_10
+        - cos_chain_theta_9 * sin_chain_theta_10;
+    let t97 = cos_chain_theta_9 * cos_chain_theta_10
+        + sin_chain_theta_9 * sin_chain_theta_10;
+    let t98 = t2 * R::literal(0.1);
+    let t99 = t5 * R::literal(0.1);
+    let t100 = t8 * R::literal(0.1);
+    let t101 = t11 * R::literal(0.1);
+    let t102 = t14 * R::literal(0.1);
+    let t103 = t17 * R::literal(0.1);
+    let t104 = t20 * R::literal(0.1);
+    let t105 = t23 * R::literal(0.1);
+    let t106 = t25 * R::literal(0.1);
+    let t107 = R::literal(1.0) / (R::literal(9.0) - t98 * t2);
+    let t108 = R::literal(8.0) * t27 - t99 * t2;
     let t109 = t108 * t107;
-    let t110 = R::literal(4.0) * t39 - t58 * t7 - t72 * t67 - t87 * t82 - t100 * t95;
+    let t110 = R::literal(7.0) * t29 - t100 * t2;
     let t111 = t110 * t107;
-    let t112 = R::literal(3.0) * t40 - t59 * t7 - t74 * t67 - t89 * t82 - t102 * t95;
+    let t112 = R::literal(6.0) * t31 - t101 * t2;
     let t113 = t112 * t107;
-    let t114 = R::literal(2.0) * t41 - t60 * t7 - t76 * t67 - t91 * t82 - t104 * t95;
+    let t114 = R::literal(5.0) * t33 - t102 * t2;
     let t115 = t114 * t107;
-    let t116 = t42 - t61 * t7 - t78 * t67 - t93 * t82 - t106 * t95;
+    let t116 = R::literal(4.0) * t35 - t103 * t2;
     let t117 = t116 * t107;
-    let t118 = R::literal(1.0)
-        / (R::literal(5.0) - t57 * t9 - t70 * t69 - t85 * t84 - t98 * t97 - t109 * t108);
-    let t119 = R::literal(4.0) * t43 - t58 * t9 - t72 * t69 - t87 * t84 - t100 * t97
-        - t111 * t108;
-    let t120 = t119 * t118;
-    let t121 = R::literal(3.0) * t44 - t59 * t9 - t74 * t69 - t89 * t84 - t102 * t97
-        - t113 * t108;
-    let t122 = t121 * t118;
-    let t123 = R::literal(2.0) * t45 - t60 * t9 - t76 * t69 - t91 * t84 - t104 * t97
-        - t115 * t108;
-    let t124 = t123 * t118;
-    let t125 = t46 - t61 * t9 - t78 * t69 - t93 * t84 - t106 * t97 - t117 * t108;
-    let t126 = t125 * t118;
-    let t127 = R::literal(1.0)
-        / (R::literal(4.0) - t58 * t11 - t72 * t71 - t87 * t86 - t100 * t99 - t111 * t110
-            - t120 * t119);
-    let t128 = R::literal(3.0) * t47 - t59 * t11 - t74 * t71 - t89 * t86 - t102 * t99
-        - t113 * t110 - t122 * t119;
-    let t129 = t128 * t127;
-    let t130 = R::literal(2.0) * t48 - t60 * t11 - t76 * t71 - t91 * t86 - t104 * t99
-        - t115 * t110 - t124 * t119;
-    let t131 = t130 * t127;
-    let t132 = t49 - t61 * t11 - t78 * t71 - t93 * t86 - t106 * t99 - t117 * t110
-        - t126 * t119;
-    let t133 = t132 * t127;
-    let t134 = R::literal(1.0)
-        / (R::literal(3.0) - t59 * t13 - t74 * t73 - t89 * t88 - t102 * t101
-            - t113 * t112 - t122 * t121 - t129 * t128);
-    let t135 = R::literal(2.0) * t50 - t60 * t13 - t76 * t73 - t91 * t88 - t104 * t101
-        - t115 * t112 - t124 * t121 - t131 * t128;
-    let t136 = t135 * t134;
-    let t137 = t51 - t61 * t13 - t78 * t73 - t93 * t88 - t106 * t101 - t117 * t112
-        - t126 * t121 - t133 * t128;
-    let t138 = t137 * t134;
+    let t118 = R::literal(3.0) * t37 - t104 * t2;
+    let t119 = t118 * t107;
+    let t120 = R::literal(2.0) * t39 - t105 * t2;
+    let t121 = t120 * t107;
+    let t122 = t41 - t106 * t2;
+    let t123 = t122 * t107;
+    let t124 = R::literal(1.0) / (R::literal(8.0) - t99 * t5 - t109 * t108);
+    let t125 = R::literal(7.0) * t43 - t100 * t5 - t111 * t108;
+    let t126 = t125 * t124;
+    let t127 = R::literal(6.0) * t45 - t101 * t5 - t113 * t108;
+    let t128 = t127 * t124;
+    let t129 = R::literal(5.0) * t47 - t102 * t5 - t115 * t108;
+    let t130 = t129 * t124;
+    let t131 = R::literal(4.0) * t49 - t103 * t5 - t117 * t108;
+    let t132 = t131 * t124;
+    let t133 = R::literal(3.0) * t51 - t104 * t5 - t119 * t108;
+    let t134 = t133 * t124;
+    let t135 = R::literal(2.0) * t53 - t105 * t5 - t121 * t108;
+    let t136 = t135 * t124;
+    let t137 = t55 - t106 * t5 - t123 * t108;
+    let t138 = t137 * t124;
     let t139 = R::literal(1.0)
-        / (R::literal(2.0) - t60 * t15 - t76 * t75 - t91 * t90 - t104 * t103
-            - t115 * t114 - t124 * t123 - t131 * t130 - t136 * t135);
-    let t140 = t52 - t61 * t15 - t78 * t75 - t93 * t90 - t106 * t103 - t117 * t114
-        - t126 * t123 - t133 * t130 - t138 * t135;
+        / (R::literal(7.0) - t100 * t8 - t111 * t110 - t126 * t125);
+    let t140 = R::literal(6.0) * t57 - t101 * t8 - t113 * t110 - t128 * t125;
     let t141 = t140 * t139;
-    let t142 = R::literal(1.0)
-        / (R::literal(1.0) - t61 * t16 - t78 * t77 - t93 * t92 - t106 * t105
-            - t117 * t116 - t126 * t125 - t133 * t132 - t138 * t137 - t141 * t140);
+    let t142 = R::literal(5.0) * t59 - t102 * t8 - t115 * t110 - t130 * t125;
+    let t143 = t142 * t139;
+    let t144 = R::literal(4.0) * t61 - t103 * t8 - t117 * t110 - t132 * t125;
+    let t145 = t144 * t139;
+    let t146 = R::literal(3.0) * t63 - t104 * t8 - t119 * t110 - t134 * t125;
+    let t147 = t146 * t139;
+    let t148 = R::literal(2.0) * t65 - t105 * t8 - t121 * t110 - t136 * t125;
+    let t149 = t148 * t139;
+    let t150 = t67 - t106 * t8 - t123 * t110 - t138 * t125;
+    let t151 = t150 * t139;
+    let t152 = R::literal(1.0)
+        / (R::literal(6.0) - t101 * t11 - t113 * t112 - t128 * t127 - t141 * t140);
+    let t153 = R::literal(5.0) * t69 - t102 * t11 - t115 * t112 - t130 * t127
+        - t143 * t140;
+    let t154 = t153 * t152;
+    let t155 = R::literal(4.0) * t71 - t103 * t11 - t117 * t112 - t132 * t127
+        - t145 * t140;
+    let t156 = t155 * t152;
+    let t157 = R::literal(3.0) * t73 - t104 * t11 - t119 * t112 - t134 * t127
+        - t147 * t140;
+    let t158 = t157 * t152;
+    let t159 = R::literal(2.0) * t75 - t105 * t11 - t121 * t112 - t136 * t127
+        - t149 * t140;
+    let t160 = t159 * t152;
+    let t161 = t77 - t106 * t11 - t123 * t112 - t138 * t127 - t151 * t140;
+    let t162 = t161 * t152;
+    let t163 = R::literal(1.0)
+        / (R::literal(5.0) - t102 * t14 - t115 * t114 - t130 * t129 - t143 * t142
+            - t154 * t153);
+    let t164 = R::literal(4.0) * t79 - t103 * t14 - t117 * t114 - t132 * t129
+        - t145 * t142 - t156 * t153;
+    let t165 = t164 * t163;
+    let t166 = R::literal(3.0) * t81 - t104 * t14 - t119 * t114 - t134 * t129
+        - t147 * t142 - t158 * t153;
+    let t167 = t166 * t163;
+    let t168 = R::literal(2.0) * t83 - t105 * t14 - t121 * t114 - t136 * t129
+        - t149 * t142 - t160 * t153;
+    let t169 = t168 * t163;
+    let t170 = t85 - t106 * t14 - t123 * t114 - t138 * t129 - t151 * t142 - t162 * t153;
+    let t171 = t170 * t163;
+    let t172 = R::literal(1.0)
+        / (R::literal(4.0) - t103 * t17 - t117 * t116 - t132 * t131 - t145 * t144
+            - t156 * t155 - t165 * t164);
+    let t173 = R::literal(3.0) * t87 - t104 * t17 - t119 * t116 - t134 * t131
+        - t147 * t144 - t158 * t155 - t167 * t164;
+    let t174 = t173 * t172;
+    let t175 = R::literal(2.0) * t89 - t105 * t17 - t121 * t116 - t136 * t131
+        - t149 * t144 - t160 * t155 - t169 * t164;
+    let t176 = t175 * t172;
+    let t177 = t91 - t106 * t17 - t123 * t116 - t138 * t131 - t151 * t144 - t162 * t155
+        - t171 * t164;
+    let t178 = t177 * t172;
+    let t179 = R::literal(1.0)
+        / (R::literal(3.0) - t104 * t20 - t119 * t118 - t134 * t133 - t147 * t146
+            - t158 * t157 - t167 * t166 - t174 * t173);
+    let t180 = R::literal(2.0) * t93 - t105 * t20 - t121 * t118 - t136 * t133
+        - t149 * t146 - t160 * t157 - t169 * t166 - t176 * t173;
+    let t181 = t180 * t179;
+    let t182 = t95 - t106 * t20 - t123 * t118 - t138 * t133 - t151 * t146 - t162 * t157
+        - t171 * t166 - t178 * t173;
+    let t183 = t182 * t179;
+    let t184 = R::literal(1.0)
+        / (R::literal(2.0) - t105 * t23 - t121 * t120 - t136 * t135 - t149 * t148
+            - t160 * t159 - t169 * t168 - t176 * t175 - t181 * t180);
+    let t185 = t97 - t106 * t23 - t123 * t120 - t138 * t135 - t151 * t148 - t162 * t159
+        - t171 * t168 - t178 * t175 - t183 * t180;
+    let t186 = t185 * t184;
+    let t187 = R::literal(1.0)
+        / (R::literal(1.0) - t106 * t25 - t123 * t122 - t138 * t137 - t151 * t150
+            - t162 * t161 - t171 * t170 - t178 * t177 - t183 * t182 - t186 * t185);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t143 = chain_theta_1_minus_chain_theta_2.sin();
-    let t144 = R::literal(9.0) * chain_omega_2_squared;
+    let t188 = R::literal(9.0) * chain_omega_2_squared;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t145 = chain_theta_1_minus_chain_theta_3.sin();
-    let t146 = R::literal(8.0) * chain_omega_3_squared;
+    let t189 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t147 = chain_theta_1_minus_chain_theta_4.sin();
-    let t148 = R::literal(7.0) * chain_omega_4_squared;
+    let t190 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t149 = chain_theta_1_minus_chain_theta_5.sin();
-    let t150 = R::literal(6.0) * chain_omega_5_squared;
+    let t191 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t151 = chain_theta_1_minus_chain_theta_6.sin();
-    let t152 = R::literal(5.0) * chain_omega_6_squared;
+    let t192 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t153 = chain_theta_1_minus_chain_theta_7.sin();
-    let t154 = R::literal(4.0) * chain_omega_7_squared;
+    let t193 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t155 = chain_theta_1_minus_chain_theta_8.sin();
-    let t156 = R::literal(3.0) * chain_omega_8_squared;
+    let t194 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t157 = chain_theta_1_minus_chain_theta_9.sin();
-    let t158 = R::literal(2.0) * chain_omega_9_squared;
+    let t195 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t159 = chain_theta_1_minus_chain_theta_10.sin();
-    let t160 = -(R::literal(98.1) * chain_theta_1.sin()) - t144 * t143 - t146 * t145
-        - t148 * t147 - t150 * t149 - t152 * t151 - t154 * t153 - t156 * t155
-        - t158 * t157 - chain_omega_10_squared * t159;
+    let t196 = -(R::literal(98.1) * sin_chain_theta_1) - t188 * t0 - t189 * t3
+        - t190 * t6 - t191 * t9 - t192 * t12 - t193 * t15 - t194 * t18 - t195 * t21
+        - chain_omega_10_squared * t24;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_minus_chain_theta_1 = chain_theta_2 - chain_theta_1;
-    let t161 = chain_theta_2_minus_chain_theta_1.sin();
-    let t162 = R::literal(9.0) * chain_omega_1_squared;
-    let t163 = chain_theta_2_minus_chain_theta_3.sin();
-    let t164 = chain_theta_2_minus_chain_theta_4.sin();
-    let t165 = chain_theta_2_minus_chain_theta_5.sin();
-    let t166 = chain_theta_2_minus_chain_theta_6.sin();
-    let t167 = chain_theta_2_minus_chain_theta_7.sin();
-    let t168 = chain_theta_2_minus_chain_theta_8.sin();
-    let t169 = chain_theta_2_minus_chain_theta_9.sin();
-    let t170 = chain_theta_2_minus_chain_theta_10.sin();
-    let chain_theta_3_minus_chain_theta_1 = chain_theta_3 - chain_theta_1;
-    let t171 = chain_theta_3_minus_chain_theta_1.sin();
-    let t172 = R::literal(8.0) * chain_omega_1_squared;
-    let chain_theta_3_minus_chain_theta_2 = chain_theta_3 - chain_theta_2;
-    let t173 = chain_theta_3_minus_chain_theta_2.sin();
-    let t174 = R::literal(8.0) * chain_omega_2_squared;
-    let t175 = chain_theta_3_minus_chain_theta_4.sin();
-    let t176 = chain_theta_3_minus_chain_theta_5.sin();
-    let t177 = chain_theta_3_minus_chain_theta_6.sin();
-    let t178 = chain_theta_3_minus_chain_theta_7.sin();
-    let t179 = chain_theta_3_minus_chain_theta_8.sin();
-    let t180 = chain_theta_3_minus_chain_theta_9.sin();
-    let t181 = chain_theta_3_minus_chain_theta_10.sin();
-    let chain_theta_4_minus_chain_theta_1 = chain_theta_4 - chain_theta_1;
-    let t182 = chain_theta_4_minus_chain_theta_1.sin();
-    let t183 = R::literal(7.0) * chain_omega_1_squared;
-    let chain_theta_4_minus_chain_theta_2 = chain_theta_4 - chain_theta_2;
-    let t184 = chain_theta_4_minus_chain_theta_2.sin();
-    let t185 = R::literal(7.0) * chain_omega_2_squared;
-    let chain_theta_4_minus_chain_theta_3 = chain_theta_4 - chain_theta_3;
-    let t186 = chain_theta_4_minus_chain_theta_3.sin();
-    let t187 = R::literal(7.0) * chain_omega_3_squared;
-    let t188 = chain_theta_4_minus_chain_theta_5.sin();
-    let t189 = chain_theta_4_minus_chain_theta_6.sin();
-    let t190 = chain_theta_4_minus_chain_theta_7.sin();
-    let t191 = chain_theta_4_minus_chain_theta_8.sin();
-    let t192 = chain_theta_4_minus_chain_theta_9.sin();
-    let t193 = chain_theta_4_minus_chain_theta_10.sin();
-    let chain_theta_5_minus_chain_theta_1 = chain_theta_5 - chain_theta_1;
-    let t194 = chain_theta_5_minus_chain_theta_1.sin();
-    let t195 = R::literal(6.0) * chain_omega_1_squared;
-    let chain_theta_5_minus_chain_theta_2 = chain_theta_5 - chain_theta_2;
-    let t196 = chain_theta_5_minus_chain_theta_2.sin();
-    let t197 = R::literal(6.0) * chain_omega_2_squared;
-    let chain_theta_5_minus_chain_theta_3 = chain_theta_5 - chain_theta_3;
-    let t198 = chain_theta_5_minus_chain_theta_3.sin();
-    let t199 = R::literal(6.0) * chain_omega_3_squared;
-    let chain_theta_5_minus_chain_theta_4 = chain_theta_5 - chain_theta_4;
-    let t200 = chain_theta_5_minus_chain_theta_4.sin();
-    let t201 = R::literal(6.0) * chain_omega_4_squared;
-    let t202 = chain_theta_5_minus_chain_theta_6.sin();
-    let t203 = chain_theta_5_minus_chain_theta_7.sin();
-    let t204 = chain_theta_5_minus_chain_theta_8.sin();
-    let t205 = chain_theta_5_minus_chain_theta_9.sin();
-    let t206 = chain_theta_5_minus_chain_theta_10.sin();
-    let chain_theta_6_minus_chain_theta_1 = chain_theta_6 - chain_theta_1;
-    let t207 = chain_theta_6_minus_chain_theta_1.sin();
-    let t208 = R::literal(5.0) * chain_omega_1_squared;
-    let chain_theta_6_minus_chain_theta_2 = chain_theta_6 - chain_theta_2;
-    let t209 = chain_theta_6_minus_chain_theta_2.sin();
-    let t210 = R::literal(5.0) * chain_omega_2_squared;
-    let chain_theta_6_minus_chain_theta_3 = chain_theta_6 - chain_theta_3;
-    let t211 = chain_theta_6_minus_chain_theta_3.sin();
-    let t212 = R::literal(5.0) * chain_omega_3_squared;
-    let chain_theta_6_minus_chain_theta_4 = chain_theta_6 - chain_theta_4;
-    let t213 = chain_theta_6_minus_chain_theta_4.sin();
-    let t214 = R::literal(5.0) * chain_omega_4_squared;
-    let chain_theta_6_minus_chain_theta_5 = chain_theta_6 - chain_theta_5;
-    let t215 = chain_theta_6_minus_chain_theta_5.sin();
-    let t216 = R::literal(5.0) * chain_omega_5_squared;
-    let t217 = chain_theta_6_minus_chain_theta_7.sin();
-    let t218 = chain_theta_6_minus_chain_theta_8.sin();
-    let t219 = chain_theta_6_minus_chain_theta_9.sin();
-    let t220 = chain_theta_6_minus_chain_theta_10.sin();
-    let chain_theta_7_minus_chain_theta_1 = chain_theta_7 - chain_theta_1;
-    let t221 = chain_theta_7_minus_chain_theta_1.sin();
-    let t222 = R::literal(4.0) * chain_omega_1_squared;
-    let chain_theta_7_minus_chain_theta_2 = chain_theta_7 - chain_theta_2;
-    let t223 = chain_theta_7_minus_chain_theta_2.sin();
-    let t224 = R::literal(4.0) * chain_omega_2_squared;
-    let chain_theta_7_minus_chain_theta_3 = chain_theta_7 - chain_theta_3;
-    let t225 = chain_theta_7_minus_chain_theta_3.sin();
-    let t226 = R::literal(4.0) * chain_omega_3_squared;
-    let chain_theta_7_minus_chain_theta_4 = chain_theta_7 - chain_theta_4;
-    let t227 = chain_theta_7_minus_chain_theta_4.sin();
-    let t228 = R::literal(4.0) * chain_omega_4_squared;
-    let chain_theta_7_minus_chain_theta_5 = chain_theta_7 - chain_theta_5;
-    let t229 = chain_theta_7_minus_chain_theta_5.sin();
-    let t230 = R::literal(4.0) * chain_omega_5_squared;
-    let chain_theta_7_minus_chain_theta_6 = chain_theta_7 - chain_theta_6;
-    let t231 = chain_theta_7_minus_chain_theta_6.sin();
-    let t232 = R::literal(4.0) * chain_omega_6_squared;
-    let t233 = chain_theta_7_minus_chain_theta_8.sin();
-    let t234 = chain_theta_7_minus_chain_theta_9.sin();
-    let t235 = chain_theta_7_minus_chain_theta_10.sin();
-    let chain_theta_8_minus_chain_theta_1 = chain_theta_8 - chain_theta_1;
-    let t236 = chain_theta_8_minus_chain_theta_1.sin();
-    let t237 = R::literal(3.0) * chain_omega_1_squared;
-    let chain_theta_8_minus_chain_theta_2 = chain_theta_8 - chain_theta_2;
-    let t238 = chain_theta_8_minus_chain_theta_2.sin();
-    let t239 = R::literal(3.0) * chain_omega_2_squared;
-    let chain_theta_8_minus_chain_theta_3 = chain_theta_8 - chain_theta_3;
-    let t240 = chain_theta_8_minus_chain_theta_3.sin();
-    let t241 = R::literal(3.0) * chain_omega_3_squared;
-    let chain_theta_8_minus_chain_theta_4 = chain_theta_8 - chain_theta_4;
-    let t242 = chain_theta_8_minus_chain_theta_4.sin();
-    let t243 = R::literal(3.0) * chain_omega_4_squared;
-    let chain_theta_8_minus_chain_theta_5 = chain_theta_8 - chain_theta_5;
-    let t244 = chain_theta_8_minus_chain_theta_5.sin();
-    let t245 = R::literal(3.0) * chain_omega_5_squared;
-    let chain_theta_8_minus_chain_theta_6 = chain_theta_8 - chain_theta_6;
-    let t246 = chain_theta_8_minus_chain_theta_6.sin();
-    let t247 = R::literal(3.0) * chain_omega_6_squared;
-    let chain_theta_8_minus_chain_theta_7 = chain_theta_8 - chain_theta_7;
-    let t248 = chain_theta_8_minus_chain_theta_7.sin();
-    let t249 = R::literal(3.0) * chain_omega_7_squared;
-    let t250 = chain_theta_8_minus_chain_theta_9.sin();
-    let t251 = chain_theta_8_minus_chain_theta_10.sin();
-    let chain_theta_9_minus_chain_theta_1 = chain_theta_9 - chain_theta_1;
-    let t252 = chain_theta_9_minus_chain_theta_1.sin();
-    let t253 = R::literal(2.0) * chain_omega_1_squared;
-    let chain_theta_9_minus_chain_theta_2 = chain_theta_9 - chain_theta_2;
-    let t254 = chain_theta_9_minus_chain_theta_2.sin();
-    let t255 = R::literal(2.0) * chain_omega_2_squared;
-    let chain_theta_9_minus_chain_theta_3 = chain_theta_9 - chain_theta_3;
-    let t256 = chain_theta_9_minus_chain_theta_3.sin();
-    let t257 = R::literal(2.0) * chain_omega_3_squared;
-    let chain_theta_9_minus_chain_theta_4 = chain_theta_9 - chain_theta_4;
-    let t258 = chain_theta_9_minus_chain_theta_4.sin();
-    let t259 = R::literal(2.0) * chain_omega_4_squared;
-    let chain_theta_9_minus_chain_theta_5 = chain_theta_9 - chain_theta_5;
-    let t260 = chain_theta_9_minus_chain_theta_5.sin();
-    let t261 = R::literal(2.0) * chain_omega_5_squared;
-    let chain_theta_9_minus_chain_theta_6 = chain_theta_9 - chain_theta_6;
-    let t262 = chain_theta_9_minus_chain_theta_6.sin();
-    let t263 = R::literal(2.0) * chain_omega_6_squared;
-    let chain_theta_9_minus_chain_theta_7 = chain_theta_9 - chain_theta_7;
-    let t264 = chain_theta_9_minus_chain_theta_7.sin();
-    let t265 = R::literal(2.0) * chain_omega_7_squared;
-    let chain_theta_9_minus_chain_theta_8 = chain_theta_9 - chain_theta_8;
-    let t266 = chain_theta_9_minus_chain_theta_8.sin();
-    let t267 = R::literal(2.0) * chain_omega_8_squared;
-    let t268 = chain_theta_9_minus_chain_theta_10.sin();
-    let chain_theta_10_minus_chain_theta_1 = chain_theta_10 - chain_theta_1;
-    let t269 = chain_theta_10_minus_chain_theta_1.sin();
-    let chain_theta_10_minus_chain_theta_2 = chain_theta_10 - chain_theta_2;
-    let t270 = chain_theta_10_minus_chain_theta_2.sin();
-    let chain_theta_10_minus_chain_theta_3 = chain_theta_10 - chain_theta_3;
-    let t271 = chain_theta_10_minus_chain_theta_3.sin();
-    let chain_theta_10_minus_chain_theta_4 = chain_theta_10 - chain_theta_4;
-    let t272 = chain_theta_10_minus_chain_theta_4.sin();
-    let chain_theta_10_minus_chain_theta_5 = chain_theta_10 - chain_theta_5;
-    let t273 = chain_theta_10_minus_chain_theta_5.sin();
-    let chain_theta_10_minus_chain_theta_6 = chain_theta_10 - chain_theta_6;
-    let t274 = chain_theta_10_minus_chain_theta_6.sin();
-    let chain_theta_10_minus_chain_theta_7 = chain_theta_10 - chain_theta_7;
-    let t275 = chain_theta_10_minus_chain_theta_7.sin();
-    let chain_theta_10_minus_chain_theta_8 = chain_theta_10 - chain_theta_8;
-    let t276 = chain_theta_10_minus_chain_theta_8.sin();
-    let chain_theta_10_minus_chain_theta_9 = chain_theta_10 - chain_theta_9;
-    let t277 = chain_theta_10_minus_chain_theta_9.sin();
-    let t278 = -(R::literal(88.29) * chain_theta_2.sin()) - t162 * t161 - t146 * t163
-        - t148 * t164 - t150 * t165 - t152 * t166 - t154 * t167 - t156 * t168
-        - t158 * t169 - chain_omega_10_squared * t170 - t53 * t160;
-    let t279 = -(R::literal(78.48) * chain_theta_3.sin()) - t172 * t171 - t174 * t173
-        - t148 * t175 - t150 * t176 - t152 * t177 - t154 * t178 - t156 * t179
-        - t158 * t180 - chain_omega_10_squared * t181 - t54 * t160;
-    let t280 = t279 - t64 * t278;
-    let t281 = -(R::literal(68.67) * chain_theta_4.sin()) - t183 * t182 - t185 * t184
-        - t187 * t186 - t150 * t188 - t152 * t189 - t154 * t190 - t156 * t191
-        - t158 * t192 - chain_omega_10_squared * t193 - t55 * t160;
-    let t282 = t281 - t66 * t278 - t81 * t280;
-    let t283 = -(R::literal(58.86) * chain_theta_5.sin()) - t195 * t194 - t197 * t196
-        - t199 * t198 - t201 * t200 - t152 * t202 - t154 * t203 - t156 * t204
-        - t158 * t205 - chain_omega_10_squared * t206 - t56 * t160;
-    let t284 = t283 - t68 * t278 - t83 * t280 - t96 * t282;
-    let t285 = -(R::literal(49.05) * chain_theta_6.sin()) - t208 * t207 - t210 * t209
-        - t212 * t211 - t214 * t213 - t216 * t215 - t154 * t217 - t156 * t218
-        - t158 * t219 - chain_omega_10_squared * t220 - t57 * t160;
-    let t286 = t285 - t70 * t278 - t85 * t280 - t98 * t282 - t109 * t284;
-    let t287 = -(R::literal(39.24) * chain_theta_7.sin()) - t222 * t221 - t224 * t223
-        - t226 * t225 - t228 * t227 - t230 * t229 - t232 * t231 - t156 * t233
-        - t158 * t234 - chain_omega_10_squared * t235 - t58 * t160;
-    let t288 = t287 - t72 * t278 - t87 * t280 - t100 * t282 - t111 * t284 - t120 * t286;
-    let t289 = -(R::literal(29.43) * chain_theta_8.sin()) - t237 * t236 - t239 * t238
-        - t241 * t240 - t243 * t242 - t245 * t244 - t247 * t246 - t249 * t248
-        - t158 * t250 - chain_omega_10_squared * t251 - t59 * t160;
-    let t290 = t289 - t74 * t278 - t89 * t280 - t102 * t282 - t113 * t284 - t122 * t286
-        - t129 * t288;
-    let t291 = -(R::literal(19.62) * chain_theta_9.sin()) - t253 * t252 - t255 * t254
-        - t257 * t256 - t259 * t258 - t261 * t260 - t263 * t262 - t265 * t264
-        - t267 * t266 - chain_omega_10_squared * t268 - t60 * t160;
-    let t292 = t291 - t76 * t278 - t91 * t280 - t104 * t282 - t115 * t284 - t124 * t286
-        - t131 * t288 - t136 * t290;
-    let t293 = -(R::literal(9.81) * chain_theta_10.sin()) - chain_omega_1_squared * t269
-        - chain_omega_2_squared * t270 - chain_omega_3_squared * t271
-        - chain_omega_4_squared * t272 - chain_omega_5_squared * t273
-        - chain_omega_6_squared * t274 - chain_omega_7_squared * t275
-        - chain_omega_8_squared * t276 - chain_omega_9_squared * t277 - t61 * t160;
-    let chain_omega_10_dot = (t293 - t78 * t278 - t93 * t280 - t106 * t282 - t117 * t284
-        - t126 * t286 - t133 * t288 - t138 * t290 - t141 * t292) * t142;
-    let chain_omega_9_dot = t292 * t139 - t141 * chain_omega_10_dot;
-    let chain_omega_8_dot = t290 * t134 - t136 * chain_omega_9_dot
+    let t197 = R::literal(9.0) * chain_omega_1_squared;
+    let t198 = R::literal(8.0) * chain_omega_1_squared;
+    let t199 = R::literal(8.0) * chain_omega_2_squared;
+    let t200 = R::literal(7.0) * chain_omega_1_squared;
+    let t201 = R::literal(7.0) * chain_omega_2_squared;
+    let t202 = R::literal(7.0) * chain_omega_3_squared;
+    let t203 = R::literal(6.0) * chain_omega_1_squared;
+    let t204 = R::literal(6.0) * chain_omega_2_squared;
+    let t205 = R::literal(6.0) * chain_omega_3_squared;
+    let t206 = R::literal(6.0) * chain_omega_4_squared;
+    let t207 = R::literal(5.0) * chain_omega_1_squared;
+    let t208 = R::literal(5.0) * chain_omega_2_squared;
+    let t209 = R::literal(5.0) * chain_omega_3_squared;
+    let t210 = R::literal(5.0) * chain_omega_4_squared;
+    let t211 = R::literal(5.0) * chain_omega_5_squared;
+    let t212 = R::literal(4.0) * chain_omega_1_squared;
+    let t213 = R::literal(4.0) * chain_omega_2_squared;
+    let t214 = R::literal(4.0) * chain_omega_3_squared;
+    let t215 = R::literal(4.0) * chain_omega_4_squared;
+    let t216 = R::literal(4.0) * chain_omega_5_squared;
+    let t217 = R::literal(4.0) * chain_omega_6_squared;
+    let t218 = R::literal(3.0) * chain_omega_1_squared;
+    let t219 = R::literal(3.0) * chain_omega_2_squared;
+    let t220 = R::literal(3.0) * chain_omega_3_squared;
+    let t221 = R::literal(3.0) * chain_omega_4_squared;
+    let t222 = R::literal(3.0) * chain_omega_5_squared;
+    let t223 = R::literal(3.0) * chain_omega_6_squared;
+    let t224 = R::literal(3.0) * chain_omega_7_squared;
+    let t225 = R::literal(2.0) * chain_omega_1_squared;
+    let t226 = R::literal(2.0) * chain_omega_2_squared;
+    let t227 = R::literal(2.0) * chain_omega_3_squared;
+    let t228 = R::literal(2.0) * chain_omega_4_squared;
+    let t229 = R::literal(2.0) * chain_omega_5_squared;
+    let t230 = R::literal(2.0) * chain_omega_6_squared;
+    let t231 = R::literal(2.0) * chain_omega_7_squared;
+    let t232 = R::literal(2.0) * chain_omega_8_squared;
+    let t233 = t197 * t0 - R::literal(88.29) * sin_chain_theta_2 - t189 * t26
+        - t190 * t28 - t191 * t30 - t192 * t32 - t193 * t34 - t194 * t36 - t195 * t38
+        - chain_omega_10_squared * t40 - t98 * t196;
+    let t234 = t198 * t3 - R::literal(78.48) * sin_chain_theta_3 + t199 * t26
+        - t190 * t42 - t191 * t44 - t192 * t46 - t193 * t48 - t194 * t50 - t195 * t52
+        - chain_omega_10_squared * t54 - t99 * t196 - t109 * t233;
+    let t235 = t200 * t6 - R::literal(68.67) * sin_chain_theta_4 + t201 * t28
+        + t202 * t42 - t191 * t56 - t192 * t58 - t193 * t60 - t194 * t62 - t195 * t64
+        - chain_omega_10_squared * t66 - t100 * t196 - t111 * t233;
+    let t236 = t235 - t126 * t234;
+    let t237 = t203 * t9 - R::literal(58.86) * sin_chain_theta_5 + t204 * t30
+        + t205 * t44 + t206 * t56 - t192 * t68 - t193 * t70 - t194 * t72 - t195 * t74
+        - chain_omega_10_squared * t76 - t101 * t196 - t113 * t233;
+    let t238 = t237 - t128 * t234 - t141 * t236;
+    let t239 = t207 * t12 - R::literal(49.05) * sin_chain_theta_6 + t208 * t32
+        + t209 * t46 + t210 * t58 + t211 * t68 - t193 * t78 - t194 * t80 - t195 * t82
+        - chain_omega_10_squared * t84 - t102 * t196 - t115 * t233;
+    let t240 = t239 - t130 * t234 - t143 * t236 - t154 * t238;
+    let t241 = t212 * t15 - R::literal(39.24) * sin_chain_theta_7 + t213 * t34
+        + t214 * t48 + t215 * t60 + t216 * t70 + t217 * t78 - t194 * t86 - t195 * t88
+        - chain_omega_10_squared * t90 - t103 * t196 - t117 * t233;
+    let t242 = t241 - t132 * t234 - t145 * t236 - t156 * t238 - t165 * t240;
+    let t243 = t218 * t18 - R::literal(29.43) * sin_chain_theta_8 + t219 * t36
+        + t220 * t50 + t221 * t62 + t222 * t72 + t223 * t80 + t224 * t86 - t195 * t92
+        - chain_omega_10_squared * t94 - t104 * t196 - t119 * t233;
+    let t244 = t243 - t134 * t234 - t147 * t236 - t158 * t238 - t167 * t240
+        - t174 * t242;
+    let t245 = t225 * t21 - R::literal(19.62) * sin_chain_theta_9 + t226 * t38
+        + t227 * t52 + t228 * t64 + t229 * t74 + t230 * t82 + t231 * t88 + t232 * t92
+        - chain_omega_10_squared * t96 - t105 * t196 - t121 * t233;
+    let t246 = t245 - t136 * t234 - t149 * t236 - t160 * t238 - t169 * t240 - t176 * t242
+        - t181 * t244;
+    let t247 = chain_omega_1_squared * t24 - R::literal(9.81) * sin_chain_theta_10
+        + chain_omega_2_squared * t40 + chain_omega_3_squared * t54
+        + chain_omega_4_squared * t66 + chain_omega_5_squared * t76
+        + chain_omega_6_squared * t84 + chain_omega_7_squared * t90
+        + chain_omega_8_squared * t94 + chain_omega_9_squared * t96 - t106 * t196
+        - t123 * t233;
+    let chain_omega_10_dot = (t247 - t138 * t234 - t151 * t236 - t162 * t238
+        - t171 * t240 - t178 * t242 - t183 * t244 - t186 * t246) * t187;
+    let chain_omega_9_dot = t246 * t184 - t186 * chain_omega_10_dot;
+    let chain_omega_8_dot = t244 * t179 - t181 * chain_omega_9_dot
+        - t183 * chain_omega_10_dot;
+    let chain_omega_7_dot = t242 * t172 - t174 * chain_omega_8_dot
+        - t176 * chain_omega_9_dot - t178 * chain_omega_10_dot;
+    let chain_omega_6_dot = t240 * t163 - t165 * chain_omega_7_dot
+        - t167 * chain_omega_8_dot - t169 * chain_omega_9_dot
+        - t171 * chain_omega_10_dot;
+    let chain_omega_5_dot = t238 * t152 - t154 * chain_omega_6_dot
+        - t156 * chain_omega_7_dot - t158 * chain_omega_8_dot - t160 * chain_omega_9_dot
+        - t162 * chain_omega_10_dot;
+    let chain_omega_4_dot = t236 * t139 - t141 * chain_omega_5_dot
+        - t143 * chain_omega_6_dot - t145 * chain_omega_7_dot - t147 * chain_omega_8_dot
+        - t149 * chain_omega_9_dot - t151 * chain_omega_10_dot;
+    let chain_omega_3_dot = t234 * t124 - t126 * chain_omega_4_dot
+        - t128 * chain_omega_5_dot - t130 * chain_omega_6_dot - t132 * chain_omega_7_dot
+        - t134 * chain_omega_8_dot - t136 * chain_omega_9_dot
         - t138 * chain_omega_10_dot;
-    let chain_omega_7_dot = t288 * t127 - t129 * chain_omega_8_dot
-        - t131 * chain_omega_9_dot - t133 * chain_omega_10_dot;
-    let chain_omega_6_dot = t286 * t118 - t120 * chain_omega_7_dot
-        - t122 * chain_omega_8_dot - t124 * chain_omega_9_dot
-        - t126 * chain_omega_10_dot;
-    let chain_omega_5_dot = t284 * t107 - t109 * chain_omega_6_dot
-        - t111 * chain_omega_7_dot - t113 * chain_omega_8_dot - t115 * chain_omega_9_dot
-        - t117 * chain_omega_10_dot;
-    let chain_omega_4_dot = t282 * t94 - t96 * chain_omega_5_dot
-        - t98 * chain_omega_6_dot - t100 * chain_omega_7_dot - t102 * chain_omega_8_dot
-        - t104 * chain_omega_9_dot - t106 * chain_omega_10_dot;
-    let chain_omega_3_dot = t280 * t79 - t81 * chain_omega_4_dot
-        - t83 * chain_omega_5_dot - t85 * chain_omega_6_dot - t87 * chain_omega_7_dot
-        - t89 * chain_omega_8_dot - t91 * chain_omega_9_dot - t93 * chain_omega_10_dot;
-    let chain_omega_2_dot = t278 * t62 - t64 * chain_omega_3_dot
-        - t66 * chain_omega_4_dot - t68 * chain_omega_5_dot - t70 * chain_omega_6_dot
-        - t72 * chain_omega_7_dot - t74 * chain_omega_8_dot - t76 * chain_omega_9_dot
-        - t78 * chain_omega_10_dot;
-    let chain_omega_1_dot = t160 * R::literal(0.1) - t53 * chain_omega_2_dot
-        - t54 * chain_omega_3_dot - t55 * chain_omega_4_dot - t56 * chain_omega_5_dot
-        - t57 * chain_omega_6_dot - t58 * chain_omega_7_dot - t59 * chain_omega_8_dot
-        - t60 * chain_omega_9_dot - t61 * chain_omega_10_dot;
-    let t294 = t144 * t0;
-    let t295 = t146 * t2;
-    let t296 = t148 * t4;
-    let t297 = t150 * t6;
-    let t298 = t152 * t8;
-    let t299 = t154 * t10;
-    let t300 = t156 * t12;
-    let t301 = t158 * t14;
-    let t302 = chain_omega_10_squared * t16;
-    let t303 = t162 * chain_theta_2_minus_chain_theta_1.cos();
-    let t304 = t172 * chain_theta_3_minus_chain_theta_1.cos();
-    let t305 = t183 * chain_theta_4_minus_chain_theta_1.cos();
-    let t306 = t195 * chain_theta_5_minus_chain_theta_1.cos();
-    let t307 = t208 * chain_theta_6_minus_chain_theta_1.cos();
-    let t308 = t222 * chain_theta_7_minus_chain_theta_1.cos();
-    let t309 = t237 * chain_theta_8_minus_chain_theta_1.cos();
-    let t310 = t253 * chain_theta_9_minus_chain_theta_1.cos();
-    let t311 = chain_omega_1_squared * chain_theta_10_minus_chain_theta_1.cos();
-    let t312 = R::literal(9.0) * t143;
-    let t313 = t312 * chain_omega_2_dot;
-    let t314 = t312 * chain_omega_1_dot;
-    let t315 = R::literal(8.0) * t145;
-    let t316 = t315 * chain_omega_3_dot;
-    let t317 = t315 * chain_omega_1_dot;
-    let t318 = R::literal(7.0) * t147;
-    let t319 = t318 * chain_omega_4_dot;
-    let t320 = t318 * chain_omega_1_dot;
-    let t321 = R::literal(6.0) * t149;
-    let t322 = t321 * chain_omega_5_dot;
-    let t323 = t321 * chain_omega_1_dot;
-    let t324 = R::literal(5.0) * t151;
-    let t325 = t324 * chain_omega_6_dot;
-    let t326 = t324 * chain_omega_1_dot;
-    let t327 = R::literal(4.0) * t153;
-    let t328 = t327 * chain_omega_7_dot;
-    let t329 = t327 * chain_omega_1_dot;
-    let t330 = R::literal(3.0) * t155;
-    let t331 = t330 * chain_omega_8_dot;
-    let t332 = t330 * chain_omega_1_dot;
-    let t333 = R::literal(2.0) * t157;
-    let t334 = t333 * chain_omega_9_dot;
-    let t335 = t333 * chain_omega_1_dot;
-    let t336 = t159 * chain_omega_10_dot;
-    let t337 = -(R::literal(98.1) * chain_theta_1.cos()) - t294 - t295 - t296 - t297
-        - t298 - t299 - t300 - t301 - t302 + t313 + t316 + t319 + t322 + t325 + t328
-        + t331 + t334 + t336;
-    let t338 = t159 * chain_omega_1_dot;
-    let t339 = t303 + t314 - t53 * t337;
-    let t340 = t304 + t317 - t54 * t337 - t64 * t339;
-    let t341 = t305 + t320 - t55 * t337 - t66 * t339 - t81 * t340;
-    let t342 = t306 + t323 - t56 * t337 - t68 * t339 - t83 * t340 - t96 * t341;
-    let t343 = t307 + t326 - t57 * t337 - t70 * t339 - t85 * t340 - t98 * t341
-        - t109 * t342;
-    let t344 = t308 + t329 - t58 * t337 - t72 * t339 - t87 * t340 - t100 * t341
-        - t111 * t342 - t120 * t343;
-    let t345 = t309 + t332 - t59 * t337 - t74 * t339 - t89 * t340 - t102 * t341
-        - t113 * t342 - t122 * t343 - t129 * t344;
-    let t346 = t310 + t335 - t60 * t337 - t76 * t339 - t91 * t340 - t104 * t341
-        - t115 * t342 - t124 * t343 - t131 * t344 - t136 * t345;
-    let chain_omega_10_dot_by_chain_theta_1 = (t311 + t338 - t61 * t337 - t78 * t339
-        - t93 * t340 - t106 * t341 - t117 * t342 - t126 * t343 - t133 * t344
-        - t138 * t345 - t141 * t346) * t142;
-    let chain_omega_9_dot_by_chain_theta_1 = t346 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_8_dot_by_chain_theta_1 = t345 * t134
+    let chain_omega_2_dot = t233 * t107 - t109 * chain_omega_3_dot
+        - t111 * chain_omega_4_dot - t113 * chain_omega_5_dot - t115 * chain_omega_6_dot
+        - t117 * chain_omega_7_dot - t119 * chain_omega_8_dot - t121 * chain_omega_9_dot
+        - t123 * chain_omega_10_dot;
+    let chain_omega_1_dot = t196 * R::literal(0.1) - t98 * chain_omega_2_dot
+        - t99 * chain_omega_3_dot - t100 * chain_omega_4_dot - t101 * chain_omega_5_dot
+        - t102 * chain_omega_6_dot - t103 * chain_omega_7_dot - t104 * chain_omega_8_dot
+        - t105 * chain_omega_9_dot - t106 * chain_omega_10_dot;
+    let t248 = t188 * t1;
+    let t249 = t189 * t4;
+    let t250 = t190 * t7;
+    let t251 = t191 * t10;
+    let t252 = t192 * t13;
+    let t253 = t193 * t16;
+    let t254 = t194 * t19;
+    let t255 = t195 * t22;
+    let t256 = chain_omega_10_squared * t25;
+    let t257 = t197 * t1;
+    let t258 = t198 * t4;
+    let t259 = t200 * t7;
+    let t260 = t203 * t10;
+    let t261 = t207 * t13;
+    let t262 = t212 * t16;
+    let t263 = t218 * t19;
+    let t264 = t225 * t22;
+    let t265 = chain_omega_1_squared * t25;
+    let t266 = R::literal(9.0) * t0;
+    let t267 = t266 * chain_omega_2_dot;
+    let t268 = t266 * chain_omega_1_dot;
+    let t269 = R::literal(8.0) * t3;
+    let t270 = t269 * chain_omega_3_dot;
+    let t271 = t269 * chain_omega_1_dot;
+    let t272 = R::literal(7.0) * t6;
+    let t273 = t272 * chain_omega_4_dot;
+    let t274 = t272 * chain_omega_1_dot;
+    let t275 = R::literal(6.0) * t9;
+    let t276 = t275 * chain_omega_5_dot;
+    let t277 = t275 * chain_omega_1_dot;
+    let t278 = R::literal(5.0) * t12;
+    let t279 = t278 * chain_omega_6_dot;
+    let t280 = t278 * chain_omega_1_dot;
+    let t281 = R::literal(4.0) * t15;
+    let t282 = t281 * chain_omega_7_dot;
+    let t283 = t281 * chain_omega_1_dot;
+    let t284 = R::literal(3.0) * t18;
+    let t285 = t284 * chain_omega_8_dot;
+    let t286 = t284 * chain_omega_1_dot;
+    let t287 = R::literal(2.0) * t21;
+    let t288 = t287 * chain_omega_9_dot;
+    let t289 = t287 * chain_omega_1_dot;
+    let t290 = t24 * chain_omega_10_dot;
+    let t291 = -(R::literal(98.1) * cos_chain_theta_1) - t248 - t249 - t250 - t251 - t252
+        - t253 - t254 - t255 - t256 + t267 + t270 + t273 + t276 + t279 + t282 + t285
+        + t288 + t290;
+    let t292 = t24 * chain_omega_1_dot;
+    let t293 = t257 + t268 - t98 * t291;
+    let t294 = t258 + t271 - t99 * t291 - t109 * t293;
+    let t295 = t259 + t274 - t100 * t291 - t111 * t293 - t126 * t294;
+    let t296 = t260 + t277 - t101 * t291 - t113 * t293 - t128 * t294 - t141 * t295;
+    let t297 = t261 + t280 - t102 * t291 - t115 * t293 - t130 * t294 - t143 * t295
+        - t154 * t296;
+    let t298 = t262 + t283 - t103 * t291 - t117 * t293 - t132 * t294 - t145 * t295
+        - t156 * t296 - t165 * t297;
+    let t299 = t263 + t286 - t104 * t291 - t119 * t293 - t134 * t294 - t147 * t295
+        - t158 * t296 - t167 * t297 - t174 * t298;
+    let t300 = t264 + t289 - t105 * t291 - t121 * t293 - t136 * t294 - t149 * t295
+        - t160 * t296 - t169 * t297 - t176 * t298 - t181 * t299;
+    let chain_omega_10_dot_by_chain_theta_1 = (t265 + t292 - t106 * t291 - t123 * t293
+        - t138 * t294 - t151 * t295 - t162 * t296 - t171 * t297 - t178 * t298
+        - t183 * t299 - t186 * t300) * t187;
+    let chain_omega_9_dot_by_chain_theta_1 = t300 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_1;
+    let chain_omega_8_dot_by_chain_theta_1 = t299 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_1
+        - t183 * chain_omega_10_dot_by_chain_theta_1;
+    let chain_omega_7_dot_by_chain_theta_1 = t298 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_1
+        - t176 * chain_omega_9_dot_by_chain_theta_1
+        - t178 * chain_omega_10_dot_by_chain_theta_1;
+    let chain_omega_6_dot_by_chain_theta_1 = t297 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_1
+        - t167 * chain_omega_8_dot_by_chain_theta_1
+        - t169 * chain_omega_9_dot_by_chain_theta_1
+        - t171 * chain_omega_10_dot_by_chain_theta_1;
+    let chain_omega_5_dot_by_chain_theta_1 = t296 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_1
+        - t156 * chain_omega_7_dot_by_chain_theta_1
+        - t158 * chain_omega_8_dot_by_chain_theta_1
+        - t160 * chain_omega_9_dot_by_chain_theta_1
+        - t162 * chain_omega_10_dot_by_chain_theta_1;
+    let chain_omega_4_dot_by_chain_theta_1 = t295 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_1
+        - t143 * chain_omega_6_dot_by_chain_theta_1
+        - t145 * chain_omega_7_dot_by_chain_theta_1
+        - t147 * chain_omega_8_dot_by_chain_theta_1
+        - t149 * chain_omega_9_dot_by_chain_theta_1
+        - t151 * chain_omega_10_dot_by_chain_theta_1;
+    let chain_omega_3_dot_by_chain_theta_1 = t294 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_1
+        - t128 * chain_omega_5_dot_by_chain_theta_1
+        - t130 * chain_omega_6_dot_by_chain_theta_1
+        - t132 * chain_omega_7_dot_by_chain_theta_1
+        - t134 * chain_omega_8_dot_by_chain_theta_1
         - t136 * chain_omega_9_dot_by_chain_theta_1
         - t138 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_7_dot_by_chain_theta_1 = t344 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_1
-        - t131 * chain_omega_9_dot_by_chain_theta_1
-        - t133 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_6_dot_by_chain_theta_1 = t343 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_1
-        - t122 * chain_omega_8_dot_by_chain_theta_1
-        - t124 * chain_omega_9_dot_by_chain_theta_1
-        - t126 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_5_dot_by_chain_theta_1 = t342 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_1
-        - t111 * chain_omega_7_dot_by_chain_theta_1
-        - t113 * chain_omega_8_dot_by_chain_theta_1
-        - t115 * chain_omega_9_dot_by_chain_theta_1
-        - t117 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_4_dot_by_chain_theta_1 = t341 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_1
-        - t98 * chain_omega_6_dot_by_chain_theta_1
-        - t100 * chain_omega_7_dot_by_chain_theta_1
-        - t102 * chain_omega_8_dot_by_chain_theta_1
-        - t104 * chain_omega_9_dot_by_chain_theta_1
+    let chain_omega_2_dot_by_chain_theta_1 = t293 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_1
+        - t111 * chain_omega_4_dot_by_chain_theta_1
+        - t113 * chain_omega_5_dot_by_chain_theta_1
+        - t115 * chain_omega_6_dot_by_chain_theta_1
+        - t117 * chain_omega_7_dot_by_chain_theta_1
+        - t119 * chain_omega_8_dot_by_chain_theta_1
+        - t121 * chain_omega_9_dot_by_chain_theta_1
+        - t123 * chain_omega_10_dot_by_chain_theta_1;
+    let chain_omega_1_dot_by_chain_theta_1 = t291 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_1
+        - t99 * chain_omega_3_dot_by_chain_theta_1
+        - t100 * chain_omega_4_dot_by_chain_theta_1
+        - t101 * chain_omega_5_dot_by_chain_theta_1
+        - t102 * chain_omega_6_dot_by_chain_theta_1
+        - t103 * chain_omega_7_dot_by_chain_theta_1
+        - t104 * chain_omega_8_dot_by_chain_theta_1
+        - t105 * chain_omega_9_dot_by_chain_theta_1
         - t106 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_3_dot_by_chain_theta_1 = t340 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_1
-        - t83 * chain_omega_5_dot_by_chain_theta_1
-        - t85 * chain_omega_6_dot_by_chain_theta_1
-        - t87 * chain_omega_7_dot_by_chain_theta_1
-        - t89 * chain_omega_8_dot_by_chain_theta_1
-        - t91 * chain_omega_9_dot_by_chain_theta_1
-        - t93 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_2_dot_by_chain_theta_1 = t339 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_1
-        - t66 * chain_omega_4_dot_by_chain_theta_1
-        - t68 * chain_omega_5_dot_by_chain_theta_1
-        - t70 * chain_omega_6_dot_by_chain_theta_1
-        - t72 * chain_omega_7_dot_by_chain_theta_1
-        - t74 * chain_omega_8_dot_by_chain_theta_1
-        - t76 * chain_omega_9_dot_by_chain_theta_1
-        - t78 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_1_dot_by_chain_theta_1 = t337 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_1
-        - t54 * chain_omega_3_dot_by_chain_theta_1
-        - t55 * chain_omega_4_dot_by_chain_theta_1
-        - t56 * chain_omega_5_dot_by_chain_theta_1
-        - t57 * chain_omega_6_dot_by_chain_theta_1
-        - t58 * chain_omega_7_dot_by_chain_theta_1
-        - t59 * chain_omega_8_dot_by_chain_theta_1
-        - t60 * chain_omega_9_dot_by_chain_theta_1
-        - t61 * chain_omega_10_dot_by_chain_theta_1;
-    let t347 = t146 * t17;
-    let t348 = t148 * t18;
-    let t349 = t150 * t19;
-    let t350 = t152 * t20;
-    let t351 = t154 * t21;
-    let t352 = t156 * t22;
-    let t353 = t158 * t23;
-    let t354 = chain_omega_10_squared * t24;
-    let t355 = t174 * chain_theta_3_minus_chain_theta_2.cos();
-    let t356 = t185 * chain_theta_4_minus_chain_theta_2.cos();
-    let t357 = t197 * chain_theta_5_minus_chain_theta_2.cos();
-    let t358 = t210 * chain_theta_6_minus_chain_theta_2.cos();
-    let t359 = t224 * chain_theta_7_minus_chain_theta_2.cos();
-    let t360 = t239 * chain_theta_8_minus_chain_theta_2.cos();
-    let t361 = t255 * chain_theta_9_minus_chain_theta_2.cos();
-    let t362 = chain_omega_2_squared * chain_theta_10_minus_chain_theta_2.cos();
-    let t363 = t294 - t313;
-    let t364 = R::literal(8.0) * t163;
-    let t365 = t364 * chain_omega_3_dot;
-    let t366 = t364 * chain_omega_2_dot;
-    let t367 = R::literal(7.0) * t164;
-    let t368 = t367 * chain_omega_4_dot;
-    let t369 = t367 * chain_omega_2_dot;
-    let t370 = R::literal(6.0) * t165;
-    let t371 = t370 * chain_omega_5_dot;
-    let t372 = t370 * chain_omega_2_dot;
-    let t373 = R::literal(5.0) * t166;
-    let t374 = t373 * chain_omega_6_dot;
-    let t375 = t373 * chain_omega_2_dot;
-    let t376 = R::literal(4.0) * t167;
-    let t377 = t376 * chain_omega_7_dot;
-    let t378 = t376 * chain_omega_2_dot;
-    let t379 = R::literal(3.0) * t168;
-    let t380 = t379 * chain_omega_8_dot;
-    let t381 = t379 * chain_omega_2_dot;
-    let t382 = R::literal(2.0) * t169;
-    let t383 = t382 * chain_omega_9_dot;
-    let t384 = t382 * chain_omega_2_dot;
-    let t385 = t170 * chain_omega_10_dot;
-    let t386 = t170 * chain_omega_2_dot;
-    let t387 = -(R::literal(88.29) * chain_theta_2.cos()) - t303 - t347 - t348 - t349
-        - t350 - t351 - t352 - t353 - t354 - t314 + t365 + t368 + t371 + t374 + t377
-        + t380 + t383 + t385 - t53 * t363;
-    let t388 = t355 + t366 - t54 * t363 - t64 * t387;
-    let t389 = t356 + t369 - t55 * t363 - t66 * t387 - t81 * t388;
-    let t390 = t357 + t372 - t56 * t363 - t68 * t387 - t83 * t388 - t96 * t389;
-    let t391 = t358 + t375 - t57 * t363 - t70 * t387 - t85 * t388 - t98 * t389
-        - t109 * t390;
-    let t392 = t359 + t378 - t58 * t363 - t72 * t387 - t87 * t388 - t100 * t389
-        - t111 * t390 - t120 * t391;
-    let t393 = t360 + t381 - t59 * t363 - t74 * t387 - t89 * t388 - t102 * t389
-        - t113 * t390 - t122 * t391 - t129 * t392;
-    let t394 = t361 + t384 - t60 * t363 - t76 * t387 - t91 * t388 - t104 * t389
-        - t115 * t390 - t124 * t391 - t131 * t392 - t136 * t393;
-    let chain_omega_10_dot_by_chain_theta_2 = (t362 + t386 - t61 * t363 - t78 * t387
-        - t93 * t388 - t106 * t389 - t117 * t390 - t126 * t391 - t133 * t392
-        - t138 * t393 - t141 * t394) * t142;
-    let chain_omega_9_dot_by_chain_theta_2 = t394 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_8_dot_by_chain_theta_2 = t393 * t134
+    let t301 = t189 * t27;
+    let t302 = t190 * t29;
+    let t303 = t191 * t31;
+    let t304 = t192 * t33;
+    let t305 = t193 * t35;
+    let t306 = t194 * t37;
+    let t307 = t195 * t39;
+    let t308 = chain_omega_10_squared * t41;
+    let t309 = t199 * t27;
+    let t310 = t201 * t29;
+    let t311 = t204 * t31;
+    let t312 = t208 * t33;
+    let t313 = t213 * t35;
+    let t314 = t219 * t37;
+    let t315 = t226 * t39;
+    let t316 = chain_omega_2_squared * t41;
+    let t317 = t248 - t267;
+    let t318 = R::literal(8.0) * t26;
+    let t319 = t318 * chain_omega_3_dot;
+    let t320 = t318 * chain_omega_2_dot;
+    let t321 = R::literal(7.0) * t28;
+    let t322 = t321 * chain_omega_4_dot;
+    let t323 = t321 * chain_omega_2_dot;
+    let t324 = R::literal(6.0) * t30;
+    let t325 = t324 * chain_omega_5_dot;
+    let t326 = t324 * chain_omega_2_dot;
+    let t327 = R::literal(5.0) * t32;
+    let t328 = t327 * chain_omega_6_dot;
+    let t329 = t327 * chain_omega_2_dot;
+    let t330 = R::literal(4.0) * t34;
+    let t331 = t330 * chain_omega_7_dot;
+    let t332 = t330 * chain_omega_2_dot;
+    let t333 = R::literal(3.0) * t36;
+    let t334 = t333 * chain_omega_8_dot;
+    let t335 = t333 * chain_omega_2_dot;
+    let t336 = R::literal(2.0) * t38;
+    let t337 = t336 * chain_omega_9_dot;
+    let t338 = t336 * chain_omega_2_dot;
+    let t339 = t40 * chain_omega_10_dot;
+    let t340 = t40 * chain_omega_2_dot;
+    let t341 = -(R::literal(88.29) * cos_chain_theta_2) - t257 - t301 - t302 - t303
+        - t304 - t305 - t306 - t307 - t308 - t268 + t319 + t322 + t325 + t328 + t331
+        + t334 + t337 + t339 - t98 * t317;
+    let t342 = t309 + t320 - t99 * t317 - t109 * t341;
+    let t343 = t310 + t323 - t100 * t317 - t111 * t341 - t126 * t342;
+    let t344 = t311 + t326 - t101 * t317 - t113 * t341 - t128 * t342 - t141 * t343;
+    let t345 = t312 + t329 - t102 * t317 - t115 * t341 - t130 * t342 - t143 * t343
+        - t154 * t344;
+    let t346 = t313 + t332 - t103 * t317 - t117 * t341 - t132 * t342 - t145 * t343
+        - t156 * t344 - t165 * t345;
+    let t347 = t314 + t335 - t104 * t317 - t119 * t341 - t134 * t342 - t147 * t343
+        - t158 * t344 - t167 * t345 - t174 * t346;
+    let t348 = t315 + t338 - t105 * t317 - t121 * t341 - t136 * t342 - t149 * t343
+        - t160 * t344 - t169 * t345 - t176 * t346 - t181 * t347;
+    let chain_omega_10_dot_by_chain_theta_2 = (t316 + t340 - t106 * t317 - t123 * t341
+        - t138 * t342 - t151 * t343 - t162 * t344 - t171 * t345 - t178 * t346
+        - t183 * t347 - t186 * t348) * t187;
+    let chain_omega_9_dot_by_chain_theta_2 = t348 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_2;
+    let chain_omega_8_dot_by_chain_theta_2 = t347 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_2
+        - t183 * chain_omega_10_dot_by_chain_theta_2;
+    let chain_omega_7_dot_by_chain_theta_2 = t346 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_2
+        - t176 * chain_omega_9_dot_by_chain_theta_2
+        - t178 * chain_omega_10_dot_by_chain_theta_2;
+    let chain_omega_6_dot_by_chain_theta_2 = t345 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_2
+        - t167 * chain_omega_8_dot_by_chain_theta_2
+        - t169 * chain_omega_9_dot_by_chain_theta_2
+        - t171 * chain_omega_10_dot_by_chain_theta_2;
+    let chain_omega_5_dot_by_chain_theta_2 = t344 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_2
+        - t156 * chain_omega_7_dot_by_chain_theta_2
+        - t158 * chain_omega_8_dot_by_chain_theta_2
+        - t160 * chain_omega_9_dot_by_chain_theta_2
+        - t162 * chain_omega_10_dot_by_chain_theta_2;
+    let chain_omega_4_dot_by_chain_theta_2 = t343 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_2
+        - t143 * chain_omega_6_dot_by_chain_theta_2
+        - t145 * chain_omega_7_dot_by_chain_theta_2
+        - t147 * chain_omega_8_dot_by_chain_theta_2
+        - t149 * chain_omega_9_dot_by_chain_theta_2
+        - t151 * chain_omega_10_dot_by_chain_theta_2;
+    let chain_omega_3_dot_by_chain_theta_2 = t342 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_2
+        - t128 * chain_omega_5_dot_by_chain_theta_2
+        - t130 * chain_omega_6_dot_by_chain_theta_2
+        - t132 * chain_omega_7_dot_by_chain_theta_2
+        - t134 * chain_omega_8_dot_by_chain_theta_2
         - t136 * chain_omega_9_dot_by_chain_theta_2
         - t138 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_7_dot_by_chain_theta_2 = t392 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_2
-        - t131 * chain_omega_9_dot_by_chain_theta_2
-        - t133 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_6_dot_by_chain_theta_2 = t391 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_2
-        - t122 * chain_omega_8_dot_by_chain_theta_2
-        - t124 * chain_omega_9_dot_by_chain_theta_2
-        - t126 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_5_dot_by_chain_theta_2 = t390 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_2
-        - t111 * chain_omega_7_dot_by_chain_theta_2
-        - t113 * chain_omega_8_dot_by_chain_theta_2
-        - t115 * chain_omega_9_dot_by_chain_theta_2
-        - t117 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_4_dot_by_chain_theta_2 = t389 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_2
-        - t98 * chain_omega_6_dot_by_chain_theta_2
-        - t100 * chain_omega_7_dot_by_chain_theta_2
-        - t102 * chain_omega_8_dot_by_chain_theta_2
-        - t104 * chain_omega_9_dot_by_chain_theta_2
+    let chain_omega_2_dot_by_chain_theta_2 = t341 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_2
+        - t111 * chain_omega_4_dot_by_chain_theta_2
+        - t113 * chain_omega_5_dot_by_chain_theta_2
+        - t115 * chain_omega_6_dot_by_chain_theta_2
+        - t117 * chain_omega_7_dot_by_chain_theta_2
+        - t119 * chain_omega_8_dot_by_chain_theta_2
+        - t121 * chain_omega_9_dot_by_chain_theta_2
+        - t123 * chain_omega_10_dot_by_chain_theta_2;
+    let chain_omega_1_dot_by_chain_theta_2 = t317 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_2
+        - t99 * chain_omega_3_dot_by_chain_theta_2
+        - t100 * chain_omega_4_dot_by_chain_theta_2
+        - t101 * chain_omega_5_dot_by_chain_theta_2
+        - t102 * chain_omega_6_dot_by_chain_theta_2
+        - t103 * chain_omega_7_dot_by_chain_theta_2
+        - t104 * chain_omega_8_dot_by_chain_theta_2
+        - t105 * chain_omega_9_dot_by_chain_theta_2
         - t106 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_3_dot_by_chain_theta_2 = t388 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_2
-        - t83 * chain_omega_5_dot_by_chain_theta_2
-        - t85 * chain_omega_6_dot_by_chain_theta_2
-        - t87 * chain_omega_7_dot_by_chain_theta_2
-        - t89 * chain_omega_8_dot_by_chain_theta_2
-        - t91 * chain_omega_9_dot_by_chain_theta_2
-        - t93 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_2_dot_by_chain_theta_2 = t387 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_2
-        - t66 * chain_omega_4_dot_by_chain_theta_2
-        - t68 * chain_omega_5_dot_by_chain_theta_2
-        - t70 * chain_omega_6_dot_by_chain_theta_2
-        - t72 * chain_omega_7_dot_by_chain_theta_2
-        - t74 * chain_omega_8_dot_by_chain_theta_2
-        - t76 * chain_omega_9_dot_by_chain_theta_2
-        - t78 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_1_dot_by_chain_theta_2 = t363 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_2
-        - t54 * chain_omega_3_dot_by_chain_theta_2
-        - t55 * chain_omega_4_dot_by_chain_theta_2
-        - t56 * chain_omega_5_dot_by_chain_theta_2
-        - t57 * chain_omega_6_dot_by_chain_theta_2
-        - t58 * chain_omega_7_dot_by_chain_theta_2
-        - t59 * chain_omega_8_dot_by_chain_theta_2
-        - t60 * chain_omega_9_dot_by_chain_theta_2
-        - t61 * chain_omega_10_dot_by_chain_theta_2;
-    let t395 = t148 * t25;
-    let t396 = t150 * t26;
-    let t397 = t152 * t27;
-    let t398 = t154 * t28;
-    let t399 = t156 * t29;
-    let t400 = t158 * t30;
-    let t401 = chain_omega_10_squared * t31;
-    let t402 = t187 * chain_theta_4_minus_chain_theta_3.cos();
-    let t403 = t199 * chain_theta_5_minus_chain_theta_3.cos();
-    let t404 = t212 * chain_theta_6_minus_chain_theta_3.cos();
-    let t405 = t226 * chain_theta_7_minus_chain_theta_3.cos();
-    let t406 = t241 * chain_theta_8_minus_chain_theta_3.cos();
-    let t407 = t257 * chain_theta_9_minus_chain_theta_3.cos();
-    let t408 = chain_omega_3_squared * chain_theta_10_minus_chain_theta_3.cos();
-    let t409 = t295 - t316;
-    let t410 = R::literal(7.0) * t175;
-    let t411 = t410 * chain_omega_4_dot;
-    let t412 = t410 * chain_omega_3_dot;
-    let t413 = R::literal(6.0) * t176;
-    let t414 = t413 * chain_omega_5_dot;
-    let t415 = t413 * chain_omega_3_dot;
-    let t416 = R::literal(5.0) * t177;
-    let t417 = t416 * chain_omega_6_dot;
-    let t418 = t416 * chain_omega_3_dot;
-    let t419 = R::literal(4.0) * t178;
-    let t420 = t419 * chain_omega_7_dot;
-    let t421 = t419 * chain_omega_3_dot;
-    let t422 = R::literal(3.0) * t179;
-    let t423 = t422 * chain_omega_8_dot;
-    let t424 = t422 * chain_omega_3_dot;
-    let t425 = R::literal(2.0) * t180;
-    let t426 = t425 * chain_omega_9_dot;
-    let t427 = t425 * chain_omega_3_dot;
-    let t428 = t181 * chain_omega_10_dot;
-    let t429 = t181 * chain_omega_3_dot;
-    let t430 = t347 - t365 - t53 * t409;
-    let t431 = -(R::literal(78.48) * chain_theta_3.cos()) - t304 - t355 - t395 - t396
-        - t397 - t398 - t399 - t400 - t401 - t317 - t366 + t411 + t414 + t417 + t420
-        + t423 + t426 + t428 - t54 * t409;
-    let t432 = t431 - t64 * t430;
-    let t433 = t402 + t412 - t55 * t409 - t66 * t430 - t81 * t432;
-    let t434 = t403 + t415 - t56 * t409 - t68 * t430 - t83 * t432 - t96 * t433;
-    let t435 = t404 + t418 - t57 * t409 - t70 * t430 - t85 * t432 - t98 * t433
-        - t109 * t434;
-    let t436 = t405 + t421 - t58 * t409 - t72 * t430 - t87 * t432 - t100 * t433
-        - t111 * t434 - t120 * t435;
-    let t437 = t406 + t424 - t59 * t409 - t74 * t430 - t89 * t432 - t102 * t433
-        - t113 * t434 - t122 * t435 - t129 * t436;
-    let t438 = t407 + t427 - t60 * t409 - t76 * t430 - t91 * t432 - t104 * t433
-        - t115 * t434 - t124 * t435 - t131 * t436 - t136 * t437;
-    let chain_omega_10_dot_by_chain_theta_3 = (t408 + t429 - t61 * t409 - t78 * t430
-        - t93 * t432 - t106 * t433 - t117 * t434 - t126 * t435 - t133 * t436
-        - t138 * t437 - t141 * t438) * t142;
-    let chain_omega_9_dot_by_chain_theta_3 = t438 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_8_dot_by_chain_theta_3 = t437 * t134
+    let t349 = t190 * t43;
+    let t350 = t191 * t45;
+    let t351 = t192 * t47;
+    let t352 = t193 * t49;
+    let t353 = t194 * t51;
+    let t354 = t195 * t53;
+    let t355 = chain_omega_10_squared * t55;
+    let t356 = t202 * t43;
+    let t357 = t205 * t45;
+    let t358 = t209 * t47;
+    let t359 = t214 * t49;
+    let t360 = t220 * t51;
+    let t361 = t227 * t53;
+    let t362 = chain_omega_3_squared * t55;
+    let t363 = t249 - t270;
+    let t364 = R::literal(7.0) * t42;
+    let t365 = t364 * chain_omega_4_dot;
+    let t366 = t364 * chain_omega_3_dot;
+    let t367 = R::literal(6.0) * t44;
+    let t368 = t367 * chain_omega_5_dot;
+    let t369 = t367 * chain_omega_3_dot;
+    let t370 = R::literal(5.0) * t46;
+    let t371 = t370 * chain_omega_6_dot;
+    let t372 = t370 * chain_omega_3_dot;
+    let t373 = R::literal(4.0) * t48;
+    let t374 = t373 * chain_omega_7_dot;
+    let t375 = t373 * chain_omega_3_dot;
+    let t376 = R::literal(3.0) * t50;
+    let t377 = t376 * chain_omega_8_dot;
+    let t378 = t376 * chain_omega_3_dot;
+    let t379 = R::literal(2.0) * t52;
+    let t380 = t379 * chain_omega_9_dot;
+    let t381 = t379 * chain_omega_3_dot;
+    let t382 = t54 * chain_omega_10_dot;
+    let t383 = t54 * chain_omega_3_dot;
+    let t384 = t301 - t319 - t98 * t363;
+    let t385 = -(R::literal(78.48) * cos_chain_theta_3) - t258 - t309 - t349 - t350
+        - t351 - t352 - t353 - t354 - t355 - t271 - t320 + t365 + t368 + t371 + t374
+        + t377 + t380 + t382 - t99 * t363 - t109 * t384;
+    let t386 = t356 + t366 - t100 * t363 - t111 * t384 - t126 * t385;
+    let t387 = t357 + t369 - t101 * t363 - t113 * t384 - t128 * t385 - t141 * t386;
+    let t388 = t358 + t372 - t102 * t363 - t115 * t384 - t130 * t385 - t143 * t386
+        - t154 * t387;
+    let t389 = t359 + t375 - t103 * t363 - t117 * t384 - t132 * t385 - t145 * t386
+        - t156 * t387 - t165 * t388;
+    let t390 = t360 + t378 - t104 * t363 - t119 * t384 - t134 * t385 - t147 * t386
+        - t158 * t387 - t167 * t388 - t174 * t389;
+    let t391 = t361 + t381 - t105 * t363 - t121 * t384 - t136 * t385 - t149 * t386
+        - t160 * t387 - t169 * t388 - t176 * t389 - t181 * t390;
+    let chain_omega_10_dot_by_chain_theta_3 = (t362 + t383 - t106 * t363 - t123 * t384
+        - t138 * t385 - t151 * t386 - t162 * t387 - t171 * t388 - t178 * t389
+        - t183 * t390 - t186 * t391) * t187;
+    let chain_omega_9_dot_by_chain_theta_3 = t391 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_3;
+    let chain_omega_8_dot_by_chain_theta_3 = t390 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_3
+        - t183 * chain_omega_10_dot_by_chain_theta_3;
+    let chain_omega_7_dot_by_chain_theta_3 = t389 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_3
+        - t176 * chain_omega_9_dot_by_chain_theta_3
+        - t178 * chain_omega_10_dot_by_chain_theta_3;
+    let chain_omega_6_dot_by_chain_theta_3 = t388 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_3
+        - t167 * chain_omega_8_dot_by_chain_theta_3
+        - t169 * chain_omega_9_dot_by_chain_theta_3
+        - t171 * chain_omega_10_dot_by_chain_theta_3;
+    let chain_omega_5_dot_by_chain_theta_3 = t387 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_3
+        - t156 * chain_omega_7_dot_by_chain_theta_3
+        - t158 * chain_omega_8_dot_by_chain_theta_3
+        - t160 * chain_omega_9_dot_by_chain_theta_3
+        - t162 * chain_omega_10_dot_by_chain_theta_3;
+    let chain_omega_4_dot_by_chain_theta_3 = t386 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_3
+        - t143 * chain_omega_6_dot_by_chain_theta_3
+        - t145 * chain_omega_7_dot_by_chain_theta_3
+        - t147 * chain_omega_8_dot_by_chain_theta_3
+        - t149 * chain_omega_9_dot_by_chain_theta_3
+        - t151 * chain_omega_10_dot_by_chain_theta_3;
+    let chain_omega_3_dot_by_chain_theta_3 = t385 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_3
+        - t128 * chain_omega_5_dot_by_chain_theta_3
+        - t130 * chain_omega_6_dot_by_chain_theta_3
+        - t132 * chain_omega_7_dot_by_chain_theta_3
+        - t134 * chain_omega_8_dot_by_chain_theta_3
         - t136 * chain_omega_9_dot_by_chain_theta_3
         - t138 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_7_dot_by_chain_theta_3 = t436 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_3
-        - t131 * chain_omega_9_dot_by_chain_theta_3
-        - t133 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_6_dot_by_chain_theta_3 = t435 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_3
-        - t122 * chain_omega_8_dot_by_chain_theta_3
-        - t124 * chain_omega_9_dot_by_chain_theta_3
-        - t126 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_5_dot_by_chain_theta_3 = t434 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_3
-        - t111 * chain_omega_7_dot_by_chain_theta_3
-        - t113 * chain_omega_8_dot_by_chain_theta_3
-        - t115 * chain_omega_9_dot_by_chain_theta_3
-        - t117 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_4_dot_by_chain_theta_3 = t433 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_3
-        - t98 * chain_omega_6_dot_by_chain_theta_3
-        - t100 * chain_omega_7_dot_by_chain_theta_3
-        - t102 * chain_omega_8_dot_by_chain_theta_3
-        - t104 * chain_omega_9_dot_by_chain_theta_3
+    let chain_omega_2_dot_by_chain_theta_3 = t384 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_3
+        - t111 * chain_omega_4_dot_by_chain_theta_3
+        - t113 * chain_omega_5_dot_by_chain_theta_3
+        - t115 * chain_omega_6_dot_by_chain_theta_3
+        - t117 * chain_omega_7_dot_by_chain_theta_3
+        - t119 * chain_omega_8_dot_by_chain_theta_3
+        - t121 * chain_omega_9_dot_by_chain_theta_3
+        - t123 * chain_omega_10_dot_by_chain_theta_3;
+    let chain_omega_1_dot_by_chain_theta_3 = t363 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_3
+        - t99 * chain_omega_3_dot_by_chain_theta_3
+        - t100 * chain_omega_4_dot_by_chain_theta_3
+        - t101 * chain_omega_5_dot_by_chain_theta_3
+        - t102 * chain_omega_6_dot_by_chain_theta_3
+        - t103 * chain_omega_7_dot_by_chain_theta_3
+        - t104 * chain_omega_8_dot_by_chain_theta_3
+        - t105 * chain_omega_9_dot_by_chain_theta_3
         - t106 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_3_dot_by_chain_theta_3 = t432 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_3
-        - t83 * chain_omega_5_dot_by_chain_theta_3
-        - t85 * chain_omega_6_dot_by_chain_theta_3
-        - t87 * chain_omega_7_dot_by_chain_theta_3
-        - t89 * chain_omega_8_dot_by_chain_theta_3
-        - t91 * chain_omega_9_dot_by_chain_theta_3
-        - t93 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_2_dot_by_chain_theta_3 = t430 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_3
-        - t66 * chain_omega_4_dot_by_chain_theta_3
-        - t68 * chain_omega_5_dot_by_chain_theta_3
-        - t70 * chain_omega_6_dot_by_chain_theta_3
-        - t72 * chain_omega_7_dot_by_chain_theta_3
-        - t74 * chain_omega_8_dot_by_chain_theta_3
-        - t76 * chain_omega_9_dot_by_chain_theta_3
-        - t78 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_1_dot_by_chain_theta_3 = t409 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_3
-        - t54 * chain_omega_3_dot_by_chain_theta_3
-        - t55 * chain_omega_4_dot_by_chain_theta_3
-        - t56 * chain_omega_5_dot_by_chain_theta_3
-        - t57 * chain_omega_6_dot_by_chain_theta_3
-        - t58 * chain_omega_7_dot_by_chain_theta_3
-        - t59 * chain_omega_8_dot_by_chain_theta_3
-        - t60 * chain_omega_9_dot_by_chain_theta_3
-        - t61 * chain_omega_10_dot_by_chain_theta_3;
-    let t439 = t150 * t32;
-    let t440 = t152 * t33;
-    let t441 = t154 * t34;
-    let t442 = t156 * t35;
-    let t443 = t158 * t36;
-    let t444 = chain_omega_10_squared * t37;
-    let t445 = t201 * chain_theta_5_minus_chain_theta_4.cos();
-    let t446 = t214 * chain_theta_6_minus_chain_theta_4.cos();
-    let t447 = t228 * chain_theta_7_minus_chain_theta_4.cos();
-    let t448 = t243 * chain_theta_8_minus_chain_theta_4.cos();
-    let t449 = t259 * chain_theta_9_minus_chain_theta_4.cos();
-    let t450 = chain_omega_4_squared * chain_theta_10_minus_chain_theta_4.cos();
-    let t451 = t296 - t319;
-    let t452 = R::literal(6.0) * t188;
-    let t453 = t452 * chain_omega_5_dot;
-    let t454 = t452 * chain_omega_4_dot;
-    let t455 = R::literal(5.0) * t189;
-    let t456 = t455 * chain_omega_6_dot;
-    let t457 = t455 * chain_omega_4_dot;
-    let t458 = R::literal(4.0) * t190;
-    let t459 = t458 * chain_omega_7_dot;
-    let t460 = t458 * chain_omega_4_dot;
-    let t461 = R::literal(3.0) * t191;
-    let t462 = t461 * chain_omega_8_dot;
-    let t463 = t461 * chain_omega_4_dot;
-    let t464 = R::literal(2.0) * t192;
-    let t465 = t464 * chain_omega_9_dot;
-    let t466 = t464 * chain_omega_4_dot;
-    let t467 = t193 * chain_omega_10_dot;
-    let t468 = t193 * chain_omega_4_dot;
-    let t469 = t348 - t368 - t53 * t451;
-    let t470 = t395 - t411 - t54 * t451 - t64 * t469;
-    let t471 = -(R::literal(68.67) * chain_theta_4.cos()) - t305 - t356 - t402 - t439
-        - t440 - t441 - t442 - t443 - t444 - t320 - t369 - t412 + t453 + t456 + t459
-        + t462 + t465 + t467 - t55 * t451;
-    let t472 = t471 - t66 * t469 - t81 * t470;
-    let t473 = t445 + t454 - t56 * t451 - t68 * t469 - t83 * t470 - t96 * t472;
-    let t474 = t446 + t457 - t57 * t451 - t70 * t469 - t85 * t470 - t98 * t472
-        - t109 * t473;
-    let t475 = t447 + t460 - t58 * t451 - t72 * t469 - t87 * t470 - t100 * t472
-        - t111 * t473 - t120 * t474;
-    let t476 = t448 + t463 - t59 * t451 - t74 * t469 - t89 * t470 - t102 * t472
-        - t113 * t473 - t122 * t474 - t129 * t475;
-    let t477 = t449 + t466 - t60 * t451 - t76 * t469 - t91 * t470 - t104 * t472
-        - t115 * t473 - t124 * t474 - t131 * t475 - t136 * t476;
-    let chain_omega_10_dot_by_chain_theta_4 = (t450 + t468 - t61 * t451 - t78 * t469
-        - t93 * t470 - t106 * t472 - t117 * t473 - t126 * t474 - t133 * t475
-        - t138 * t476 - t141 * t477) * t142;
-    let chain_omega_9_dot_by_chain_theta_4 = t477 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_8_dot_by_chain_theta_4 = t476 * t134
+    let t392 = t191 * t57;
+    let t393 = t192 * t59;
+    let t394 = t193 * t61;
+    let t395 = t194 * t63;
+    let t396 = t195 * t65;
+    let t397 = chain_omega_10_squared * t67;
+    let t398 = t206 * t57;
+    let t399 = t210 * t59;
+    let t400 = t215 * t61;
+    let t401 = t221 * t63;
+    let t402 = t228 * t65;
+    let t403 = chain_omega_4_squared * t67;
+    let t404 = t250 - t273;
+    let t405 = R::literal(6.0) * t56;
+    let t406 = t405 * chain_omega_5_dot;
+    let t407 = t405 * chain_omega_4_dot;
+    let t408 = R::literal(5.0) * t58;
+    let t409 = t408 * chain_omega_6_dot;
+    let t410 = t408 * chain_omega_4_dot;
+    let t411 = R::literal(4.0) * t60;
+    let t412 = t411 * chain_omega_7_dot;
+    let t413 = t411 * chain_omega_4_dot;
+    let t414 = R::literal(3.0) * t62;
+    let t415 = t414 * chain_omega_8_dot;
+    let t416 = t414 * chain_omega_4_dot;
+    let t417 = R::literal(2.0) * t64;
+    let t418 = t417 * chain_omega_9_dot;
+    let t419 = t417 * chain_omega_4_dot;
+    let t420 = t66 * chain_omega_10_dot;
+    let t421 = t66 * chain_omega_4_dot;
+    let t422 = t302 - t322 - t98 * t404;
+    let t423 = t349 - t365 - t99 * t404 - t109 * t422;
+    let t424 = -(R::literal(68.67) * cos_chain_theta_4) - t259 - t310 - t356 - t392
+        - t393 - t394 - t395 - t396 - t397 - t274 - t323 - t366 + t406 + t409 + t412
+        + t415 + t418 + t420 - t100 * t404 - t111 * t422;
+    let t425 = t424 - t126 * t423;
+    let t426 = t398 + t407 - t101 * t404 - t113 * t422 - t128 * t423 - t141 * t425;
+    let t427 = t399 + t410 - t102 * t404 - t115 * t422 - t130 * t423 - t143 * t425
+        - t154 * t426;
+    let t428 = t400 + t413 - t103 * t404 - t117 * t422 - t132 * t423 - t145 * t425
+        - t156 * t426 - t165 * t427;
+    let t429 = t401 + t416 - t104 * t404 - t119 * t422 - t134 * t423 - t147 * t425
+        - t158 * t426 - t167 * t427 - t174 * t428;
+    let t430 = t402 + t419 - t105 * t404 - t121 * t422 - t136 * t423 - t149 * t425
+        - t160 * t426 - t169 * t427 - t176 * t428 - t181 * t429;
+    let chain_omega_10_dot_by_chain_theta_4 = (t403 + t421 - t106 * t404 - t123 * t422
+        - t138 * t423 - t151 * t425 - t162 * t426 - t171 * t427 - t178 * t428
+        - t183 * t429 - t186 * t430) * t187;
+    let chain_omega_9_dot_by_chain_theta_4 = t430 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_4;
+    let chain_omega_8_dot_by_chain_theta_4 = t429 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_4
+        - t183 * chain_omega_10_dot_by_chain_theta_4;
+    let chain_omega_7_dot_by_chain_theta_4 = t428 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_4
+        - t176 * chain_omega_9_dot_by_chain_theta_4
+        - t178 * chain_omega_10_dot_by_chain_theta_4;
+    let chain_omega_6_dot_by_chain_theta_4 = t427 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_4
+        - t167 * chain_omega_8_dot_by_chain_theta_4
+        - t169 * chain_omega_9_dot_by_chain_theta_4
+        - t171 * chain_omega_10_dot_by_chain_theta_4;
+    let chain_omega_5_dot_by_chain_theta_4 = t426 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_4
+        - t156 * chain_omega_7_dot_by_chain_theta_4
+        - t158 * chain_omega_8_dot_by_chain_theta_4
+        - t160 * chain_omega_9_dot_by_chain_theta_4
+        - t162 * chain_omega_10_dot_by_chain_theta_4;
+    let chain_omega_4_dot_by_chain_theta_4 = t425 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_4
+        - t143 * chain_omega_6_dot_by_chain_theta_4
+        - t145 * chain_omega_7_dot_by_chain_theta_4
+        - t147 * chain_omega_8_dot_by_chain_theta_4
+        - t149 * chain_omega_9_dot_by_chain_theta_4
+        - t151 * chain_omega_10_dot_by_chain_theta_4;
+    let chain_omega_3_dot_by_chain_theta_4 = t423 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_4
+        - t128 * chain_omega_5_dot_by_chain_theta_4
+        - t130 * chain_omega_6_dot_by_chain_theta_4
+        - t132 * chain_omega_7_dot_by_chain_theta_4
+        - t134 * chain_omega_8_dot_by_chain_theta_4
         - t136 * chain_omega_9_dot_by_chain_theta_4
         - t138 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_7_dot_by_chain_theta_4 = t475 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_4
-        - t131 * chain_omega_9_dot_by_chain_theta_4
-        - t133 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_6_dot_by_chain_theta_4 = t474 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_4
-        - t122 * chain_omega_8_dot_by_chain_theta_4
-        - t124 * chain_omega_9_dot_by_chain_theta_4
-        - t126 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_5_dot_by_chain_theta_4 = t473 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_4
-        - t111 * chain_omega_7_dot_by_chain_theta_4
-        - t113 * chain_omega_8_dot_by_chain_theta_4
-        - t115 * chain_omega_9_dot_by_chain_theta_4
-        - t117 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_4_dot_by_chain_theta_4 = t472 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_4
-        - t98 * chain_omega_6_dot_by_chain_theta_4
-        - t100 * chain_omega_7_dot_by_chain_theta_4
-        - t102 * chain_omega_8_dot_by_chain_theta_4
-        - t104 * chain_omega_9_dot_by_chain_theta_4
+    let chain_omega_2_dot_by_chain_theta_4 = t422 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_4
+        - t111 * chain_omega_4_dot_by_chain_theta_4
+        - t113 * chain_omega_5_dot_by_chain_theta_4
+        - t115 * chain_omega_6_dot_by_chain_theta_4
+        - t117 * chain_omega_7_dot_by_chain_theta_4
+        - t119 * chain_omega_8_dot_by_chain_theta_4
+        - t121 * chain_omega_9_dot_by_chain_theta_4
+        - t123 * chain_omega_10_dot_by_chain_theta_4;
+    let chain_omega_1_dot_by_chain_theta_4 = t404 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_4
+        - t99 * chain_omega_3_dot_by_chain_theta_4
+        - t100 * chain_omega_4_dot_by_chain_theta_4
+        - t101 * chain_omega_5_dot_by_chain_theta_4
+        - t102 * chain_omega_6_dot_by_chain_theta_4
+        - t103 * chain_omega_7_dot_by_chain_theta_4
+        - t104 * chain_omega_8_dot_by_chain_theta_4
+        - t105 * chain_omega_9_dot_by_chain_theta_4
         - t106 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_3_dot_by_chain_theta_4 = t470 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_4
-        - t83 * chain_omega_5_dot_by_chain_theta_4
-        - t85 * chain_omega_6_dot_by_chain_theta_4
-        - t87 * chain_omega_7_dot_by_chain_theta_4
-        - t89 * chain_omega_8_dot_by_chain_theta_4
-        - t91 * chain_omega_9_dot_by_chain_theta_4
-        - t93 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_2_dot_by_chain_theta_4 = t469 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_4
-        - t66 * chain_omega_4_dot_by_chain_theta_4
-        - t68 * chain_omega_5_dot_by_chain_theta_4
-        - t70 * chain_omega_6_dot_by_chain_theta_4
-        - t72 * chain_omega_7_dot_by_chain_theta_4
-        - t74 * chain_omega_8_dot_by_chain_theta_4
-        - t76 * chain_omega_9_dot_by_chain_theta_4
-        - t78 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_1_dot_by_chain_theta_4 = t451 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_4
-        - t54 * chain_omega_3_dot_by_chain_theta_4
-        - t55 * chain_omega_4_dot_by_chain_theta_4
-        - t56 * chain_omega_5_dot_by_chain_theta_4
-        - t57 * chain_omega_6_dot_by_chain_theta_4
-        - t58 * chain_omega_7_dot_by_chain_theta_4
-        - t59 * chain_omega_8_dot_by_chain_theta_4
-        - t60 * chain_omega_9_dot_by_chain_theta_4
-        - t61 * chain_omega_10_dot_by_chain_theta_4;
-    let t478 = t152 * t38;
-    let t479 = t154 * t39;
-    let t480 = t156 * t40;
-    let t481 = t158 * t41;
-    let t482 = chain_omega_10_squared * t42;
-    let t483 = t216 * chain_theta_6_minus_chain_theta_5.cos();
-    let t484 = t230 * chain_theta_7_minus_chain_theta_5.cos();
-    let t485 = t245 * chain_theta_8_minus_chain_theta_5.cos();
-    let t486 = t261 * chain_theta_9_minus_chain_theta_5.cos();
-    let t487 = chain_omega_5_squared * chain_theta_10_minus_chain_theta_5.cos();
-    let t488 = t297 - t322;
-    let t489 = R::literal(5.0) * t202;
-    let t490 = t489 * chain_omega_6_dot;
-    let t491 = t489 * chain_omega_5_dot;
-    let t492 = R::literal(4.0) * t203;
-    let t493 = t492 * chain_omega_7_dot;
-    let t494 = t492 * chain_omega_5_dot;
-    let t495 = R::literal(3.0) * t204;
-    let t496 = t495 * chain_omega_8_dot;
-    let t497 = t495 * chain_omega_5_dot;
-    let t498 = R::literal(2.0) * t205;
-    let t499 = t498 * chain_omega_9_dot;
-    let t500 = t498 * chain_omega_5_dot;
-    let t501 = t206 * chain_omega_10_dot;
-    let t502 = t206 * chain_omega_5_dot;
-    let t503 = t349 - t371 - t53 * t488;
-    let t504 = t396 - t414 - t54 * t488 - t64 * t503;
-    let t505 = t439 - t453 - t55 * t488 - t66 * t503 - t81 * t504;
-    let t506 = -(R::literal(58.86) * chain_theta_5.cos()) - t306 - t357 - t403 - t445
-        - t478 - t479 - t480 - t481 - t482 - t323 - t372 - t415 - t454 + t490 + t493
-        + t496 + t499 + t501 - t56 * t488;
-    let t507 = t506 - t68 * t503 - t83 * t504 - t96 * t505;
-    let t508 = t483 + t491 - t57 * t488 - t70 * t503 - t85 * t504 - t98 * t505
-        - t109 * t507;
-    let t509 = t484 + t494 - t58 * t488 - t72 * t503 - t87 * t504 - t100 * t505
-        - t111 * t507 - t120 * t508;
-    let t510 = t485 + t497 - t59 * t488 - t74 * t503 - t89 * t504 - t102 * t505
-        - t113 * t507 - t122 * t508 - t129 * t509;
-    let t511 = t486 + t500 - t60 * t488 - t76 * t503 - t91 * t504 - t104 * t505
-        - t115 * t507 - t124 * t508 - t131 * t509 - t136 * t510;
-    let chain_omega_10_dot_by_chain_theta_5 = (t487 + t502 - t61 * t488 - t78 * t503
-        - t93 * t504 - t106 * t505 - t117 * t507 - t126 * t508 - t133 * t509
-        - t138 * t510 - t141 * t511) * t142;
-    let chain_omega_9_dot_by_chain_theta_5 = t511 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_8_dot_by_chain_theta_5 = t510 * t134
+    let t431 = t192 * t69;
+    let t432 = t193 * t71;
+    let t433 = t194 * t73;
+    let t434 = t195 * t75;
+    let t435 = chain_omega_10_squared * t77;
+    let t436 = t211 * t69;
+    let t437 = t216 * t71;
+    let t438 = t222 * t73;
+    let t439 = t229 * t75;
+    let t440 = chain_omega_5_squared * t77;
+    let t441 = t251 - t276;
+    let t442 = R::literal(5.0) * t68;
+    let t443 = t442 * chain_omega_6_dot;
+    let t444 = t442 * chain_omega_5_dot;
+    let t445 = R::literal(4.0) * t70;
+    let t446 = t445 * chain_omega_7_dot;
+    let t447 = t445 * chain_omega_5_dot;
+    let t448 = R::literal(3.0) * t72;
+    let t449 = t448 * chain_omega_8_dot;
+    let t450 = t448 * chain_omega_5_dot;
+    let t451 = R::literal(2.0) * t74;
+    let t452 = t451 * chain_omega_9_dot;
+    let t453 = t451 * chain_omega_5_dot;
+    let t454 = t76 * chain_omega_10_dot;
+    let t455 = t76 * chain_omega_5_dot;
+    let t456 = t303 - t325 - t98 * t441;
+    let t457 = t350 - t368 - t99 * t441 - t109 * t456;
+    let t458 = t392 - t406 - t100 * t441 - t111 * t456 - t126 * t457;
+    let t459 = -(R::literal(58.86) * cos_chain_theta_5) - t260 - t311 - t357 - t398
+        - t431 - t432 - t433 - t434 - t435 - t277 - t326 - t369 - t407 + t443 + t446
+        + t449 + t452 + t454 - t101 * t441 - t113 * t456;
+    let t460 = t459 - t128 * t457 - t141 * t458;
+    let t461 = t436 + t444 - t102 * t441 - t115 * t456 - t130 * t457 - t143 * t458
+        - t154 * t460;
+    let t462 = t437 + t447 - t103 * t441 - t117 * t456 - t132 * t457 - t145 * t458
+        - t156 * t460 - t165 * t461;
+    let t463 = t438 + t450 - t104 * t441 - t119 * t456 - t134 * t457 - t147 * t458
+        - t158 * t460 - t167 * t461 - t174 * t462;
+    let t464 = t439 + t453 - t105 * t441 - t121 * t456 - t136 * t457 - t149 * t458
+        - t160 * t460 - t169 * t461 - t176 * t462 - t181 * t463;
+    let chain_omega_10_dot_by_chain_theta_5 = (t440 + t455 - t106 * t441 - t123 * t456
+        - t138 * t457 - t151 * t458 - t162 * t460 - t171 * t461 - t178 * t462
+        - t183 * t463 - t186 * t464) * t187;
+    let chain_omega_9_dot_by_chain_theta_5 = t464 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_5;
+    let chain_omega_8_dot_by_chain_theta_5 = t463 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_5
+        - t183 * chain_omega_10_dot_by_chain_theta_5;
+    let chain_omega_7_dot_by_chain_theta_5 = t462 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_5
+        - t176 * chain_omega_9_dot_by_chain_theta_5
+        - t178 * chain_omega_10_dot_by_chain_theta_5;
+    let chain_omega_6_dot_by_chain_theta_5 = t461 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_5
+        - t167 * chain_omega_8_dot_by_chain_theta_5
+        - t169 * chain_omega_9_dot_by_chain_theta_5
+        - t171 * chain_omega_10_dot_by_chain_theta_5;
+    let chain_omega_5_dot_by_chain_theta_5 = t460 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_5
+        - t156 * chain_omega_7_dot_by_chain_theta_5
+        - t158 * chain_omega_8_dot_by_chain_theta_5
+        - t160 * chain_omega_9_dot_by_chain_theta_5
+        - t162 * chain_omega_10_dot_by_chain_theta_5;
+    let chain_omega_4_dot_by_chain_theta_5 = t458 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_5
+        - t143 * chain_omega_6_dot_by_chain_theta_5
+        - t145 * chain_omega_7_dot_by_chain_theta_5
+        - t147 * chain_omega_8_dot_by_chain_theta_5
+        - t149 * chain_omega_9_dot_by_chain_theta_5
+        - t151 * chain_omega_10_dot_by_chain_theta_5;
+    let chain_omega_3_dot_by_chain_theta_5 = t457 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_5
+        - t128 * chain_omega_5_dot_by_chain_theta_5
+        - t130 * chain_omega_6_dot_by_chain_theta_5
+        - t132 * chain_omega_7_dot_by_chain_theta_5
+        - t134 * chain_omega_8_dot_by_chain_theta_5
         - t136 * chain_omega_9_dot_by_chain_theta_5
         - t138 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_7_dot_by_chain_theta_5 = t509 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_5
-        - t131 * chain_omega_9_dot_by_chain_theta_5
-        - t133 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_6_dot_by_chain_theta_5 = t508 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_5
-        - t122 * chain_omega_8_dot_by_chain_theta_5
-        - t124 * chain_omega_9_dot_by_chain_theta_5
-        - t126 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_5_dot_by_chain_theta_5 = t507 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_5
-        - t111 * chain_omega_7_dot_by_chain_theta_5
-        - t113 * chain_omega_8_dot_by_chain_theta_5
-        - t115 * chain_omega_9_dot_by_chain_theta_5
-        - t117 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_4_dot_by_chain_theta_5 = t505 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_5
-        - t98 * chain_omega_6_dot_by_chain_theta_5
-        - t100 * chain_omega_7_dot_by_chain_theta_5
-        - t102 * chain_omega_8_dot_by_chain_theta_5
-        - t104 * chain_omega_9_dot_by_chain_theta_5
+    let chain_omega_2_dot_by_chain_theta_5 = t456 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_5
+        - t111 * chain_omega_4_dot_by_chain_theta_5
+        - t113 * chain_omega_5_dot_by_chain_theta_5
+        - t115 * chain_omega_6_dot_by_chain_theta_5
+        - t117 * chain_omega_7_dot_by_chain_theta_5
+        - t119 * chain_omega_8_dot_by_chain_theta_5
+        - t121 * chain_omega_9_dot_by_chain_theta_5
+        - t123 * chain_omega_10_dot_by_chain_theta_5;
+    let chain_omega_1_dot_by_chain_theta_5 = t441 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_5
+        - t99 * chain_omega_3_dot_by_chain_theta_5
+        - t100 * chain_omega_4_dot_by_chain_theta_5
+        - t101 * chain_omega_5_dot_by_chain_theta_5
+        - t102 * chain_omega_6_dot_by_chain_theta_5
+        - t103 * chain_omega_7_dot_by_chain_theta_5
+        - t104 * chain_omega_8_dot_by_chain_theta_5
+        - t105 * chain_omega_9_dot_by_chain_theta_5
         - t106 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_3_dot_by_chain_theta_5 = t504 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_5
-        - t83 * chain_omega_5_dot_by_chain_theta_5
-        - t85 * chain_omega_6_dot_by_chain_theta_5
-        - t87 * chain_omega_7_dot_by_chain_theta_5
-        - t89 * chain_omega_8_dot_by_chain_theta_5
-        - t91 * chain_omega_9_dot_by_chain_theta_5
-        - t93 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_2_dot_by_chain_theta_5 = t503 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_5
-        - t66 * chain_omega_4_dot_by_chain_theta_5
-        - t68 * chain_omega_5_dot_by_chain_theta_5
-        - t70 * chain_omega_6_dot_by_chain_theta_5
-        - t72 * chain_omega_7_dot_by_chain_theta_5
-        - t74 * chain_omega_8_dot_by_chain_theta_5
-        - t76 * chain_omega_9_dot_by_chain_theta_5
-        - t78 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_1_dot_by_chain_theta_5 = t488 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_5
-        - t54 * chain_omega_3_dot_by_chain_theta_5
-        - t55 * chain_omega_4_dot_by_chain_theta_5
-        - t56 * chain_omega_5_dot_by_chain_theta_5
-        - t57 * chain_omega_6_dot_by_chain_theta_5
-        - t58 * chain_omega_7_dot_by_chain_theta_5
-        - t59 * chain_omega_8_dot_by_chain_theta_5
-        - t60 * chain_omega_9_dot_by_chain_theta_5
-        - t61 * chain_omega_10_dot_by_chain_theta_5;
-    let t512 = t154 * t43;
-    let t513 = t156 * t44;
-    let t514 = t158 * t45;
-    let t515 = chain_omega_10_squared * t46;
-    let t516 = t232 * chain_theta_7_minus_chain_theta_6.cos();
-    let t517 = t247 * chain_theta_8_minus_chain_theta_6.cos();
-    let t518 = t263 * chain_theta_9_minus_chain_theta_6.cos();
-    let t519 = chain_omega_6_squared * chain_theta_10_minus_chain_theta_6.cos();
-    let t520 = t298 - t325;
-    let t521 = R::literal(4.0) * t217;
-    let t522 = t521 * chain_omega_7_dot;
-    let t523 = t521 * chain_omega_6_dot;
-    let t524 = R::literal(3.0) * t218;
-    let t525 = t524 * chain_omega_8_dot;
-    let t526 = t524 * chain_omega_6_dot;
-    let t527 = R::literal(2.0) * t219;
-    let t528 = t527 * chain_omega_9_dot;
-    let t529 = t527 * chain_omega_6_dot;
-    let t530 = t220 * chain_omega_10_dot;
-    let t531 = t220 * chain_omega_6_dot;
-    let t532 = t350 - t374 - t53 * t520;
-    let t533 = t397 - t417 - t54 * t520 - t64 * t532;
-    let t534 = t440 - t456 - t55 * t520 - t66 * t532 - t81 * t533;
-    let t535 = t478 - t490 - t56 * t520 - t68 * t532 - t83 * t533 - t96 * t534;
-    let t536 = -(R::literal(49.05) * chain_theta_6.cos()) - t307 - t358 - t404 - t446
-        - t483 - t512 - t513 - t514 - t515 - t326 - t375 - t418 - t457 - t491 + t522
-        + t525 + t528 + t530 - t57 * t520;
-    let t537 = t536 - t70 * t532 - t85 * t533 - t98 * t534 - t109 * t535;
-    let t538 = t516 + t523 - t58 * t520 - t72 * t532 - t87 * t533 - t100 * t534
-        - t111 * t535 - t120 * t537;
-    let t539 = t517 + t526 - t59 * t520 - t74 * t532 - t89 * t533 - t102 * t534
-        - t113 * t535 - t122 * t537 - t129 * t538;
-    let t540 = t518 + t529 - t60 * t520 - t76 * t532 - t91 * t533 - t104 * t534
-        - t115 * t535 - t124 * t537 - t131 * t538 - t136 * t539;
-    let chain_omega_10_dot_by_chain_theta_6 = (t519 + t531 - t61 * t520 - t78 * t532
-        - t93 * t533 - t106 * t534 - t117 * t535 - t126 * t537 - t133 * t538
-        - t138 * t539 - t141 * t540) * t142;
-    let chain_omega_9_dot_by_chain_theta_6 = t540 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_8_dot_by_chain_theta_6 = t539 * t134
+    let t465 = t193 * t79;
+    let t466 = t194 * t81;
+    let t467 = t195 * t83;
+    let t468 = chain_omega_10_squared * t85;
+    let t469 = t217 * t79;
+    let t470 = t223 * t81;
+    let t471 = t230 * t83;
+    let t472 = chain_omega_6_squared * t85;
+    let t473 = t252 - t279;
+    let t474 = R::literal(4.0) * t78;
+    let t475 = t474 * chain_omega_7_dot;
+    let t476 = t474 * chain_omega_6_dot;
+    let t477 = R::literal(3.0) * t80;
+    let t478 = t477 * chain_omega_8_dot;
+    let t479 = t477 * chain_omega_6_dot;
+    let t480 = R::literal(2.0) * t82;
+    let t481 = t480 * chain_omega_9_dot;
+    let t482 = t480 * chain_omega_6_dot;
+    let t483 = t84 * chain_omega_10_dot;
+    let t484 = t84 * chain_omega_6_dot;
+    let t485 = t304 - t328 - t98 * t473;
+    let t486 = t351 - t371 - t99 * t473 - t109 * t485;
+    let t487 = t393 - t409 - t100 * t473 - t111 * t485 - t126 * t486;
+    let t488 = t431 - t443 - t101 * t473 - t113 * t485 - t128 * t486 - t141 * t487;
+    let t489 = -(R::literal(49.05) * cos_chain_theta_6) - t261 - t312 - t358 - t399
+        - t436 - t465 - t466 - t467 - t468 - t280 - t329 - t372 - t410 - t444 + t475
+        + t478 + t481 + t483 - t102 * t473 - t115 * t485;
+    let t490 = t489 - t130 * t486 - t143 * t487 - t154 * t488;
+    let t491 = t469 + t476 - t103 * t473 - t117 * t485 - t132 * t486 - t145 * t487
+        - t156 * t488 - t165 * t490;
+    let t492 = t470 + t479 - t104 * t473 - t119 * t485 - t134 * t486 - t147 * t487
+        - t158 * t488 - t167 * t490 - t174 * t491;
+    let t493 = t471 + t482 - t105 * t473 - t121 * t485 - t136 * t486 - t149 * t487
+        - t160 * t488 - t169 * t490 - t176 * t491 - t181 * t492;
+    let chain_omega_10_dot_by_chain_theta_6 = (t472 + t484 - t106 * t473 - t123 * t485
+        - t138 * t486 - t151 * t487 - t162 * t488 - t171 * t490 - t178 * t491
+        - t183 * t492 - t186 * t493) * t187;
+    let chain_omega_9_dot_by_chain_theta_6 = t493 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_6;
+    let chain_omega_8_dot_by_chain_theta_6 = t492 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_6
+        - t183 * chain_omega_10_dot_by_chain_theta_6;
+    let chain_omega_7_dot_by_chain_theta_6 = t491 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_6
+        - t176 * chain_omega_9_dot_by_chain_theta_6
+        - t178 * chain_omega_10_dot_by_chain_theta_6;
+    let chain_omega_6_dot_by_chain_theta_6 = t490 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_6
+        - t167 * chain_omega_8_dot_by_chain_theta_6
+        - t169 * chain_omega_9_dot_by_chain_theta_6
+        - t171 * chain_omega_10_dot_by_chain_theta_6;
+    let chain_omega_5_dot_by_chain_theta_6 = t488 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_6
+        - t156 * chain_omega_7_dot_by_chain_theta_6
+        - t158 * chain_omega_8_dot_by_chain_theta_6
+        - t160 * chain_omega_9_dot_by_chain_theta_6
+        - t162 * chain_omega_10_dot_by_chain_theta_6;
+    let chain_omega_4_dot_by_chain_theta_6 = t487 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_6
+        - t143 * chain_omega_6_dot_by_chain_theta_6
+        - t145 * chain_omega_7_dot_by_chain_theta_6
+        - t147 * chain_omega_8_dot_by_chain_theta_6
+        - t149 * chain_omega_9_dot_by_chain_theta_6
+        - t151 * chain_omega_10_dot_by_chain_theta_6;
+    let chain_omega_3_dot_by_chain_theta_6 = t486 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_6
+        - t128 * chain_omega_5_dot_by_chain_theta_6
+        - t130 * chain_omega_6_dot_by_chain_theta_6
+        - t132 * chain_omega_7_dot_by_chain_theta_6
+        - t134 * chain_omega_8_dot_by_chain_theta_6
         - t136 * chain_omega_9_dot_by_chain_theta_6
         - t138 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_7_dot_by_chain_theta_6 = t538 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_6
-        - t131 * chain_omega_9_dot_by_chain_theta_6
-        - t133 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_6_dot_by_chain_theta_6 = t537 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_6
-        - t122 * chain_omega_8_dot_by_chain_theta_6
-        - t124 * chain_omega_9_dot_by_chain_theta_6
-        - t126 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_5_dot_by_chain_theta_6 = t535 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_6
-        - t111 * chain_omega_7_dot_by_chain_theta_6
-        - t113 * chain_omega_8_dot_by_chain_theta_6
-        - t115 * chain_omega_9_dot_by_chain_theta_6
-        - t117 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_4_dot_by_chain_theta_6 = t534 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_6
-        - t98 * chain_omega_6_dot_by_chain_theta_6
-        - t100 * chain_omega_7_dot_by_chain_theta_6
-        - t102 * chain_omega_8_dot_by_chain_theta_6
-        - t104 * chain_omega_9_dot_by_chain_theta_6
+    let chain_omega_2_dot_by_chain_theta_6 = t485 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_6
+        - t111 * chain_omega_4_dot_by_chain_theta_6
+        - t113 * chain_omega_5_dot_by_chain_theta_6
+        - t115 * chain_omega_6_dot_by_chain_theta_6
+        - t117 * chain_omega_7_dot_by_chain_theta_6
+        - t119 * chain_omega_8_dot_by_chain_theta_6
+        - t121 * chain_omega_9_dot_by_chain_theta_6
+        - t123 * chain_omega_10_dot_by_chain_theta_6;
+    let chain_omega_1_dot_by_chain_theta_6 = t473 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_6
+        - t99 * chain_omega_3_dot_by_chain_theta_6
+        - t100 * chain_omega_4_dot_by_chain_theta_6
+        - t101 * chain_omega_5_dot_by_chain_theta_6
+        - t102 * chain_omega_6_dot_by_chain_theta_6
+        - t103 * chain_omega_7_dot_by_chain_theta_6
+        - t104 * chain_omega_8_dot_by_chain_theta_6
+        - t105 * chain_omega_9_dot_by_chain_theta_6
         - t106 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_3_dot_by_chain_theta_6 = t533 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_6
-        - t83 * chain_omega_5_dot_by_chain_theta_6
-        - t85 * chain_omega_6_dot_by_chain_theta_6
-        - t87 * chain_omega_7_dot_by_chain_theta_6
-        - t89 * chain_omega_8_dot_by_chain_theta_6
-        - t91 * chain_omega_9_dot_by_chain_theta_6
-        - t93 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_2_dot_by_chain_theta_6 = t532 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_6
-        - t66 * chain_omega_4_dot_by_chain_theta_6
-        - t68 * chain_omega_5_dot_by_chain_theta_6
-        - t70 * chain_omega_6_dot_by_chain_theta_6
-        - t72 * chain_omega_7_dot_by_chain_theta_6
-        - t74 * chain_omega_8_dot_by_chain_theta_6
-        - t76 * chain_omega_9_dot_by_chain_theta_6
-        - t78 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_1_dot_by_chain_theta_6 = t520 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_6
-        - t54 * chain_omega_3_dot_by_chain_theta_6
-        - t55 * chain_omega_4_dot_by_chain_theta_6
-        - t56 * chain_omega_5_dot_by_chain_theta_6
-        - t57 * chain_omega_6_dot_by_chain_theta_6
-        - t58 * chain_omega_7_dot_by_chain_theta_6
-        - t59 * chain_omega_8_dot_by_chain_theta_6
-        - t60 * chain_omega_9_dot_by_chain_theta_6
-        - t61 * chain_omega_10_dot_by_chain_theta_6;
-    let t541 = t156 * t47;
-    let t542 = t158 * t48;
-    let t543 = chain_omega_10_squared * t49;
-    let t544 = t249 * chain_theta_8_minus_chain_theta_7.cos();
-    let t545 = t265 * chain_theta_9_minus_chain_theta_7.cos();
-    let t546 = chain_omega_7_squared * chain_theta_10_minus_chain_theta_7.cos();
-    let t547 = t299 - t328;
-    let t548 = R::literal(3.0) * t233;
-    let t549 = t548 * chain_omega_8_dot;
-    let t550 = t548 * chain_omega_7_dot;
-    let t551 = R::literal(2.0) * t234;
-    let t552 = t551 * chain_omega_9_dot;
-    let t553 = t551 * chain_omega_7_dot;
-    let t554 = t235 * chain_omega_10_dot;
-    let t555 = t235 * chain_omega_7_dot;
-    let t556 = t351 - t377 - t53 * t547;
-    let t557 = t398 - t420 - t54 * t547 - t64 * t556;
-    let t558 = t441 - t459 - t55 * t547 - t66 * t556 - t81 * t557;
-    let t559 = t479 - t493 - t56 * t547 - t68 * t556 - t83 * t557 - t96 * t558;
-    let t560 = t512 - t522 - t57 * t547 - t70 * t556 - t85 * t557 - t98 * t558
-        - t109 * t559;
-    let t561 = -(R::literal(39.24) * chain_theta_7.cos()) - t308 - t359 - t405 - t447
-        - t484 - t516 - t541 - t542 - t543 - t329 - t378 - t421 - t460 - t494 - t523
-        + t549 + t552 + t554 - t58 * t547;
-    let t562 = t561 - t72 * t556 - t87 * t557 - t100 * t558 - t111 * t559 - t120 * t560;
-    let t563 = t544 + t550 - t59 * t547 - t74 * t556 - t89 * t557 - t102 * t558
-        - t113 * t559 - t122 * t560 - t129 * t562;
-    let t564 = t545 + t553 - t60 * t547 - t76 * t556 - t91 * t557 - t104 * t558
-        - t115 * t559 - t124 * t560 - t131 * t562 - t136 * t563;
-    let chain_omega_10_dot_by_chain_theta_7 = (t546 + t555 - t61 * t547 - t78 * t556
-        - t93 * t557 - t106 * t558 - t117 * t559 - t126 * t560 - t133 * t562
-        - t138 * t563 - t141 * t564) * t142;
-    let chain_omega_9_dot_by_chain_theta_7 = t564 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_8_dot_by_chain_theta_7 = t563 * t134
+    let t494 = t194 * t87;
+    let t495 = t195 * t89;
+    let t496 = chain_omega_10_squared * t91;
+    let t497 = t224 * t87;
+    let t498 = t231 * t89;
+    let t499 = chain_omega_7_squared * t91;
+    let t500 = t253 - t282;
+    let t501 = R::literal(3.0) * t86;
+    let t502 = t501 * chain_omega_8_dot;
+    let t503 = t501 * chain_omega_7_dot;
+    let t504 = R::literal(2.0) * t88;
+    let t505 = t504 * chain_omega_9_dot;
+    let t506 = t504 * chain_omega_7_dot;
+    let t507 = t90 * chain_omega_10_dot;
+    let t508 = t90 * chain_omega_7_dot;
+    let t509 = t305 - t331 - t98 * t500;
+    let t510 = t352 - t374 - t99 * t500 - t109 * t509;
+    let t511 = t394 - t412 - t100 * t500 - t111 * t509 - t126 * t510;
+    let t512 = t432 - t446 - t101 * t500 - t113 * t509 - t128 * t510 - t141 * t511;
+    let t513 = t465 - t475 - t102 * t500 - t115 * t509 - t130 * t510 - t143 * t511
+        - t154 * t512;
+    let t514 = -(R::literal(39.24) * cos_chain_theta_7) - t262 - t313 - t359 - t400
+        - t437 - t469 - t494 - t495 - t496 - t283 - t332 - t375 - t413 - t447 - t476
+        + t502 + t505 + t507 - t103 * t500 - t117 * t509;
+    let t515 = t514 - t132 * t510 - t145 * t511 - t156 * t512 - t165 * t513;
+    let t516 = t497 + t503 - t104 * t500 - t119 * t509 - t134 * t510 - t147 * t511
+        - t158 * t512 - t167 * t513 - t174 * t515;
+    let t517 = t498 + t506 - t105 * t500 - t121 * t509 - t136 * t510 - t149 * t511
+        - t160 * t512 - t169 * t513 - t176 * t515 - t181 * t516;
+    let chain_omega_10_dot_by_chain_theta_7 = (t499 + t508 - t106 * t500 - t123 * t509
+        - t138 * t510 - t151 * t511 - t162 * t512 - t171 * t513 - t178 * t515
+        - t183 * t516 - t186 * t517) * t187;
+    let chain_omega_9_dot_by_chain_theta_7 = t517 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_7;
+    let chain_omega_8_dot_by_chain_theta_7 = t516 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_7
+        - t183 * chain_omega_10_dot_by_chain_theta_7;
+    let chain_omega_7_dot_by_chain_theta_7 = t515 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_7
+        - t176 * chain_omega_9_dot_by_chain_theta_7
+        - t178 * chain_omega_10_dot_by_chain_theta_7;
+    let chain_omega_6_dot_by_chain_theta_7 = t513 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_7
+        - t167 * chain_omega_8_dot_by_chain_theta_7
+        - t169 * chain_omega_9_dot_by_chain_theta_7
+        - t171 * chain_omega_10_dot_by_chain_theta_7;
+    let chain_omega_5_dot_by_chain_theta_7 = t512 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_7
+        - t156 * chain_omega_7_dot_by_chain_theta_7
+        - t158 * chain_omega_8_dot_by_chain_theta_7
+        - t160 * chain_omega_9_dot_by_chain_theta_7
+        - t162 * chain_omega_10_dot_by_chain_theta_7;
+    let chain_omega_4_dot_by_chain_theta_7 = t511 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_7
+        - t143 * chain_omega_6_dot_by_chain_theta_7
+        - t145 * chain_omega_7_dot_by_chain_theta_7
+        - t147 * chain_omega_8_dot_by_chain_theta_7
+        - t149 * chain_omega_9_dot_by_chain_theta_7
+        - t151 * chain_omega_10_dot_by_chain_theta_7;
+    let chain_omega_3_dot_by_chain_theta_7 = t510 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_7
+        - t128 * chain_omega_5_dot_by_chain_theta_7
+        - t130 * chain_omega_6_dot_by_chain_theta_7
+        - t132 * chain_omega_7_dot_by_chain_theta_7
+        - t134 * chain_omega_8_dot_by_chain_theta_7
         - t136 * chain_omega_9_dot_by_chain_theta_7
         - t138 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_7_dot_by_chain_theta_7 = t562 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_7
-        - t131 * chain_omega_9_dot_by_chain_theta_7
-        - t133 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_6_dot_by_chain_theta_7 = t560 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_7
-        - t122 * chain_omega_8_dot_by_chain_theta_7
-        - t124 * chain_omega_9_dot_by_chain_theta_7
-        - t126 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_5_dot_by_chain_theta_7 = t559 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_7
-        - t111 * chain_omega_7_dot_by_chain_theta_7
-        - t113 * chain_omega_8_dot_by_chain_theta_7
-        - t115 * chain_omega_9_dot_by_chain_theta_7
-        - t117 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_4_dot_by_chain_theta_7 = t558 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_7
-        - t98 * chain_omega_6_dot_by_chain_theta_7
-        - t100 * chain_omega_7_dot_by_chain_theta_7
-        - t102 * chain_omega_8_dot_by_chain_theta_7
-        - t104 * chain_omega_9_dot_by_chain_theta_7
+    let chain_omega_2_dot_by_chain_theta_7 = t509 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_7
+        - t111 * chain_omega_4_dot_by_chain_theta_7
+        - t113 * chain_omega_5_dot_by_chain_theta_7
+        - t115 * chain_omega_6_dot_by_chain_theta_7
+        - t117 * chain_omega_7_dot_by_chain_theta_7
+        - t119 * chain_omega_8_dot_by_chain_theta_7
+        - t121 * chain_omega_9_dot_by_chain_theta_7
+        - t123 * chain_omega_10_dot_by_chain_theta_7;
+    let chain_omega_1_dot_by_chain_theta_7 = t500 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_7
+        - t99 * chain_omega_3_dot_by_chain_theta_7
+        - t100 * chain_omega_4_dot_by_chain_theta_7
+        - t101 * chain_omega_5_dot_by_chain_theta_7
+        - t102 * chain_omega_6_dot_by_chain_theta_7
+        - t103 * chain_omega_7_dot_by_chain_theta_7
+        - t104 * chain_omega_8_dot_by_chain_theta_7
+        - t105 * chain_omega_9_dot_by_chain_theta_7
         - t106 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_3_dot_by_chain_theta_7 = t557 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_7
-        - t83 * chain_omega_5_dot_by_chain_theta_7
-        - t85 * chain_omega_6_dot_by_chain_theta_7
-        - t87 * chain_omega_7_dot_by_chain_theta_7
-        - t89 * chain_omega_8_dot_by_chain_theta_7
-        - t91 * chain_omega_9_dot_by_chain_theta_7
-        - t93 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_2_dot_by_chain_theta_7 = t556 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_7
-        - t66 * chain_omega_4_dot_by_chain_theta_7
-        - t68 * chain_omega_5_dot_by_chain_theta_7
-        - t70 * chain_omega_6_dot_by_chain_theta_7
-        - t72 * chain_omega_7_dot_by_chain_theta_7
-        - t74 * chain_omega_8_dot_by_chain_theta_7
-        - t76 * chain_omega_9_dot_by_chain_theta_7
-        - t78 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_1_dot_by_chain_theta_7 = t547 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_7
-        - t54 * chain_omega_3_dot_by_chain_theta_7
-        - t55 * chain_omega_4_dot_by_chain_theta_7
-        - t56 * chain_omega_5_dot_by_chain_theta_7
-        - t57 * chain_omega_6_dot_by_chain_theta_7
-        - t58 * chain_omega_7_dot_by_chain_theta_7
-        - t59 * chain_omega_8_dot_by_chain_theta_7
-        - t60 * chain_omega_9_dot_by_chain_theta_7
-        - t61 * chain_omega_10_dot_by_chain_theta_7;
-    let t565 = t158 * t50;
-    let t566 = chain_omega_10_squared * t51;
-    let t567 = t267 * chain_theta_9_minus_chain_theta_8.cos();
-    let t568 = chain_omega_8_squared * chain_theta_10_minus_chain_theta_8.cos();
-    let t569 = t300 - t331;
-    let t570 = R::literal(2.0) * t250;
-    let t571 = t570 * chain_omega_9_dot;
-    let t572 = t570 * chain_omega_8_dot;
-    let t573 = t251 * chain_omega_10_dot;
-    let t574 = t251 * chain_omega_8_dot;
-    let t575 = t352 - t380 - t53 * t569;
-    let t576 = t399 - t423 - t54 * t569 - t64 * t575;
-    let t577 = t442 - t462 - t55 * t569 - t66 * t575 - t81 * t576;
-    let t578 = t480 - t496 - t56 * t569 - t68 * t575 - t83 * t576 - t96 * t577;
-    let t579 = t513 - t525 - t57 * t569 - t70 * t575 - t85 * t576 - t98 * t577
-        - t109 * t578;
-    let t580 = t541 - t549 - t58 * t569 - t72 * t575 - t87 * t576 - t100 * t577
-        - t111 * t578 - t120 * t579;
-    let t581 = -(R::literal(29.43) * chain_theta_8.cos()) - t309 - t360 - t406 - t448
-        - t485 - t517 - t544 - t565 - t566 - t332 - t381 - t424 - t463 - t497 - t526
-        - t550 + t571 + t573 - t59 * t569;
-    let t582 = t581 - t74 * t575 - t89 * t576 - t102 * t577 - t113 * t578 - t122 * t579
-        - t129 * t580;
-    let t583 = t567 + t572 - t60 * t569 - t76 * t575 - t91 * t576 - t104 * t577
-        - t115 * t578 - t124 * t579 - t131 * t580 - t136 * t582;
-    let chain_omega_10_dot_by_chain_theta_8 = (t568 + t574 - t61 * t569 - t78 * t575
-        - t93 * t576 - t106 * t577 - t117 * t578 - t126 * t579 - t133 * t580
-        - t138 * t582 - t141 * t583) * t142;
-    let chain_omega_9_dot_by_chain_theta_8 = t583 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_8_dot_by_chain_theta_8 = t582 * t134
+    let t518 = t195 * t93;
+    let t519 = chain_omega_10_squared * t95;
+    let t520 = t232 * t93;
+    let t521 = chain_omega_8_squared * t95;
+    let t522 = t254 - t285;
+    let t523 = R::literal(2.0) * t92;
+    let t524 = t523 * chain_omega_9_dot;
+    let t525 = t523 * chain_omega_8_dot;
+    let t526 = t94 * chain_omega_10_dot;
+    let t527 = t94 * chain_omega_8_dot;
+    let t528 = t306 - t334 - t98 * t522;
+    let t529 = t353 - t377 - t99 * t522 - t109 * t528;
+    let t530 = t395 - t415 - t100 * t522 - t111 * t528 - t126 * t529;
+    let t531 = t433 - t449 - t101 * t522 - t113 * t528 - t128 * t529 - t141 * t530;
+    let t532 = t466 - t478 - t102 * t522 - t115 * t528 - t130 * t529 - t143 * t530
+        - t154 * t531;
+    let t533 = t494 - t502 - t103 * t522 - t117 * t528 - t132 * t529 - t145 * t530
+        - t156 * t531 - t165 * t532;
+    let t534 = -(R::literal(29.43) * cos_chain_theta_8) - t263 - t314 - t360 - t401
+        - t438 - t470 - t497 - t518 - t519 - t286 - t335 - t378 - t416 - t450 - t479
+        - t503 + t524 + t526 - t104 * t522 - t119 * t528;
+    let t535 = t534 - t134 * t529 - t147 * t530 - t158 * t531 - t167 * t532
+        - t174 * t533;
+    let t536 = t520 + t525 - t105 * t522 - t121 * t528 - t136 * t529 - t149 * t530
+        - t160 * t531 - t169 * t532 - t176 * t533 - t181 * t535;
+    let chain_omega_10_dot_by_chain_theta_8 = (t521 + t527 - t106 * t522 - t123 * t528
+        - t138 * t529 - t151 * t530 - t162 * t531 - t171 * t532 - t178 * t533
+        - t183 * t535 - t186 * t536) * t187;
+    let chain_omega_9_dot_by_chain_theta_8 = t536 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_8;
+    let chain_omega_8_dot_by_chain_theta_8 = t535 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_8
+        - t183 * chain_omega_10_dot_by_chain_theta_8;
+    let chain_omega_7_dot_by_chain_theta_8 = t533 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_8
+        - t176 * chain_omega_9_dot_by_chain_theta_8
+        - t178 * chain_omega_10_dot_by_chain_theta_8;
+    let chain_omega_6_dot_by_chain_theta_8 = t532 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_8
+        - t167 * chain_omega_8_dot_by_chain_theta_8
+        - t169 * chain_omega_9_dot_by_chain_theta_8
+        - t171 * chain_omega_10_dot_by_chain_theta_8;
+    let chain_omega_5_dot_by_chain_theta_8 = t531 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_8
+        - t156 * chain_omega_7_dot_by_chain_theta_8
+        - t158 * chain_omega_8_dot_by_chain_theta_8
+        - t160 * chain_omega_9_dot_by_chain_theta_8
+        - t162 * chain_omega_10_dot_by_chain_theta_8;
+    let chain_omega_4_dot_by_chain_theta_8 = t530 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_8
+        - t143 * chain_omega_6_dot_by_chain_theta_8
+        - t145 * chain_omega_7_dot_by_chain_theta_8
+        - t147 * chain_omega_8_dot_by_chain_theta_8
+        - t149 * chain_omega_9_dot_by_chain_theta_8
+        - t151 * chain_omega_10_dot_by_chain_theta_8;
+    let chain_omega_3_dot_by_chain_theta_8 = t529 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_8
+        - t128 * chain_omega_5_dot_by_chain_theta_8
+        - t130 * chain_omega_6_dot_by_chain_theta_8
+        - t132 * chain_omega_7_dot_by_chain_theta_8
+        - t134 * chain_omega_8_dot_by_chain_theta_8
         - t136 * chain_omega_9_dot_by_chain_theta_8
         - t138 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_7_dot_by_chain_theta_8 = t580 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_8
-        - t131 * chain_omega_9_dot_by_chain_theta_8
-        - t133 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_6_dot_by_chain_theta_8 = t579 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_8
-        - t122 * chain_omega_8_dot_by_chain_theta_8
-        - t124 * chain_omega_9_dot_by_chain_theta_8
-        - t126 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_5_dot_by_chain_theta_8 = t578 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_8
-        - t111 * chain_omega_7_dot_by_chain_theta_8
-        - t113 * chain_omega_8_dot_by_chain_theta_8
-        - t115 * chain_omega_9_dot_by_chain_theta_8
-        - t117 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_4_dot_by_chain_theta_8 = t577 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_8
-        - t98 * chain_omega_6_dot_by_chain_theta_8
-        - t100 * chain_omega_7_dot_by_chain_theta_8
-        - t102 * chain_omega_8_dot_by_chain_theta_8
-        - t104 * chain_omega_9_dot_by_chain_theta_8
+    let chain_omega_2_dot_by_chain_theta_8 = t528 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_8
+        - t111 * chain_omega_4_dot_by_chain_theta_8
+        - t113 * chain_omega_5_dot_by_chain_theta_8
+        - t115 * chain_omega_6_dot_by_chain_theta_8
+        - t117 * chain_omega_7_dot_by_chain_theta_8
+        - t119 * chain_omega_8_dot_by_chain_theta_8
+        - t121 * chain_omega_9_dot_by_chain_theta_8
+        - t123 * chain_omega_10_dot_by_chain_theta_8;
+    let chain_omega_1_dot_by_chain_theta_8 = t522 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_8
+        - t99 * chain_omega_3_dot_by_chain_theta_8
+        - t100 * chain_omega_4_dot_by_chain_theta_8
+        - t101 * chain_omega_5_dot_by_chain_theta_8
+        - t102 * chain_omega_6_dot_by_chain_theta_8
+        - t103 * chain_omega_7_dot_by_chain_theta_8
+        - t104 * chain_omega_8_dot_by_chain_theta_8
+        - t105 * chain_omega_9_dot_by_chain_theta_8
         - t106 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_3_dot_by_chain_theta_8 = t576 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_8
-        - t83 * chain_omega_5_dot_by_chain_theta_8
-        - t85 * chain_omega_6_dot_by_chain_theta_8
-        - t87 * chain_omega_7_dot_by_chain_theta_8
-        - t89 * chain_omega_8_dot_by_chain_theta_8
-        - t91 * chain_omega_9_dot_by_chain_theta_8
-        - t93 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_2_dot_by_chain_theta_8 = t575 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_8
-        - t66 * chain_omega_4_dot_by_chain_theta_8
-        - t68 * chain_omega_5_dot_by_chain_theta_8
-        - t70 * chain_omega_6_dot_by_chain_theta_8
-        - t72 * chain_omega_7_dot_by_chain_theta_8
-        - t74 * chain_omega_8_dot_by_chain_theta_8
-        - t76 * chain_omega_9_dot_by_chain_theta_8
-        - t78 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_1_dot_by_chain_theta_8 = t569 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_8
-        - t54 * chain_omega_3_dot_by_chain_theta_8
-        - t55 * chain_omega_4_dot_by_chain_theta_8
-        - t56 * chain_omega_5_dot_by_chain_theta_8
-        - t57 * chain_omega_6_dot_by_chain_theta_8
-        - t58 * chain_omega_7_dot_by_chain_theta_8
-        - t59 * chain_omega_8_dot_by_chain_theta_8
-        - t60 * chain_omega_9_dot_by_chain_theta_8
-        - t61 * chain_omega_10_dot_by_chain_theta_8;
-    let t584 = chain_omega_10_squared * t52;
-    let t585 = chain_omega_9_squared * chain_theta_10_minus_chain_theta_9.cos();
-    let t586 = t301 - t334;
-    let t587 = t268 * chain_omega_10_dot;
-    let t588 = t268 * chain_omega_9_dot;
-    let t589 = t353 - t383 - t53 * t586;
-    let t590 = t400 - t426 - t54 * t586 - t64 * t589;
-    let t591 = t443 - t465 - t55 * t586 - t66 * t589 - t81 * t590;
-    let t592 = t481 - t499 - t56 * t586 - t68 * t589 - t83 * t590 - t96 * t591;
-    let t593 = t514 - t528 - t57 * t586 - t70 * t589 - t85 * t590 - t98 * t591
-        - t109 * t592;
-    let t594 = t542 - t552 - t58 * t586 - t72 * t589 - t87 * t590 - t100 * t591
-        - t111 * t592 - t120 * t593;
-    let t595 = t565 - t571 - t59 * t586 - t74 * t589 - t89 * t590 - t102 * t591
-        - t113 * t592 - t122 * t593 - t129 * t594;
-    let t596 = -(R::literal(19.62) * chain_theta_9.cos()) - t310 - t361 - t407 - t449
-        - t486 - t518 - t545 - t567 - t584 - t335 - t384 - t427 - t466 - t500 - t529
-        - t553 - t572 + t587 - t60 * t586;
-    let t597 = t596 - t76 * t589 - t91 * t590 - t104 * t591 - t115 * t592 - t124 * t593
-        - t131 * t594 - t136 * t595;
-    let chain_omega_10_dot_by_chain_theta_9 = (t585 + t588 - t61 * t586 - t78 * t589
-        - t93 * t590 - t106 * t591 - t117 * t592 - t126 * t593 - t133 * t594
-        - t138 * t595 - t141 * t597) * t142;
-    let chain_omega_9_dot_by_chain_theta_9 = t597 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_8_dot_by_chain_theta_9 = t595 * t134
+    let t537 = chain_omega_10_squared * t97;
+    let t538 = chain_omega_9_squared * t97;
+    let t539 = t255 - t288;
+    let t540 = t96 * chain_omega_10_dot;
+    let t541 = t96 * chain_omega_9_dot;
+    let t542 = t307 - t337 - t98 * t539;
+    let t543 = t354 - t380 - t99 * t539 - t109 * t542;
+    let t544 = t396 - t418 - t100 * t539 - t111 * t542 - t126 * t543;
+    let t545 = t434 - t452 - t101 * t539 - t113 * t542 - t128 * t543 - t141 * t544;
+    let t546 = t467 - t481 - t102 * t539 - t115 * t542 - t130 * t543 - t143 * t544
+        - t154 * t545;
+    let t547 = t495 - t505 - t103 * t539 - t117 * t542 - t132 * t543 - t145 * t544
+        - t156 * t545 - t165 * t546;
+    let t548 = t518 - t524 - t104 * t539 - t119 * t542 - t134 * t543 - t147 * t544
+        - t158 * t545 - t167 * t546 - t174 * t547;
+    let t549 = -(R::literal(19.62) * cos_chain_theta_9) - t264 - t315 - t361 - t402
+        - t439 - t471 - t498 - t520 - t537 - t289 - t338 - t381 - t419 - t453 - t482
+        - t506 - t525 + t540 - t105 * t539 - t121 * t542;
+    let t550 = t549 - t136 * t543 - t149 * t544 - t160 * t545 - t169 * t546 - t176 * t547
+        - t181 * t548;
+    let chain_omega_10_dot_by_chain_theta_9 = (t538 + t541 - t106 * t539 - t123 * t542
+        - t138 * t543 - t151 * t544 - t162 * t545 - t171 * t546 - t178 * t547
+        - t183 * t548 - t186 * t550) * t187;
+    let chain_omega_9_dot_by_chain_theta_9 = t550 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_9;
+    let chain_omega_8_dot_by_chain_theta_9 = t548 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_9
+        - t183 * chain_omega_10_dot_by_chain_theta_9;
+    let chain_omega_7_dot_by_chain_theta_9 = t547 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_9
+        - t176 * chain_omega_9_dot_by_chain_theta_9
+        - t178 * chain_omega_10_dot_by_chain_theta_9;
+    let chain_omega_6_dot_by_chain_theta_9 = t546 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_9
+        - t167 * chain_omega_8_dot_by_chain_theta_9
+        - t169 * chain_omega_9_dot_by_chain_theta_9
+        - t171 * chain_omega_10_dot_by_chain_theta_9;
+    let chain_omega_5_dot_by_chain_theta_9 = t545 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_9
+        - t156 * chain_omega_7_dot_by_chain_theta_9
+        - t158 * chain_omega_8_dot_by_chain_theta_9
+        - t160 * chain_omega_9_dot_by_chain_theta_9
+        - t162 * chain_omega_10_dot_by_chain_theta_9;
+    let chain_omega_4_dot_by_chain_theta_9 = t544 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_9
+        - t143 * chain_omega_6_dot_by_chain_theta_9
+        - t145 * chain_omega_7_dot_by_chain_theta_9
+        - t147 * chain_omega_8_dot_by_chain_theta_9
+        - t149 * chain_omega_9_dot_by_chain_theta_9
+        - t151 * chain_omega_10_dot_by_chain_theta_9;
+    let chain_omega_3_dot_by_chain_theta_9 = t543 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_9
+        - t128 * chain_omega_5_dot_by_chain_theta_9
+        - t130 * chain_omega_6_dot_by_chain_theta_9
+        - t132 * chain_omega_7_dot_by_chain_theta_9
+        - t134 * chain_omega_8_dot_by_chain_theta_9
         - t136 * chain_omega_9_dot_by_chain_theta_9
         - t138 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_7_dot_by_chain_theta_9 = t594 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_9
-        - t131 * chain_omega_9_dot_by_chain_theta_9
-        - t133 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_6_dot_by_chain_theta_9 = t593 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_9
-        - t122 * chain_omega_8_dot_by_chain_theta_9
-        - t124 * chain_omega_9_dot_by_chain_theta_9
-        - t126 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_5_dot_by_chain_theta_9 = t592 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_9
-        - t111 * chain_omega_7_dot_by_chain_theta_9
-        - t113 * chain_omega_8_dot_by_chain_theta_9
-        - t115 * chain_omega_9_dot_by_chain_theta_9
-        - t117 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_4_dot_by_chain_theta_9 = t591 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_9
-        - t98 * chain_omega_6_dot_by_chain_theta_9
-        - t100 * chain_omega_7_dot_by_chain_theta_9
-        - t102 * chain_omega_8_dot_by_chain_theta_9
-        - t104 * chain_omega_9_dot_by_chain_theta_9
+    let chain_omega_2_dot_by_chain_theta_9 = t542 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_9
+        - t111 * chain_omega_4_dot_by_chain_theta_9
+        - t113 * chain_omega_5_dot_by_chain_theta_9
+        - t115 * chain_omega_6_dot_by_chain_theta_9
+        - t117 * chain_omega_7_dot_by_chain_theta_9
+        - t119 * chain_omega_8_dot_by_chain_theta_9
+        - t121 * chain_omega_9_dot_by_chain_theta_9
+        - t123 * chain_omega_10_dot_by_chain_theta_9;
+    let chain_omega_1_dot_by_chain_theta_9 = t539 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_9
+        - t99 * chain_omega_3_dot_by_chain_theta_9
+        - t100 * chain_omega_4_dot_by_chain_theta_9
+        - t101 * chain_omega_5_dot_by_chain_theta_9
+        - t102 * chain_omega_6_dot_by_chain_theta_9
+        - t103 * chain_omega_7_dot_by_chain_theta_9
+        - t104 * chain_omega_8_dot_by_chain_theta_9
+        - t105 * chain_omega_9_dot_by_chain_theta_9
         - t106 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_3_dot_by_chain_theta_9 = t590 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_9
-        - t83 * chain_omega_5_dot_by_chain_theta_9
-        - t85 * chain_omega_6_dot_by_chain_theta_9
-        - t87 * chain_omega_7_dot_by_chain_theta_9
-        - t89 * chain_omega_8_dot_by_chain_theta_9
-        - t91 * chain_omega_9_dot_by_chain_theta_9
-        - t93 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_2_dot_by_chain_theta_9 = t589 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_9
-        - t66 * chain_omega_4_dot_by_chain_theta_9
-        - t68 * chain_omega_5_dot_by_chain_theta_9
-        - t70 * chain_omega_6_dot_by_chain_theta_9
-        - t72 * chain_omega_7_dot_by_chain_theta_9
-        - t74 * chain_omega_8_dot_by_chain_theta_9
-        - t76 * chain_omega_9_dot_by_chain_theta_9
-        - t78 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_1_dot_by_chain_theta_9 = t586 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_9
-        - t54 * chain_omega_3_dot_by_chain_theta_9
-        - t55 * chain_omega_4_dot_by_chain_theta_9
-        - t56 * chain_omega_5_dot_by_chain_theta_9
-        - t57 * chain_omega_6_dot_by_chain_theta_9
-        - t58 * chain_omega_7_dot_by_chain_theta_9
-        - t59 * chain_omega_8_dot_by_chain_theta_9
-        - t60 * chain_omega_9_dot_by_chain_theta_9
-        - t61 * chain_omega_10_dot_by_chain_theta_9;
-    let t598 = t302 - t336;
-    let t599 = t354 - t385 - t53 * t598;
-    let t600 = t401 - t428 - t54 * t598 - t64 * t599;
-    let t601 = t444 - t467 - t55 * t598 - t66 * t599 - t81 * t600;
-    let t602 = t482 - t501 - t56 * t598 - t68 * t599 - t83 * t600 - t96 * t601;
-    let t603 = t515 - t530 - t57 * t598 - t70 * t599 - t85 * t600 - t98 * t601
-        - t109 * t602;
-    let t604 = t543 - t554 - t58 * t598 - t72 * t599 - t87 * t600 - t100 * t601
-        - t111 * t602 - t120 * t603;
-    let t605 = t566 - t573 - t59 * t598 - t74 * t599 - t89 * t600 - t102 * t601
-        - t113 * t602 - t122 * t603 - t129 * t604;
-    let t606 = t584 - t587 - t60 * t598 - t76 * t599 - t91 * t600 - t104 * t601
-        - t115 * t602 - t124 * t603 - t131 * t604 - t136 * t605;
-    let t607 = -(R::literal(9.81) * chain_theta_10.cos()) - t311 - t362 - t408 - t450
-        - t487 - t519 - t546 - t568 - t585 - t338 - t386 - t429 - t468 - t502 - t531
-        - t555 - t574 - t588 - t61 * t598;
-    let chain_omega_10_dot_by_chain_theta_10 = (t607 - t78 * t599 - t93 * t600
-        - t106 * t601 - t117 * t602 - t126 * t603 - t133 * t604 - t138 * t605
-        - t141 * t606) * t142;
-    let chain_omega_9_dot_by_chain_theta_10 = t606 * t139
-        - t141 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_8_dot_by_chain_theta_10 = t605 * t134
+    let t551 = t256 - t290;
+    let t552 = t308 - t339 - t98 * t551;
+    let t553 = t355 - t382 - t99 * t551 - t109 * t552;
+    let t554 = t397 - t420 - t100 * t551 - t111 * t552 - t126 * t553;
+    let t555 = t435 - t454 - t101 * t551 - t113 * t552 - t128 * t553 - t141 * t554;
+    let t556 = t468 - t483 - t102 * t551 - t115 * t552 - t130 * t553 - t143 * t554
+        - t154 * t555;
+    let t557 = t496 - t507 - t103 * t551 - t117 * t552 - t132 * t553 - t145 * t554
+        - t156 * t555 - t165 * t556;
+    let t558 = t519 - t526 - t104 * t551 - t119 * t552 - t134 * t553 - t147 * t554
+        - t158 * t555 - t167 * t556 - t174 * t557;
+    let t559 = t537 - t540 - t105 * t551 - t121 * t552 - t136 * t553 - t149 * t554
+        - t160 * t555 - t169 * t556 - t176 * t557 - t181 * t558;
+    let t560 = -(R::literal(9.81) * cos_chain_theta_10) - t265 - t316 - t362 - t403
+        - t440 - t472 - t499 - t521 - t538 - t292 - t340 - t383 - t421 - t455 - t484
+        - t508 - t527 - t541 - t106 * t551 - t123 * t552;
+    let chain_omega_10_dot_by_chain_theta_10 = (t560 - t138 * t553 - t151 * t554
+        - t162 * t555 - t171 * t556 - t178 * t557 - t183 * t558 - t186 * t559) * t187;
+    let chain_omega_9_dot_by_chain_theta_10 = t559 * t184
+        - t186 * chain_omega_10_dot_by_chain_theta_10;
+    let chain_omega_8_dot_by_chain_theta_10 = t558 * t179
+        - t181 * chain_omega_9_dot_by_chain_theta_10
+        - t183 * chain_omega_10_dot_by_chain_theta_10;
+    let chain_omega_7_dot_by_chain_theta_10 = t557 * t172
+        - t174 * chain_omega_8_dot_by_chain_theta_10
+        - t176 * chain_omega_9_dot_by_chain_theta_10
+        - t178 * chain_omega_10_dot_by_chain_theta_10;
+    let chain_omega_6_dot_by_chain_theta_10 = t556 * t163
+        - t165 * chain_omega_7_dot_by_chain_theta_10
+        - t167 * chain_omega_8_dot_by_chain_theta_10
+        - t169 * chain_omega_9_dot_by_chain_theta_10
+        - t171 * chain_omega_10_dot_by_chain_theta_10;
+    let chain_omega_5_dot_by_chain_theta_10 = t555 * t152
+        - t154 * chain_omega_6_dot_by_chain_theta_10
+        - t156 * chain_omega_7_dot_by_chain_theta_10
+        - t158 * chain_omega_8_dot_by_chain_theta_10
+        - t160 * chain_omega_9_dot_by_chain_theta_10
+        - t162 * chain_omega_10_dot_by_chain_theta_10;
+    let chain_omega_4_dot_by_chain_theta_10 = t554 * t139
+        - t141 * chain_omega_5_dot_by_chain_theta_10
+        - t143 * chain_omega_6_dot_by_chain_theta_10
+        - t145 * chain_omega_7_dot_by_chain_theta_10
+        - t147 * chain_omega_8_dot_by_chain_theta_10
+        - t149 * chain_omega_9_dot_by_chain_theta_10
+        - t151 * chain_omega_10_dot_by_chain_theta_10;
+    let chain_omega_3_dot_by_chain_theta_10 = t553 * t124
+        - t126 * chain_omega_4_dot_by_chain_theta_10
+        - t128 * chain_omega_5_dot_by_chain_theta_10
+        - t130 * chain_omega_6_dot_by_chain_theta_10
+        - t132 * chain_omega_7_dot_by_chain_theta_10
+        - t134 * chain_omega_8_dot_by_chain_theta_10
         - t136 * chain_omega_9_dot_by_chain_theta_10
         - t138 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_7_dot_by_chain_theta_10 = t604 * t127
-        - t129 * chain_omega_8_dot_by_chain_theta_10
-        - t131 * chain_omega_9_dot_by_chain_theta_10
-        - t133 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_6_dot_by_chain_theta_10 = t603 * t118
-        - t120 * chain_omega_7_dot_by_chain_theta_10
-        - t122 * chain_omega_8_dot_by_chain_theta_10
-        - t124 * chain_omega_9_dot_by_chain_theta_10
-        - t126 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_5_dot_by_chain_theta_10 = t602 * t107
-        - t109 * chain_omega_6_dot_by_chain_theta_10
-        - t111 * chain_omega_7_dot_by_chain_theta_10
-        - t113 * chain_omega_8_dot_by_chain_theta_10
-        - t115 * chain_omega_9_dot_by_chain_theta_10
-        - t117 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_4_dot_by_chain_theta_10 = t601 * t94
-        - t96 * chain_omega_5_dot_by_chain_theta_10
-        - t98 * chain_omega_6_dot_by_chain_theta_10
-        - t100 * chain_omega_7_dot_by_chain_theta_10
-        - t102 * chain_omega_8_dot_by_chain_theta_10
-        - t104 * chain_omega_9_dot_by_chain_theta_10
+    let chain_omega_2_dot_by_chain_theta_10 = t552 * t107
+        - t109 * chain_omega_3_dot_by_chain_theta_10
+        - t111 * chain_omega_4_dot_by_chain_theta_10
+        - t113 * chain_omega_5_dot_by_chain_theta_10
+        - t115 * chain_omega_6_dot_by_chain_theta_10
+        - t117 * chain_omega_7_dot_by_chain_theta_10
+        - t119 * chain_omega_8_dot_by_chain_theta_10
+        - t121 * chain_omega_9_dot_by_chain_theta_10
+        - t123 * chain_omega_10_dot_by_chain_theta_10;
+    let chain_omega_1_dot_by_chain_theta_10 = t551 * R::literal(0.1)
+        - t98 * chain_omega_2_dot_by_chain_theta_10
+        - t99 * chain_omega_3_dot_by_chain_theta_10
+        - t100 * chain_omega_4_dot_by_chain_theta_10
+        - t101 * chain_omega_5_dot_by_chain_theta_10
+        - t102 * chain_omega_6_dot_by_chain_theta_10
+        - t103 * chain_omega_7_dot_by_chain_theta_10
+        - t104 * chain_omega_8_dot_by_chain_theta_10
+        - t105 * chain_omega_9_dot_by_chain_theta_10
         - t106 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_3_dot_by_chain_theta_10 = t600 * t79
-        - t81 * chain_omega_4_dot_by_chain_theta_10
-        - t83 * chain_omega_5_dot_by_chain_theta_10
-        - t85 * chain_omega_6_dot_by_chain_theta_10
-        - t87 * chain_omega_7_dot_by_chain_theta_10
-        - t89 * chain_omega_8_dot_by_chain_theta_10
-        - t91 * chain_omega_9_dot_by_chain_theta_10
-        - t93 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_2_dot_by_chain_theta_10 = t599 * t62
-        - t64 * chain_omega_3_dot_by_chain_theta_10
-        - t66 * chain_omega_4_dot_by_chain_theta_10
-        - t68 * chain_omega_5_dot_by_chain_theta_10
-        - t70 * chain_omega_6_dot_by_chain_theta_10
-        - t72 * chain_omega_7_dot_by_chain_theta_10
-        - t74 * chain_omega_8_dot_by_chain_theta_10
-        - t76 * chain_omega_9_dot_by_chain_theta_10
-        - t78 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_1_dot_by_chain_theta_10 = t598 * R::literal(0.1)
-        - t53 * chain_omega_2_dot_by_chain_theta_10
-        - t54 * chain_omega_3_dot_by_chain_theta_10
-        - t55 * chain_omega_4_dot_by_chain_theta_10
-        - t56 * chain_omega_5_dot_by_chain_theta_10
-        - t57 * chain_omega_6_dot_by_chain_theta_10
-        - t58 * chain_omega_7_dot_by_chain_theta_10
-        - t59 * chain_omega_8_dot_by_chain_theta_10
-        - t60 * chain_omega_9_dot_by_chain_theta_10
-        - t61 * chain_omega_10_dot_by_chain_theta_10;
-    let t608 = R::literal(18.0) * chain_omega_1 * t161;
-    let t609 = t64 * t608 - R::literal(16.0) * chain_omega_1 * t171;
-    let t610 = t66 * t608 - R::literal(14.0) * chain_omega_1 * t182 - t81 * t609;
-    let t611 = t68 * t608 - R::literal(12.0) * chain_omega_1 * t194 - t83 * t609
-        - t96 * t610;
-    let t612 = t70 * t608 - R::literal(10.0) * chain_omega_1 * t207 - t85 * t609
-        - t98 * t610 - t109 * t611;
-    let t613 = t72 * t608 - R::literal(8.0) * chain_omega_1 * t221 - t87 * t609
-        - t100 * t610 - t111 * t611 - t120 * t612;
-    let t614 = t74 * t608 - R::literal(6.0) * chain_omega_1 * t236 - t89 * t609
-        - t102 * t610 - t113 * t611 - t122 * t612 - t129 * t613;
-    let t615 = t76 * t608 - R::literal(4.0) * chain_omega_1 * t252 - t91 * t609
-        - t104 * t610 - t115 * t611 - t124 * t612 - t131 * t613 - t136 * t614;
-    let chain_omega_10_dot_by_chain_omega_1 = (t78 * t608
-        - R::literal(2.0) * chain_omega_1 * t269 - t93 * t609 - t106 * t610 - t117 * t611
-        - t126 * t612 - t133 * t613 - t138 * t614 - t141 * t615) * t142;
-    let chain_omega_9_dot_by_chain_omega_1 = t615 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_8_dot_by_chain_omega_1 = t614 * t134
+    let t561 = R::literal(18.0) * chain_omega_1 * t0;
+    let t562 = R::literal(16.0) * chain_omega_1 * t3 - t109 * t561;
+    let t563 = R::literal(14.0) * chain_omega_1 * t6 - t111 * t561 - t126 * t562;
+    let t564 = R::literal(12.0) * chain_omega_1 * t9 - t113 * t561 - t128 * t562
+        - t141 * t563;
+    let t565 = R::literal(10.0) * chain_omega_1 * t12 - t115 * t561 - t130 * t562
+        - t143 * t563 - t154 * t564;
+    let t566 = R::literal(8.0) * chain_omega_1 * t15 - t117 * t561 - t132 * t562
+        - t145 * t563 - t156 * t564 - t165 * t565;
+    let t567 = R::literal(6.0) * chain_omega_1 * t18 - t119 * t561 - t134 * t562
+        - t147 * t563 - t158 * t564 - t167 * t565 - t174 * t566;
+    let t568 = R::literal(4.0) * chain_omega_1 * t21 - t121 * t561 - t136 * t562
+        - t149 * t563 - t160 * t564 - t169 * t565 - t176 * t566 - t181 * t567;
+    let chain_omega_10_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t24
+        - t123 * t561 - t138 * t562 - t151 * t563 - t162 * t564 - t171 * t565
+        - t178 * t566 - t183 * t567 - t186 * t568) * t187;
+    let chain_omega_9_dot_by_chain_omega_1 = t568 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_1;
+    let chain_omega_8_dot_by_chain_omega_1 = t567 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_1
+        - t183 * chain_omega_10_dot_by_chain_omega_1;
+    let chain_omega_7_dot_by_chain_omega_1 = t566 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_1
+        - t176 * chain_omega_9_dot_by_chain_omega_1
+        - t178 * chain_omega_10_dot_by_chain_omega_1;
+    let chain_omega_6_dot_by_chain_omega_1 = t565 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_1
+        - t167 * chain_omega_8_dot_by_chain_omega_1
+        - t169 * chain_omega_9_dot_by_chain_omega_1
+        - t171 * chain_omega_10_dot_by_chain_omega_1;
+    let chain_omega_5_dot_by_chain_omega_1 = t564 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_1
+        - t156 * chain_omega_7_dot_by_chain_omega_1
+        - t158 * chain_omega_8_dot_by_chain_omega_1
+        - t160 * chain_omega_9_dot_by_chain_omega_1
+        - t162 * chain_omega_10_dot_by_chain_omega_1;
+    let chain_omega_4_dot_by_chain_omega_1 = t563 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_1
+        - t143 * chain_omega_6_dot_by_chain_omega_1
+        - t145 * chain_omega_7_dot_by_chain_omega_1
+        - t147 * chain_omega_8_dot_by_chain_omega_1
+        - t149 * chain_omega_9_dot_by_chain_omega_1
+        - t151 * chain_omega_10_dot_by_chain_omega_1;
+    let chain_omega_3_dot_by_chain_omega_1 = t562 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_1
+        - t128 * chain_omega_5_dot_by_chain_omega_1
+        - t130 * chain_omega_6_dot_by_chain_omega_1
+        - t132 * chain_omega_7_dot_by_chain_omega_1
+        - t134 * chain_omega_8_dot_by_chain_omega_1
         - t136 * chain_omega_9_dot_by_chain_omega_1
         - t138 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_7_dot_by_chain_omega_1 = t613 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_1
-        - t131 * chain_omega_9_dot_by_chain_omega_1
-        - t133 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_6_dot_by_chain_omega_1 = t612 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_1
-        - t122 * chain_omega_8_dot_by_chain_omega_1
-        - t124 * chain_omega_9_dot_by_chain_omega_1
-        - t126 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_5_dot_by_chain_omega_1 = t611 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_1
-        - t111 * chain_omega_7_dot_by_chain_omega_1
-        - t113 * chain_omega_8_dot_by_chain_omega_1
-        - t115 * chain_omega_9_dot_by_chain_omega_1
-        - t117 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_4_dot_by_chain_omega_1 = t610 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_1
-        - t98 * chain_omega_6_dot_by_chain_omega_1
-        - t100 * chain_omega_7_dot_by_chain_omega_1
-        - t102 * chain_omega_8_dot_by_chain_omega_1
-        - t104 * chain_omega_9_dot_by_chain_omega_1
+    let chain_omega_2_dot_by_chain_omega_1 = t561 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_1
+        - t111 * chain_omega_4_dot_by_chain_omega_1
+        - t113 * chain_omega_5_dot_by_chain_omega_1
+        - t115 * chain_omega_6_dot_by_chain_omega_1
+        - t117 * chain_omega_7_dot_by_chain_omega_1
+        - t119 * chain_omega_8_dot_by_chain_omega_1
+        - t121 * chain_omega_9_dot_by_chain_omega_1
+        - t123 * chain_omega_10_dot_by_chain_omega_1;
+    let chain_omega_1_dot_by_chain_omega_1 = -(t98 * chain_omega_2_dot_by_chain_omega_1)
+        - t99 * chain_omega_3_dot_by_chain_omega_1
+        - t100 * chain_omega_4_dot_by_chain_omega_1
+        - t101 * chain_omega_5_dot_by_chain_omega_1
+        - t102 * chain_omega_6_dot_by_chain_omega_1
+        - t103 * chain_omega_7_dot_by_chain_omega_1
+        - t104 * chain_omega_8_dot_by_chain_omega_1
+        - t105 * chain_omega_9_dot_by_chain_omega_1
         - t106 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_3_dot_by_chain_omega_1 = t609 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_1
-        - t83 * chain_omega_5_dot_by_chain_omega_1
-        - t85 * chain_omega_6_dot_by_chain_omega_1
-        - t87 * chain_omega_7_dot_by_chain_omega_1
-        - t89 * chain_omega_8_dot_by_chain_omega_1
-        - t91 * chain_omega_9_dot_by_chain_omega_1
-        - t93 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_2_dot_by_chain_omega_1 = -(t608 * t62)
-        - t64 * chain_omega_3_dot_by_chain_omega_1
-        - t66 * chain_omega_4_dot_by_chain_omega_1
-        - t68 * chain_omega_5_dot_by_chain_omega_1
-        - t70 * chain_omega_6_dot_by_chain_omega_1
-        - t72 * chain_omega_7_dot_by_chain_omega_1
-        - t74 * chain_omega_8_dot_by_chain_omega_1
-        - t76 * chain_omega_9_dot_by_chain_omega_1
-        - t78 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_1_dot_by_chain_omega_1 = -(t53 * chain_omega_2_dot_by_chain_omega_1)
-        - t54 * chain_omega_3_dot_by_chain_omega_1
-        - t55 * chain_omega_4_dot_by_chain_omega_1
-        - t56 * chain_omega_5_dot_by_chain_omega_1
-        - t57 * chain_omega_6_dot_by_chain_omega_1
-        - t58 * chain_omega_7_dot_by_chain_omega_1
-        - t59 * chain_omega_8_dot_by_chain_omega_1
-        - t60 * chain_omega_9_dot_by_chain_omega_1
-        - t61 * chain_omega_10_dot_by_chain_omega_1;
-    let t616 = R::literal(18.0) * chain_omega_2 * t143;
-    let t617 = t53 * t616;
-    let t618 = t54 * t616 - R::literal(16.0) * chain_omega_2 * t173 - t64 * t617;
-    let t619 = t55 * t616 - R::literal(14.0) * chain_omega_2 * t184 - t66 * t617
-        - t81 * t618;
-    let t620 = t56 * t616 - R::literal(12.0) * chain_omega_2 * t196 - t68 * t617
-        - t83 * t618 - t96 * t619;
-    let t621 = t57 * t616 - R::literal(10.0) * chain_omega_2 * t209 - t70 * t617
-        - t85 * t618 - t98 * t619 - t109 * t620;
-    let t622 = t58 * t616 - R::literal(8.0) * chain_omega_2 * t223 - t72 * t617
-        - t87 * t618 - t100 * t619 - t111 * t620 - t120 * t621;
-    let t623 = t59 * t616 - R::literal(6.0) * chain_omega_2 * t238 - t74 * t617
-        - t89 * t618 - t102 * t619 - t113 * t620 - t122 * t621 - t129 * t622;
-    let t624 = t60 * t616 - R::literal(4.0) * chain_omega_2 * t254 - t76 * t617
-        - t91 * t618 - t104 * t619 - t115 * t620 - t124 * t621 - t131 * t622
-        - t136 * t623;
-    let chain_omega_10_dot_by_chain_omega_2 = (t61 * t616
-        - R::literal(2.0) * chain_omega_2 * t270 - t78 * t617 - t93 * t618 - t106 * t619
-        - t117 * t620 - t126 * t621 - t133 * t622 - t138 * t623 - t141 * t624) * t142;
-    let chain_omega_9_dot_by_chain_omega_2 = t624 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_8_dot_by_chain_omega_2 = t623 * t134
+    let t569 = R::literal(18.0) * chain_omega_2 * t0;
+    let t570 = t98 * t569;
+    let t571 = R::literal(16.0) * chain_omega_2 * t26 + t99 * t569 - t109 * t570;
+    let t572 = R::literal(14.0) * chain_omega_2 * t28 + t100 * t569 - t111 * t570
+        - t126 * t571;
+    let t573 = R::literal(12.0) * chain_omega_2 * t30 + t101 * t569 - t113 * t570
+        - t128 * t571 - t141 * t572;
+    let t574 = R::literal(10.0) * chain_omega_2 * t32 + t102 * t569 - t115 * t570
+        - t130 * t571 - t143 * t572 - t154 * t573;
+    let t575 = R::literal(8.0) * chain_omega_2 * t34 + t103 * t569 - t117 * t570
+        - t132 * t571 - t145 * t572 - t156 * t573 - t165 * t574;
+    let t576 = R::literal(6.0) * chain_omega_2 * t36 + t104 * t569 - t119 * t570
+        - t134 * t571 - t147 * t572 - t158 * t573 - t167 * t574 - t174 * t575;
+    let t577 = R::literal(4.0) * chain_omega_2 * t38 + t105 * t569 - t121 * t570
+        - t136 * t571 - t149 * t572 - t160 * t573 - t169 * t574 - t176 * t575
+        - t181 * t576;
+    let chain_omega_10_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t40
+        + t106 * t569 - t123 * t570 - t138 * t571 - t151 * t572 - t162 * t573
+        - t171 * t574 - t178 * t575 - t183 * t576 - t186 * t577) * t187;
+    let chain_omega_9_dot_by_chain_omega_2 = t577 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_2;
+    let chain_omega_8_dot_by_chain_omega_2 = t576 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_2
+        - t183 * chain_omega_10_dot_by_chain_omega_2;
+    let chain_omega_7_dot_by_chain_omega_2 = t575 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_2
+        - t176 * chain_omega_9_dot_by_chain_omega_2
+        - t178 * chain_omega_10_dot_by_chain_omega_2;
+    let chain_omega_6_dot_by_chain_omega_2 = t574 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_2
+        - t167 * chain_omega_8_dot_by_chain_omega_2
+        - t169 * chain_omega_9_dot_by_chain_omega_2
+        - t171 * chain_omega_10_dot_by_chain_omega_2;
+    let chain_omega_5_dot_by_chain_omega_2 = t573 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_2
+        - t156 * chain_omega_7_dot_by_chain_omega_2
+        - t158 * chain_omega_8_dot_by_chain_omega_2
+        - t160 * chain_omega_9_dot_by_chain_omega_2
+        - t162 * chain_omega_10_dot_by_chain_omega_2;
+    let chain_omega_4_dot_by_chain_omega_2 = t572 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_2
+        - t143 * chain_omega_6_dot_by_chain_omega_2
+        - t145 * chain_omega_7_dot_by_chain_omega_2
+        - t147 * chain_omega_8_dot_by_chain_omega_2
+        - t149 * chain_omega_9_dot_by_chain_omega_2
+        - t151 * chain_omega_10_dot_by_chain_omega_2;
+    let chain_omega_3_dot_by_chain_omega_2 = t571 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_2
+        - t128 * chain_omega_5_dot_by_chain_omega_2
+        - t130 * chain_omega_6_dot_by_chain_omega_2
+        - t132 * chain_omega_7_dot_by_chain_omega_2
+        - t134 * chain_omega_8_dot_by_chain_omega_2
         - t136 * chain_omega_9_dot_by_chain_omega_2
         - t138 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_7_dot_by_chain_omega_2 = t622 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_2
-        - t131 * chain_omega_9_dot_by_chain_omega_2
-        - t133 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_6_dot_by_chain_omega_2 = t621 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_2
-        - t122 * chain_omega_8_dot_by_chain_omega_2
-        - t124 * chain_omega_9_dot_by_chain_omega_2
-        - t126 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_5_dot_by_chain_omega_2 = t620 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_2
-        - t111 * chain_omega_7_dot_by_chain_omega_2
-        - t113 * chain_omega_8_dot_by_chain_omega_2
-        - t115 * chain_omega_9_dot_by_chain_omega_2
-        - t117 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_4_dot_by_chain_omega_2 = t619 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_2
-        - t98 * chain_omega_6_dot_by_chain_omega_2
-        - t100 * chain_omega_7_dot_by_chain_omega_2
-        - t102 * chain_omega_8_dot_by_chain_omega_2
-        - t104 * chain_omega_9_dot_by_chain_omega_2
+    let chain_omega_2_dot_by_chain_omega_2 = t570 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_2
+        - t111 * chain_omega_4_dot_by_chain_omega_2
+        - t113 * chain_omega_5_dot_by_chain_omega_2
+        - t115 * chain_omega_6_dot_by_chain_omega_2
+        - t117 * chain_omega_7_dot_by_chain_omega_2
+        - t119 * chain_omega_8_dot_by_chain_omega_2
+        - t121 * chain_omega_9_dot_by_chain_omega_2
+        - t123 * chain_omega_10_dot_by_chain_omega_2;
+    let chain_omega_1_dot_by_chain_omega_2 = -(t569 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_2
+        - t99 * chain_omega_3_dot_by_chain_omega_2
+        - t100 * chain_omega_4_dot_by_chain_omega_2
+        - t101 * chain_omega_5_dot_by_chain_omega_2
+        - t102 * chain_omega_6_dot_by_chain_omega_2
+        - t103 * chain_omega_7_dot_by_chain_omega_2
+        - t104 * chain_omega_8_dot_by_chain_omega_2
+        - t105 * chain_omega_9_dot_by_chain_omega_2
         - t106 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_3_dot_by_chain_omega_2 = t618 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_2
-        - t83 * chain_omega_5_dot_by_chain_omega_2
-        - t85 * chain_omega_6_dot_by_chain_omega_2
-        - t87 * chain_omega_7_dot_by_chain_omega_2
-        - t89 * chain_omega_8_dot_by_chain_omega_2
-        - t91 * chain_omega_9_dot_by_chain_omega_2
-        - t93 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_2_dot_by_chain_omega_2 = t617 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_2
-        - t66 * chain_omega_4_dot_by_chain_omega_2
-        - t68 * chain_omega_5_dot_by_chain_omega_2
-        - t70 * chain_omega_6_dot_by_chain_omega_2
-        - t72 * chain_omega_7_dot_by_chain_omega_2
-        - t74 * chain_omega_8_dot_by_chain_omega_2
-        - t76 * chain_omega_9_dot_by_chain_omega_2
-        - t78 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_1_dot_by_chain_omega_2 = -(t616 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_2
-        - t54 * chain_omega_3_dot_by_chain_omega_2
-        - t55 * chain_omega_4_dot_by_chain_omega_2
-        - t56 * chain_omega_5_dot_by_chain_omega_2
-        - t57 * chain_omega_6_dot_by_chain_omega_2
-        - t58 * chain_omega_7_dot_by_chain_omega_2
-        - t59 * chain_omega_8_dot_by_chain_omega_2
-        - t60 * chain_omega_9_dot_by_chain_omega_2
-        - t61 * chain_omega_10_dot_by_chain_omega_2;
-    let t625 = R::literal(16.0) * chain_omega_3;
-    let t626 = t625 * t145;
-    let t627 = t53 * t626 - t625 * t163;
-    let t628 = t54 * t626 - t64 * t627;
-    let t629 = t55 * t626 - R::literal(14.0) * chain_omega_3 * t186 - t66 * t627
-        - t81 * t628;
-    let t630 = t56 * t626 - R::literal(12.0) * chain_omega_3 * t198 - t68 * t627
-        - t83 * t628 - t96 * t629;
-    let t631 = t57 * t626 - R::literal(10.0) * chain_omega_3 * t211 - t70 * t627
-        - t85 * t628 - t98 * t629 - t109 * t630;
-    let t632 = t58 * t626 - R::literal(8.0) * chain_omega_3 * t225 - t72 * t627
-        - t87 * t628 - t100 * t629 - t111 * t630 - t120 * t631;
-    let t633 = t59 * t626 - R::literal(6.0) * chain_omega_3 * t240 - t74 * t627
-        - t89 * t628 - t102 * t629 - t113 * t630 - t122 * t631 - t129 * t632;
-    let t634 = t60 * t626 - R::literal(4.0) * chain_omega_3 * t256 - t76 * t627
-        - t91 * t628 - t104 * t629 - t115 * t630 - t124 * t631 - t131 * t632
-        - t136 * t633;
-    let chain_omega_10_dot_by_chain_omega_3 = (t61 * t626
-        - R::literal(2.0) * chain_omega_3 * t271 - t78 * t627 - t93 * t628 - t106 * t629
-        - t117 * t630 - t126 * t631 - t133 * t632 - t138 * t633 - t141 * t634) * t142;
-    let chain_omega_9_dot_by_chain_omega_3 = t634 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_8_dot_by_chain_omega_3 = t633 * t134
+    let t578 = R::literal(16.0) * chain_omega_3;
+    let t579 = t578 * t3;
+    let t580 = t98 * t579 - t578 * t26;
+    let t581 = t99 * t579 - t109 * t580;
+    let t582 = R::literal(14.0) * chain_omega_3 * t42 + t100 * t579 - t111 * t580
+        - t126 * t581;
+    let t583 = R::literal(12.0) * chain_omega_3 * t44 + t101 * t579 - t113 * t580
+        - t128 * t581 - t141 * t582;
+    let t584 = R::literal(10.0) * chain_omega_3 * t46 + t102 * t579 - t115 * t580
+        - t130 * t581 - t143 * t582 - t154 * t583;
+    let t585 = R::literal(8.0) * chain_omega_3 * t48 + t103 * t579 - t117 * t580
+        - t132 * t581 - t145 * t582 - t156 * t583 - t165 * t584;
+    let t586 = R::literal(6.0) * chain_omega_3 * t50 + t104 * t579 - t119 * t580
+        - t134 * t581 - t147 * t582 - t158 * t583 - t167 * t584 - t174 * t585;
+    let t587 = R::literal(4.0) * chain_omega_3 * t52 + t105 * t579 - t121 * t580
+        - t136 * t581 - t149 * t582 - t160 * t583 - t169 * t584 - t176 * t585
+        - t181 * t586;
+    let chain_omega_10_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t54
+        + t106 * t579 - t123 * t580 - t138 * t581 - t151 * t582 - t162 * t583
+        - t171 * t584 - t178 * t585 - t183 * t586 - t186 * t587) * t187;
+    let chain_omega_9_dot_by_chain_omega_3 = t587 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_3;
+    let chain_omega_8_dot_by_chain_omega_3 = t586 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_3
+        - t183 * chain_omega_10_dot_by_chain_omega_3;
+    let chain_omega_7_dot_by_chain_omega_3 = t585 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_3
+        - t176 * chain_omega_9_dot_by_chain_omega_3
+        - t178 * chain_omega_10_dot_by_chain_omega_3;
+    let chain_omega_6_dot_by_chain_omega_3 = t584 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_3
+        - t167 * chain_omega_8_dot_by_chain_omega_3
+        - t169 * chain_omega_9_dot_by_chain_omega_3
+        - t171 * chain_omega_10_dot_by_chain_omega_3;
+    let chain_omega_5_dot_by_chain_omega_3 = t583 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_3
+        - t156 * chain_omega_7_dot_by_chain_omega_3
+        - t158 * chain_omega_8_dot_by_chain_omega_3
+        - t160 * chain_omega_9_dot_by_chain_omega_3
+        - t162 * chain_omega_10_dot_by_chain_omega_3;
+    let chain_omega_4_dot_by_chain_omega_3 = t582 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_3
+        - t143 * chain_omega_6_dot_by_chain_omega_3
+        - t145 * chain_omega_7_dot_by_chain_omega_3
+        - t147 * chain_omega_8_dot_by_chain_omega_3
+        - t149 * chain_omega_9_dot_by_chain_omega_3
+        - t151 * chain_omega_10_dot_by_chain_omega_3;
+    let chain_omega_3_dot_by_chain_omega_3 = t581 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_3
+        - t128 * chain_omega_5_dot_by_chain_omega_3
+        - t130 * chain_omega_6_dot_by_chain_omega_3
+        - t132 * chain_omega_7_dot_by_chain_omega_3
+        - t134 * chain_omega_8_dot_by_chain_omega_3
         - t136 * chain_omega_9_dot_by_chain_omega_3
         - t138 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_7_dot_by_chain_omega_3 = t632 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_3
-        - t131 * chain_omega_9_dot_by_chain_omega_3
-        - t133 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_6_dot_by_chain_omega_3 = t631 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_3
-        - t122 * chain_omega_8_dot_by_chain_omega_3
-        - t124 * chain_omega_9_dot_by_chain_omega_3
-        - t126 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_5_dot_by_chain_omega_3 = t630 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_3
-        - t111 * chain_omega_7_dot_by_chain_omega_3
-        - t113 * chain_omega_8_dot_by_chain_omega_3
-        - t115 * chain_omega_9_dot_by_chain_omega_3
-        - t117 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_4_dot_by_chain_omega_3 = t629 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_3
-        - t98 * chain_omega_6_dot_by_chain_omega_3
-        - t100 * chain_omega_7_dot_by_chain_omega_3
-        - t102 * chain_omega_8_dot_by_chain_omega_3
-        - t104 * chain_omega_9_dot_by_chain_omega_3
+    let chain_omega_2_dot_by_chain_omega_3 = t580 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_3
+        - t111 * chain_omega_4_dot_by_chain_omega_3
+        - t113 * chain_omega_5_dot_by_chain_omega_3
+        - t115 * chain_omega_6_dot_by_chain_omega_3
+        - t117 * chain_omega_7_dot_by_chain_omega_3
+        - t119 * chain_omega_8_dot_by_chain_omega_3
+        - t121 * chain_omega_9_dot_by_chain_omega_3
+        - t123 * chain_omega_10_dot_by_chain_omega_3;
+    let chain_omega_1_dot_by_chain_omega_3 = -(t579 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_3
+        - t99 * chain_omega_3_dot_by_chain_omega_3
+        - t100 * chain_omega_4_dot_by_chain_omega_3
+        - t101 * chain_omega_5_dot_by_chain_omega_3
+        - t102 * chain_omega_6_dot_by_chain_omega_3
+        - t103 * chain_omega_7_dot_by_chain_omega_3
+        - t104 * chain_omega_8_dot_by_chain_omega_3
+        - t105 * chain_omega_9_dot_by_chain_omega_3
         - t106 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_3_dot_by_chain_omega_3 = t628 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_3
-        - t83 * chain_omega_5_dot_by_chain_omega_3
-        - t85 * chain_omega_6_dot_by_chain_omega_3
-        - t87 * chain_omega_7_dot_by_chain_omega_3
-        - t89 * chain_omega_8_dot_by_chain_omega_3
-        - t91 * chain_omega_9_dot_by_chain_omega_3
-        - t93 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_2_dot_by_chain_omega_3 = t627 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_3
-        - t66 * chain_omega_4_dot_by_chain_omega_3
-        - t68 * chain_omega_5_dot_by_chain_omega_3
-        - t70 * chain_omega_6_dot_by_chain_omega_3
-        - t72 * chain_omega_7_dot_by_chain_omega_3
-        - t74 * chain_omega_8_dot_by_chain_omega_3
-        - t76 * chain_omega_9_dot_by_chain_omega_3
-        - t78 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_1_dot_by_chain_omega_3 = -(t626 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_3
-        - t54 * chain_omega_3_dot_by_chain_omega_3
-        - t55 * chain_omega_4_dot_by_chain_omega_3
-        - t56 * chain_omega_5_dot_by_chain_omega_3
-        - t57 * chain_omega_6_dot_by_chain_omega_3
-        - t58 * chain_omega_7_dot_by_chain_omega_3
-        - t59 * chain_omega_8_dot_by_chain_omega_3
-        - t60 * chain_omega_9_dot_by_chain_omega_3
-        - t61 * chain_omega_10_dot_by_chain_omega_3;
-    let t635 = R::literal(14.0) * chain_omega_4;
-    let t636 = t635 * t147;
-    let t637 = t53 * t636 - t635 * t164;
-    let t638 = t54 * t636 - t635 * t175 - t64 * t637;
-    let t639 = t55 * t636 - t66 * t637 - t81 * t638;
-    let t640 = t56 * t636 - R::literal(12.0) * chain_omega_4 * t200 - t68 * t637
-        - t83 * t638 - t96 * t639;
-    let t641 = t57 * t636 - R::literal(10.0) * chain_omega_4 * t213 - t70 * t637
-        - t85 * t638 - t98 * t639 - t109 * t640;
-    let t642 = t58 * t636 - R::literal(8.0) * chain_omega_4 * t227 - t72 * t637
-        - t87 * t638 - t100 * t639 - t111 * t640 - t120 * t641;
-    let t643 = t59 * t636 - R::literal(6.0) * chain_omega_4 * t242 - t74 * t637
-        - t89 * t638 - t102 * t639 - t113 * t640 - t122 * t641 - t129 * t642;
-    let t644 = t60 * t636 - R::literal(4.0) * chain_omega_4 * t258 - t76 * t637
-        - t91 * t638 - t104 * t639 - t115 * t640 - t124 * t641 - t131 * t642
-        - t136 * t643;
-    let chain_omega_10_dot_by_chain_omega_4 = (t61 * t636
-        - R::literal(2.0) * chain_omega_4 * t272 - t78 * t637 - t93 * t638 - t106 * t639
-        - t117 * t640 - t126 * t641 - t133 * t642 - t138 * t643 - t141 * t644) * t142;
-    let chain_omega_9_dot_by_chain_omega_4 = t644 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_8_dot_by_chain_omega_4 = t643 * t134
+    let t588 = R::literal(14.0) * chain_omega_4;
+    let t589 = t588 * t6;
+    let t590 = t98 * t589 - t588 * t28;
+    let t591 = t99 * t589 - t588 * t42 - t109 * t590;
+    let t592 = t100 * t589 - t111 * t590 - t126 * t591;
+    let t593 = R::literal(12.0) * chain_omega_4 * t56 + t101 * t589 - t113 * t590
+        - t128 * t591 - t141 * t592;
+    let t594 = R::literal(10.0) * chain_omega_4 * t58 + t102 * t589 - t115 * t590
+        - t130 * t591 - t143 * t592 - t154 * t593;
+    let t595 = R::literal(8.0) * chain_omega_4 * t60 + t103 * t589 - t117 * t590
+        - t132 * t591 - t145 * t592 - t156 * t593 - t165 * t594;
+    let t596 = R::literal(6.0) * chain_omega_4 * t62 + t104 * t589 - t119 * t590
+        - t134 * t591 - t147 * t592 - t158 * t593 - t167 * t594 - t174 * t595;
+    let t597 = R::literal(4.0) * chain_omega_4 * t64 + t105 * t589 - t121 * t590
+        - t136 * t591 - t149 * t592 - t160 * t593 - t169 * t594 - t176 * t595
+        - t181 * t596;
+    let chain_omega_10_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t66
+        + t106 * t589 - t123 * t590 - t138 * t591 - t151 * t592 - t162 * t593
+        - t171 * t594 - t178 * t595 - t183 * t596 - t186 * t597) * t187;
+    let chain_omega_9_dot_by_chain_omega_4 = t597 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_4;
+    let chain_omega_8_dot_by_chain_omega_4 = t596 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_4
+        - t183 * chain_omega_10_dot_by_chain_omega_4;
+    let chain_omega_7_dot_by_chain_omega_4 = t595 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_4
+        - t176 * chain_omega_9_dot_by_chain_omega_4
+        - t178 * chain_omega_10_dot_by_chain_omega_4;
+    let chain_omega_6_dot_by_chain_omega_4 = t594 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_4
+        - t167 * chain_omega_8_dot_by_chain_omega_4
+        - t169 * chain_omega_9_dot_by_chain_omega_4
+        - t171 * chain_omega_10_dot_by_chain_omega_4;
+    let chain_omega_5_dot_by_chain_omega_4 = t593 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_4
+        - t156 * chain_omega_7_dot_by_chain_omega_4
+        - t158 * chain_omega_8_dot_by_chain_omega_4
+        - t160 * chain_omega_9_dot_by_chain_omega_4
+        - t162 * chain_omega_10_dot_by_chain_omega_4;
+    let chain_omega_4_dot_by_chain_omega_4 = t592 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_4
+        - t143 * chain_omega_6_dot_by_chain_omega_4
+        - t145 * chain_omega_7_dot_by_chain_omega_4
+        - t147 * chain_omega_8_dot_by_chain_omega_4
+        - t149 * chain_omega_9_dot_by_chain_omega_4
+        - t151 * chain_omega_10_dot_by_chain_omega_4;
+    let chain_omega_3_dot_by_chain_omega_4 = t591 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_4
+        - t128 * chain_omega_5_dot_by_chain_omega_4
+        - t130 * chain_omega_6_dot_by_chain_omega_4
+        - t132 * chain_omega_7_dot_by_chain_omega_4
+        - t134 * chain_omega_8_dot_by_chain_omega_4
         - t136 * chain_omega_9_dot_by_chain_omega_4
         - t138 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_7_dot_by_chain_omega_4 = t642 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_4
-        - t131 * chain_omega_9_dot_by_chain_omega_4
-        - t133 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_6_dot_by_chain_omega_4 = t641 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_4
-        - t122 * chain_omega_8_dot_by_chain_omega_4
-        - t124 * chain_omega_9_dot_by_chain_omega_4
-        - t126 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_5_dot_by_chain_omega_4 = t640 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_4
-        - t111 * chain_omega_7_dot_by_chain_omega_4
-        - t113 * chain_omega_8_dot_by_chain_omega_4
-        - t115 * chain_omega_9_dot_by_chain_omega_4
-        - t117 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_4_dot_by_chain_omega_4 = t639 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_4
-        - t98 * chain_omega_6_dot_by_chain_omega_4
-        - t100 * chain_omega_7_dot_by_chain_omega_4
-        - t102 * chain_omega_8_dot_by_chain_omega_4
-        - t104 * chain_omega_9_dot_by_chain_omega_4
+    let chain_omega_2_dot_by_chain_omega_4 = t590 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_4
+        - t111 * chain_omega_4_dot_by_chain_omega_4
+        - t113 * chain_omega_5_dot_by_chain_omega_4
+        - t115 * chain_omega_6_dot_by_chain_omega_4
+        - t117 * chain_omega_7_dot_by_chain_omega_4
+        - t119 * chain_omega_8_dot_by_chain_omega_4
+        - t121 * chain_omega_9_dot_by_chain_omega_4
+        - t123 * chain_omega_10_dot_by_chain_omega_4;
+    let chain_omega_1_dot_by_chain_omega_4 = -(t589 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_4
+        - t99 * chain_omega_3_dot_by_chain_omega_4
+        - t100 * chain_omega_4_dot_by_chain_omega_4
+        - t101 * chain_omega_5_dot_by_chain_omega_4
+        - t102 * chain_omega_6_dot_by_chain_omega_4
+        - t103 * chain_omega_7_dot_by_chain_omega_4
+        - t104 * chain_omega_8_dot_by_chain_omega_4
+        - t105 * chain_omega_9_dot_by_chain_omega_4
         - t106 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_3_dot_by_chain_omega_4 = t638 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_4
-        - t83 * chain_omega_5_dot_by_chain_omega_4
-        - t85 * chain_omega_6_dot_by_chain_omega_4
-        - t87 * chain_omega_7_dot_by_chain_omega_4
-        - t89 * chain_omega_8_dot_by_chain_omega_4
-        - t91 * chain_omega_9_dot_by_chain_omega_4
-        - t93 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_2_dot_by_chain_omega_4 = t637 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_4
-        - t66 * chain_omega_4_dot_by_chain_omega_4
-        - t68 * chain_omega_5_dot_by_chain_omega_4
-        - t70 * chain_omega_6_dot_by_chain_omega_4
-        - t72 * chain_omega_7_dot_by_chain_omega_4
-        - t74 * chain_omega_8_dot_by_chain_omega_4
-        - t76 * chain_omega_9_dot_by_chain_omega_4
-        - t78 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_1_dot_by_chain_omega_4 = -(t636 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_4
-        - t54 * chain_omega_3_dot_by_chain_omega_4
-        - t55 * chain_omega_4_dot_by_chain_omega_4
-        - t56 * chain_omega_5_dot_by_chain_omega_4
-        - t57 * chain_omega_6_dot_by_chain_omega_4
-        - t58 * chain_omega_7_dot_by_chain_omega_4
-        - t59 * chain_omega_8_dot_by_chain_omega_4
-        - t60 * chain_omega_9_dot_by_chain_omega_4
-        - t61 * chain_omega_10_dot_by_chain_omega_4;
-    let t645 = R::literal(12.0) * chain_omega_5;
-    let t646 = t645 * t149;
-    let t647 = t53 * t646 - t645 * t165;
-    let t648 = t54 * t646 - t645 * t176 - t64 * t647;
-    let t649 = t55 * t646 - t645 * t188 - t66 * t647 - t81 * t648;
-    let t650 = t56 * t646 - t68 * t647 - t83 * t648 - t96 * t649;
-    let t651 = t57 * t646 - R::literal(10.0) * chain_omega_5 * t215 - t70 * t647
-        - t85 * t648 - t98 * t649 - t109 * t650;
-    let t652 = t58 * t646 - R::literal(8.0) * chain_omega_5 * t229 - t72 * t647
-        - t87 * t648 - t100 * t649 - t111 * t650 - t120 * t651;
-    let t653 = t59 * t646 - R::literal(6.0) * chain_omega_5 * t244 - t74 * t647
-        - t89 * t648 - t102 * t649 - t113 * t650 - t122 * t651 - t129 * t652;
-    let t654 = t60 * t646 - R::literal(4.0) * chain_omega_5 * t260 - t76 * t647
-        - t91 * t648 - t104 * t649 - t115 * t650 - t124 * t651 - t131 * t652
-        - t136 * t653;
-    let chain_omega_10_dot_by_chain_omega_5 = (t61 * t646
-        - R::literal(2.0) * chain_omega_5 * t273 - t78 * t647 - t93 * t648 - t106 * t649
-        - t117 * t650 - t126 * t651 - t133 * t652 - t138 * t653 - t141 * t654) * t142;
-    let chain_omega_9_dot_by_chain_omega_5 = t654 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_8_dot_by_chain_omega_5 = t653 * t134
+    let t598 = R::literal(12.0) * chain_omega_5;
+    let t599 = t598 * t9;
+    let t600 = t98 * t599 - t598 * t30;
+    let t601 = t99 * t599 - t598 * t44 - t109 * t600;
+    let t602 = t100 * t599 - t598 * t56 - t111 * t600 - t126 * t601;
+    let t603 = t101 * t599 - t113 * t600 - t128 * t601 - t141 * t602;
+    let t604 = R::literal(10.0) * chain_omega_5 * t68 + t102 * t599 - t115 * t600
+        - t130 * t601 - t143 * t602 - t154 * t603;
+    let t605 = R::literal(8.0) * chain_omega_5 * t70 + t103 * t599 - t117 * t600
+        - t132 * t601 - t145 * t602 - t156 * t603 - t165 * t604;
+    let t606 = R::literal(6.0) * chain_omega_5 * t72 + t104 * t599 - t119 * t600
+        - t134 * t601 - t147 * t602 - t158 * t603 - t167 * t604 - t174 * t605;
+    let t607 = R::literal(4.0) * chain_omega_5 * t74 + t105 * t599 - t121 * t600
+        - t136 * t601 - t149 * t602 - t160 * t603 - t169 * t604 - t176 * t605
+        - t181 * t606;
+    let chain_omega_10_dot_by_chain_omega_5 = (R::literal(2.0) * chain_omega_5 * t76
+        + t106 * t599 - t123 * t600 - t138 * t601 - t151 * t602 - t162 * t603
+        - t171 * t604 - t178 * t605 - t183 * t606 - t186 * t607) * t187;
+    let chain_omega_9_dot_by_chain_omega_5 = t607 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_5;
+    let chain_omega_8_dot_by_chain_omega_5 = t606 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_5
+        - t183 * chain_omega_10_dot_by_chain_omega_5;
+    let chain_omega_7_dot_by_chain_omega_5 = t605 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_5
+        - t176 * chain_omega_9_dot_by_chain_omega_5
+        - t178 * chain_omega_10_dot_by_chain_omega_5;
+    let chain_omega_6_dot_by_chain_omega_5 = t604 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_5
+        - t167 * chain_omega_8_dot_by_chain_omega_5
+        - t169 * chain_omega_9_dot_by_chain_omega_5
+        - t171 * chain_omega_10_dot_by_chain_omega_5;
+    let chain_omega_5_dot_by_chain_omega_5 = t603 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_5
+        - t156 * chain_omega_7_dot_by_chain_omega_5
+        - t158 * chain_omega_8_dot_by_chain_omega_5
+        - t160 * chain_omega_9_dot_by_chain_omega_5
+        - t162 * chain_omega_10_dot_by_chain_omega_5;
+    let chain_omega_4_dot_by_chain_omega_5 = t602 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_5
+        - t143 * chain_omega_6_dot_by_chain_omega_5
+        - t145 * chain_omega_7_dot_by_chain_omega_5
+        - t147 * chain_omega_8_dot_by_chain_omega_5
+        - t149 * chain_omega_9_dot_by_chain_omega_5
+        - t151 * chain_omega_10_dot_by_chain_omega_5;
+    let chain_omega_3_dot_by_chain_omega_5 = t601 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_5
+        - t128 * chain_omega_5_dot_by_chain_omega_5
+        - t130 * chain_omega_6_dot_by_chain_omega_5
+        - t132 * chain_omega_7_dot_by_chain_omega_5
+        - t134 * chain_omega_8_dot_by_chain_omega_5
         - t136 * chain_omega_9_dot_by_chain_omega_5
         - t138 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_7_dot_by_chain_omega_5 = t652 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_5
-        - t131 * chain_omega_9_dot_by_chain_omega_5
-        - t133 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_6_dot_by_chain_omega_5 = t651 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_5
-        - t122 * chain_omega_8_dot_by_chain_omega_5
-        - t124 * chain_omega_9_dot_by_chain_omega_5
-        - t126 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_5_dot_by_chain_omega_5 = t650 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_5
-        - t111 * chain_omega_7_dot_by_chain_omega_5
-        - t113 * chain_omega_8_dot_by_chain_omega_5
-        - t115 * chain_omega_9_dot_by_chain_omega_5
-        - t117 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_4_dot_by_chain_omega_5 = t649 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_5
-        - t98 * chain_omega_6_dot_by_chain_omega_5
-        - t100 * chain_omega_7_dot_by_chain_omega_5
-        - t102 * chain_omega_8_dot_by_chain_omega_5
-        - t104 * chain_omega_9_dot_by_chain_omega_5
+    let chain_omega_2_dot_by_chain_omega_5 = t600 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_5
+        - t111 * chain_omega_4_dot_by_chain_omega_5
+        - t113 * chain_omega_5_dot_by_chain_omega_5
+        - t115 * chain_omega_6_dot_by_chain_omega_5
+        - t117 * chain_omega_7_dot_by_chain_omega_5
+        - t119 * chain_omega_8_dot_by_chain_omega_5
+        - t121 * chain_omega_9_dot_by_chain_omega_5
+        - t123 * chain_omega_10_dot_by_chain_omega_5;
+    let chain_omega_1_dot_by_chain_omega_5 = -(t599 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_5
+        - t99 * chain_omega_3_dot_by_chain_omega_5
+        - t100 * chain_omega_4_dot_by_chain_omega_5
+        - t101 * chain_omega_5_dot_by_chain_omega_5
+        - t102 * chain_omega_6_dot_by_chain_omega_5
+        - t103 * chain_omega_7_dot_by_chain_omega_5
+        - t104 * chain_omega_8_dot_by_chain_omega_5
+        - t105 * chain_omega_9_dot_by_chain_omega_5
         - t106 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_3_dot_by_chain_omega_5 = t648 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_5
-        - t83 * chain_omega_5_dot_by_chain_omega_5
-        - t85 * chain_omega_6_dot_by_chain_omega_5
-        - t87 * chain_omega_7_dot_by_chain_omega_5
-        - t89 * chain_omega_8_dot_by_chain_omega_5
-        - t91 * chain_omega_9_dot_by_chain_omega_5
-        - t93 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_2_dot_by_chain_omega_5 = t647 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_5
-        - t66 * chain_omega_4_dot_by_chain_omega_5
-        - t68 * chain_omega_5_dot_by_chain_omega_5
-        - t70 * chain_omega_6_dot_by_chain_omega_5
-        - t72 * chain_omega_7_dot_by_chain_omega_5
-        - t74 * chain_omega_8_dot_by_chain_omega_5
-        - t76 * chain_omega_9_dot_by_chain_omega_5
-        - t78 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_1_dot_by_chain_omega_5 = -(t646 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_5
-        - t54 * chain_omega_3_dot_by_chain_omega_5
-        - t55 * chain_omega_4_dot_by_chain_omega_5
-        - t56 * chain_omega_5_dot_by_chain_omega_5
-        - t57 * chain_omega_6_dot_by_chain_omega_5
-        - t58 * chain_omega_7_dot_by_chain_omega_5
-        - t59 * chain_omega_8_dot_by_chain_omega_5
-        - t60 * chain_omega_9_dot_by_chain_omega_5
-        - t61 * chain_omega_10_dot_by_chain_omega_5;
-    let t655 = R::literal(10.0) * chain_omega_6;
-    let t656 = t655 * t151;
-    let t657 = t53 * t656 - t655 * t166;
-    let t658 = t54 * t656 - t655 * t177 - t64 * t657;
-    let t659 = t55 * t656 - t655 * t189 - t66 * t657 - t81 * t658;
-    let t660 = t56 * t656 - t655 * t202 - t68 * t657 - t83 * t658 - t96 * t659;
-    let t661 = t57 * t656 - t70 * t657 - t85 * t658 - t98 * t659 - t109 * t660;
-    let t662 = t58 * t656 - R::literal(8.0) * chain_omega_6 * t231 - t72 * t657
-        - t87 * t658 - t100 * t659 - t111 * t660 - t120 * t661;
-    let t663 = t59 * t656 - R::literal(6.0) * chain_omega_6 * t246 - t74 * t657
-        - t89 * t658 - t102 * t659 - t113 * t660 - t122 * t661 - t129 * t662;
-    let t664 = t60 * t656 - R::literal(4.0) * chain_omega_6 * t262 - t76 * t657
-        - t91 * t658 - t104 * t659 - t115 * t660 - t124 * t661 - t131 * t662
-        - t136 * t663;
-    let chain_omega_10_dot_by_chain_omega_6 = (t61 * t656
-        - R::literal(2.0) * chain_omega_6 * t274 - t78 * t657 - t93 * t658 - t106 * t659
-        - t117 * t660 - t126 * t661 - t133 * t662 - t138 * t663 - t141 * t664) * t142;
-    let chain_omega_9_dot_by_chain_omega_6 = t664 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_8_dot_by_chain_omega_6 = t663 * t134
+    let t608 = R::literal(10.0) * chain_omega_6;
+    let t609 = t608 * t12;
+    let t610 = t98 * t609 - t608 * t32;
+    let t611 = t99 * t609 - t608 * t46 - t109 * t610;
+    let t612 = t100 * t609 - t608 * t58 - t111 * t610 - t126 * t611;
+    let t613 = t101 * t609 - t608 * t68 - t113 * t610 - t128 * t611 - t141 * t612;
+    let t614 = t102 * t609 - t115 * t610 - t130 * t611 - t143 * t612 - t154 * t613;
+    let t615 = R::literal(8.0) * chain_omega_6 * t78 + t103 * t609 - t117 * t610
+        - t132 * t611 - t145 * t612 - t156 * t613 - t165 * t614;
+    let t616 = R::literal(6.0) * chain_omega_6 * t80 + t104 * t609 - t119 * t610
+        - t134 * t611 - t147 * t612 - t158 * t613 - t167 * t614 - t174 * t615;
+    let t617 = R::literal(4.0) * chain_omega_6 * t82 + t105 * t609 - t121 * t610
+        - t136 * t611 - t149 * t612 - t160 * t613 - t169 * t614 - t176 * t615
+        - t181 * t616;
+    let chain_omega_10_dot_by_chain_omega_6 = (R::literal(2.0) * chain_omega_6 * t84
+        + t106 * t609 - t123 * t610 - t138 * t611 - t151 * t612 - t162 * t613
+        - t171 * t614 - t178 * t615 - t183 * t616 - t186 * t617) * t187;
+    let chain_omega_9_dot_by_chain_omega_6 = t617 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_6;
+    let chain_omega_8_dot_by_chain_omega_6 = t616 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_6
+        - t183 * chain_omega_10_dot_by_chain_omega_6;
+    let chain_omega_7_dot_by_chain_omega_6 = t615 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_6
+        - t176 * chain_omega_9_dot_by_chain_omega_6
+        - t178 * chain_omega_10_dot_by_chain_omega_6;
+    let chain_omega_6_dot_by_chain_omega_6 = t614 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_6
+        - t167 * chain_omega_8_dot_by_chain_omega_6
+        - t169 * chain_omega_9_dot_by_chain_omega_6
+        - t171 * chain_omega_10_dot_by_chain_omega_6;
+    let chain_omega_5_dot_by_chain_omega_6 = t613 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_6
+        - t156 * chain_omega_7_dot_by_chain_omega_6
+        - t158 * chain_omega_8_dot_by_chain_omega_6
+        - t160 * chain_omega_9_dot_by_chain_omega_6
+        - t162 * chain_omega_10_dot_by_chain_omega_6;
+    let chain_omega_4_dot_by_chain_omega_6 = t612 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_6
+        - t143 * chain_omega_6_dot_by_chain_omega_6
+        - t145 * chain_omega_7_dot_by_chain_omega_6
+        - t147 * chain_omega_8_dot_by_chain_omega_6
+        - t149 * chain_omega_9_dot_by_chain_omega_6
+        - t151 * chain_omega_10_dot_by_chain_omega_6;
+    let chain_omega_3_dot_by_chain_omega_6 = t611 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_6
+        - t128 * chain_omega_5_dot_by_chain_omega_6
+        - t130 * chain_omega_6_dot_by_chain_omega_6
+        - t132 * chain_omega_7_dot_by_chain_omega_6
+        - t134 * chain_omega_8_dot_by_chain_omega_6
         - t136 * chain_omega_9_dot_by_chain_omega_6
         - t138 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_7_dot_by_chain_omega_6 = t662 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_6
-        - t131 * chain_omega_9_dot_by_chain_omega_6
-        - t133 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_6_dot_by_chain_omega_6 = t661 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_6
-        - t122 * chain_omega_8_dot_by_chain_omega_6
-        - t124 * chain_omega_9_dot_by_chain_omega_6
-        - t126 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_5_dot_by_chain_omega_6 = t660 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_6
-        - t111 * chain_omega_7_dot_by_chain_omega_6
-        - t113 * chain_omega_8_dot_by_chain_omega_6
-        - t115 * chain_omega_9_dot_by_chain_omega_6
-        - t117 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_4_dot_by_chain_omega_6 = t659 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_6
-        - t98 * chain_omega_6_dot_by_chain_omega_6
-        - t100 * chain_omega_7_dot_by_chain_omega_6
-        - t102 * chain_omega_8_dot_by_chain_omega_6
-        - t104 * chain_omega_9_dot_by_chain_omega_6
+    let chain_omega_2_dot_by_chain_omega_6 = t610 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_6
+        - t111 * chain_omega_4_dot_by_chain_omega_6
+        - t113 * chain_omega_5_dot_by_chain_omega_6
+        - t115 * chain_omega_6_dot_by_chain_omega_6
+        - t117 * chain_omega_7_dot_by_chain_omega_6
+        - t119 * chain_omega_8_dot_by_chain_omega_6
+        - t121 * chain_omega_9_dot_by_chain_omega_6
+        - t123 * chain_omega_10_dot_by_chain_omega_6;
+    let chain_omega_1_dot_by_chain_omega_6 = -(t609 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_6
+        - t99 * chain_omega_3_dot_by_chain_omega_6
+        - t100 * chain_omega_4_dot_by_chain_omega_6
+        - t101 * chain_omega_5_dot_by_chain_omega_6
+        - t102 * chain_omega_6_dot_by_chain_omega_6
+        - t103 * chain_omega_7_dot_by_chain_omega_6
+        - t104 * chain_omega_8_dot_by_chain_omega_6
+        - t105 * chain_omega_9_dot_by_chain_omega_6
         - t106 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_3_dot_by_chain_omega_6 = t658 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_6
-        - t83 * chain_omega_5_dot_by_chain_omega_6
-        - t85 * chain_omega_6_dot_by_chain_omega_6
-        - t87 * chain_omega_7_dot_by_chain_omega_6
-        - t89 * chain_omega_8_dot_by_chain_omega_6
-        - t91 * chain_omega_9_dot_by_chain_omega_6
-        - t93 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_2_dot_by_chain_omega_6 = t657 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_6
-        - t66 * chain_omega_4_dot_by_chain_omega_6
-        - t68 * chain_omega_5_dot_by_chain_omega_6
-        - t70 * chain_omega_6_dot_by_chain_omega_6
-        - t72 * chain_omega_7_dot_by_chain_omega_6
-        - t74 * chain_omega_8_dot_by_chain_omega_6
-        - t76 * chain_omega_9_dot_by_chain_omega_6
-        - t78 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_1_dot_by_chain_omega_6 = -(t656 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_6
-        - t54 * chain_omega_3_dot_by_chain_omega_6
-        - t55 * chain_omega_4_dot_by_chain_omega_6
-        - t56 * chain_omega_5_dot_by_chain_omega_6
-        - t57 * chain_omega_6_dot_by_chain_omega_6
-        - t58 * chain_omega_7_dot_by_chain_omega_6
-        - t59 * chain_omega_8_dot_by_chain_omega_6
-        - t60 * chain_omega_9_dot_by_chain_omega_6
-        - t61 * chain_omega_10_dot_by_chain_omega_6;
-    let t665 = R::literal(8.0) * chain_omega_7;
-    let t666 = t665 * t153;
-    let t667 = t53 * t666 - t665 * t167;
-    let t668 = t54 * t666 - t665 * t178 - t64 * t667;
-    let t669 = t55 * t666 - t665 * t190 - t66 * t667 - t81 * t668;
-    let t670 = t56 * t666 - t665 * t203 - t68 * t667 - t83 * t668 - t96 * t669;
-    let t671 = t57 * t666 - t665 * t217 - t70 * t667 - t85 * t668 - t98 * t669
-        - t109 * t670;
-    let t672 = t58 * t666 - t72 * t667 - t87 * t668 - t100 * t669 - t111 * t670
-        - t120 * t671;
-    let t673 = t59 * t666 - R::literal(6.0) * chain_omega_7 * t248 - t74 * t667
-        - t89 * t668 - t102 * t669 - t113 * t670 - t122 * t671 - t129 * t672;
-    let t674 = t60 * t666 - R::literal(4.0) * chain_omega_7 * t264 - t76 * t667
-        - t91 * t668 - t104 * t669 - t115 * t670 - t124 * t671 - t131 * t672
-        - t136 * t673;
-    let chain_omega_10_dot_by_chain_omega_7 = (t61 * t666
-        - R::literal(2.0) * chain_omega_7 * t275 - t78 * t667 - t93 * t668 - t106 * t669
-        - t117 * t670 - t126 * t671 - t133 * t672 - t138 * t673 - t141 * t674) * t142;
-    let chain_omega_9_dot_by_chain_omega_7 = t674 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_8_dot_by_chain_omega_7 = t673 * t134
+    let t618 = R::literal(8.0) * chain_omega_7;
+    let t619 = t618 * t15;
+    let t620 = t98 * t619 - t618 * t34;
+    let t621 = t99 * t619 - t618 * t48 - t109 * t620;
+    let t622 = t100 * t619 - t618 * t60 - t111 * t620 - t126 * t621;
+    let t623 = t101 * t619 - t618 * t70 - t113 * t620 - t128 * t621 - t141 * t622;
+    let t624 = t102 * t619 - t618 * t78 - t115 * t620 - t130 * t621 - t143 * t622
+        - t154 * t623;
+    let t625 = t103 * t619 - t117 * t620 - t132 * t621 - t145 * t622 - t156 * t623
+        - t165 * t624;
+    let t626 = R::literal(6.0) * chain_omega_7 * t86 + t104 * t619 - t119 * t620
+        - t134 * t621 - t147 * t622 - t158 * t623 - t167 * t624 - t174 * t625;
+    let t627 = R::literal(4.0) * chain_omega_7 * t88 + t105 * t619 - t121 * t620
+        - t136 * t621 - t149 * t622 - t160 * t623 - t169 * t624 - t176 * t625
+        - t181 * t626;
+    let chain_omega_10_dot_by_chain_omega_7 = (R::literal(2.0) * chain_omega_7 * t90
+        + t106 * t619 - t123 * t620 - t138 * t621 - t151 * t622 - t162 * t623
+        - t171 * t624 - t178 * t625 - t183 * t626 - t186 * t627) * t187;
+    let chain_omega_9_dot_by_chain_omega_7 = t627 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_7;
+    let chain_omega_8_dot_by_chain_omega_7 = t626 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_7
+        - t183 * chain_omega_10_dot_by_chain_omega_7;
+    let chain_omega_7_dot_by_chain_omega_7 = t625 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_7
+        - t176 * chain_omega_9_dot_by_chain_omega_7
+        - t178 * chain_omega_10_dot_by_chain_omega_7;
+    let chain_omega_6_dot_by_chain_omega_7 = t624 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_7
+        - t167 * chain_omega_8_dot_by_chain_omega_7
+        - t169 * chain_omega_9_dot_by_chain_omega_7
+        - t171 * chain_omega_10_dot_by_chain_omega_7;
+    let chain_omega_5_dot_by_chain_omega_7 = t623 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_7
+        - t156 * chain_omega_7_dot_by_chain_omega_7
+        - t158 * chain_omega_8_dot_by_chain_omega_7
+        - t160 * chain_omega_9_dot_by_chain_omega_7
+        - t162 * chain_omega_10_dot_by_chain_omega_7;
+    let chain_omega_4_dot_by_chain_omega_7 = t622 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_7
+        - t143 * chain_omega_6_dot_by_chain_omega_7
+        - t145 * chain_omega_7_dot_by_chain_omega_7
+        - t147 * chain_omega_8_dot_by_chain_omega_7
+        - t149 * chain_omega_9_dot_by_chain_omega_7
+        - t151 * chain_omega_10_dot_by_chain_omega_7;
+    let chain_omega_3_dot_by_chain_omega_7 = t621 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_7
+        - t128 * chain_omega_5_dot_by_chain_omega_7
+        - t130 * chain_omega_6_dot_by_chain_omega_7
+        - t132 * chain_omega_7_dot_by_chain_omega_7
+        - t134 * chain_omega_8_dot_by_chain_omega_7
         - t136 * chain_omega_9_dot_by_chain_omega_7
         - t138 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_7_dot_by_chain_omega_7 = t672 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_7
-        - t131 * chain_omega_9_dot_by_chain_omega_7
-        - t133 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_6_dot_by_chain_omega_7 = t671 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_7
-        - t122 * chain_omega_8_dot_by_chain_omega_7
-        - t124 * chain_omega_9_dot_by_chain_omega_7
-        - t126 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_5_dot_by_chain_omega_7 = t670 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_7
-        - t111 * chain_omega_7_dot_by_chain_omega_7
-        - t113 * chain_omega_8_dot_by_chain_omega_7
-        - t115 * chain_omega_9_dot_by_chain_omega_7
-        - t117 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_4_dot_by_chain_omega_7 = t669 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_7
-        - t98 * chain_omega_6_dot_by_chain_omega_7
-        - t100 * chain_omega_7_dot_by_chain_omega_7
-        - t102 * chain_omega_8_dot_by_chain_omega_7
-        - t104 * chain_omega_9_dot_by_chain_omega_7
+    let chain_omega_2_dot_by_chain_omega_7 = t620 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_7
+        - t111 * chain_omega_4_dot_by_chain_omega_7
+        - t113 * chain_omega_5_dot_by_chain_omega_7
+        - t115 * chain_omega_6_dot_by_chain_omega_7
+        - t117 * chain_omega_7_dot_by_chain_omega_7
+        - t119 * chain_omega_8_dot_by_chain_omega_7
+        - t121 * chain_omega_9_dot_by_chain_omega_7
+        - t123 * chain_omega_10_dot_by_chain_omega_7;
+    let chain_omega_1_dot_by_chain_omega_7 = -(t619 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_7
+        - t99 * chain_omega_3_dot_by_chain_omega_7
+        - t100 * chain_omega_4_dot_by_chain_omega_7
+        - t101 * chain_omega_5_dot_by_chain_omega_7
+        - t102 * chain_omega_6_dot_by_chain_omega_7
+        - t103 * chain_omega_7_dot_by_chain_omega_7
+        - t104 * chain_omega_8_dot_by_chain_omega_7
+        - t105 * chain_omega_9_dot_by_chain_omega_7
         - t106 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_3_dot_by_chain_omega_7 = t668 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_7
-        - t83 * chain_omega_5_dot_by_chain_omega_7
-        - t85 * chain_omega_6_dot_by_chain_omega_7
-        - t87 * chain_omega_7_dot_by_chain_omega_7
-        - t89 * chain_omega_8_dot_by_chain_omega_7
-        - t91 * chain_omega_9_dot_by_chain_omega_7
-        - t93 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_2_dot_by_chain_omega_7 = t667 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_7
-        - t66 * chain_omega_4_dot_by_chain_omega_7
-        - t68 * chain_omega_5_dot_by_chain_omega_7
-        - t70 * chain_omega_6_dot_by_chain_omega_7
-        - t72 * chain_omega_7_dot_by_chain_omega_7
-        - t74 * chain_omega_8_dot_by_chain_omega_7
-        - t76 * chain_omega_9_dot_by_chain_omega_7
-        - t78 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_1_dot_by_chain_omega_7 = -(t666 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_7
-        - t54 * chain_omega_3_dot_by_chain_omega_7
-        - t55 * chain_omega_4_dot_by_chain_omega_7
-        - t56 * chain_omega_5_dot_by_chain_omega_7
-        - t57 * chain_omega_6_dot_by_chain_omega_7
-        - t58 * chain_omega_7_dot_by_chain_omega_7
-        - t59 * chain_omega_8_dot_by_chain_omega_7
-        - t60 * chain_omega_9_dot_by_chain_omega_7
-        - t61 * chain_omega_10_dot_by_chain_omega_7;
-    let t675 = R::literal(6.0) * chain_omega_8;
-    let t676 = t675 * t155;
-    let t677 = t53 * t676 - t675 * t168;
-    let t678 = t54 * t676 - t675 * t179 - t64 * t677;
-    let t679 = t55 * t676 - t675 * t191 - t66 * t677 - t81 * t678;
-    let t680 = t56 * t676 - t675 * t204 - t68 * t677 - t83 * t678 - t96 * t679;
-    let t681 = t57 * t676 - t675 * t218 - t70 * t677 - t85 * t678 - t98 * t679
-        - t109 * t680;
-    let t682 = t58 * t676 - t675 * t233 - t72 * t677 - t87 * t678 - t100 * t679
-        - t111 * t680 - t120 * t681;
-    let t683 = t59 * t676 - t74 * t677 - t89 * t678 - t102 * t679 - t113 * t680
-        - t122 * t681 - t129 * t682;
-    let t684 = t60 * t676 - R::literal(4.0) * chain_omega_8 * t266 - t76 * t677
-        - t91 * t678 - t104 * t679 - t115 * t680 - t124 * t681 - t131 * t682
-        - t136 * t683;
-    let chain_omega_10_dot_by_chain_omega_8 = (t61 * t676
-        - R::literal(2.0) * chain_omega_8 * t276 - t78 * t677 - t93 * t678 - t106 * t679
-        - t117 * t680 - t126 * t681 - t133 * t682 - t138 * t683 - t141 * t684) * t142;
-    let chain_omega_9_dot_by_chain_omega_8 = t684 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_8_dot_by_chain_omega_8 = t683 * t134
+    let t628 = R::literal(6.0) * chain_omega_8;
+    let t629 = t628 * t18;
+    let t630 = t98 * t629 - t628 * t36;
+    let t631 = t99 * t629 - t628 * t50 - t109 * t630;
+    let t632 = t100 * t629 - t628 * t62 - t111 * t630 - t126 * t631;
+    let t633 = t101 * t629 - t628 * t72 - t113 * t630 - t128 * t631 - t141 * t632;
+    let t634 = t102 * t629 - t628 * t80 - t115 * t630 - t130 * t631 - t143 * t632
+        - t154 * t633;
+    let t635 = t103 * t629 - t628 * t86 - t117 * t630 - t132 * t631 - t145 * t632
+        - t156 * t633 - t165 * t634;
+    let t636 = t104 * t629 - t119 * t630 - t134 * t631 - t147 * t632 - t158 * t633
+        - t167 * t634 - t174 * t635;
+    let t637 = R::literal(4.0) * chain_omega_8 * t92 + t105 * t629 - t121 * t630
+        - t136 * t631 - t149 * t632 - t160 * t633 - t169 * t634 - t176 * t635
+        - t181 * t636;
+    let chain_omega_10_dot_by_chain_omega_8 = (R::literal(2.0) * chain_omega_8 * t94
+        + t106 * t629 - t123 * t630 - t138 * t631 - t151 * t632 - t162 * t633
+        - t171 * t634 - t178 * t635 - t183 * t636 - t186 * t637) * t187;
+    let chain_omega_9_dot_by_chain_omega_8 = t637 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_8;
+    let chain_omega_8_dot_by_chain_omega_8 = t636 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_8
+        - t183 * chain_omega_10_dot_by_chain_omega_8;
+    let chain_omega_7_dot_by_chain_omega_8 = t635 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_8
+        - t176 * chain_omega_9_dot_by_chain_omega_8
+        - t178 * chain_omega_10_dot_by_chain_omega_8;
+    let chain_omega_6_dot_by_chain_omega_8 = t634 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_8
+        - t167 * chain_omega_8_dot_by_chain_omega_8
+        - t169 * chain_omega_9_dot_by_chain_omega_8
+        - t171 * chain_omega_10_dot_by_chain_omega_8;
+    let chain_omega_5_dot_by_chain_omega_8 = t633 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_8
+        - t156 * chain_omega_7_dot_by_chain_omega_8
+        - t158 * chain_omega_8_dot_by_chain_omega_8
+        - t160 * chain_omega_9_dot_by_chain_omega_8
+        - t162 * chain_omega_10_dot_by_chain_omega_8;
+    let chain_omega_4_dot_by_chain_omega_8 = t632 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_8
+        - t143 * chain_omega_6_dot_by_chain_omega_8
+        - t145 * chain_omega_7_dot_by_chain_omega_8
+        - t147 * chain_omega_8_dot_by_chain_omega_8
+        - t149 * chain_omega_9_dot_by_chain_omega_8
+        - t151 * chain_omega_10_dot_by_chain_omega_8;
+    let chain_omega_3_dot_by_chain_omega_8 = t631 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_8
+        - t128 * chain_omega_5_dot_by_chain_omega_8
+        - t130 * chain_omega_6_dot_by_chain_omega_8
+        - t132 * chain_omega_7_dot_by_chain_omega_8
+        - t134 * chain_omega_8_dot_by_chain_omega_8
         - t136 * chain_omega_9_dot_by_chain_omega_8
         - t138 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_7_dot_by_chain_omega_8 = t682 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_8
-        - t131 * chain_omega_9_dot_by_chain_omega_8
-        - t133 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_6_dot_by_chain_omega_8 = t681 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_8
-        - t122 * chain_omega_8_dot_by_chain_omega_8
-        - t124 * chain_omega_9_dot_by_chain_omega_8
-        - t126 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_5_dot_by_chain_omega_8 = t680 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_8
-        - t111 * chain_omega_7_dot_by_chain_omega_8
-        - t113 * chain_omega_8_dot_by_chain_omega_8
-        - t115 * chain_omega_9_dot_by_chain_omega_8
-        - t117 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_4_dot_by_chain_omega_8 = t679 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_8
-        - t98 * chain_omega_6_dot_by_chain_omega_8
-        - t100 * chain_omega_7_dot_by_chain_omega_8
-        - t102 * chain_omega_8_dot_by_chain_omega_8
-        - t104 * chain_omega_9_dot_by_chain_omega_8
+    let chain_omega_2_dot_by_chain_omega_8 = t630 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_8
+        - t111 * chain_omega_4_dot_by_chain_omega_8
+        - t113 * chain_omega_5_dot_by_chain_omega_8
+        - t115 * chain_omega_6_dot_by_chain_omega_8
+        - t117 * chain_omega_7_dot_by_chain_omega_8
+        - t119 * chain_omega_8_dot_by_chain_omega_8
+        - t121 * chain_omega_9_dot_by_chain_omega_8
+        - t123 * chain_omega_10_dot_by_chain_omega_8;
+    let chain_omega_1_dot_by_chain_omega_8 = -(t629 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_8
+        - t99 * chain_omega_3_dot_by_chain_omega_8
+        - t100 * chain_omega_4_dot_by_chain_omega_8
+        - t101 * chain_omega_5_dot_by_chain_omega_8
+        - t102 * chain_omega_6_dot_by_chain_omega_8
+        - t103 * chain_omega_7_dot_by_chain_omega_8
+        - t104 * chain_omega_8_dot_by_chain_omega_8
+        - t105 * chain_omega_9_dot_by_chain_omega_8
         - t106 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_3_dot_by_chain_omega_8 = t678 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_8
-        - t83 * chain_omega_5_dot_by_chain_omega_8
-        - t85 * chain_omega_6_dot_by_chain_omega_8
-        - t87 * chain_omega_7_dot_by_chain_omega_8
-        - t89 * chain_omega_8_dot_by_chain_omega_8
-        - t91 * chain_omega_9_dot_by_chain_omega_8
-        - t93 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_2_dot_by_chain_omega_8 = t677 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_8
-        - t66 * chain_omega_4_dot_by_chain_omega_8
-        - t68 * chain_omega_5_dot_by_chain_omega_8
-        - t70 * chain_omega_6_dot_by_chain_omega_8
-        - t72 * chain_omega_7_dot_by_chain_omega_8
-        - t74 * chain_omega_8_dot_by_chain_omega_8
-        - t76 * chain_omega_9_dot_by_chain_omega_8
-        - t78 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_1_dot_by_chain_omega_8 = -(t676 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_8
-        - t54 * chain_omega_3_dot_by_chain_omega_8
-        - t55 * chain_omega_4_dot_by_chain_omega_8
-        - t56 * chain_omega_5_dot_by_chain_omega_8
-        - t57 * chain_omega_6_dot_by_chain_omega_8
-        - t58 * chain_omega_7_dot_by_chain_omega_8
-        - t59 * chain_omega_8_dot_by_chain_omega_8
-        - t60 * chain_omega_9_dot_by_chain_omega_8
-        - t61 * chain_omega_10_dot_by_chain_omega_8;
-    let t685 = R::literal(4.0) * chain_omega_9;
-    let t686 = t685 * t157;
-    let t687 = t53 * t686 - t685 * t169;
-    let t688 = t54 * t686 - t685 * t180 - t64 * t687;
-    let t689 = t55 * t686 - t685 * t192 - t66 * t687 - t81 * t688;
-    let t690 = t56 * t686 - t685 * t205 - t68 * t687 - t83 * t688 - t96 * t689;
-    let t691 = t57 * t686 - t685 * t219 - t70 * t687 - t85 * t688 - t98 * t689
-        - t109 * t690;
-    let t692 = t58 * t686 - t685 * t234 - t72 * t687 - t87 * t688 - t100 * t689
-        - t111 * t690 - t120 * t691;
-    let t693 = t59 * t686 - t685 * t250 - t74 * t687 - t89 * t688 - t102 * t689
-        - t113 * t690 - t122 * t691 - t129 * t692;
-    let t694 = t60 * t686 - t76 * t687 - t91 * t688 - t104 * t689 - t115 * t690
-        - t124 * t691 - t131 * t692 - t136 * t693;
-    let chain_omega_10_dot_by_chain_omega_9 = (t61 * t686
-        - R::literal(2.0) * chain_omega_9 * t277 - t78 * t687 - t93 * t688 - t106 * t689
-        - t117 * t690 - t126 * t691 - t133 * t692 - t138 * t693 - t141 * t694) * t142;
-    let chain_omega_9_dot_by_chain_omega_9 = t694 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_8_dot_by_chain_omega_9 = t693 * t134
+    let t638 = R::literal(4.0) * chain_omega_9;
+    let t639 = t638 * t21;
+    let t640 = t98 * t639 - t638 * t38;
+    let t641 = t99 * t639 - t638 * t52 - t109 * t640;
+    let t642 = t100 * t639 - t638 * t64 - t111 * t640 - t126 * t641;
+    let t643 = t101 * t639 - t638 * t74 - t113 * t640 - t128 * t641 - t141 * t642;
+    let t644 = t102 * t639 - t638 * t82 - t115 * t640 - t130 * t641 - t143 * t642
+        - t154 * t643;
+    let t645 = t103 * t639 - t638 * t88 - t117 * t640 - t132 * t641 - t145 * t642
+        - t156 * t643 - t165 * t644;
+    let t646 = t104 * t639 - t638 * t92 - t119 * t640 - t134 * t641 - t147 * t642
+        - t158 * t643 - t167 * t644 - t174 * t645;
+    let t647 = t105 * t639 - t121 * t640 - t136 * t641 - t149 * t642 - t160 * t643
+        - t169 * t644 - t176 * t645 - t181 * t646;
+    let chain_omega_10_dot_by_chain_omega_9 = (R::literal(2.0) * chain_omega_9 * t96
+        + t106 * t639 - t123 * t640 - t138 * t641 - t151 * t642 - t162 * t643
+        - t171 * t644 - t178 * t645 - t183 * t646 - t186 * t647) * t187;
+    let chain_omega_9_dot_by_chain_omega_9 = t647 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_9;
+    let chain_omega_8_dot_by_chain_omega_9 = t646 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_9
+        - t183 * chain_omega_10_dot_by_chain_omega_9;
+    let chain_omega_7_dot_by_chain_omega_9 = t645 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_9
+        - t176 * chain_omega_9_dot_by_chain_omega_9
+        - t178 * chain_omega_10_dot_by_chain_omega_9;
+    let chain_omega_6_dot_by_chain_omega_9 = t644 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_9
+        - t167 * chain_omega_8_dot_by_chain_omega_9
+        - t169 * chain_omega_9_dot_by_chain_omega_9
+        - t171 * chain_omega_10_dot_by_chain_omega_9;
+    let chain_omega_5_dot_by_chain_omega_9 = t643 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_9
+        - t156 * chain_omega_7_dot_by_chain_omega_9
+        - t158 * chain_omega_8_dot_by_chain_omega_9
+        - t160 * chain_omega_9_dot_by_chain_omega_9
+        - t162 * chain_omega_10_dot_by_chain_omega_9;
+    let chain_omega_4_dot_by_chain_omega_9 = t642 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_9
+        - t143 * chain_omega_6_dot_by_chain_omega_9
+        - t145 * chain_omega_7_dot_by_chain_omega_9
+        - t147 * chain_omega_8_dot_by_chain_omega_9
+        - t149 * chain_omega_9_dot_by_chain_omega_9
+        - t151 * chain_omega_10_dot_by_chain_omega_9;
+    let chain_omega_3_dot_by_chain_omega_9 = t641 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_9
+        - t128 * chain_omega_5_dot_by_chain_omega_9
+        - t130 * chain_omega_6_dot_by_chain_omega_9
+        - t132 * chain_omega_7_dot_by_chain_omega_9
+        - t134 * chain_omega_8_dot_by_chain_omega_9
         - t136 * chain_omega_9_dot_by_chain_omega_9
         - t138 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_7_dot_by_chain_omega_9 = t692 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_9
-        - t131 * chain_omega_9_dot_by_chain_omega_9
-        - t133 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_6_dot_by_chain_omega_9 = t691 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_9
-        - t122 * chain_omega_8_dot_by_chain_omega_9
-        - t124 * chain_omega_9_dot_by_chain_omega_9
-        - t126 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_5_dot_by_chain_omega_9 = t690 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_9
-        - t111 * chain_omega_7_dot_by_chain_omega_9
-        - t113 * chain_omega_8_dot_by_chain_omega_9
-        - t115 * chain_omega_9_dot_by_chain_omega_9
-        - t117 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_4_dot_by_chain_omega_9 = t689 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_9
-        - t98 * chain_omega_6_dot_by_chain_omega_9
-        - t100 * chain_omega_7_dot_by_chain_omega_9
-        - t102 * chain_omega_8_dot_by_chain_omega_9
-        - t104 * chain_omega_9_dot_by_chain_omega_9
+    let chain_omega_2_dot_by_chain_omega_9 = t640 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_9
+        - t111 * chain_omega_4_dot_by_chain_omega_9
+        - t113 * chain_omega_5_dot_by_chain_omega_9
+        - t115 * chain_omega_6_dot_by_chain_omega_9
+        - t117 * chain_omega_7_dot_by_chain_omega_9
+        - t119 * chain_omega_8_dot_by_chain_omega_9
+        - t121 * chain_omega_9_dot_by_chain_omega_9
+        - t123 * chain_omega_10_dot_by_chain_omega_9;
+    let chain_omega_1_dot_by_chain_omega_9 = -(t639 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_9
+        - t99 * chain_omega_3_dot_by_chain_omega_9
+        - t100 * chain_omega_4_dot_by_chain_omega_9
+        - t101 * chain_omega_5_dot_by_chain_omega_9
+        - t102 * chain_omega_6_dot_by_chain_omega_9
+        - t103 * chain_omega_7_dot_by_chain_omega_9
+        - t104 * chain_omega_8_dot_by_chain_omega_9
+        - t105 * chain_omega_9_dot_by_chain_omega_9
         - t106 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_3_dot_by_chain_omega_9 = t688 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_9
-        - t83 * chain_omega_5_dot_by_chain_omega_9
-        - t85 * chain_omega_6_dot_by_chain_omega_9
-        - t87 * chain_omega_7_dot_by_chain_omega_9
-        - t89 * chain_omega_8_dot_by_chain_omega_9
-        - t91 * chain_omega_9_dot_by_chain_omega_9
-        - t93 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_2_dot_by_chain_omega_9 = t687 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_9
-        - t66 * chain_omega_4_dot_by_chain_omega_9
-        - t68 * chain_omega_5_dot_by_chain_omega_9
-        - t70 * chain_omega_6_dot_by_chain_omega_9
-        - t72 * chain_omega_7_dot_by_chain_omega_9
-        - t74 * chain_omega_8_dot_by_chain_omega_9
-        - t76 * chain_omega_9_dot_by_chain_omega_9
-        - t78 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_1_dot_by_chain_omega_9 = -(t686 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_9
-        - t54 * chain_omega_3_dot_by_chain_omega_9
-        - t55 * chain_omega_4_dot_by_chain_omega_9
-        - t56 * chain_omega_5_dot_by_chain_omega_9
-        - t57 * chain_omega_6_dot_by_chain_omega_9
-        - t58 * chain_omega_7_dot_by_chain_omega_9
-        - t59 * chain_omega_8_dot_by_chain_omega_9
-        - t60 * chain_omega_9_dot_by_chain_omega_9
-        - t61 * chain_omega_10_dot_by_chain_omega_9;
-    let t695 = R::literal(2.0) * chain_omega_10;
-    let t696 = t695 * t159;
-    let t697 = t53 * t696 - t695 * t170;
-    let t698 = t54 * t696 - t695 * t181 - t64 * t697;
-    let t699 = t55 * t696 - t695 * t193 - t66 * t697 - t81 * t698;
-    let t700 = t56 * t696 - t695 * t206 - t68 * t697 - t83 * t698 - t96 * t699;
-    let t701 = t57 * t696 - t695 * t220 - t70 * t697 - t85 * t698 - t98 * t699
-        - t109 * t700;
-    let t702 = t58 * t696 - t695 * t235 - t72 * t697 - t87 * t698 - t100 * t699
-        - t111 * t700 - t120 * t701;
-    let t703 = t59 * t696 - t695 * t251 - t74 * t697 - t89 * t698 - t102 * t699
-        - t113 * t700 - t122 * t701 - t129 * t702;
-    let t704 = t60 * t696 - t695 * t268 - t76 * t697 - t91 * t698 - t104 * t699
-        - t115 * t700 - t124 * t701 - t131 * t702 - t136 * t703;
-    let chain_omega_10_dot_by_chain_omega_10 = (t61 * t696 - t78 * t697 - t93 * t698
-        - t106 * t699 - t117 * t700 - t126 * t701 - t133 * t702 - t138 * t703
-        - t141 * t704) * t142;
-    let chain_omega_9_dot_by_chain_omega_10 = t704 * t139
-        - t141 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_8_dot_by_chain_omega_10 = t703 * t134
+    let t648 = R::literal(2.0) * chain_omega_10;
+    let t649 = t648 * t24;
+    let t650 = t98 * t649 - t648 * t40;
+    let t651 = t99 * t649 - t648 * t54 - t109 * t650;
+    let t652 = t100 * t649 - t648 * t66 - t111 * t650 - t126 * t651;
+    let t653 = t101 * t649 - t648 * t76 - t113 * t650 - t128 * t651 - t141 * t652;
+    let t654 = t102 * t649 - t648 * t84 - t115 * t650 - t130 * t651 - t143 * t652
+        - t154 * t653;
+    let t655 = t103 * t649 - t648 * t90 - t117 * t650 - t132 * t651 - t145 * t652
+        - t156 * t653 - t165 * t654;
+    let t656 = t104 * t649 - t648 * t94 - t119 * t650 - t134 * t651 - t147 * t652
+        - t158 * t653 - t167 * t654 - t174 * t655;
+    let t657 = t105 * t649 - t648 * t96 - t121 * t650 - t136 * t651 - t149 * t652
+        - t160 * t653 - t169 * t654 - t176 * t655 - t181 * t656;
+    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t649 - t123 * t650 - t138 * t651
+        - t151 * t652 - t162 * t653 - t171 * t654 - t178 * t655 - t183 * t656
+        - t186 * t657) * t187;
+    let chain_omega_9_dot_by_chain_omega_10 = t657 * t184
+        - t186 * chain_omega_10_dot_by_chain_omega_10;
+    let chain_omega_8_dot_by_chain_omega_10 = t656 * t179
+        - t181 * chain_omega_9_dot_by_chain_omega_10
+        - t183 * chain_omega_10_dot_by_chain_omega_10;
+    let chain_omega_7_dot_by_chain_omega_10 = t655 * t172
+        - t174 * chain_omega_8_dot_by_chain_omega_10
+        - t176 * chain_omega_9_dot_by_chain_omega_10
+        - t178 * chain_omega_10_dot_by_chain_omega_10;
+    let chain_omega_6_dot_by_chain_omega_10 = t654 * t163
+        - t165 * chain_omega_7_dot_by_chain_omega_10
+        - t167 * chain_omega_8_dot_by_chain_omega_10
+        - t169 * chain_omega_9_dot_by_chain_omega_10
+        - t171 * chain_omega_10_dot_by_chain_omega_10;
+    let chain_omega_5_dot_by_chain_omega_10 = t653 * t152
+        - t154 * chain_omega_6_dot_by_chain_omega_10
+        - t156 * chain_omega_7_dot_by_chain_omega_10
+        - t158 * chain_omega_8_dot_by_chain_omega_10
+        - t160 * chain_omega_9_dot_by_chain_omega_10
+        - t162 * chain_omega_10_dot_by_chain_omega_10;
+    let chain_omega_4_dot_by_chain_omega_10 = t652 * t139
+        - t141 * chain_omega_5_dot_by_chain_omega_10
+        - t143 * chain_omega_6_dot_by_chain_omega_10
+        - t145 * chain_omega_7_dot_by_chain_omega_10
+        - t147 * chain_omega_8_dot_by_chain_omega_10
+        - t149 * chain_omega_9_dot_by_chain_omega_10
+        - t151 * chain_omega_10_dot_by_chain_omega_10;
+    let chain_omega_3_dot_by_chain_omega_10 = t651 * t124
+        - t126 * chain_omega_4_dot_by_chain_omega_10
+        - t128 * chain_omega_5_dot_by_chain_omega_10
+        - t130 * chain_omega_6_dot_by_chain_omega_10
+        - t132 * chain_omega_7_dot_by_chain_omega_10
+        - t134 * chain_omega_8_dot_by_chain_omega_10
         - t136 * chain_omega_9_dot_by_chain_omega_10
         - t138 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_7_dot_by_chain_omega_10 = t702 * t127
-        - t129 * chain_omega_8_dot_by_chain_omega_10
-        - t131 * chain_omega_9_dot_by_chain_omega_10
-        - t133 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_6_dot_by_chain_omega_10 = t701 * t118
-        - t120 * chain_omega_7_dot_by_chain_omega_10
-        - t122 * chain_omega_8_dot_by_chain_omega_10
-        - t124 * chain_omega_9_dot_by_chain_omega_10
-        - t126 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_5_dot_by_chain_omega_10 = t700 * t107
-        - t109 * chain_omega_6_dot_by_chain_omega_10
-        - t111 * chain_omega_7_dot_by_chain_omega_10
-        - t113 * chain_omega_8_dot_by_chain_omega_10
-        - t115 * chain_omega_9_dot_by_chain_omega_10
-        - t117 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_4_dot_by_chain_omega_10 = t699 * t94
-        - t96 * chain_omega_5_dot_by_chain_omega_10
-        - t98 * chain_omega_6_dot_by_chain_omega_10
-        - t100 * chain_omega_7_dot_by_chain_omega_10
-        - t102 * chain_omega_8_dot_by_chain_omega_10
-        - t104 * chain_omega_9_dot_by_chain_omega_10
+    let chain_omega_2_dot_by_chain_omega_10 = t650 * t107
+        - t109 * chain_omega_3_dot_by_chain_omega_10
+        - t111 * chain_omega_4_dot_by_chain_omega_10
+        - t113 * chain_omega_5_dot_by_chain_omega_10
+        - t115 * chain_omega_6_dot_by_chain_omega_10
+        - t117 * chain_omega_7_dot_by_chain_omega_10
+        - t119 * chain_omega_8_dot_by_chain_omega_10
+        - t121 * chain_omega_9_dot_by_chain_omega_10
+        - t123 * chain_omega_10_dot_by_chain_omega_10;
+    let chain_omega_1_dot_by_chain_omega_10 = -(t649 * R::literal(0.1))
+        - t98 * chain_omega_2_dot_by_chain_omega_10
+        - t99 * chain_omega_3_dot_by_chain_omega_10
+        - t100 * chain_omega_4_dot_by_chain_omega_10
+        - t101 * chain_omega_5_dot_by_chain_omega_10
+        - t102 * chain_omega_6_dot_by_chain_omega_10
+        - t103 * chain_omega_7_dot_by_chain_omega_10
+        - t104 * chain_omega_8_dot_by_chain_omega_10
+        - t105 * chain_omega_9_dot_by_chain_omega_10
         - t106 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_3_dot_by_chain_omega_10 = t698 * t79
-        - t81 * chain_omega_4_dot_by_chain_omega_10
-        - t83 * chain_omega_5_dot_by_chain_omega_10
-        - t85 * chain_omega_6_dot_by_chain_omega_10
-        - t87 * chain_omega_7_dot_by_chain_omega_10
-        - t89 * chain_omega_8_dot_by_chain_omega_10
-        - t91 * chain_omega_9_dot_by_chain_omega_10
-        - t93 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_2_dot_by_chain_omega_10 = t697 * t62
-        - t64 * chain_omega_3_dot_by_chain_omega_10
-        - t66 * chain_omega_4_dot_by_chain_omega_10
-        - t68 * chain_omega_5_dot_by_chain_omega_10
-        - t70 * chain_omega_6_dot_by_chain_omega_10
-        - t72 * chain_omega_7_dot_by_chain_omega_10
-        - t74 * chain_omega_8_dot_by_chain_omega_10
-        - t76 * chain_omega_9_dot_by_chain_omega_10
-        - t78 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_1_dot_by_chain_omega_10 = -(t696 * R::literal(0.1))
-        - t53 * chain_omega_2_dot_by_chain_omega_10
-        - t54 * chain_omega_3_dot_by_chain_omega_10
-        - t55 * chain_omega_4_dot_by_chain_omega_10
-        - t56 * chain_omega_5_dot_by_chain_omega_10
-        - t57 * chain_omega_6_dot_by_chain_omega_10
-        - t58 * chain_omega_7_dot_by_chain_omega_10
-        - t59 * chain_omega_8_dot_by_chain_omega_10
-        - t60 * chain_omega_9_dot_by_chain_omega_10
-        - t61 * chain_omega_10_dot_by_chain_omega_10;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -3829,7 +3882,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 1751 operations.
+/// 1652 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -4063,359 +4116,346 @@ pub fn power_balance<R: Real>(
             - t82 * t81 - t89 * t88 - t94 * t93 - t97 * t96);
     let t99 = R::literal(98.1) * sin_chain_theta_1;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
+    let t100 = chain_theta_1_minus_chain_theta_2.sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t100 = R::literal(8.0) * chain_omega_3_squared;
+    let t101 = chain_theta_1_minus_chain_theta_3.sin();
+    let t102 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t101 = R::literal(7.0) * chain_omega_4_squared;
+    let t103 = chain_theta_1_minus_chain_theta_4.sin();
+    let t104 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t102 = R::literal(6.0) * chain_omega_5_squared;
+    let t105 = chain_theta_1_minus_chain_theta_5.sin();
+    let t106 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t103 = R::literal(5.0) * chain_omega_6_squared;
+    let t107 = chain_theta_1_minus_chain_theta_6.sin();
+    let t108 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t104 = R::literal(4.0) * chain_omega_7_squared;
+    let t109 = chain_theta_1_minus_chain_theta_7.sin();
+    let t110 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t105 = R::literal(3.0) * chain_omega_8_squared;
+    let t111 = chain_theta_1_minus_chain_theta_8.sin();
+    let t112 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t106 = R::literal(2.0) * chain_omega_9_squared;
+    let t113 = chain_theta_1_minus_chain_theta_9.sin();
+    let t114 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t107 = -t99
-        - R::literal(9.0) * chain_omega_2_squared
-            * chain_theta_1_minus_chain_theta_2.sin()
-        - t100 * chain_theta_1_minus_chain_theta_3.sin()
-        - t101 * chain_theta_1_minus_chain_theta_4.sin()
-        - t102 * chain_theta_1_minus_chain_theta_5.sin()
-        - t103 * chain_theta_1_minus_chain_theta_6.sin()
-        - t104 * chain_theta_1_minus_chain_theta_7.sin()
-        - t105 * chain_theta_1_minus_chain_theta_8.sin();
-    let t108 = t107 - t106 * chain_theta_1_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_1_minus_chain_theta_10.sin();
-    let t109 = R::literal(88.29) * sin_chain_theta_2;
+    let t115 = chain_theta_1_minus_chain_theta_10.sin();
+    let t116 = -t99 - R::literal(9.0) * chain_omega_2_squared * t100 - t102 * t101
+        - t104 * t103 - t106 * t105 - t108 * t107 - t110 * t109 - t112 * t111
+        - t114 * t113 - chain_omega_10_squared * t115;
+    let t117 = R::literal(88.29) * sin_chain_theta_2;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t110 = -t109
-        - R::literal(9.0) * chain_omega_1_squared * (chain_theta_2 - chain_theta_1).sin()
-        - t100 * chain_theta_2_minus_chain_theta_3.sin()
-        - t101 * chain_theta_2_minus_chain_theta_4.sin()
-        - t102 * chain_theta_2_minus_chain_theta_5.sin()
-        - t103 * chain_theta_2_minus_chain_theta_6.sin()
-        - t104 * chain_theta_2_minus_chain_theta_7.sin()
-        - t105 * chain_theta_2_minus_chain_theta_8.sin();
-    let t111 = R::literal(78.48) * sin_chain_theta_3;
-    let t112 = -t111
-        - R::literal(8.0) * chain_omega_1_squared * (chain_theta_3 - chain_theta_1).sin()
-        - R::literal(8.0) * chain_omega_2_squared * (chain_theta_3 - chain_theta_2).sin()
-        - t101 * chain_theta_3_minus_chain_theta_4.sin()
-        - t102 * chain_theta_3_minus_chain_theta_5.sin()
-        - t103 * chain_theta_3_minus_chain_theta_6.sin()
-        - t104 * chain_theta_3_minus_chain_theta_7.sin();
-    let t113 = R::literal(68.67) * sin_chain_theta_4;
-    let t114 = -t113
-        - R::literal(7.0) * chain_omega_1_squared * (chain_theta_4 - chain_theta_1).sin()
-        - R::literal(7.0) * chain_omega_2_squared * (chain_theta_4 - chain_theta_2).sin()
-        - R::literal(7.0) * chain_omega_3_squared * (chain_theta_4 - chain_theta_3).sin()
-        - t102 * chain_theta_4_minus_chain_theta_5.sin()
-        - t103 * chain_theta_4_minus_chain_theta_6.sin();
-    let t115 = R::literal(58.86) * sin_chain_theta_5;
-    let t116 = -t115
-        - R::literal(6.0) * chain_omega_1_squared * (chain_theta_5 - chain_theta_1).sin()
-        - R::literal(6.0) * chain_omega_2_squared * (chain_theta_5 - chain_theta_2).sin()
-        - R::literal(6.0) * chain_omega_3_squared * (chain_theta_5 - chain_theta_3).sin()
-        - R::literal(6.0) * chain_omega_4_squared * (chain_theta_5 - chain_theta_4).sin()
-        - t103 * chain_theta_5_minus_chain_theta_6.sin();
-    let t117 = R::literal(49.05) * sin_chain_theta_6;
-    let t118 = -t117
-        - R::literal(5.0) * chain_omega_1_squared * (chain_theta_6 - chain_theta_1).sin()
-        - R::literal(5.0) * chain_omega_2_squared * (chain_theta_6 - chain_theta_2).sin()
-        - R::literal(5.0) * chain_omega_3_squared * (chain_theta_6 - chain_theta_3).sin()
-        - R::literal(5.0) * chain_omega_4_squared
-            * (chain_theta_6 - chain_theta_4).sin();
-    let t119 = R::literal(39.24) * sin_chain_theta_7;
-    let t120 = -t119
-        - R::literal(4.0) * chain_omega_1_squared * (chain_theta_7 - chain_theta_1).sin()
-        - R::literal(4.0) * chain_omega_2_squared * (chain_theta_7 - chain_theta_2).sin()
-        - R::literal(4.0) * chain_omega_3_squared * (chain_theta_7 - chain_theta_3).sin()
-        - R::literal(4.0) * chain_omega_4_squared
-            * (chain_theta_7 - chain_theta_4).sin();
-    let t121 = R::literal(29.43) * sin_chain_theta_8;
-    let t122 = -t121
-        - R::literal(3.0) * chain_omega_1_squared * (chain_theta_8 - chain_theta_1).sin()
-        - R::literal(3.0) * chain_omega_2_squared * (chain_theta_8 - chain_theta_2).sin()
-        - R::literal(3.0) * chain_omega_3_squared * (chain_theta_8 - chain_theta_3).sin()
-        - R::literal(3.0) * chain_omega_4_squared
-            * (chain_theta_8 - chain_theta_4).sin();
-    let t123 = R::literal(19.62) * sin_chain_theta_9;
-    let t124 = -t123
-        - R::literal(2.0) * chain_omega_1_squared * (chain_theta_9 - chain_theta_1).sin()
-        - R::literal(2.0) * chain_omega_2_squared * (chain_theta_9 - chain_theta_2).sin()
-        - R::literal(2.0) * chain_omega_3_squared * (chain_theta_9 - chain_theta_3).sin()
-        - R::literal(2.0) * chain_omega_4_squared
-            * (chain_theta_9 - chain_theta_4).sin();
-    let t125 = t124
-        - R::literal(2.0) * chain_omega_5_squared * (chain_theta_9 - chain_theta_5).sin()
-        - R::literal(2.0) * chain_omega_6_squared * (chain_theta_9 - chain_theta_6).sin()
-        - R::literal(2.0) * chain_omega_7_squared * (chain_theta_9 - chain_theta_7).sin()
-        - R::literal(2.0) * chain_omega_8_squared * (chain_theta_9 - chain_theta_8).sin()
-        - chain_omega_10_squared * chain_theta_9_minus_chain_theta_10.sin();
-    let t126 = R::literal(9.81) * sin_chain_theta_10;
-    let t127 = -t126 - chain_omega_1_squared * (chain_theta_10 - chain_theta_1).sin()
-        - chain_omega_2_squared * (chain_theta_10 - chain_theta_2).sin()
-        - chain_omega_3_squared * (chain_theta_10 - chain_theta_3).sin()
-        - chain_omega_4_squared * (chain_theta_10 - chain_theta_4).sin()
-        - chain_omega_5_squared * (chain_theta_10 - chain_theta_5).sin();
-    let t128 = t110 - t106 * chain_theta_2_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_2_minus_chain_theta_10.sin() - t9 * t108;
-    let t129 = t112 - t105 * chain_theta_3_minus_chain_theta_8.sin()
-        - t106 * chain_theta_3_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_3_minus_chain_theta_10.sin() - t10 * t108
-        - t20 * t128;
-    let t130 = t114 - t104 * chain_theta_4_minus_chain_theta_7.sin()
-        - t105 * chain_theta_4_minus_chain_theta_8.sin()
-        - t106 * chain_theta_4_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_4_minus_chain_theta_10.sin() - t11 * t108
-        - t22 * t128 - t37 * t129;
-    let t131 = t116 - t104 * chain_theta_5_minus_chain_theta_7.sin()
-        - t105 * chain_theta_5_minus_chain_theta_8.sin()
-        - t106 * chain_theta_5_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_5_minus_chain_theta_10.sin() - t12 * t108
-        - t24 * t128 - t39 * t129 - t52 * t130;
-    let t132 = t118
-        - R::literal(5.0) * chain_omega_5_squared * (chain_theta_6 - chain_theta_5).sin()
-        - t104 * chain_theta_6_minus_chain_theta_7.sin()
-        - t105 * chain_theta_6_minus_chain_theta_8.sin()
-        - t106 * chain_theta_6_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_6_minus_chain_theta_10.sin() - t13 * t108
-        - t26 * t128 - t41 * t129;
-    let t133 = t132 - t54 * t130 - t65 * t131;
-    let t134 = t120
-        - R::literal(4.0) * chain_omega_5_squared * (chain_theta_7 - chain_theta_5).sin()
-        - R::literal(4.0) * chain_omega_6_squared * (chain_theta_7 - chain_theta_6).sin()
-        - t105 * chain_theta_7_minus_chain_theta_8.sin()
-        - t106 * chain_theta_7_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_7_minus_chain_theta_10.sin() - t14 * t108
-        - t28 * t128;
-    let t135 = t134 - t43 * t129 - t56 * t130 - t67 * t131 - t76 * t133;
-    let t136 = t122
-        - R::literal(3.0) * chain_omega_5_squared * (chain_theta_8 - chain_theta_5).sin()
-        - R::literal(3.0) * chain_omega_6_squared * (chain_theta_8 - chain_theta_6).sin()
-        - R::literal(3.0) * chain_omega_7_squared * (chain_theta_8 - chain_theta_7).sin()
-        - t106 * chain_theta_8_minus_chain_theta_9.sin()
-        - chain_omega_10_squared * chain_theta_8_minus_chain_theta_10.sin() - t15 * t108;
-    let t137 = t136 - t30 * t128 - t45 * t129 - t58 * t130 - t69 * t131 - t78 * t133
-        - t85 * t135;
-    let t138 = t125 - t16 * t108 - t32 * t128 - t47 * t129 - t60 * t130 - t71 * t131
-        - t80 * t133 - t87 * t135 - t92 * t137;
-    let t139 = t127 - chain_omega_6_squared * (chain_theta_10 - chain_theta_6).sin()
-        - chain_omega_7_squared * (chain_theta_10 - chain_theta_7).sin()
-        - chain_omega_8_squared * (chain_theta_10 - chain_theta_8).sin()
-        - chain_omega_9_squared * (chain_theta_10 - chain_theta_9).sin() - t17 * t108
-        - t34 * t128 - t49 * t129 - t62 * t130;
-    let chain_omega_10_dot = (t139 - t73 * t131 - t82 * t133 - t89 * t135 - t94 * t137
-        - t97 * t138) * t98;
-    let chain_omega_9_dot = t138 * t95 - t97 * chain_omega_10_dot;
-    let chain_omega_8_dot = t137 * t90 - t92 * chain_omega_9_dot
+    let t118 = chain_theta_2_minus_chain_theta_3.sin();
+    let t119 = chain_theta_2_minus_chain_theta_4.sin();
+    let t120 = chain_theta_2_minus_chain_theta_5.sin();
+    let t121 = chain_theta_2_minus_chain_theta_6.sin();
+    let t122 = chain_theta_2_minus_chain_theta_7.sin();
+    let t123 = chain_theta_2_minus_chain_theta_8.sin();
+    let t124 = chain_theta_2_minus_chain_theta_9.sin();
+    let t125 = chain_theta_2_minus_chain_theta_10.sin();
+    let t126 = R::literal(78.48) * sin_chain_theta_3;
+    let t127 = chain_theta_3_minus_chain_theta_4.sin();
+    let t128 = chain_theta_3_minus_chain_theta_5.sin();
+    let t129 = chain_theta_3_minus_chain_theta_6.sin();
+    let t130 = chain_theta_3_minus_chain_theta_7.sin();
+    let t131 = chain_theta_3_minus_chain_theta_8.sin();
+    let t132 = chain_theta_3_minus_chain_theta_9.sin();
+    let t133 = chain_theta_3_minus_chain_theta_10.sin();
+    let t134 = R::literal(68.67) * sin_chain_theta_4;
+    let t135 = chain_theta_4_minus_chain_theta_5.sin();
+    let t136 = chain_theta_4_minus_chain_theta_6.sin();
+    let t137 = chain_theta_4_minus_chain_theta_7.sin();
+    let t138 = chain_theta_4_minus_chain_theta_8.sin();
+    let t139 = chain_theta_4_minus_chain_theta_9.sin();
+    let t140 = chain_theta_4_minus_chain_theta_10.sin();
+    let t141 = R::literal(58.86) * sin_chain_theta_5;
+    let t142 = chain_theta_5_minus_chain_theta_6.sin();
+    let t143 = chain_theta_5_minus_chain_theta_7.sin();
+    let t144 = chain_theta_5_minus_chain_theta_8.sin();
+    let t145 = chain_theta_5_minus_chain_theta_9.sin();
+    let t146 = chain_theta_5_minus_chain_theta_10.sin();
+    let t147 = R::literal(49.05) * sin_chain_theta_6;
+    let t148 = chain_theta_6_minus_chain_theta_7.sin();
+    let t149 = chain_theta_6_minus_chain_theta_8.sin();
+    let t150 = chain_theta_6_minus_chain_theta_9.sin();
+    let t151 = chain_theta_6_minus_chain_theta_10.sin();
+    let t152 = R::literal(5.0) * chain_omega_1_squared * t107 - t147
+        + R::literal(5.0) * chain_omega_2_squared * t121
+        + R::literal(5.0) * chain_omega_3_squared * t129
+        + R::literal(5.0) * chain_omega_4_squared * t136
+        + R::literal(5.0) * chain_omega_5_squared * t142 - t110 * t148 - t112 * t149
+        - t114 * t150 - chain_omega_10_squared * t151;
+    let t153 = R::literal(39.24) * sin_chain_theta_7;
+    let t154 = chain_theta_7_minus_chain_theta_8.sin();
+    let t155 = chain_theta_7_minus_chain_theta_9.sin();
+    let t156 = chain_theta_7_minus_chain_theta_10.sin();
+    let t157 = R::literal(4.0) * chain_omega_1_squared * t109 - t153
+        + R::literal(4.0) * chain_omega_2_squared * t122
+        + R::literal(4.0) * chain_omega_3_squared * t130
+        + R::literal(4.0) * chain_omega_4_squared * t137
+        + R::literal(4.0) * chain_omega_5_squared * t143
+        + R::literal(4.0) * chain_omega_6_squared * t148 - t112 * t154 - t114 * t155
+        - chain_omega_10_squared * t156;
+    let t158 = R::literal(29.43) * sin_chain_theta_8;
+    let t159 = chain_theta_8_minus_chain_theta_9.sin();
+    let t160 = chain_theta_8_minus_chain_theta_10.sin();
+    let t161 = R::literal(3.0) * chain_omega_1_squared * t111 - t158
+        + R::literal(3.0) * chain_omega_2_squared * t123
+        + R::literal(3.0) * chain_omega_3_squared * t131
+        + R::literal(3.0) * chain_omega_4_squared * t138
+        + R::literal(3.0) * chain_omega_5_squared * t144
+        + R::literal(3.0) * chain_omega_6_squared * t149
+        + R::literal(3.0) * chain_omega_7_squared * t154 - t114 * t159;
+    let t162 = R::literal(19.62) * sin_chain_theta_9;
+    let t163 = chain_theta_9_minus_chain_theta_10.sin();
+    let t164 = R::literal(2.0) * chain_omega_1_squared * t113 - t162
+        + R::literal(2.0) * chain_omega_2_squared * t124
+        + R::literal(2.0) * chain_omega_3_squared * t132
+        + R::literal(2.0) * chain_omega_4_squared * t139
+        + R::literal(2.0) * chain_omega_5_squared * t145
+        + R::literal(2.0) * chain_omega_6_squared * t150
+        + R::literal(2.0) * chain_omega_7_squared * t155
+        + R::literal(2.0) * chain_omega_8_squared * t159;
+    let t165 = R::literal(9.81) * sin_chain_theta_10;
+    let t166 = R::literal(9.0) * chain_omega_1_squared * t100 - t117 - t102 * t118
+        - t104 * t119 - t106 * t120 - t108 * t121 - t110 * t122 - t112 * t123
+        - t114 * t124 - chain_omega_10_squared * t125 - t9 * t116;
+    let t167 = R::literal(8.0) * chain_omega_1_squared * t101 - t126
+        + R::literal(8.0) * chain_omega_2_squared * t118 - t104 * t127 - t106 * t128
+        - t108 * t129 - t110 * t130 - t112 * t131 - t114 * t132
+        - chain_omega_10_squared * t133 - t10 * t116 - t20 * t166;
+    let t168 = R::literal(7.0) * chain_omega_1_squared * t103 - t134
+        + R::literal(7.0) * chain_omega_2_squared * t119
+        + R::literal(7.0) * chain_omega_3_squared * t127 - t106 * t135 - t108 * t136
+        - t110 * t137 - t112 * t138 - t114 * t139 - chain_omega_10_squared * t140
+        - t11 * t116;
+    let t169 = t168 - t22 * t166 - t37 * t167;
+    let t170 = R::literal(6.0) * chain_omega_1_squared * t105 - t141
+        + R::literal(6.0) * chain_omega_2_squared * t120
+        + R::literal(6.0) * chain_omega_3_squared * t128
+        + R::literal(6.0) * chain_omega_4_squared * t135 - t108 * t142 - t110 * t143
+        - t112 * t144 - t114 * t145 - chain_omega_10_squared * t146 - t12 * t116;
+    let t171 = t170 - t24 * t166 - t39 * t167 - t52 * t169;
+    let t172 = t152 - t13 * t116 - t26 * t166 - t41 * t167 - t54 * t169 - t65 * t171;
+    let t173 = t157 - t14 * t116 - t28 * t166 - t43 * t167 - t56 * t169 - t67 * t171
+        - t76 * t172;
+    let t174 = t161 - chain_omega_10_squared * t160 - t15 * t116 - t30 * t166
+        - t45 * t167 - t58 * t169 - t69 * t171 - t78 * t172 - t85 * t173;
+    let t175 = t164 - chain_omega_10_squared * t163 - t16 * t116 - t32 * t166
+        - t47 * t167 - t60 * t169 - t71 * t171 - t80 * t172 - t87 * t173 - t92 * t174;
+    let t176 = chain_omega_1_squared * t115 - t165 + chain_omega_2_squared * t125
+        + chain_omega_3_squared * t133 + chain_omega_4_squared * t140
+        + chain_omega_5_squared * t146 + chain_omega_6_squared * t151
+        + chain_omega_7_squared * t156 + chain_omega_8_squared * t160
+        + chain_omega_9_squared * t163 - t17 * t116 - t34 * t166 - t49 * t167;
+    let chain_omega_10_dot = (t176 - t62 * t169 - t73 * t171 - t82 * t172 - t89 * t173
+        - t94 * t174 - t97 * t175) * t98;
+    let chain_omega_9_dot = t175 * t95 - t97 * chain_omega_10_dot;
+    let chain_omega_8_dot = t174 * t90 - t92 * chain_omega_9_dot
         - t94 * chain_omega_10_dot;
-    let chain_omega_7_dot = t135 * t83 - t85 * chain_omega_8_dot
+    let chain_omega_7_dot = t173 * t83 - t85 * chain_omega_8_dot
         - t87 * chain_omega_9_dot - t89 * chain_omega_10_dot;
-    let chain_omega_6_dot = t133 * t74 - t76 * chain_omega_7_dot
+    let chain_omega_6_dot = t172 * t74 - t76 * chain_omega_7_dot
         - t78 * chain_omega_8_dot - t80 * chain_omega_9_dot - t82 * chain_omega_10_dot;
-    let chain_omega_5_dot = t131 * t63 - t65 * chain_omega_6_dot
+    let chain_omega_5_dot = t171 * t63 - t65 * chain_omega_6_dot
         - t67 * chain_omega_7_dot - t69 * chain_omega_8_dot - t71 * chain_omega_9_dot
         - t73 * chain_omega_10_dot;
-    let chain_omega_4_dot = t130 * t50 - t52 * chain_omega_5_dot
+    let chain_omega_4_dot = t169 * t50 - t52 * chain_omega_5_dot
         - t54 * chain_omega_6_dot - t56 * chain_omega_7_dot - t58 * chain_omega_8_dot
         - t60 * chain_omega_9_dot - t62 * chain_omega_10_dot;
-    let chain_omega_3_dot = t129 * t35 - t37 * chain_omega_4_dot
+    let chain_omega_3_dot = t167 * t35 - t37 * chain_omega_4_dot
         - t39 * chain_omega_5_dot - t41 * chain_omega_6_dot - t43 * chain_omega_7_dot
         - t45 * chain_omega_8_dot - t47 * chain_omega_9_dot - t49 * chain_omega_10_dot;
-    let chain_omega_2_dot = t128 * t18 - t20 * chain_omega_3_dot
+    let chain_omega_2_dot = t166 * t18 - t20 * chain_omega_3_dot
         - t22 * chain_omega_4_dot - t24 * chain_omega_5_dot - t26 * chain_omega_6_dot
         - t28 * chain_omega_7_dot - t30 * chain_omega_8_dot - t32 * chain_omega_9_dot
         - t34 * chain_omega_10_dot;
-    let chain_omega_1_dot = t108 * R::literal(0.1) - t9 * chain_omega_2_dot
+    let chain_omega_1_dot = t116 * R::literal(0.1) - t9 * chain_omega_2_dot
         - t10 * chain_omega_3_dot - t11 * chain_omega_4_dot - t12 * chain_omega_5_dot
         - t13 * chain_omega_6_dot - t14 * chain_omega_7_dot - t15 * chain_omega_8_dot
         - t16 * chain_omega_9_dot - t17 * chain_omega_10_dot;
-    let t140 = R::literal(2.0) * chain_omega_2;
-    let t141 = R::literal(2.0) * chain_omega_3;
-    let t142 = R::literal(2.0) * chain_omega_4;
-    let t143 = R::literal(2.0) * chain_omega_5;
-    let t144 = R::literal(2.0) * chain_omega_6;
-    let t145 = R::literal(2.0) * chain_omega_7;
-    let t146 = R::literal(2.0) * chain_omega_8;
-    let t147 = R::literal(2.0) * chain_omega_9;
-    let t148 = R::literal(2.0) * chain_omega_10;
-    let t149 = R::literal(2.0) * chain_v_1;
-    let t150 = R::literal(2.0) * chain_u_1;
-    let t151 = t150 * chain_v_2 + t150 * chain_v_3 + t150 * chain_v_4 + t150 * chain_v_5
-        + t150 * chain_v_6 + t150 * chain_v_7 + t150 * chain_v_8 + t150 * chain_v_9
-        + t150 * chain_v_10 - t149 * chain_u_2 - t149 * chain_u_3 - t149 * chain_u_4;
-    let t152 = (R::literal(0.5)
-        * (t151 - t149 * chain_u_5 - t149 * chain_u_6 - t149 * chain_u_7
-            - t149 * chain_u_8 - t149 * chain_u_9 - t149 * chain_u_10) + t99)
+    let t177 = R::literal(2.0) * chain_omega_2;
+    let t178 = R::literal(2.0) * chain_omega_3;
+    let t179 = R::literal(2.0) * chain_omega_4;
+    let t180 = R::literal(2.0) * chain_omega_5;
+    let t181 = R::literal(2.0) * chain_omega_6;
+    let t182 = R::literal(2.0) * chain_omega_7;
+    let t183 = R::literal(2.0) * chain_omega_8;
+    let t184 = R::literal(2.0) * chain_omega_9;
+    let t185 = R::literal(2.0) * chain_omega_10;
+    let t186 = R::literal(2.0) * chain_v_1;
+    let t187 = R::literal(2.0) * chain_u_1;
+    let t188 = t187 * chain_v_2 + t187 * chain_v_3 + t187 * chain_v_4 + t187 * chain_v_5
+        + t187 * chain_v_6 + t187 * chain_v_7 + t187 * chain_v_8 + t187 * chain_v_9
+        + t187 * chain_v_10 - t186 * chain_u_2 - t186 * chain_u_3 - t186 * chain_u_4;
+    let t189 = (R::literal(0.5)
+        * (t188 - t186 * chain_u_5 - t186 * chain_u_6 - t186 * chain_u_7
+            - t186 * chain_u_8 - t186 * chain_u_9 - t186 * chain_u_10) + t99)
         * chain_omega_1;
-    let t153 = t140 * chain_v_2 * cos_chain_theta_2
-        + t140 * chain_v_3 * cos_chain_theta_2 + t140 * chain_v_4 * cos_chain_theta_2
-        + t140 * chain_v_5 * cos_chain_theta_2 + t140 * chain_v_6 * cos_chain_theta_2
-        + t140 * chain_v_7 * cos_chain_theta_2 + t140 * chain_v_8 * cos_chain_theta_2
-        + t140 * chain_v_9 * cos_chain_theta_2;
-    let t154 = t153 + t140 * chain_v_10 * cos_chain_theta_2
-        - t140 * chain_u_2 * sin_chain_theta_2 - t140 * chain_u_3 * sin_chain_theta_2
-        - t140 * chain_u_4 * sin_chain_theta_2 - t140 * chain_u_5 * sin_chain_theta_2
-        - t140 * chain_u_6 * sin_chain_theta_2 - t140 * chain_u_7 * sin_chain_theta_2
-        - t140 * chain_u_8 * sin_chain_theta_2;
-    let t155 = t141 * chain_v_3 * cos_chain_theta_3
-        + t141 * chain_v_4 * cos_chain_theta_3 + t141 * chain_v_5 * cos_chain_theta_3
-        + t141 * chain_v_6 * cos_chain_theta_3 + t141 * chain_v_7 * cos_chain_theta_3
-        + t141 * chain_v_8 * cos_chain_theta_3 + t141 * chain_v_9 * cos_chain_theta_3
-        + t141 * chain_v_10 * cos_chain_theta_3;
-    let t156 = t155 - t141 * chain_u_3 * sin_chain_theta_3
-        - t141 * chain_u_4 * sin_chain_theta_3 - t141 * chain_u_5 * sin_chain_theta_3
-        - t141 * chain_u_6 * sin_chain_theta_3 - t141 * chain_u_7 * sin_chain_theta_3
-        - t141 * chain_u_8 * sin_chain_theta_3 - t141 * chain_u_9 * sin_chain_theta_3
-        - t141 * chain_u_10 * sin_chain_theta_3;
-    let t157 = t142 * chain_v_4 * cos_chain_theta_4
-        + t142 * chain_v_5 * cos_chain_theta_4 + t142 * chain_v_6 * cos_chain_theta_4
-        + t142 * chain_v_7 * cos_chain_theta_4 + t142 * chain_v_8 * cos_chain_theta_4
-        + t142 * chain_v_9 * cos_chain_theta_4 + t142 * chain_v_10 * cos_chain_theta_4
-        - t142 * chain_u_4 * sin_chain_theta_4;
-    let t158 = (R::literal(0.5)
-        * (t157 - t142 * chain_u_5 * sin_chain_theta_4
-            - t142 * chain_u_6 * sin_chain_theta_4 - t142 * chain_u_7 * sin_chain_theta_4
-            - t142 * chain_u_8 * sin_chain_theta_4 - t142 * chain_u_9 * sin_chain_theta_4
-            - t142 * chain_u_10 * sin_chain_theta_4) + t113) * chain_omega_4;
-    let t159 = t143 * chain_v_5 * cos_chain_theta_5
-        + t143 * chain_v_6 * cos_chain_theta_5 + t143 * chain_v_7 * cos_chain_theta_5
-        + t143 * chain_v_8 * cos_chain_theta_5 + t143 * chain_v_9 * cos_chain_theta_5
-        + t143 * chain_v_10 * cos_chain_theta_5 - t143 * chain_u_5 * sin_chain_theta_5
-        - t143 * chain_u_6 * sin_chain_theta_5;
-    let t160 = (R::literal(0.5)
-        * (t159 - t143 * chain_u_7 * sin_chain_theta_5
-            - t143 * chain_u_8 * sin_chain_theta_5 - t143 * chain_u_9 * sin_chain_theta_5
-            - t143 * chain_u_10 * sin_chain_theta_5) + t115) * chain_omega_5;
-    let t161 = t152
+    let t190 = t177 * chain_v_2 * cos_chain_theta_2
+        + t177 * chain_v_3 * cos_chain_theta_2 + t177 * chain_v_4 * cos_chain_theta_2
+        + t177 * chain_v_5 * cos_chain_theta_2 + t177 * chain_v_6 * cos_chain_theta_2
+        + t177 * chain_v_7 * cos_chain_theta_2 + t177 * chain_v_8 * cos_chain_theta_2
+        + t177 * chain_v_9 * cos_chain_theta_2;
+    let t191 = t190 + t177 * chain_v_10 * cos_chain_theta_2
+        - t177 * chain_u_2 * sin_chain_theta_2 - t177 * chain_u_3 * sin_chain_theta_2
+        - t177 * chain_u_4 * sin_chain_theta_2 - t177 * chain_u_5 * sin_chain_theta_2
+        - t177 * chain_u_6 * sin_chain_theta_2 - t177 * chain_u_7 * sin_chain_theta_2
+        - t177 * chain_u_8 * sin_chain_theta_2;
+    let t192 = t178 * chain_v_3 * cos_chain_theta_3
+        + t178 * chain_v_4 * cos_chain_theta_3 + t178 * chain_v_5 * cos_chain_theta_3
+        + t178 * chain_v_6 * cos_chain_theta_3 + t178 * chain_v_7 * cos_chain_theta_3
+        + t178 * chain_v_8 * cos_chain_theta_3 + t178 * chain_v_9 * cos_chain_theta_3
+        + t178 * chain_v_10 * cos_chain_theta_3;
+    let t193 = t192 - t178 * chain_u_3 * sin_chain_theta_3
+        - t178 * chain_u_4 * sin_chain_theta_3 - t178 * chain_u_5 * sin_chain_theta_3
+        - t178 * chain_u_6 * sin_chain_theta_3 - t178 * chain_u_7 * sin_chain_theta_3
+        - t178 * chain_u_8 * sin_chain_theta_3 - t178 * chain_u_9 * sin_chain_theta_3
+        - t178 * chain_u_10 * sin_chain_theta_3;
+    let t194 = t179 * chain_v_4 * cos_chain_theta_4
+        + t179 * chain_v_5 * cos_chain_theta_4 + t179 * chain_v_6 * cos_chain_theta_4
+        + t179 * chain_v_7 * cos_chain_theta_4 + t179 * chain_v_8 * cos_chain_theta_4
+        + t179 * chain_v_9 * cos_chain_theta_4 + t179 * chain_v_10 * cos_chain_theta_4
+        - t179 * chain_u_4 * sin_chain_theta_4;
+    let t195 = (R::literal(0.5)
+        * (t194 - t179 * chain_u_5 * sin_chain_theta_4
+            - t179 * chain_u_6 * sin_chain_theta_4 - t179 * chain_u_7 * sin_chain_theta_4
+            - t179 * chain_u_8 * sin_chain_theta_4 - t179 * chain_u_9 * sin_chain_theta_4
+            - t179 * chain_u_10 * sin_chain_theta_4) + t134) * chain_omega_4;
+    let t196 = t180 * chain_v_5 * cos_chain_theta_5
+        + t180 * chain_v_6 * cos_chain_theta_5 + t180 * chain_v_7 * cos_chain_theta_5
+        + t180 * chain_v_8 * cos_chain_theta_5 + t180 * chain_v_9 * cos_chain_theta_5
+        + t180 * chain_v_10 * cos_chain_theta_5 - t180 * chain_u_5 * sin_chain_theta_5
+        - t180 * chain_u_6 * sin_chain_theta_5;
+    let t197 = (R::literal(0.5)
+        * (t196 - t180 * chain_u_7 * sin_chain_theta_5
+            - t180 * chain_u_8 * sin_chain_theta_5 - t180 * chain_u_9 * sin_chain_theta_5
+            - t180 * chain_u_10 * sin_chain_theta_5) + t141) * chain_omega_5;
+    let t198 = t189
         + (R::literal(0.5)
-            * (t154 - t140 * chain_u_9 * sin_chain_theta_2
-                - t140 * chain_u_10 * sin_chain_theta_2) + t109) * chain_omega_2
-        + (R::literal(0.5) * t156 + t111) * chain_omega_3 + t158 + t160;
-    let t162 = t144 * chain_v_6 * cos_chain_theta_6
-        + t144 * chain_v_7 * cos_chain_theta_6 + t144 * chain_v_8 * cos_chain_theta_6
-        + t144 * chain_v_9 * cos_chain_theta_6 + t144 * chain_v_10 * cos_chain_theta_6
-        - t144 * chain_u_6 * sin_chain_theta_6 - t144 * chain_u_7 * sin_chain_theta_6
-        - t144 * chain_u_8 * sin_chain_theta_6;
-    let t163 = R::literal(0.5)
-        * (t145 * chain_v_7 * cos_chain_theta_7 + t145 * chain_v_8 * cos_chain_theta_7
-            + t145 * chain_v_9 * cos_chain_theta_7
-            + t145 * chain_v_10 * cos_chain_theta_7
-            - t145 * chain_u_7 * sin_chain_theta_7 - t145 * chain_u_8 * sin_chain_theta_7
-            - t145 * chain_u_9 * sin_chain_theta_7
-            - t145 * chain_u_10 * sin_chain_theta_7);
-    let t164 = (R::literal(0.5)
-        * (t146 * chain_v_8 * cos_chain_theta_8 + t146 * chain_v_9 * cos_chain_theta_8
-            + t146 * chain_v_10 * cos_chain_theta_8
-            - t146 * chain_u_8 * sin_chain_theta_8 - t146 * chain_u_9 * sin_chain_theta_8
-            - t146 * chain_u_10 * sin_chain_theta_8) + t121) * chain_omega_8;
-    let t165 = (R::literal(0.5)
-        * (t147 * chain_v_9 * cos_chain_theta_9 + t147 * chain_v_10 * cos_chain_theta_9
-            - t147 * chain_u_9 * sin_chain_theta_9
-            - t147 * chain_u_10 * sin_chain_theta_9) + t123) * chain_omega_9;
-    let t166 = t161
+            * (t191 - t177 * chain_u_9 * sin_chain_theta_2
+                - t177 * chain_u_10 * sin_chain_theta_2) + t117) * chain_omega_2
+        + (R::literal(0.5) * t193 + t126) * chain_omega_3 + t195 + t197;
+    let t199 = t181 * chain_v_6 * cos_chain_theta_6
+        + t181 * chain_v_7 * cos_chain_theta_6 + t181 * chain_v_8 * cos_chain_theta_6
+        + t181 * chain_v_9 * cos_chain_theta_6 + t181 * chain_v_10 * cos_chain_theta_6
+        - t181 * chain_u_6 * sin_chain_theta_6 - t181 * chain_u_7 * sin_chain_theta_6
+        - t181 * chain_u_8 * sin_chain_theta_6;
+    let t200 = R::literal(0.5)
+        * (t182 * chain_v_7 * cos_chain_theta_7 + t182 * chain_v_8 * cos_chain_theta_7
+            + t182 * chain_v_9 * cos_chain_theta_7
+            + t182 * chain_v_10 * cos_chain_theta_7
+            - t182 * chain_u_7 * sin_chain_theta_7 - t182 * chain_u_8 * sin_chain_theta_7
+            - t182 * chain_u_9 * sin_chain_theta_7
+            - t182 * chain_u_10 * sin_chain_theta_7);
+    let t201 = (R::literal(0.5)
+        * (t183 * chain_v_8 * cos_chain_theta_8 + t183 * chain_v_9 * cos_chain_theta_8
+            + t183 * chain_v_10 * cos_chain_theta_8
+            - t183 * chain_u_8 * sin_chain_theta_8 - t183 * chain_u_9 * sin_chain_theta_8
+            - t183 * chain_u_10 * sin_chain_theta_8) + t158) * chain_omega_8;
+    let t202 = (R::literal(0.5)
+        * (t184 * chain_v_9 * cos_chain_theta_9 + t184 * chain_v_10 * cos_chain_theta_9
+            - t184 * chain_u_9 * sin_chain_theta_9
+            - t184 * chain_u_10 * sin_chain_theta_9) + t162) * chain_omega_9;
+    let t203 = t198
         + (R::literal(0.5)
-            * (t162 - t144 * chain_u_9 * sin_chain_theta_6
-                - t144 * chain_u_10 * sin_chain_theta_6) + t117) * chain_omega_6
-        + (t163 + t119) * chain_omega_7 + t164 + t165
+            * (t199 - t181 * chain_u_9 * sin_chain_theta_6
+                - t181 * chain_u_10 * sin_chain_theta_6) + t147) * chain_omega_6
+        + (t200 + t153) * chain_omega_7 + t201 + t202
         + (R::literal(0.5)
-            * (t148 * chain_v_10 * cos_chain_theta_10
-                - t148 * chain_u_10 * sin_chain_theta_10) + t126) * chain_omega_10;
-    let t167 = R::literal(2.0) * chain_u_2;
-    let t168 = R::literal(2.0) * chain_v_2;
-    let t169 = R::literal(2.0) * chain_u_3;
-    let t170 = R::literal(2.0) * chain_v_3;
-    let t171 = R::literal(2.0) * chain_u_4;
-    let t172 = R::literal(2.0) * chain_v_4;
-    let t173 = R::literal(2.0) * chain_u_5;
-    let t174 = R::literal(2.0) * chain_v_5;
-    let t175 = R::literal(2.0) * chain_u_6;
-    let t176 = R::literal(2.0) * chain_v_6;
-    let t177 = R::literal(2.0) * chain_u_7;
-    let t178 = R::literal(2.0) * chain_v_7;
-    let t179 = R::literal(2.0) * chain_u_8;
-    let t180 = R::literal(2.0) * chain_v_8;
-    let t181 = R::literal(2.0) * chain_u_9;
-    let t182 = R::literal(2.0) * chain_v_9;
-    let t183 = R::literal(2.0) * chain_u_10;
-    let t184 = R::literal(2.0) * chain_v_10;
-    let t185 = t150 * cos_chain_theta_1 + t149 * sin_chain_theta_1
-        + t167 * cos_chain_theta_1 + t168 * sin_chain_theta_1 + t169 * cos_chain_theta_1
-        + t170 * sin_chain_theta_1 + t171 * cos_chain_theta_1 + t172 * sin_chain_theta_1
-        + t173 * cos_chain_theta_1 + t174 * sin_chain_theta_1 + t175 * cos_chain_theta_1
-        + t176 * sin_chain_theta_1;
-    let t186 = t166
+            * (t185 * chain_v_10 * cos_chain_theta_10
+                - t185 * chain_u_10 * sin_chain_theta_10) + t165) * chain_omega_10;
+    let t204 = R::literal(2.0) * chain_u_2;
+    let t205 = R::literal(2.0) * chain_v_2;
+    let t206 = R::literal(2.0) * chain_u_3;
+    let t207 = R::literal(2.0) * chain_v_3;
+    let t208 = R::literal(2.0) * chain_u_4;
+    let t209 = R::literal(2.0) * chain_v_4;
+    let t210 = R::literal(2.0) * chain_u_5;
+    let t211 = R::literal(2.0) * chain_v_5;
+    let t212 = R::literal(2.0) * chain_u_6;
+    let t213 = R::literal(2.0) * chain_v_6;
+    let t214 = R::literal(2.0) * chain_u_7;
+    let t215 = R::literal(2.0) * chain_v_7;
+    let t216 = R::literal(2.0) * chain_u_8;
+    let t217 = R::literal(2.0) * chain_v_8;
+    let t218 = R::literal(2.0) * chain_u_9;
+    let t219 = R::literal(2.0) * chain_v_9;
+    let t220 = R::literal(2.0) * chain_u_10;
+    let t221 = R::literal(2.0) * chain_v_10;
+    let t222 = t187 * cos_chain_theta_1 + t186 * sin_chain_theta_1
+        + t204 * cos_chain_theta_1 + t205 * sin_chain_theta_1 + t206 * cos_chain_theta_1
+        + t207 * sin_chain_theta_1 + t208 * cos_chain_theta_1 + t209 * sin_chain_theta_1
+        + t210 * cos_chain_theta_1 + t211 * sin_chain_theta_1 + t212 * cos_chain_theta_1
+        + t213 * sin_chain_theta_1;
+    let t223 = t203
         + R::literal(0.5)
-            * (t185 + t177 * cos_chain_theta_1 + t178 * sin_chain_theta_1
-                + t179 * cos_chain_theta_1 + t180 * sin_chain_theta_1
-                + t181 * cos_chain_theta_1 + t182 * sin_chain_theta_1
-                + t183 * cos_chain_theta_1 + t184 * sin_chain_theta_1)
+            * (t222 + t214 * cos_chain_theta_1 + t215 * sin_chain_theta_1
+                + t216 * cos_chain_theta_1 + t217 * sin_chain_theta_1
+                + t218 * cos_chain_theta_1 + t219 * sin_chain_theta_1
+                + t220 * cos_chain_theta_1 + t221 * sin_chain_theta_1)
             * chain_omega_1_dot;
-    let t187 = t167 * cos_chain_theta_2 + t168 * sin_chain_theta_2
-        + t169 * cos_chain_theta_2 + t170 * sin_chain_theta_2 + t171 * cos_chain_theta_2
-        + t172 * sin_chain_theta_2 + t173 * cos_chain_theta_2 + t174 * sin_chain_theta_2
-        + t175 * cos_chain_theta_2 + t176 * sin_chain_theta_2 + t177 * cos_chain_theta_2
-        + t178 * sin_chain_theta_2;
-    let t188 = t186
+    let t224 = t204 * cos_chain_theta_2 + t205 * sin_chain_theta_2
+        + t206 * cos_chain_theta_2 + t207 * sin_chain_theta_2 + t208 * cos_chain_theta_2
+        + t209 * sin_chain_theta_2 + t210 * cos_chain_theta_2 + t211 * sin_chain_theta_2
+        + t212 * cos_chain_theta_2 + t213 * sin_chain_theta_2 + t214 * cos_chain_theta_2
+        + t215 * sin_chain_theta_2;
+    let t225 = t223
         + R::literal(0.5)
-            * (t187 + t179 * cos_chain_theta_2 + t180 * sin_chain_theta_2
-                + t181 * cos_chain_theta_2 + t182 * sin_chain_theta_2
-                + t183 * cos_chain_theta_2 + t184 * sin_chain_theta_2)
+            * (t224 + t216 * cos_chain_theta_2 + t217 * sin_chain_theta_2
+                + t218 * cos_chain_theta_2 + t219 * sin_chain_theta_2
+                + t220 * cos_chain_theta_2 + t221 * sin_chain_theta_2)
             * chain_omega_2_dot;
-    let t189 = t169 * cos_chain_theta_3 + t170 * sin_chain_theta_3
-        + t171 * cos_chain_theta_3 + t172 * sin_chain_theta_3 + t173 * cos_chain_theta_3
-        + t174 * sin_chain_theta_3 + t175 * cos_chain_theta_3 + t176 * sin_chain_theta_3
-        + t177 * cos_chain_theta_3 + t178 * sin_chain_theta_3 + t179 * cos_chain_theta_3
-        + t180 * sin_chain_theta_3;
-    let t190 = t171 * cos_chain_theta_4 + t172 * sin_chain_theta_4
-        + t173 * cos_chain_theta_4 + t174 * sin_chain_theta_4 + t175 * cos_chain_theta_4
-        + t176 * sin_chain_theta_4 + t177 * cos_chain_theta_4 + t178 * sin_chain_theta_4
-        + t179 * cos_chain_theta_4 + t180 * sin_chain_theta_4 + t181 * cos_chain_theta_4
-        + t182 * sin_chain_theta_4;
-    let t191 = R::literal(0.5)
-        * (t173 * cos_chain_theta_5 + t174 * sin_chain_theta_5 + t175 * cos_chain_theta_5
-            + t176 * sin_chain_theta_5 + t177 * cos_chain_theta_5
-            + t178 * sin_chain_theta_5 + t179 * cos_chain_theta_5
-            + t180 * sin_chain_theta_5 + t181 * cos_chain_theta_5
-            + t182 * sin_chain_theta_5 + t183 * cos_chain_theta_5
-            + t184 * sin_chain_theta_5);
-    let t192 = R::literal(0.5)
-        * (t175 * cos_chain_theta_6 + t176 * sin_chain_theta_6 + t177 * cos_chain_theta_6
-            + t178 * sin_chain_theta_6 + t179 * cos_chain_theta_6
-            + t180 * sin_chain_theta_6 + t181 * cos_chain_theta_6
-            + t182 * sin_chain_theta_6 + t183 * cos_chain_theta_6
-            + t184 * sin_chain_theta_6) * chain_omega_6_dot;
-    let t193 = t188
+    let t226 = t206 * cos_chain_theta_3 + t207 * sin_chain_theta_3
+        + t208 * cos_chain_theta_3 + t209 * sin_chain_theta_3 + t210 * cos_chain_theta_3
+        + t211 * sin_chain_theta_3 + t212 * cos_chain_theta_3 + t213 * sin_chain_theta_3
+        + t214 * cos_chain_theta_3 + t215 * sin_chain_theta_3 + t216 * cos_chain_theta_3
+        + t217 * sin_chain_theta_3;
+    let t227 = t208 * cos_chain_theta_4 + t209 * sin_chain_theta_4
+        + t210 * cos_chain_theta_4 + t211 * sin_chain_theta_4 + t212 * cos_chain_theta_4
+        + t213 * sin_chain_theta_4 + t214 * cos_chain_theta_4 + t215 * sin_chain_theta_4
+        + t216 * cos_chain_theta_4 + t217 * sin_chain_theta_4 + t218 * cos_chain_theta_4
+        + t219 * sin_chain_theta_4;
+    let t228 = R::literal(0.5)
+        * (t210 * cos_chain_theta_5 + t211 * sin_chain_theta_5 + t212 * cos_chain_theta_5
+            + t213 * sin_chain_theta_5 + t214 * cos_chain_theta_5
+            + t215 * sin_chain_theta_5 + t216 * cos_chain_theta_5
+            + t217 * sin_chain_theta_5 + t218 * cos_chain_theta_5
+            + t219 * sin_chain_theta_5 + t220 * cos_chain_theta_5
+            + t221 * sin_chain_theta_5);
+    let t229 = R::literal(0.5)
+        * (t212 * cos_chain_theta_6 + t213 * sin_chain_theta_6 + t214 * cos_chain_theta_6
+            + t215 * sin_chain_theta_6 + t216 * cos_chain_theta_6
+            + t217 * sin_chain_theta_6 + t218 * cos_chain_theta_6
+            + t219 * sin_chain_theta_6 + t220 * cos_chain_theta_6
+            + t221 * sin_chain_theta_6) * chain_omega_6_dot;
+    let t230 = t225
         + R::literal(0.5)
-            * (t189 + t181 * cos_chain_theta_3 + t182 * sin_chain_theta_3
-                + t183 * cos_chain_theta_3 + t184 * sin_chain_theta_3)
+            * (t226 + t218 * cos_chain_theta_3 + t219 * sin_chain_theta_3
+                + t220 * cos_chain_theta_3 + t221 * sin_chain_theta_3)
             * chain_omega_3_dot
-        + R::literal(0.5) * (t190 + t183 * cos_chain_theta_4 + t184 * sin_chain_theta_4)
-            * chain_omega_4_dot + t191 * chain_omega_5_dot + t192;
-    let t194 = t193
+        + R::literal(0.5) * (t227 + t220 * cos_chain_theta_4 + t221 * sin_chain_theta_4)
+            * chain_omega_4_dot + t228 * chain_omega_5_dot + t229;
+    let t231 = t230
         + R::literal(0.5)
-            * (t177 * cos_chain_theta_7 + t178 * sin_chain_theta_7
-                + t179 * cos_chain_theta_7 + t180 * sin_chain_theta_7
-                + t181 * cos_chain_theta_7 + t182 * sin_chain_theta_7
-                + t183 * cos_chain_theta_7 + t184 * sin_chain_theta_7)
+            * (t214 * cos_chain_theta_7 + t215 * sin_chain_theta_7
+                + t216 * cos_chain_theta_7 + t217 * sin_chain_theta_7
+                + t218 * cos_chain_theta_7 + t219 * sin_chain_theta_7
+                + t220 * cos_chain_theta_7 + t221 * sin_chain_theta_7)
             * chain_omega_7_dot;
-    let t195 = t194
+    let t232 = t231
         + R::literal(0.5)
-            * (t179 * cos_chain_theta_8 + t180 * sin_chain_theta_8
-                + t181 * cos_chain_theta_8 + t182 * sin_chain_theta_8
-                + t183 * cos_chain_theta_8 + t184 * sin_chain_theta_8)
+            * (t216 * cos_chain_theta_8 + t217 * sin_chain_theta_8
+                + t218 * cos_chain_theta_8 + t219 * sin_chain_theta_8
+                + t220 * cos_chain_theta_8 + t221 * sin_chain_theta_8)
             * chain_omega_8_dot
         + R::literal(0.5)
-            * (t181 * cos_chain_theta_9 + t182 * sin_chain_theta_9
-                + t183 * cos_chain_theta_9 + t184 * sin_chain_theta_9)
+            * (t218 * cos_chain_theta_9 + t219 * sin_chain_theta_9
+                + t220 * cos_chain_theta_9 + t221 * sin_chain_theta_9)
             * chain_omega_9_dot;
     PowerBalance {
-        stored_rate: t195
-            + R::literal(0.5) * (t183 * cos_chain_theta_10 + t184 * sin_chain_theta_10)
+        stored_rate: t232
+            + R::literal(0.5) * (t220 * cos_chain_theta_10 + t221 * sin_chain_theta_10)
                 * chain_omega_10_dot,
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
@@ -4427,7 +4467,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 720 recurrences. 300 sums of products an order.
+/// 666 recurrences. 300 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -4702,266 +4742,212 @@ pub fn series<R: Real>(
     let t207 = t206 - t197;
     let t208 = sin_chain_theta_2 * R::literal(88.29);
     let t209 = chain_omega_1 * chain_omega_1;
-    let t210 = -t1;
-    let t211 = t209 * R::literal(9.0);
-    let t212 = t211 * t210;
-    let t213 = t176 * t36;
-    let t214 = t179 * t40;
-    let t215 = t182 * t44;
-    let t216 = t185 * t48;
-    let t217 = t188 * t52;
-    let t218 = t191 * t56;
-    let t219 = t194 * t60;
-    let t220 = t196 * t64;
-    let t221 = -t208;
-    let t222 = t221 - t212;
-    let t223 = t222 - t213;
-    let t224 = t223 - t214;
-    let t225 = t224 - t215;
-    let t226 = t225 - t216;
-    let t227 = t226 - t217;
-    let t228 = t227 - t218;
-    let t229 = t228 - t219;
-    let t230 = t229 - t220;
-    let t231 = sin_chain_theta_3 * R::literal(78.48);
-    let t232 = -t5;
-    let t233 = t209 * R::literal(8.0);
-    let t234 = t233 * t232;
-    let t235 = -t36;
-    let t236 = t172 * R::literal(8.0);
-    let t237 = t236 * t235;
-    let t238 = t179 * t67;
-    let t239 = t182 * t71;
-    let t240 = t185 * t75;
-    let t241 = t188 * t79;
-    let t242 = t191 * t83;
-    let t243 = t194 * t87;
-    let t244 = t196 * t91;
-    let t245 = -t231;
-    let t246 = t245 - t234;
-    let t247 = t246 - t237;
-    let t248 = t247 - t238;
-    let t249 = t248 - t239;
-    let t250 = t249 - t240;
-    let t251 = t250 - t241;
-    let t252 = t251 - t242;
-    let t253 = t252 - t243;
-    let t254 = t253 - t244;
-    let t255 = sin_chain_theta_4 * R::literal(68.67);
-    let t256 = -t9;
-    let t257 = t209 * R::literal(7.0);
-    let t258 = t257 * t256;
-    let t259 = -t40;
-    let t260 = t172 * R::literal(7.0);
-    let t261 = t260 * t259;
-    let t262 = -t67;
-    let t263 = t175 * R::literal(7.0);
-    let t264 = t263 * t262;
-    let t265 = t182 * t94;
-    let t266 = t185 * t98;
-    let t267 = t188 * t102;
-    let t268 = t191 * t106;
-    let t269 = t194 * t110;
-    let t270 = t196 * t114;
-    let t271 = -t255;
-    let t272 = t271 - t258;
-    let t273 = t272 - t261;
-    let t274 = t273 - t264;
-    let t275 = t274 - t265;
-    let t276 = t275 - t266;
-    let t277 = t276 - t267;
-    let t278 = t277 - t268;
-    let t279 = t278 - t269;
-    let t280 = t279 - t270;
-    let t281 = sin_chain_theta_5 * R::literal(58.86);
-    let t282 = -t13;
-    let t283 = t209 * R::literal(6.0);
-    let t284 = t283 * t282;
-    let t285 = -t44;
-    let t286 = t172 * R::literal(6.0);
-    let t287 = t286 * t285;
-    let t288 = -t71;
-    let t289 = t175 * R::literal(6.0);
-    let t290 = t289 * t288;
-    let t291 = -t94;
-    let t292 = t178 * R::literal(6.0);
-    let t293 = t292 * t291;
-    let t294 = t185 * t117;
-    let t295 = t188 * t121;
-    let t296 = t191 * t125;
-    let t297 = t194 * t129;
-    let t298 = t196 * t133;
-    let t299 = -t281;
-    let t300 = t299 - t284;
-    let t301 = t300 - t287;
-    let t302 = t301 - t290;
-    let t303 = t302 - t293;
-    let t304 = t303 - t294;
-    let t305 = t304 - t295;
-    let t306 = t305 - t296;
-    let t307 = t306 - t297;
-    let t308 = t307 - t298;
-    let t309 = sin_chain_theta_6 * R::literal(49.05);
-    let t310 = -t17;
-    let t311 = t209 * R::literal(5.0);
-    let t312 = t311 * t310;
-    let t313 = -t48;
-    let t314 = t172 * R::literal(5.0);
-    let t315 = t314 * t313;
-    let t316 = -t75;
-    let t317 = t175 * R::literal(5.0);
-    let t318 = t317 * t316;
-    let t319 = -t98;
-    let t320 = t178 * R::literal(5.0);
-    let t321 = t320 * t319;
-    let t322 = -t117;
-    let t323 = t181 * R::literal(5.0);
-    let t324 = t323 * t322;
-    let t325 = t188 * t136;
-    let t326 = t191 * t140;
-    let t327 = t194 * t144;
-    let t328 = t196 * t148;
-    let t329 = -t309;
-    let t330 = t329 - t312;
-    let t331 = t330 - t315;
-    let t332 = t331 - t318;
-    let t333 = t332 - t321;
-    let t334 = t333 - t324;
-    let t335 = t334 - t325;
-    let t336 = t335 - t326;
-    let t337 = t336 - t327;
-    let t338 = t337 - t328;
-    let t339 = sin_chain_theta_7 * R::literal(39.24);
-    let t340 = -t21;
-    let t341 = t209 * R::literal(4.0);
-    let t342 = t341 * t340;
-    let t343 = -t52;
-    let t344 = t172 * R::literal(4.0);
-    let t345 = t344 * t343;
-    let t346 = -t79;
-    let t347 = t175 * R::literal(4.0);
-    let t348 = t347 * t346;
-    let t349 = -t102;
-    let t350 = t178 * R::literal(4.0);
-    let t351 = t350 * t349;
-    let t352 = -t121;
-    let t353 = t181 * R::literal(4.0);
-    let t354 = t353 * t352;
-    let t355 = -t136;
-    let t356 = t184 * R::literal(4.0);
-    let t357 = t356 * t355;
-    let t358 = t191 * t151;
-    let t359 = t194 * t155;
-    let t360 = t196 * t159;
-    let t361 = -t339;
-    let t362 = t361 - t342;
-    let t363 = t362 - t345;
-    let t364 = t363 - t348;
-    let t365 = t364 - t351;
-    let t366 = t365 - t354;
-    let t367 = t366 - t357;
-    let t368 = t367 - t358;
-    let t369 = t368 - t359;
-    let t370 = t369 - t360;
-    let t371 = sin_chain_theta_8 * R::literal(29.43);
-    let t372 = -t25;
-    let t373 = t209 * R::literal(3.0);
-    let t374 = t373 * t372;
-    let t375 = -t56;
-    let t376 = t172 * R::literal(3.0);
-    let t377 = t376 * t375;
-    let t378 = -t83;
-    let t379 = t175 * R::literal(3.0);
-    let t380 = t379 * t378;
-    let t381 = -t106;
-    let t382 = t178 * R::literal(3.0);
-    let t383 = t382 * t381;
-    let t384 = -t125;
-    let t385 = t181 * R::literal(3.0);
-    let t386 = t385 * t384;
-    let t387 = -t140;
-    let t388 = t184 * R::literal(3.0);
-    let t389 = t388 * t387;
-    let t390 = -t151;
-    let t391 = t187 * R::literal(3.0);
-    let t392 = t391 * t390;
-    let t393 = t194 * t162;
-    let t394 = t196 * t166;
-    let t395 = -t371;
-    let t396 = t395 - t374;
-    let t397 = t396 - t377;
-    let t398 = t397 - t380;
-    let t399 = t398 - t383;
-    let t400 = t399 - t386;
-    let t401 = t400 - t389;
-    let t402 = t401 - t392;
-    let t403 = t402 - t393;
-    let t404 = t403 - t394;
-    let t405 = sin_chain_theta_9 * R::literal(19.62);
-    let t406 = -t29;
-    let t407 = t209 * R::literal(2.0);
-    let t408 = t407 * t406;
-    let t409 = -t60;
-    let t410 = t172 * R::literal(2.0);
-    let t411 = t410 * t409;
-    let t412 = -t87;
-    let t413 = t175 * R::literal(2.0);
-    let t414 = t413 * t412;
-    let t415 = -t110;
-    let t416 = t178 * R::literal(2.0);
-    let t417 = t416 * t415;
-    let t418 = -t129;
-    let t419 = t181 * R::literal(2.0);
-    let t420 = t419 * t418;
-    let t421 = -t144;
-    let t422 = t184 * R::literal(2.0);
-    let t423 = t422 * t421;
-    let t424 = -t155;
-    let t425 = t187 * R::literal(2.0);
-    let t426 = t425 * t424;
-    let t427 = -t162;
-    let t428 = t190 * R::literal(2.0);
-    let t429 = t428 * t427;
-    let t430 = t196 * t169;
-    let t431 = -t405;
-    let t432 = t431 - t408;
-    let t433 = t432 - t411;
-    let t434 = t433 - t414;
-    let t435 = t434 - t417;
-    let t436 = t435 - t420;
-    let t437 = t436 - t423;
-    let t438 = t437 - t426;
-    let t439 = t438 - t429;
-    let t440 = t439 - t430;
-    let t441 = sin_chain_theta_10 * R::literal(9.81);
-    let t442 = -t33;
-    let t443 = t209 * t442;
-    let t444 = -t64;
-    let t445 = t172 * t444;
-    let t446 = -t91;
-    let t447 = t175 * t446;
-    let t448 = -t114;
-    let t449 = t178 * t448;
-    let t450 = -t133;
-    let t451 = t181 * t450;
-    let t452 = -t148;
-    let t453 = t184 * t452;
-    let t454 = -t159;
-    let t455 = t187 * t454;
-    let t456 = -t166;
-    let t457 = t190 * t456;
-    let t458 = -t169;
-    let t459 = t193 * t458;
-    let t460 = -t441;
-    let t461 = t460 - t443;
-    let t462 = t461 - t445;
-    let t463 = t462 - t447;
-    let t464 = t463 - t449;
-    let t465 = t464 - t451;
-    let t466 = t465 - t453;
-    let t467 = t466 - t455;
-    let t468 = t467 - t457;
-    let t469 = t468 - t459;
+    let t210 = t209 * R::literal(9.0);
+    let t211 = t210 * t1;
+    let t212 = t176 * t36;
+    let t213 = t179 * t40;
+    let t214 = t182 * t44;
+    let t215 = t185 * t48;
+    let t216 = t188 * t52;
+    let t217 = t191 * t56;
+    let t218 = t194 * t60;
+    let t219 = t196 * t64;
+    let t220 = t211 - t208;
+    let t221 = t220 - t212;
+    let t222 = t221 - t213;
+    let t223 = t222 - t214;
+    let t224 = t223 - t215;
+    let t225 = t224 - t216;
+    let t226 = t225 - t217;
+    let t227 = t226 - t218;
+    let t228 = t227 - t219;
+    let t229 = sin_chain_theta_3 * R::literal(78.48);
+    let t230 = t209 * R::literal(8.0);
+    let t231 = t230 * t5;
+    let t232 = t172 * R::literal(8.0);
+    let t233 = t232 * t36;
+    let t234 = t179 * t67;
+    let t235 = t182 * t71;
+    let t236 = t185 * t75;
+    let t237 = t188 * t79;
+    let t238 = t191 * t83;
+    let t239 = t194 * t87;
+    let t240 = t196 * t91;
+    let t241 = t231 - t229;
+    let t242 = t241 + t233;
+    let t243 = t242 - t234;
+    let t244 = t243 - t235;
+    let t245 = t244 - t236;
+    let t246 = t245 - t237;
+    let t247 = t246 - t238;
+    let t248 = t247 - t239;
+    let t249 = t248 - t240;
+    let t250 = sin_chain_theta_4 * R::literal(68.67);
+    let t251 = t209 * R::literal(7.0);
+    let t252 = t251 * t9;
+    let t253 = t172 * R::literal(7.0);
+    let t254 = t253 * t40;
+    let t255 = t175 * R::literal(7.0);
+    let t256 = t255 * t67;
+    let t257 = t182 * t94;
+    let t258 = t185 * t98;
+    let t259 = t188 * t102;
+    let t260 = t191 * t106;
+    let t261 = t194 * t110;
+    let t262 = t196 * t114;
+    let t263 = t252 - t250;
+    let t264 = t263 + t254;
+    let t265 = t264 + t256;
+    let t266 = t265 - t257;
+    let t267 = t266 - t258;
+    let t268 = t267 - t259;
+    let t269 = t268 - t260;
+    let t270 = t269 - t261;
+    let t271 = t270 - t262;
+    let t272 = sin_chain_theta_5 * R::literal(58.86);
+    let t273 = t209 * R::literal(6.0);
+    let t274 = t273 * t13;
+    let t275 = t172 * R::literal(6.0);
+    let t276 = t275 * t44;
+    let t277 = t175 * R::literal(6.0);
+    let t278 = t277 * t71;
+    let t279 = t178 * R::literal(6.0);
+    let t280 = t279 * t94;
+    let t281 = t185 * t117;
+    let t282 = t188 * t121;
+    let t283 = t191 * t125;
+    let t284 = t194 * t129;
+    let t285 = t196 * t133;
+    let t286 = t274 - t272;
+    let t287 = t286 + t276;
+    let t288 = t287 + t278;
+    let t289 = t288 + t280;
+    let t290 = t289 - t281;
+    let t291 = t290 - t282;
+    let t292 = t291 - t283;
+    let t293 = t292 - t284;
+    let t294 = t293 - t285;
+    let t295 = sin_chain_theta_6 * R::literal(49.05);
+    let t296 = t209 * R::literal(5.0);
+    let t297 = t296 * t17;
+    let t298 = t172 * R::literal(5.0);
+    let t299 = t298 * t48;
+    let t300 = t175 * R::literal(5.0);
+    let t301 = t300 * t75;
+    let t302 = t178 * R::literal(5.0);
+    let t303 = t302 * t98;
+    let t304 = t181 * R::literal(5.0);
+    let t305 = t304 * t117;
+    let t306 = t188 * t136;
+    let t307 = t191 * t140;
+    let t308 = t194 * t144;
+    let t309 = t196 * t148;
+    let t310 = t297 - t295;
+    let t311 = t310 + t299;
+    let t312 = t311 + t301;
+    let t313 = t312 + t303;
+    let t314 = t313 + t305;
+    let t315 = t314 - t306;
+    let t316 = t315 - t307;
+    let t317 = t316 - t308;
+    let t318 = t317 - t309;
+    let t319 = sin_chain_theta_7 * R::literal(39.24);
+    let t320 = t209 * R::literal(4.0);
+    let t321 = t320 * t21;
+    let t322 = t172 * R::literal(4.0);
+    let t323 = t322 * t52;
+    let t324 = t175 * R::literal(4.0);
+    let t325 = t324 * t79;
+    let t326 = t178 * R::literal(4.0);
+    let t327 = t326 * t102;
+    let t328 = t181 * R::literal(4.0);
+    let t329 = t328 * t121;
+    let t330 = t184 * R::literal(4.0);
+    let t331 = t330 * t136;
+    let t332 = t191 * t151;
+    let t333 = t194 * t155;
+    let t334 = t196 * t159;
+    let t335 = t321 - t319;
+    let t336 = t335 + t323;
+    let t337 = t336 + t325;
+    let t338 = t337 + t327;
+    let t339 = t338 + t329;
+    let t340 = t339 + t331;
+    let t341 = t340 - t332;
+    let t342 = t341 - t333;
+    let t343 = t342 - t334;
+    let t344 = sin_chain_theta_8 * R::literal(29.43);
+    let t345 = t209 * R::literal(3.0);
+    let t346 = t345 * t25;
+    let t347 = t172 * R::literal(3.0);
+    let t348 = t347 * t56;
+    let t349 = t175 * R::literal(3.0);
+    let t350 = t349 * t83;
+    let t351 = t178 * R::literal(3.0);
+    let t352 = t351 * t106;
+    let t353 = t181 * R::literal(3.0);
+    let t354 = t353 * t125;
+    let t355 = t184 * R::literal(3.0);
+    let t356 = t355 * t140;
+    let t357 = t187 * R::literal(3.0);
+    let t358 = t357 * t151;
+    let t359 = t194 * t162;
+    let t360 = t196 * t166;
+    let t361 = t346 - t344;
+    let t362 = t361 + t348;
+    let t363 = t362 + t350;
+    let t364 = t363 + t352;
+    let t365 = t364 + t354;
+    let t366 = t365 + t356;
+    let t367 = t366 + t358;
+    let t368 = t367 - t359;
+    let t369 = t368 - t360;
+    let t370 = sin_chain_theta_9 * R::literal(19.62);
+    let t371 = t209 * R::literal(2.0);
+    let t372 = t371 * t29;
+    let t373 = t172 * R::literal(2.0);
+    let t374 = t373 * t60;
+    let t375 = t175 * R::literal(2.0);
+    let t376 = t375 * t87;
+    let t377 = t178 * R::literal(2.0);
+    let t378 = t377 * t110;
+    let t379 = t181 * R::literal(2.0);
+    let t380 = t379 * t129;
+    let t381 = t184 * R::literal(2.0);
+    let t382 = t381 * t144;
+    let t383 = t187 * R::literal(2.0);
+    let t384 = t383 * t155;
+    let t385 = t190 * R::literal(2.0);
+    let t386 = t385 * t162;
+    let t387 = t196 * t169;
+    let t388 = t372 - t370;
+    let t389 = t388 + t374;
+    let t390 = t389 + t376;
+    let t391 = t390 + t378;
+    let t392 = t391 + t380;
+    let t393 = t392 + t382;
+    let t394 = t393 + t384;
+    let t395 = t394 + t386;
+    let t396 = t395 - t387;
+    let t397 = sin_chain_theta_10 * R::literal(9.81);
+    let t398 = t209 * t33;
+    let t399 = t172 * t64;
+    let t400 = t175 * t91;
+    let t401 = t178 * t114;
+    let t402 = t181 * t133;
+    let t403 = t184 * t148;
+    let t404 = t187 * t159;
+    let t405 = t190 * t166;
+    let t406 = t193 * t169;
+    let t407 = t398 - t397;
+    let t408 = t407 + t399;
+    let t409 = t408 + t400;
+    let t410 = t409 + t401;
+    let t411 = t410 + t402;
+    let t412 = t411 + t403;
+    let t413 = t412 + t404;
+    let t414 = t413 + t405;
+    let t415 = t414 + t406;
     let factored = Factored::new([
         [
             R::literal(10.0),
@@ -5065,7 +5051,7 @@ pub fn series<R: Real>(
     let [chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
     chain_omega_5_dot, chain_omega_6_dot, chain_omega_7_dot, chain_omega_8_dot,
     chain_omega_9_dot, chain_omega_10_dot] = factored
-        .solve([t207, t230, t254, t280, t308, t338, t370, t404, t440, t469]);
+        .solve([t207, t228, t249, t271, t294, t318, t343, t369, t396, t415]);
     let mut rates = [
         chain_omega_1,
         chain_omega_2,
@@ -5391,356 +5377,356 @@ pub fn series<R: Real>(
         let t208_k = sin_chain_theta_2_k * R::literal(88.29);
         let t209_k = sums_12[8] + chain_omega_1 * chain_omega_1_k
             + chain_omega_1_k * chain_omega_1;
-        let t210_k = -t1_k;
-        let t211_k = t209_k * R::literal(9.0);
-        let t212_k = sums_12[9] + t211 * t210_k + t211_k * t210;
-        let t213_k = sums_13[0] + t176 * t36_k + t176_k * t36;
-        let t214_k = sums_13[1] + t179 * t40_k + t179_k * t40;
-        let t215_k = sums_13[2] + t182 * t44_k + t182_k * t44;
-        let t216_k = sums_13[3] + t185 * t48_k + t185_k * t48;
-        let t217_k = sums_13[4] + t188 * t52_k + t188_k * t52;
-        let t218_k = sums_13[5] + t191 * t56_k + t191_k * t56;
-        let t219_k = sums_13[6] + t194 * t60_k + t194_k * t60;
-        let t220_k = sums_13[7] + t196 * t64_k + t196_k * t64;
-        let t221_k = -t208_k;
-        let t222_k = t221_k - t212_k;
-        let t223_k = t222_k - t213_k;
-        let t224_k = t223_k - t214_k;
-        let t225_k = t224_k - t215_k;
-        let t226_k = t225_k - t216_k;
-        let t227_k = t226_k - t217_k;
-        let t228_k = t227_k - t218_k;
-        let t229_k = t228_k - t219_k;
-        let t230_k = t229_k - t220_k;
-        let t231_k = sin_chain_theta_3_k * R::literal(78.48);
-        let t232_k = -t5_k;
-        let t233_k = t209_k * R::literal(8.0);
-        let t234_k = sums_13[8] + t233 * t232_k + t233_k * t232;
-        let t235_k = -t36_k;
-        let t236_k = t172_k * R::literal(8.0);
-        let t237_k = sums_13[9] + t236 * t235_k + t236_k * t235;
-        let t238_k = sums_14[0] + t179 * t67_k + t179_k * t67;
-        let t239_k = sums_14[1] + t182 * t71_k + t182_k * t71;
-        let t240_k = sums_14[2] + t185 * t75_k + t185_k * t75;
-        let t241_k = sums_14[3] + t188 * t79_k + t188_k * t79;
-        let t242_k = sums_14[4] + t191 * t83_k + t191_k * t83;
-        let t243_k = sums_14[5] + t194 * t87_k + t194_k * t87;
-        let t244_k = sums_14[6] + t196 * t91_k + t196_k * t91;
-        let t245_k = -t231_k;
-        let t246_k = t245_k - t234_k;
-        let t247_k = t246_k - t237_k;
-        let t248_k = t247_k - t238_k;
-        let t249_k = t248_k - t239_k;
-        let t250_k = t249_k - t240_k;
-        let t251_k = t250_k - t241_k;
-        let t252_k = t251_k - t242_k;
-        let t253_k = t252_k - t243_k;
-        let t254_k = t253_k - t244_k;
-        let t255_k = sin_chain_theta_4_k * R::literal(68.67);
-        let t256_k = -t9_k;
-        let t257_k = t209_k * R::literal(7.0);
-        let t258_k = sums_14[7] + t257 * t256_k + t257_k * t256;
-        let t259_k = -t40_k;
-        let t260_k = t172_k * R::literal(7.0);
-        let t261_k = sums_14[8] + t260 * t259_k + t260_k * t259;
-        let t262_k = -t67_k;
-        let t263_k = t175_k * R::literal(7.0);
-        let t264_k = sums_14[9] + t263 * t262_k + t263_k * t262;
-        let t265_k = sums_15[0] + t182 * t94_k + t182_k * t94;
-        let t266_k = sums_15[1] + t185 * t98_k + t185_k * t98;
-        let t267_k = sums_15[2] + t188 * t102_k + t188_k * t102;
-        let t268_k = sums_15[3] + t191 * t106_k + t191_k * t106;
-        let t269_k = sums_15[4] + t194 * t110_k + t194_k * t110;
-        let t270_k = sums_15[5] + t196 * t114_k + t196_k * t114;
-        let t271_k = -t255_k;
-        let t272_k = t271_k - t258_k;
-        let t273_k = t272_k - t261_k;
-        let t274_k = t273_k - t264_k;
-        let t275_k = t274_k - t265_k;
-        let t276_k = t275_k - t266_k;
-        let t277_k = t276_k - t267_k;
-        let t278_k = t277_k - t268_k;
-        let t279_k = t278_k - t269_k;
-        let t280_k = t279_k - t270_k;
-        let t281_k = sin_chain_theta_5_k * R::literal(58.86);
-        let t282_k = -t13_k;
-        let t283_k = t209_k * R::literal(6.0);
-        let t284_k = sums_15[6] + t283 * t282_k + t283_k * t282;
-        let t285_k = -t44_k;
-        let t286_k = t172_k * R::literal(6.0);
-        let t287_k = sums_15[7] + t286 * t285_k + t286_k * t285;
-        let t288_k = -t71_k;
-        let t289_k = t175_k * R::literal(6.0);
-        let t290_k = sums_15[8] + t289 * t288_k + t289_k * t288;
-        let t291_k = -t94_k;
-        let t292_k = t178_k * R::literal(6.0);
-        let t293_k = sums_15[9] + t292 * t291_k + t292_k * t291;
-        let t294_k = sums_16[0] + t185 * t117_k + t185_k * t117;
-        let t295_k = sums_16[1] + t188 * t121_k + t188_k * t121;
-        let t296_k = sums_16[2] + t191 * t125_k + t191_k * t125;
-        let t297_k = sums_16[3] + t194 * t129_k + t194_k * t129;
-        let t298_k = sums_16[4] + t196 * t133_k + t196_k * t133;
-        let t299_k = -t281_k;
-        let t300_k = t299_k - t284_k;
-        let t301_k = t300_k - t287_k;
-        let t302_k = t301_k - t290_k;
-        let t303_k = t302_k - t293_k;
-        let t304_k = t303_k - t294_k;
-        let t305_k = t304_k - t295_k;
-        let t306_k = t305_k - t296_k;
-        let t307_k = t306_k - t297_k;
-        let t308_k = t307_k - t298_k;
-        let t309_k = sin_chain_theta_6_k * R::literal(49.05);
-        let t310_k = -t17_k;
-        let t311_k = t209_k * R::literal(5.0);
-        let t312_k = sums_16[5] + t311 * t310_k + t311_k * t310;
-        let t313_k = -t48_k;
-        let t314_k = t172_k * R::literal(5.0);
-        let t315_k = sums_16[6] + t314 * t313_k + t314_k * t313;
-        let t316_k = -t75_k;
-        let t317_k = t175_k * R::literal(5.0);
-        let t318_k = sums_16[7] + t317 * t316_k + t317_k * t316;
-        let t319_k = -t98_k;
-        let t320_k = t178_k * R::literal(5.0);
-        let t321_k = sums_16[8] + t320 * t319_k + t320_k * t319;
-        let t322_k = -t117_k;
-        let t323_k = t181_k * R::literal(5.0);
-        let t324_k = sums_16[9] + t323 * t322_k + t323_k * t322;
-        let t325_k = sums_17[0] + t188 * t136_k + t188_k * t136;
-        let t326_k = sums_17[1] + t191 * t140_k + t191_k * t140;
-        let t327_k = sums_17[2] + t194 * t144_k + t194_k * t144;
-        let t328_k = sums_17[3] + t196 * t148_k + t196_k * t148;
-        let t329_k = -t309_k;
-        let t330_k = t329_k - t312_k;
-        let t331_k = t330_k - t315_k;
-        let t332_k = t331_k - t318_k;
-        let t333_k = t332_k - t321_k;
-        let t334_k = t333_k - t324_k;
-        let t335_k = t334_k - t325_k;
-        let t336_k = t335_k - t326_k;
-        let t337_k = t336_k - t327_k;
-        let t338_k = t337_k - t328_k;
-        let t339_k = sin_chain_theta_7_k * R::literal(39.24);
-        let t340_k = -t21_k;
-        let t341_k = t209_k * R::literal(4.0);
-        let t342_k = sums_17[4] + t341 * t340_k + t341_k * t340;
-        let t343_k = -t52_k;
-        let t344_k = t172_k * R::literal(4.0);
-        let t345_k = sums_17[5] + t344 * t343_k + t344_k * t343;
-        let t346_k = -t79_k;
-        let t347_k = t175_k * R::literal(4.0);
-        let t348_k = sums_17[6] + t347 * t346_k + t347_k * t346;
-        let t349_k = -t102_k;
-        let t350_k = t178_k * R::literal(4.0);
-        let t351_k = sums_17[7] + t350 * t349_k + t350_k * t349;
-        let t352_k = -t121_k;
-        let t353_k = t181_k * R::literal(4.0);
-        let t354_k = sums_17[8] + t353 * t352_k + t353_k * t352;
-        let t355_k = -t136_k;
-        let t356_k = t184_k * R::literal(4.0);
-        let t357_k = sums_17[9] + t356 * t355_k + t356_k * t355;
-        let t358_k = sums_18[0] + t191 * t151_k + t191_k * t151;
-        let t359_k = sums_18[1] + t194 * t155_k + t194_k * t155;
-        let t360_k = sums_18[2] + t196 * t159_k + t196_k * t159;
-        let t361_k = -t339_k;
-        let t362_k = t361_k - t342_k;
-        let t363_k = t362_k - t345_k;
-        let t364_k = t363_k - t348_k;
-        let t365_k = t364_k - t351_k;
-        let t366_k = t365_k - t354_k;
-        let t367_k = t366_k - t357_k;
-        let t368_k = t367_k - t358_k;
-        let t369_k = t368_k - t359_k;
-        let t370_k = t369_k - t360_k;
-        let t371_k = sin_chain_theta_8_k * R::literal(29.43);
-        let t372_k = -t25_k;
-        let t373_k = t209_k * R::literal(3.0);
-        let t374_k = sums_18[3] + t373 * t372_k + t373_k * t372;
-        let t375_k = -t56_k;
-        let t376_k = t172_k * R::literal(3.0);
-        let t377_k = sums_18[4] + t376 * t375_k + t376_k * t375;
-        let t378_k = -t83_k;
-        let t379_k = t175_k * R::literal(3.0);
-        let t380_k = sums_18[5] + t379 * t378_k + t379_k * t378;
-        let t381_k = -t106_k;
-        let t382_k = t178_k * R::literal(3.0);
-        let t383_k = sums_18[6] + t382 * t381_k + t382_k * t381;
-        let t384_k = -t125_k;
-        let t385_k = t181_k * R::literal(3.0);
-        let t386_k = sums_18[7] + t385 * t384_k + t385_k * t384;
-        let t387_k = -t140_k;
-        let t388_k = t184_k * R::literal(3.0);
-        let t389_k = sums_18[8] + t388 * t387_k + t388_k * t387;
-        let t390_k = -t151_k;
-        let t391_k = t187_k * R::literal(3.0);
-        let t392_k = sums_18[9] + t391 * t390_k + t391_k * t390;
-        let t393_k = sums_19[0] + t194 * t162_k + t194_k * t162;
-        let t394_k = sums_19[1] + t196 * t166_k + t196_k * t166;
-        let t395_k = -t371_k;
-        let t396_k = t395_k - t374_k;
-        let t397_k = t396_k - t377_k;
-        let t398_k = t397_k - t380_k;
-        let t399_k = t398_k - t383_k;
-        let t400_k = t399_k - t386_k;
-        let t401_k = t400_k - t389_k;
-        let t402_k = t401_k - t392_k;
-        let t403_k = t402_k - t393_k;
-        let t404_k = t403_k - t394_k;
-        let t405_k = sin_chain_theta_9_k * R::literal(19.62);
-        let t406_k = -t29_k;
-        let t407_k = t209_k * R::literal(2.0);
-        let t408_k = sums_19[2] + t407 * t406_k + t407_k * t406;
-        let t409_k = -t60_k;
-        let t410_k = t172_k * R::literal(2.0);
-        let t411_k = sums_19[3] + t410 * t409_k + t410_k * t409;
-        let t412_k = -t87_k;
-        let t413_k = t175_k * R::literal(2.0);
-        let t414_k = sums_19[4] + t413 * t412_k + t413_k * t412;
-        let t415_k = -t110_k;
-        let t416_k = t178_k * R::literal(2.0);
-        let t417_k = sums_19[5] + t416 * t415_k + t416_k * t415;
-        let t418_k = -t129_k;
-        let t419_k = t181_k * R::literal(2.0);
-        let t420_k = sums_19[6] + t419 * t418_k + t419_k * t418;
-        let t421_k = -t144_k;
-        let t422_k = t184_k * R::literal(2.0);
-        let t423_k = sums_19[7] + t422 * t421_k + t422_k * t421;
-        let t424_k = -t155_k;
-        let t425_k = t187_k * R::literal(2.0);
-        let t426_k = sums_19[8] + t425 * t424_k + t425_k * t424;
-        let t427_k = -t162_k;
-        let t428_k = t190_k * R::literal(2.0);
-        let t429_k = sums_19[9] + t428 * t427_k + t428_k * t427;
-        let t430_k = sums_20[0] + t196 * t169_k + t196_k * t169;
-        let t431_k = -t405_k;
-        let t432_k = t431_k - t408_k;
-        let t433_k = t432_k - t411_k;
-        let t434_k = t433_k - t414_k;
-        let t435_k = t434_k - t417_k;
-        let t436_k = t435_k - t420_k;
-        let t437_k = t436_k - t423_k;
-        let t438_k = t437_k - t426_k;
-        let t439_k = t438_k - t429_k;
-        let t440_k = t439_k - t430_k;
-        let t441_k = sin_chain_theta_10_k * R::literal(9.81);
-        let t442_k = -t33_k;
-        let t443_k = sums_20[1] + t209 * t442_k + t209_k * t442;
-        let t444_k = -t64_k;
-        let t445_k = sums_20[2] + t172 * t444_k + t172_k * t444;
-        let t446_k = -t91_k;
-        let t447_k = sums_20[3] + t175 * t446_k + t175_k * t446;
-        let t448_k = -t114_k;
-        let t449_k = sums_20[4] + t178 * t448_k + t178_k * t448;
-        let t450_k = -t133_k;
-        let t451_k = sums_20[5] + t181 * t450_k + t181_k * t450;
-        let t452_k = -t148_k;
-        let t453_k = sums_20[6] + t184 * t452_k + t184_k * t452;
-        let t454_k = -t159_k;
-        let t455_k = sums_20[7] + t187 * t454_k + t187_k * t454;
-        let t456_k = -t166_k;
-        let t457_k = sums_20[8] + t190 * t456_k + t190_k * t456;
-        let t458_k = -t169_k;
-        let t459_k = sums_20[9] + t193 * t458_k + t193_k * t458;
-        let t460_k = -t441_k;
-        let t461_k = t460_k - t443_k;
-        let t462_k = t461_k - t445_k;
-        let t463_k = t462_k - t447_k;
-        let t464_k = t463_k - t449_k;
-        let t465_k = t464_k - t451_k;
-        let t466_k = t465_k - t453_k;
-        let t467_k = t466_k - t455_k;
-        let t468_k = t467_k - t457_k;
-        let t469_k = t468_k - t459_k;
-        let n540_k = sums_21[0] + t3_k * chain_omega_2_dot;
-        let n541_k = sums_21[1] + t7_k * chain_omega_3_dot;
-        let n542_k = sums_21[2] + t11_k * chain_omega_4_dot;
-        let n543_k = sums_21[3] + t15_k * chain_omega_5_dot;
-        let n544_k = sums_21[4] + t19_k * chain_omega_6_dot;
-        let n545_k = sums_21[5] + t23_k * chain_omega_7_dot;
-        let n546_k = sums_21[6] + t27_k * chain_omega_8_dot;
-        let n547_k = sums_21[7] + t31_k * chain_omega_9_dot;
-        let n548_k = sums_21[8] + t34_k * chain_omega_10_dot;
-        let n549_k = sums_21[9] + t3_k * chain_omega_1_dot;
-        let n550_k = sums_22[0] + t38_k * chain_omega_3_dot;
-        let n551_k = sums_22[1] + t42_k * chain_omega_4_dot;
-        let n552_k = sums_22[2] + t46_k * chain_omega_5_dot;
-        let n553_k = sums_22[3] + t50_k * chain_omega_6_dot;
-        let n554_k = sums_22[4] + t54_k * chain_omega_7_dot;
-        let n555_k = sums_22[5] + t58_k * chain_omega_8_dot;
-        let n556_k = sums_22[6] + t62_k * chain_omega_9_dot;
-        let n557_k = sums_22[7] + t65_k * chain_omega_10_dot;
-        let n558_k = sums_22[8] + t7_k * chain_omega_1_dot;
-        let n559_k = sums_22[9] + t38_k * chain_omega_2_dot;
-        let n560_k = sums_23[0] + t69_k * chain_omega_4_dot;
-        let n561_k = sums_23[1] + t73_k * chain_omega_5_dot;
-        let n562_k = sums_23[2] + t77_k * chain_omega_6_dot;
-        let n563_k = sums_23[3] + t81_k * chain_omega_7_dot;
-        let n564_k = sums_23[4] + t85_k * chain_omega_8_dot;
-        let n565_k = sums_23[5] + t89_k * chain_omega_9_dot;
-        let n566_k = sums_23[6] + t92_k * chain_omega_10_dot;
-        let n567_k = sums_23[7] + t11_k * chain_omega_1_dot;
-        let n568_k = sums_23[8] + t42_k * chain_omega_2_dot;
-        let n569_k = sums_23[9] + t69_k * chain_omega_3_dot;
-        let n570_k = sums_24[0] + t96_k * chain_omega_5_dot;
-        let n571_k = sums_24[1] + t100_k * chain_omega_6_dot;
-        let n572_k = sums_24[2] + t104_k * chain_omega_7_dot;
-        let n573_k = sums_24[3] + t108_k * chain_omega_8_dot;
-        let n574_k = sums_24[4] + t112_k * chain_omega_9_dot;
-        let n575_k = sums_24[5] + t115_k * chain_omega_10_dot;
-        let n576_k = sums_24[6] + t15_k * chain_omega_1_dot;
-        let n577_k = sums_24[7] + t46_k * chain_omega_2_dot;
-        let n578_k = sums_24[8] + t73_k * chain_omega_3_dot;
-        let n579_k = sums_24[9] + t96_k * chain_omega_4_dot;
-        let n580_k = sums_25[0] + t119_k * chain_omega_6_dot;
-        let n581_k = sums_25[1] + t123_k * chain_omega_7_dot;
-        let n582_k = sums_25[2] + t127_k * chain_omega_8_dot;
-        let n583_k = sums_25[3] + t131_k * chain_omega_9_dot;
-        let n584_k = sums_25[4] + t134_k * chain_omega_10_dot;
-        let n585_k = sums_25[5] + t19_k * chain_omega_1_dot;
-        let n586_k = sums_25[6] + t50_k * chain_omega_2_dot;
-        let n587_k = sums_25[7] + t77_k * chain_omega_3_dot;
-        let n588_k = sums_25[8] + t100_k * chain_omega_4_dot;
-        let n589_k = sums_25[9] + t119_k * chain_omega_5_dot;
-        let n590_k = sums_26[0] + t138_k * chain_omega_7_dot;
-        let n591_k = sums_26[1] + t142_k * chain_omega_8_dot;
-        let n592_k = sums_26[2] + t146_k * chain_omega_9_dot;
-        let n593_k = sums_26[3] + t149_k * chain_omega_10_dot;
-        let n594_k = sums_26[4] + t23_k * chain_omega_1_dot;
-        let n595_k = sums_26[5] + t54_k * chain_omega_2_dot;
-        let n596_k = sums_26[6] + t81_k * chain_omega_3_dot;
-        let n597_k = sums_26[7] + t104_k * chain_omega_4_dot;
-        let n598_k = sums_26[8] + t123_k * chain_omega_5_dot;
-        let n599_k = sums_26[9] + t138_k * chain_omega_6_dot;
-        let n600_k = sums_27[0] + t153_k * chain_omega_8_dot;
-        let n601_k = sums_27[1] + t157_k * chain_omega_9_dot;
-        let n602_k = sums_27[2] + t160_k * chain_omega_10_dot;
-        let n603_k = sums_27[3] + t27_k * chain_omega_1_dot;
-        let n604_k = sums_27[4] + t58_k * chain_omega_2_dot;
-        let n605_k = sums_27[5] + t85_k * chain_omega_3_dot;
-        let n606_k = sums_27[6] + t108_k * chain_omega_4_dot;
-        let n607_k = sums_27[7] + t127_k * chain_omega_5_dot;
-        let n608_k = sums_27[8] + t142_k * chain_omega_6_dot;
-        let n609_k = sums_27[9] + t153_k * chain_omega_7_dot;
-        let n610_k = sums_28[0] + t164_k * chain_omega_9_dot;
-        let n611_k = sums_28[1] + t167_k * chain_omega_10_dot;
-        let n612_k = sums_28[2] + t31_k * chain_omega_1_dot;
-        let n613_k = sums_28[3] + t62_k * chain_omega_2_dot;
-        let n614_k = sums_28[4] + t89_k * chain_omega_3_dot;
-        let n615_k = sums_28[5] + t112_k * chain_omega_4_dot;
-        let n616_k = sums_28[6] + t131_k * chain_omega_5_dot;
-        let n617_k = sums_28[7] + t146_k * chain_omega_6_dot;
-        let n618_k = sums_28[8] + t157_k * chain_omega_7_dot;
-        let n619_k = sums_28[9] + t164_k * chain_omega_8_dot;
-        let n620_k = sums_29[0] + t170_k * chain_omega_10_dot;
-        let n621_k = sums_29[1] + t34_k * chain_omega_1_dot;
-        let n622_k = sums_29[2] + t65_k * chain_omega_2_dot;
-        let n623_k = sums_29[3] + t92_k * chain_omega_3_dot;
-        let n624_k = sums_29[4] + t115_k * chain_omega_4_dot;
-        let n625_k = sums_29[5] + t134_k * chain_omega_5_dot;
-        let n626_k = sums_29[6] + t149_k * chain_omega_6_dot;
-        let n627_k = sums_29[7] + t160_k * chain_omega_7_dot;
-        let n628_k = sums_29[8] + t167_k * chain_omega_8_dot;
-        let n629_k = sums_29[9] + t170_k * chain_omega_9_dot;
+        let t210_k = t209_k * R::literal(9.0);
+        let t211_k = sums_12[9] + t210 * t1_k + t210_k * t1;
+        let t212_k = sums_13[0] + t176 * t36_k + t176_k * t36;
+        let t213_k = sums_13[1] + t179 * t40_k + t179_k * t40;
+        let t214_k = sums_13[2] + t182 * t44_k + t182_k * t44;
+        let t215_k = sums_13[3] + t185 * t48_k + t185_k * t48;
+        let t216_k = sums_13[4] + t188 * t52_k + t188_k * t52;
+        let t217_k = sums_13[5] + t191 * t56_k + t191_k * t56;
+        let t218_k = sums_13[6] + t194 * t60_k + t194_k * t60;
+        let t219_k = sums_13[7] + t196 * t64_k + t196_k * t64;
+        let t220_k = t211_k - t208_k;
+        let t221_k = t220_k - t212_k;
+        let t222_k = t221_k - t213_k;
+        let t223_k = t222_k - t214_k;
+        let t224_k = t223_k - t215_k;
+        let t225_k = t224_k - t216_k;
+        let t226_k = t225_k - t217_k;
+        let t227_k = t226_k - t218_k;
+        let t228_k = t227_k - t219_k;
+        let t229_k = sin_chain_theta_3_k * R::literal(78.48);
+        let t230_k = t209_k * R::literal(8.0);
+        let t231_k = sums_13[8] + t230 * t5_k + t230_k * t5;
+        let t232_k = t172_k * R::literal(8.0);
+        let t233_k = sums_13[9] + t232 * t36_k + t232_k * t36;
+        let t234_k = sums_14[0] + t179 * t67_k + t179_k * t67;
+        let t235_k = sums_14[1] + t182 * t71_k + t182_k * t71;
+        let t236_k = sums_14[2] + t185 * t75_k + t185_k * t75;
+        let t237_k = sums_14[3] + t188 * t79_k + t188_k * t79;
+        let t238_k = sums_14[4] + t191 * t83_k + t191_k * t83;
+        let t239_k = sums_14[5] + t194 * t87_k + t194_k * t87;
+        let t240_k = sums_14[6] + t196 * t91_k + t196_k * t91;
+        let t241_k = t231_k - t229_k;
+        let t242_k = t241_k + t233_k;
+        let t243_k = t242_k - t234_k;
+        let t244_k = t243_k - t235_k;
+        let t245_k = t244_k - t236_k;
+        let t246_k = t245_k - t237_k;
+        let t247_k = t246_k - t238_k;
+        let t248_k = t247_k - t239_k;
+        let t249_k = t248_k - t240_k;
+        let t250_k = sin_chain_theta_4_k * R::literal(68.67);
+        let t251_k = t209_k * R::literal(7.0);
+        let t252_k = sums_14[7] + t251 * t9_k + t251_k * t9;
+        let t253_k = t172_k * R::literal(7.0);
+        let t254_k = sums_14[8] + t253 * t40_k + t253_k * t40;
+        let t255_k = t175_k * R::literal(7.0);
+        let t256_k = sums_14[9] + t255 * t67_k + t255_k * t67;
+        let t257_k = sums_15[0] + t182 * t94_k + t182_k * t94;
+        let t258_k = sums_15[1] + t185 * t98_k + t185_k * t98;
+        let t259_k = sums_15[2] + t188 * t102_k + t188_k * t102;
+        let t260_k = sums_15[3] + t191 * t106_k + t191_k * t106;
+        let t261_k = sums_15[4] + t194 * t110_k + t194_k * t110;
+        let t262_k = sums_15[5] + t196 * t114_k + t196_k * t114;
+        let t263_k = t252_k - t250_k;
+        let t264_k = t263_k + t254_k;
+        let t265_k = t264_k + t256_k;
+        let t266_k = t265_k - t257_k;
+        let t267_k = t266_k - t258_k;
+        let t268_k = t267_k - t259_k;
+        let t269_k = t268_k - t260_k;
+        let t270_k = t269_k - t261_k;
+        let t271_k = t270_k - t262_k;
+        let t272_k = sin_chain_theta_5_k * R::literal(58.86);
+        let t273_k = t209_k * R::literal(6.0);
+        let t274_k = sums_15[6] + t273 * t13_k + t273_k * t13;
+        let t275_k = t172_k * R::literal(6.0);
+        let t276_k = sums_15[7] + t275 * t44_k + t275_k * t44;
+        let t277_k = t175_k * R::literal(6.0);
+        let t278_k = sums_15[8] + t277 * t71_k + t277_k * t71;
+        let t279_k = t178_k * R::literal(6.0);
+        let t280_k = sums_15[9] + t279 * t94_k + t279_k * t94;
+        let t281_k = sums_16[0] + t185 * t117_k + t185_k * t117;
+        let t282_k = sums_16[1] + t188 * t121_k + t188_k * t121;
+        let t283_k = sums_16[2] + t191 * t125_k + t191_k * t125;
+        let t284_k = sums_16[3] + t194 * t129_k + t194_k * t129;
+        let t285_k = sums_16[4] + t196 * t133_k + t196_k * t133;
+        let t286_k = t274_k - t272_k;
+        let t287_k = t286_k + t276_k;
+        let t288_k = t287_k + t278_k;
+        let t289_k = t288_k + t280_k;
+        let t290_k = t289_k - t281_k;
+        let t291_k = t290_k - t282_k;
+        let t292_k = t291_k - t283_k;
+        let t293_k = t292_k - t284_k;
+        let t294_k = t293_k - t285_k;
+        let t295_k = sin_chain_theta_6_k * R::literal(49.05);
+        let t296_k = t209_k * R::literal(5.0);
+        let t297_k = sums_16[5] + t296 * t17_k + t296_k * t17;
+        let t298_k = t172_k * R::literal(5.0);
+        let t299_k = sums_16[6] + t298 * t48_k + t298_k * t48;
+        let t300_k = t175_k * R::literal(5.0);
+        let t301_k = sums_16[7] + t300 * t75_k + t300_k * t75;
+        let t302_k = t178_k * R::literal(5.0);
+        let t303_k = sums_16[8] + t302 * t98_k + t302_k * t98;
+        let t304_k = t181_k * R::literal(5.0);
+        let t305_k = sums_16[9] + t304 * t117_k + t304_k * t117;
+        let t306_k = sums_17[0] + t188 * t136_k + t188_k * t136;
+        let t307_k = sums_17[1] + t191 * t140_k + t191_k * t140;
+        let t308_k = sums_17[2] + t194 * t144_k + t194_k * t144;
+        let t309_k = sums_17[3] + t196 * t148_k + t196_k * t148;
+        let t310_k = t297_k - t295_k;
+        let t311_k = t310_k + t299_k;
+        let t312_k = t311_k + t301_k;
+        let t313_k = t312_k + t303_k;
+        let t314_k = t313_k + t305_k;
+        let t315_k = t314_k - t306_k;
+        let t316_k = t315_k - t307_k;
+        let t317_k = t316_k - t308_k;
+        let t318_k = t317_k - t309_k;
+        let t319_k = sin_chain_theta_7_k * R::literal(39.24);
+        let t320_k = t209_k * R::literal(4.0);
+        let t321_k = sums_17[4] + t320 * t21_k + t320_k * t21;
+        let t322_k = t172_k * R::literal(4.0);
+        let t323_k = sums_17[5] + t322 * t52_k + t322_k * t52;
+        let t324_k = t175_k * R::literal(4.0);
+        let t325_k = sums_17[6] + t324 * t79_k + t324_k * t79;
+        let t326_k = t178_k * R::literal(4.0);
+        let t327_k = sums_17[7] + t326 * t102_k + t326_k * t102;
+        let t328_k = t181_k * R::literal(4.0);
+        let t329_k = sums_17[8] + t328 * t121_k + t328_k * t121;
+        let t330_k = t184_k * R::literal(4.0);
+        let t331_k = sums_17[9] + t330 * t136_k + t330_k * t136;
+        let t332_k = sums_18[0] + t191 * t151_k + t191_k * t151;
+        let t333_k = sums_18[1] + t194 * t155_k + t194_k * t155;
+        let t334_k = sums_18[2] + t196 * t159_k + t196_k * t159;
+        let t335_k = t321_k - t319_k;
+        let t336_k = t335_k + t323_k;
+        let t337_k = t336_k + t325_k;
+        let t338_k = t337_k + t327_k;
+        let t339_k = t338_k + t329_k;
+        let t340_k = t339_k + t331_k;
+        let t341_k = t340_k - t332_k;
+        let t342_k = t341_k - t333_k;
+        let t343_k = t342_k - t334_k;
+        let t344_k = sin_chain_theta_8_k * R::literal(29.43);
+        let t345_k = t209_k * R::literal(3.0);
+        let t346_k = sums_18[3] + t345 * t25_k + t345_k * t25;
+        let t347_k = t172_k * R::literal(3.0);
+        let t348_k = sums_18[4] + t347 * t56_k + t347_k * t56;
+        let t349_k = t175_k * R::literal(3.0);
+        let t350_k = sums_18[5] + t349 * t83_k + t349_k * t83;
+        let t351_k = t178_k * R::literal(3.0);
+        let t352_k = sums_18[6] + t351 * t106_k + t351_k * t106;
+        let t353_k = t181_k * R::literal(3.0);
+        let t354_k = sums_18[7] + t353 * t125_k + t353_k * t125;
+        let t355_k = t184_k * R::literal(3.0);
+        let t356_k = sums_18[8] + t355 * t140_k + t355_k * t140;
+        let t357_k = t187_k * R::literal(3.0);
+        let t358_k = sums_18[9] + t357 * t151_k + t357_k * t151;
+        let t359_k = sums_19[0] + t194 * t162_k + t194_k * t162;
+        let t360_k = sums_19[1] + t196 * t166_k + t196_k * t166;
+        let t361_k = t346_k - t344_k;
+        let t362_k = t361_k + t348_k;
+        let t363_k = t362_k + t350_k;
+        let t364_k = t363_k + t352_k;
+        let t365_k = t364_k + t354_k;
+        let t366_k = t365_k + t356_k;
+        let t367_k = t366_k + t358_k;
+        let t368_k = t367_k - t359_k;
+        let t369_k = t368_k - t360_k;
+        let t370_k = sin_chain_theta_9_k * R::literal(19.62);
+        let t371_k = t209_k * R::literal(2.0);
+        let t372_k = sums_19[2] + t371 * t29_k + t371_k * t29;
+        let t373_k = t172_k * R::literal(2.0);
+        let t374_k = sums_19[3] + t373 * t60_k + t373_k * t60;
+        let t375_k = t175_k * R::literal(2.0);
+        let t376_k = sums_19[4] + t375 * t87_k + t375_k * t87;
+        let t377_k = t178_k * R::literal(2.0);
+        let t378_k = sums_19[5] + t377 * t110_k + t377_k * t110;
+        let t379_k = t181_k * R::literal(2.0);
+        let t380_k = sums_19[6] + t379 * t129_k + t379_k * t129;
+        let t381_k = t184_k * R::literal(2.0);
+        let t382_k = sums_19[7] + t381 * t144_k + t381_k * t144;
+        let t383_k = t187_k * R::literal(2.0);
+        let t384_k = sums_19[8] + t383 * t155_k + t383_k * t155;
+        let t385_k = t190_k * R::literal(2.0);
+        let t386_k = sums_19[9] + t385 * t162_k + t385_k * t162;
+        let t387_k = sums_20[0] + t196 * t169_k + t196_k * t169;
+        let t388_k = t372_k - t370_k;
+        let t389_k = t388_k + t374_k;
+        let t390_k = t389_k + t376_k;
+        let t391_k = t390_k + t378_k;
+        let t392_k = t391_k + t380_k;
+        let t393_k = t392_k + t382_k;
+        let t394_k = t393_k + t384_k;
+        let t395_k = t394_k + t386_k;
+        let t396_k = t395_k - t387_k;
+        let t397_k = sin_chain_theta_10_k * R::literal(9.81);
+        let t398_k = sums_20[1] + t209 * t33_k + t209_k * t33;
+        let t399_k = sums_20[2] + t172 * t64_k + t172_k * t64;
+        let t400_k = sums_20[3] + t175 * t91_k + t175_k * t91;
+        let t401_k = sums_20[4] + t178 * t114_k + t178_k * t114;
+        let t402_k = sums_20[5] + t181 * t133_k + t181_k * t133;
+        let t403_k = sums_20[6] + t184 * t148_k + t184_k * t148;
+        let t404_k = sums_20[7] + t187 * t159_k + t187_k * t159;
+        let t405_k = sums_20[8] + t190 * t166_k + t190_k * t166;
+        let t406_k = sums_20[9] + t193 * t169_k + t193_k * t169;
+        let t407_k = t398_k - t397_k;
+        let t408_k = t407_k + t399_k;
+        let t409_k = t408_k + t400_k;
+        let t410_k = t409_k + t401_k;
+        let t411_k = t410_k + t402_k;
+        let t412_k = t411_k + t403_k;
+        let t413_k = t412_k + t404_k;
+        let t414_k = t413_k + t405_k;
+        let t415_k = t414_k + t406_k;
+        let n486_k = sums_21[0] + t3_k * chain_omega_2_dot;
+        let n487_k = sums_21[1] + t7_k * chain_omega_3_dot;
+        let n488_k = sums_21[2] + t11_k * chain_omega_4_dot;
+        let n489_k = sums_21[3] + t15_k * chain_omega_5_dot;
+        let n490_k = sums_21[4] + t19_k * chain_omega_6_dot;
+        let n491_k = sums_21[5] + t23_k * chain_omega_7_dot;
+        let n492_k = sums_21[6] + t27_k * chain_omega_8_dot;
+        let n493_k = sums_21[7] + t31_k * chain_omega_9_dot;
+        let n494_k = sums_21[8] + t34_k * chain_omega_10_dot;
+        let n495_k = sums_21[9] + t3_k * chain_omega_1_dot;
+        let n496_k = sums_22[0] + t38_k * chain_omega_3_dot;
+        let n497_k = sums_22[1] + t42_k * chain_omega_4_dot;
+        let n498_k = sums_22[2] + t46_k * chain_omega_5_dot;
+        let n499_k = sums_22[3] + t50_k * chain_omega_6_dot;
+        let n500_k = sums_22[4] + t54_k * chain_omega_7_dot;
+        let n501_k = sums_22[5] + t58_k * chain_omega_8_dot;
+        let n502_k = sums_22[6] + t62_k * chain_omega_9_dot;
+        let n503_k = sums_22[7] + t65_k * chain_omega_10_dot;
+        let n504_k = sums_22[8] + t7_k * chain_omega_1_dot;
+        let n505_k = sums_22[9] + t38_k * chain_omega_2_dot;
+        let n506_k = sums_23[0] + t69_k * chain_omega_4_dot;
+        let n507_k = sums_23[1] + t73_k * chain_omega_5_dot;
+        let n508_k = sums_23[2] + t77_k * chain_omega_6_dot;
+        let n509_k = sums_23[3] + t81_k * chain_omega_7_dot;
+        let n510_k = sums_23[4] + t85_k * chain_omega_8_dot;
+        let n511_k = sums_23[5] + t89_k * chain_omega_9_dot;
+        let n512_k = sums_23[6] + t92_k * chain_omega_10_dot;
+        let n513_k = sums_23[7] + t11_k * chain_omega_1_dot;
+        let n514_k = sums_23[8] + t42_k * chain_omega_2_dot;
+        let n515_k = sums_23[9] + t69_k * chain_omega_3_dot;
+        let n516_k = sums_24[0] + t96_k * chain_omega_5_dot;
+        let n517_k = sums_24[1] + t100_k * chain_omega_6_dot;
+        let n518_k = sums_24[2] + t104_k * chain_omega_7_dot;
+        let n519_k = sums_24[3] + t108_k * chain_omega_8_dot;
+        let n520_k = sums_24[4] + t112_k * chain_omega_9_dot;
+        let n521_k = sums_24[5] + t115_k * chain_omega_10_dot;
+        let n522_k = sums_24[6] + t15_k * chain_omega_1_dot;
+        let n523_k = sums_24[7] + t46_k * chain_omega_2_dot;
+        let n524_k = sums_24[8] + t73_k * chain_omega_3_dot;
+        let n525_k = sums_24[9] + t96_k * chain_omega_4_dot;
+        let n526_k = sums_25[0] + t119_k * chain_omega_6_dot;
+        let n527_k = sums_25[1] + t123_k * chain_omega_7_dot;
+        let n528_k = sums_25[2] + t127_k * chain_omega_8_dot;
+        let n529_k = sums_25[3] + t131_k * chain_omega_9_dot;
+        let n530_k = sums_25[4] + t134_k * chain_omega_10_dot;
+        let n531_k = sums_25[5] + t19_k * chain_omega_1_dot;
+        let n532_k = sums_25[6] + t50_k * chain_omega_2_dot;
+        let n533_k = sums_25[7] + t77_k * chain_omega_3_dot;
+        let n534_k = sums_25[8] + t100_k * chain_omega_4_dot;
+        let n535_k = sums_25[9] + t119_k * chain_omega_5_dot;
+        let n536_k = sums_26[0] + t138_k * chain_omega_7_dot;
+        let n537_k = sums_26[1] + t142_k * chain_omega_8_dot;
+        let n538_k = sums_26[2] + t146_k * chain_omega_9_dot;
+        let n539_k = sums_26[3] + t149_k * chain_omega_10_dot;
+        let n540_k = sums_26[4] + t23_k * chain_omega_1_dot;
+        let n541_k = sums_26[5] + t54_k * chain_omega_2_dot;
+        let n542_k = sums_26[6] + t81_k * chain_omega_3_dot;
+        let n543_k = sums_26[7] + t104_k * chain_omega_4_dot;
+        let n544_k = sums_26[8] + t123_k * chain_omega_5_dot;
+        let n545_k = sums_26[9] + t138_k * chain_omega_6_dot;
+        let n546_k = sums_27[0] + t153_k * chain_omega_8_dot;
+        let n547_k = sums_27[1] + t157_k * chain_omega_9_dot;
+        let n548_k = sums_27[2] + t160_k * chain_omega_10_dot;
+        let n549_k = sums_27[3] + t27_k * chain_omega_1_dot;
+        let n550_k = sums_27[4] + t58_k * chain_omega_2_dot;
+        let n551_k = sums_27[5] + t85_k * chain_omega_3_dot;
+        let n552_k = sums_27[6] + t108_k * chain_omega_4_dot;
+        let n553_k = sums_27[7] + t127_k * chain_omega_5_dot;
+        let n554_k = sums_27[8] + t142_k * chain_omega_6_dot;
+        let n555_k = sums_27[9] + t153_k * chain_omega_7_dot;
+        let n556_k = sums_28[0] + t164_k * chain_omega_9_dot;
+        let n557_k = sums_28[1] + t167_k * chain_omega_10_dot;
+        let n558_k = sums_28[2] + t31_k * chain_omega_1_dot;
+        let n559_k = sums_28[3] + t62_k * chain_omega_2_dot;
+        let n560_k = sums_28[4] + t89_k * chain_omega_3_dot;
+        let n561_k = sums_28[5] + t112_k * chain_omega_4_dot;
+        let n562_k = sums_28[6] + t131_k * chain_omega_5_dot;
+        let n563_k = sums_28[7] + t146_k * chain_omega_6_dot;
+        let n564_k = sums_28[8] + t157_k * chain_omega_7_dot;
+        let n565_k = sums_28[9] + t164_k * chain_omega_8_dot;
+        let n566_k = sums_29[0] + t170_k * chain_omega_10_dot;
+        let n567_k = sums_29[1] + t34_k * chain_omega_1_dot;
+        let n568_k = sums_29[2] + t65_k * chain_omega_2_dot;
+        let n569_k = sums_29[3] + t92_k * chain_omega_3_dot;
+        let n570_k = sums_29[4] + t115_k * chain_omega_4_dot;
+        let n571_k = sums_29[5] + t134_k * chain_omega_5_dot;
+        let n572_k = sums_29[6] + t149_k * chain_omega_6_dot;
+        let n573_k = sums_29[7] + t160_k * chain_omega_7_dot;
+        let n574_k = sums_29[8] + t167_k * chain_omega_8_dot;
+        let n575_k = sums_29[9] + t170_k * chain_omega_9_dot;
+        let n576_k = n486_k + n487_k;
+        let n577_k = n488_k + n489_k;
+        let n578_k = n576_k + n577_k;
+        let n579_k = n490_k + n491_k;
+        let n580_k = n493_k + n494_k;
+        let n581_k = n492_k + n580_k;
+        let n582_k = n579_k + n581_k;
+        let n583_k = n578_k + n582_k;
+        let t207_k_2 = t207_k - n583_k;
+        let n585_k = n495_k + n496_k;
+        let n586_k = n497_k + n498_k;
+        let n587_k = n585_k + n586_k;
+        let n588_k = n499_k + n500_k;
+        let n589_k = n502_k + n503_k;
+        let n590_k = n501_k + n589_k;
+        let n591_k = n588_k + n590_k;
+        let n592_k = n587_k + n591_k;
+        let t228_k_2 = t228_k - n592_k;
+        let n594_k = n504_k + n505_k;
+        let n595_k = n506_k + n507_k;
+        let n596_k = n594_k + n595_k;
+        let n597_k = n508_k + n509_k;
+        let n598_k = n511_k + n512_k;
+        let n599_k = n510_k + n598_k;
+        let n600_k = n597_k + n599_k;
+        let n601_k = n596_k + n600_k;
+        let t249_k_2 = t249_k - n601_k;
+        let n603_k = n513_k + n514_k;
+        let n604_k = n515_k + n516_k;
+        let n605_k = n603_k + n604_k;
+        let n606_k = n517_k + n518_k;
+        let n607_k = n520_k + n521_k;
+        let n608_k = n519_k + n607_k;
+        let n609_k = n606_k + n608_k;
+        let n610_k = n605_k + n609_k;
+        let t271_k_2 = t271_k - n610_k;
+        let n612_k = n522_k + n523_k;
+        let n613_k = n524_k + n525_k;
+        let n614_k = n612_k + n613_k;
+        let n615_k = n526_k + n527_k;
+        let n616_k = n529_k + n530_k;
+        let n617_k = n528_k + n616_k;
+        let n618_k = n615_k + n617_k;
+        let n619_k = n614_k + n618_k;
+        let t294_k_2 = t294_k - n619_k;
+        let n621_k = n531_k + n532_k;
+        let n622_k = n533_k + n534_k;
+        let n623_k = n621_k + n622_k;
+        let n624_k = n535_k + n536_k;
+        let n625_k = n538_k + n539_k;
+        let n626_k = n537_k + n625_k;
+        let n627_k = n624_k + n626_k;
+        let n628_k = n623_k + n627_k;
+        let t318_k_2 = t318_k - n628_k;
         let n630_k = n540_k + n541_k;
         let n631_k = n542_k + n543_k;
         let n632_k = n630_k + n631_k;
@@ -5749,7 +5735,7 @@ pub fn series<R: Real>(
         let n635_k = n546_k + n634_k;
         let n636_k = n633_k + n635_k;
         let n637_k = n632_k + n636_k;
-        let t207_k_2 = t207_k - n637_k;
+        let t343_k_2 = t343_k - n637_k;
         let n639_k = n549_k + n550_k;
         let n640_k = n551_k + n552_k;
         let n641_k = n639_k + n640_k;
@@ -5758,7 +5744,7 @@ pub fn series<R: Real>(
         let n644_k = n555_k + n643_k;
         let n645_k = n642_k + n644_k;
         let n646_k = n641_k + n645_k;
-        let t230_k_2 = t230_k - n646_k;
+        let t369_k_2 = t369_k - n646_k;
         let n648_k = n558_k + n559_k;
         let n649_k = n560_k + n561_k;
         let n650_k = n648_k + n649_k;
@@ -5767,7 +5753,7 @@ pub fn series<R: Real>(
         let n653_k = n564_k + n652_k;
         let n654_k = n651_k + n653_k;
         let n655_k = n650_k + n654_k;
-        let t254_k_2 = t254_k - n655_k;
+        let t396_k_2 = t396_k - n655_k;
         let n657_k = n567_k + n568_k;
         let n658_k = n569_k + n570_k;
         let n659_k = n657_k + n658_k;
@@ -5776,76 +5762,22 @@ pub fn series<R: Real>(
         let n662_k = n573_k + n661_k;
         let n663_k = n660_k + n662_k;
         let n664_k = n659_k + n663_k;
-        let t280_k_2 = t280_k - n664_k;
-        let n666_k = n576_k + n577_k;
-        let n667_k = n578_k + n579_k;
-        let n668_k = n666_k + n667_k;
-        let n669_k = n580_k + n581_k;
-        let n670_k = n583_k + n584_k;
-        let n671_k = n582_k + n670_k;
-        let n672_k = n669_k + n671_k;
-        let n673_k = n668_k + n672_k;
-        let t308_k_2 = t308_k - n673_k;
-        let n675_k = n585_k + n586_k;
-        let n676_k = n587_k + n588_k;
-        let n677_k = n675_k + n676_k;
-        let n678_k = n589_k + n590_k;
-        let n679_k = n592_k + n593_k;
-        let n680_k = n591_k + n679_k;
-        let n681_k = n678_k + n680_k;
-        let n682_k = n677_k + n681_k;
-        let t338_k_2 = t338_k - n682_k;
-        let n684_k = n594_k + n595_k;
-        let n685_k = n596_k + n597_k;
-        let n686_k = n684_k + n685_k;
-        let n687_k = n598_k + n599_k;
-        let n688_k = n601_k + n602_k;
-        let n689_k = n600_k + n688_k;
-        let n690_k = n687_k + n689_k;
-        let n691_k = n686_k + n690_k;
-        let t370_k_2 = t370_k - n691_k;
-        let n693_k = n603_k + n604_k;
-        let n694_k = n605_k + n606_k;
-        let n695_k = n693_k + n694_k;
-        let n696_k = n607_k + n608_k;
-        let n697_k = n610_k + n611_k;
-        let n698_k = n609_k + n697_k;
-        let n699_k = n696_k + n698_k;
-        let n700_k = n695_k + n699_k;
-        let t404_k_2 = t404_k - n700_k;
-        let n702_k = n612_k + n613_k;
-        let n703_k = n614_k + n615_k;
-        let n704_k = n702_k + n703_k;
-        let n705_k = n616_k + n617_k;
-        let n706_k = n619_k + n620_k;
-        let n707_k = n618_k + n706_k;
-        let n708_k = n705_k + n707_k;
-        let n709_k = n704_k + n708_k;
-        let t440_k_2 = t440_k - n709_k;
-        let n711_k = n621_k + n622_k;
-        let n712_k = n623_k + n624_k;
-        let n713_k = n711_k + n712_k;
-        let n714_k = n625_k + n626_k;
-        let n715_k = n628_k + n629_k;
-        let n716_k = n627_k + n715_k;
-        let n717_k = n714_k + n716_k;
-        let n718_k = n713_k + n717_k;
-        let t469_k_2 = t469_k - n718_k;
+        let t415_k_2 = t415_k - n664_k;
         let [chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k,
         chain_omega_4_dot_k, chain_omega_5_dot_k, chain_omega_6_dot_k,
         chain_omega_7_dot_k, chain_omega_8_dot_k, chain_omega_9_dot_k,
         chain_omega_10_dot_k] = factored
             .solve([
                 t207_k_2,
-                t230_k_2,
-                t254_k_2,
-                t280_k_2,
-                t308_k_2,
-                t338_k_2,
-                t370_k_2,
-                t404_k_2,
-                t440_k_2,
-                t469_k_2,
+                t228_k_2,
+                t249_k_2,
+                t271_k_2,
+                t294_k_2,
+                t318_k_2,
+                t343_k_2,
+                t369_k_2,
+                t396_k_2,
+                t415_k_2,
             ]);
         lanes
             .set(
@@ -6141,7 +6073,7 @@ pub fn series<R: Real>(
                     chain_omega_10_k,
                     t33_k,
                     chain_omega_1_k,
-                    t210_k,
+                    t1_k,
                 ],
                 [
                     chain_omega_7_k,
@@ -6153,13 +6085,13 @@ pub fn series<R: Real>(
                     chain_omega_10_k,
                     t196_k,
                     chain_omega_1_k,
-                    t211_k,
+                    t210_k,
                 ],
             );
         lanes_13
             .set(
                 order,
-                [t36_k, t40_k, t44_k, t48_k, t52_k, t56_k, t60_k, t64_k, t232_k, t235_k],
+                [t36_k, t40_k, t44_k, t48_k, t52_k, t56_k, t60_k, t64_k, t5_k, t36_k],
                 [
                     t176_k,
                     t179_k,
@@ -6169,25 +6101,14 @@ pub fn series<R: Real>(
                     t191_k,
                     t194_k,
                     t196_k,
-                    t233_k,
-                    t236_k,
+                    t230_k,
+                    t232_k,
                 ],
             );
         lanes_14
             .set(
                 order,
-                [
-                    t67_k,
-                    t71_k,
-                    t75_k,
-                    t79_k,
-                    t83_k,
-                    t87_k,
-                    t91_k,
-                    t256_k,
-                    t259_k,
-                    t262_k,
-                ],
+                [t67_k, t71_k, t75_k, t79_k, t83_k, t87_k, t91_k, t9_k, t40_k, t67_k],
                 [
                     t179_k,
                     t182_k,
@@ -6196,9 +6117,9 @@ pub fn series<R: Real>(
                     t191_k,
                     t194_k,
                     t196_k,
-                    t257_k,
-                    t260_k,
-                    t263_k,
+                    t251_k,
+                    t253_k,
+                    t255_k,
                 ],
             );
         lanes_15
@@ -6211,10 +6132,10 @@ pub fn series<R: Real>(
                     t106_k,
                     t110_k,
                     t114_k,
-                    t282_k,
-                    t285_k,
-                    t288_k,
-                    t291_k,
+                    t13_k,
+                    t44_k,
+                    t71_k,
+                    t94_k,
                 ],
                 [
                     t182_k,
@@ -6223,10 +6144,10 @@ pub fn series<R: Real>(
                     t191_k,
                     t194_k,
                     t196_k,
-                    t283_k,
-                    t286_k,
-                    t289_k,
-                    t292_k,
+                    t273_k,
+                    t275_k,
+                    t277_k,
+                    t279_k,
                 ],
             );
         lanes_16
@@ -6238,11 +6159,11 @@ pub fn series<R: Real>(
                     t125_k,
                     t129_k,
                     t133_k,
-                    t310_k,
-                    t313_k,
-                    t316_k,
-                    t319_k,
-                    t322_k,
+                    t17_k,
+                    t48_k,
+                    t75_k,
+                    t98_k,
+                    t117_k,
                 ],
                 [
                     t185_k,
@@ -6250,11 +6171,11 @@ pub fn series<R: Real>(
                     t191_k,
                     t194_k,
                     t196_k,
-                    t311_k,
-                    t314_k,
-                    t317_k,
-                    t320_k,
-                    t323_k,
+                    t296_k,
+                    t298_k,
+                    t300_k,
+                    t302_k,
+                    t304_k,
                 ],
             );
         lanes_17
@@ -6265,24 +6186,24 @@ pub fn series<R: Real>(
                     t140_k,
                     t144_k,
                     t148_k,
-                    t340_k,
-                    t343_k,
-                    t346_k,
-                    t349_k,
-                    t352_k,
-                    t355_k,
+                    t21_k,
+                    t52_k,
+                    t79_k,
+                    t102_k,
+                    t121_k,
+                    t136_k,
                 ],
                 [
                     t188_k,
                     t191_k,
                     t194_k,
                     t196_k,
-                    t341_k,
-                    t344_k,
-                    t347_k,
-                    t350_k,
-                    t353_k,
-                    t356_k,
+                    t320_k,
+                    t322_k,
+                    t324_k,
+                    t326_k,
+                    t328_k,
+                    t330_k,
                 ],
             );
         lanes_18
@@ -6292,25 +6213,25 @@ pub fn series<R: Real>(
                     t151_k,
                     t155_k,
                     t159_k,
-                    t372_k,
-                    t375_k,
-                    t378_k,
-                    t381_k,
-                    t384_k,
-                    t387_k,
-                    t390_k,
+                    t25_k,
+                    t56_k,
+                    t83_k,
+                    t106_k,
+                    t125_k,
+                    t140_k,
+                    t151_k,
                 ],
                 [
                     t191_k,
                     t194_k,
                     t196_k,
-                    t373_k,
-                    t376_k,
-                    t379_k,
-                    t382_k,
-                    t385_k,
-                    t388_k,
-                    t391_k,
+                    t345_k,
+                    t347_k,
+                    t349_k,
+                    t351_k,
+                    t353_k,
+                    t355_k,
+                    t357_k,
                 ],
             );
         lanes_19
@@ -6319,26 +6240,26 @@ pub fn series<R: Real>(
                 [
                     t162_k,
                     t166_k,
-                    t406_k,
-                    t409_k,
-                    t412_k,
-                    t415_k,
-                    t418_k,
-                    t421_k,
-                    t424_k,
-                    t427_k,
+                    t29_k,
+                    t60_k,
+                    t87_k,
+                    t110_k,
+                    t129_k,
+                    t144_k,
+                    t155_k,
+                    t162_k,
                 ],
                 [
                     t194_k,
                     t196_k,
-                    t407_k,
-                    t410_k,
-                    t413_k,
-                    t416_k,
-                    t419_k,
-                    t422_k,
-                    t425_k,
-                    t428_k,
+                    t371_k,
+                    t373_k,
+                    t375_k,
+                    t377_k,
+                    t379_k,
+                    t381_k,
+                    t383_k,
+                    t385_k,
                 ],
             );
         lanes_20
@@ -6346,6 +6267,18 @@ pub fn series<R: Real>(
                 order,
                 [
                     t169_k,
+                    t33_k,
+                    t64_k,
+                    t91_k,
+                    t114_k,
+                    t133_k,
+                    t148_k,
+                    t159_k,
+                    t166_k,
+                    t169_k,
+                ],
+                [
+                    t196_k,
                     t209_k,
                     t172_k,
                     t175_k,
@@ -6355,18 +6288,6 @@ pub fn series<R: Real>(
                     t187_k,
                     t190_k,
                     t193_k,
-                ],
-                [
-                    t196_k,
-                    t442_k,
-                    t444_k,
-                    t446_k,
-                    t448_k,
-                    t450_k,
-                    t452_k,
-                    t454_k,
-                    t456_k,
-                    t458_k,
                 ],
             );
         lanes_21

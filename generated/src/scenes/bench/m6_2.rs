@@ -35,15 +35,15 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                     27
+//   rate                     29
 //   mass_matrix               2
-//   forcing                  16
-//   rate_jacobian            69
+//   forcing                  13
+//   rate_jacobian            68
 //   parameter_jacobian        0
 //   time_derivative           0
 //   outputs                   0
 //   energy                   22
-//   power_balance            71
+//   power_balance            68
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -206,20 +206,26 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 27 operations.
+/// 29 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
-    let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = chain_theta_1_minus_chain_theta_2.cos();
-    let t1 = t0 * R::literal(0.5);
-    let t2 = -(R::literal(19.62) * chain_theta_1.sin())
-        - chain_omega_2 * chain_omega_2 * chain_theta_1_minus_chain_theta_2.sin();
-    let chain_omega_2_dot = (-(R::literal(9.81) * chain_theta_2.sin())
-        - chain_omega_1 * chain_omega_1 * (chain_theta_2 - chain_theta_1).sin()
-        - t1 * t2) * (R::literal(1.0) / (R::literal(1.0) - t1 * t0));
-    let chain_omega_1_dot = t2 * R::literal(0.5) - t1 * chain_omega_2_dot;
+    let sin_chain_theta_1 = chain_theta_1.sin();
+    let cos_chain_theta_1 = chain_theta_1.cos();
+    let sin_chain_theta_2 = chain_theta_2.sin();
+    let cos_chain_theta_2 = chain_theta_2.cos();
+    let t0 = sin_chain_theta_1 * cos_chain_theta_2
+        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t1 = cos_chain_theta_1 * cos_chain_theta_2
+        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t2 = t1 * R::literal(0.5);
+    let t3 = -(R::literal(19.62) * sin_chain_theta_1)
+        - chain_omega_2 * chain_omega_2 * t0;
+    let chain_omega_2_dot = (chain_omega_1 * chain_omega_1 * t0
+        - R::literal(9.81) * sin_chain_theta_2 - t2 * t3)
+        * (R::literal(1.0) / (R::literal(1.0) - t2 * t1));
+    let chain_omega_1_dot = t3 * R::literal(0.5) - t2 * chain_omega_2_dot;
     [chain_omega_1, chain_omega_2, chain_omega_1_dot, chain_omega_2_dot]
 }
 
@@ -239,7 +245,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 16 operations.
+/// 13 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     _time: R,
@@ -247,16 +253,17 @@ pub fn forcing<R: Real>(
     _p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
+    let t0 = (chain_theta_1 - chain_theta_2).sin();
     let chain_theta_1_forcing = -(R::literal(19.62) * chain_theta_1.sin())
-        - chain_omega_2 * chain_omega_2 * (chain_theta_1 - chain_theta_2).sin();
-    let chain_theta_2_forcing = -(R::literal(9.81) * chain_theta_2.sin())
-        - chain_omega_1 * chain_omega_1 * (chain_theta_2 - chain_theta_1).sin();
+        - chain_omega_2 * chain_omega_2 * t0;
+    let chain_theta_2_forcing = chain_omega_1 * chain_omega_1 * t0
+        - R::literal(9.81) * chain_theta_2.sin();
     [chain_theta_1_forcing, chain_theta_2_forcing]
 }
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 69 operations.
+/// 68 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     _time: R,
@@ -264,39 +271,41 @@ pub fn rate_jacobian<R: Real>(
     _p: &Parameters<R>,
 ) -> [R; 10] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
-    let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = chain_theta_1_minus_chain_theta_2.cos();
-    let t1 = t0 * R::literal(0.5);
-    let t2 = R::literal(1.0) / (R::literal(1.0) - t1 * t0);
+    let sin_chain_theta_1 = chain_theta_1.sin();
+    let cos_chain_theta_1 = chain_theta_1.cos();
+    let sin_chain_theta_2 = chain_theta_2.sin();
+    let cos_chain_theta_2 = chain_theta_2.cos();
+    let t0 = sin_chain_theta_1 * cos_chain_theta_2
+        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t1 = cos_chain_theta_1 * cos_chain_theta_2
+        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t2 = t1 * R::literal(0.5);
+    let t3 = R::literal(1.0) / (R::literal(1.0) - t2 * t1);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t3 = chain_theta_1_minus_chain_theta_2.sin();
-    let t4 = -(R::literal(19.62) * chain_theta_1.sin()) - chain_omega_2_squared * t3;
+    let t4 = -(R::literal(19.62) * sin_chain_theta_1) - chain_omega_2_squared * t0;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_minus_chain_theta_1 = chain_theta_2 - chain_theta_1;
-    let t5 = chain_theta_2_minus_chain_theta_1.sin();
-    let chain_omega_2_dot = (-(R::literal(9.81) * chain_theta_2.sin())
-        - chain_omega_1_squared * t5 - t1 * t4) * t2;
-    let chain_omega_1_dot = t4 * R::literal(0.5) - t1 * chain_omega_2_dot;
-    let t6 = chain_omega_2_squared * t0;
-    let t7 = chain_omega_1_squared * chain_theta_2_minus_chain_theta_1.cos();
-    let t8 = t3 * chain_omega_2_dot;
-    let t9 = -(R::literal(19.62) * chain_theta_1.cos()) - t6 + t8;
-    let t10 = t3 * chain_omega_1_dot;
-    let chain_omega_2_dot_by_chain_theta_1 = (t7 + t10 - t1 * t9) * t2;
-    let chain_omega_1_dot_by_chain_theta_1 = t9 * R::literal(0.5)
-        - t1 * chain_omega_2_dot_by_chain_theta_1;
-    let t11 = t6 - t8;
-    let chain_omega_2_dot_by_chain_theta_2 = (-(R::literal(9.81) * chain_theta_2.cos())
-        - t7 - t10 - t1 * t11) * t2;
-    let chain_omega_1_dot_by_chain_theta_2 = t11 * R::literal(0.5)
-        - t1 * chain_omega_2_dot_by_chain_theta_2;
-    let t12 = R::literal(2.0) * chain_omega_1 * t5 * t2;
-    let chain_omega_2_dot_by_chain_omega_1 = -t12;
-    let chain_omega_1_dot_by_chain_omega_1 = t1 * t12;
-    let t13 = R::literal(2.0) * chain_omega_2 * t3;
-    let chain_omega_2_dot_by_chain_omega_2 = t1 * t13 * t2;
-    let chain_omega_1_dot_by_chain_omega_2 = -(t13 * R::literal(0.5))
-        - t1 * chain_omega_2_dot_by_chain_omega_2;
+    let chain_omega_2_dot = (chain_omega_1_squared * t0
+        - R::literal(9.81) * sin_chain_theta_2 - t2 * t4) * t3;
+    let chain_omega_1_dot = t4 * R::literal(0.5) - t2 * chain_omega_2_dot;
+    let t5 = chain_omega_2_squared * t1;
+    let t6 = chain_omega_1_squared * t1;
+    let t7 = t0 * chain_omega_2_dot;
+    let t8 = -(R::literal(19.62) * cos_chain_theta_1) - t5 + t7;
+    let t9 = t0 * chain_omega_1_dot;
+    let chain_omega_2_dot_by_chain_theta_1 = (t6 + t9 - t2 * t8) * t3;
+    let chain_omega_1_dot_by_chain_theta_1 = t8 * R::literal(0.5)
+        - t2 * chain_omega_2_dot_by_chain_theta_1;
+    let t10 = t5 - t7;
+    let chain_omega_2_dot_by_chain_theta_2 = (-(R::literal(9.81) * cos_chain_theta_2)
+        - t6 - t9 - t2 * t10) * t3;
+    let chain_omega_1_dot_by_chain_theta_2 = t10 * R::literal(0.5)
+        - t2 * chain_omega_2_dot_by_chain_theta_2;
+    let chain_omega_2_dot_by_chain_omega_1 = R::literal(2.0) * chain_omega_1 * t0 * t3;
+    let chain_omega_1_dot_by_chain_omega_1 = -(t2 * chain_omega_2_dot_by_chain_omega_1);
+    let t11 = R::literal(2.0) * chain_omega_2 * t0;
+    let chain_omega_2_dot_by_chain_omega_2 = t2 * t11 * t3;
+    let chain_omega_1_dot_by_chain_omega_2 = -(t11 * R::literal(0.5))
+        - t2 * chain_omega_2_dot_by_chain_omega_2;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -377,7 +386,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 71 operations.
+/// 68 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -397,29 +406,28 @@ pub fn power_balance<R: Real>(
     let t0 = chain_theta_1_minus_chain_theta_2.cos();
     let t1 = t0 * R::literal(0.5);
     let t2 = R::literal(19.62) * sin_chain_theta_1;
-    let t3 = -t2
-        - chain_omega_2 * chain_omega_2 * chain_theta_1_minus_chain_theta_2.sin();
-    let t4 = R::literal(9.81) * sin_chain_theta_2;
-    let chain_omega_2_dot = (-t4
-        - chain_omega_1 * chain_omega_1 * (chain_theta_2 - chain_theta_1).sin()
-        - t1 * t3) * (R::literal(1.0) / (R::literal(1.0) - t1 * t0));
-    let chain_omega_1_dot = t3 * R::literal(0.5) - t1 * chain_omega_2_dot;
-    let t5 = R::literal(2.0) * chain_omega_2;
-    let t6 = R::literal(2.0) * chain_v_1;
-    let t7 = R::literal(2.0) * chain_u_1;
-    let t8 = (R::literal(0.5) * (t7 * chain_v_2 - t6 * chain_u_2) + t2) * chain_omega_1
+    let t3 = chain_theta_1_minus_chain_theta_2.sin();
+    let t4 = -t2 - chain_omega_2 * chain_omega_2 * t3;
+    let t5 = R::literal(9.81) * sin_chain_theta_2;
+    let chain_omega_2_dot = (chain_omega_1 * chain_omega_1 * t3 - t5 - t1 * t4)
+        * (R::literal(1.0) / (R::literal(1.0) - t1 * t0));
+    let chain_omega_1_dot = t4 * R::literal(0.5) - t1 * chain_omega_2_dot;
+    let t6 = R::literal(2.0) * chain_omega_2;
+    let t7 = R::literal(2.0) * chain_v_1;
+    let t8 = R::literal(2.0) * chain_u_1;
+    let t9 = (R::literal(0.5) * (t8 * chain_v_2 - t7 * chain_u_2) + t2) * chain_omega_1
         + (R::literal(0.5)
-            * (t5 * chain_v_2 * cos_chain_theta_2 - t5 * chain_u_2 * sin_chain_theta_2)
-            + t4) * chain_omega_2;
-    let t9 = R::literal(2.0) * chain_u_2;
-    let t10 = R::literal(2.0) * chain_v_2;
+            * (t6 * chain_v_2 * cos_chain_theta_2 - t6 * chain_u_2 * sin_chain_theta_2)
+            + t5) * chain_omega_2;
+    let t10 = R::literal(2.0) * chain_u_2;
+    let t11 = R::literal(2.0) * chain_v_2;
     PowerBalance {
-        stored_rate: t8
+        stored_rate: t9
             + R::literal(0.5)
-                * (t7 * cos_chain_theta_1 + t6 * sin_chain_theta_1
-                    + t9 * cos_chain_theta_1 + t10 * sin_chain_theta_1)
+                * (t8 * cos_chain_theta_1 + t7 * sin_chain_theta_1
+                    + t10 * cos_chain_theta_1 + t11 * sin_chain_theta_1)
                 * chain_omega_1_dot
-            + R::literal(0.5) * (t9 * cos_chain_theta_2 + t10 * sin_chain_theta_2)
+            + R::literal(0.5) * (t10 * cos_chain_theta_2 + t11 * sin_chain_theta_2)
                 * chain_omega_2_dot,
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
@@ -431,7 +439,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 32 recurrences. 12 sums of products an order.
+/// 30 recurrences. 12 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -459,15 +467,13 @@ pub fn series<R: Real>(
     let t7 = t6 - t5;
     let t8 = sin_chain_theta_2 * R::literal(9.81);
     let t9 = chain_omega_1 * chain_omega_1;
-    let t10 = -t1;
-    let t11 = t9 * t10;
-    let t12 = -t8;
-    let t13 = t12 - t11;
+    let t10 = t9 * t1;
+    let t11 = t10 - t8;
     let factored = Factored::new([
         [R::literal(2.0), R::literal(0.0)],
         [t2, R::literal(1.0)],
     ]);
-    let [chain_omega_1_dot, chain_omega_2_dot] = factored.solve([t7, t13]);
+    let [chain_omega_1_dot, chain_omega_2_dot] = factored.solve([t7, t11]);
     let mut rates = [chain_omega_1, chain_omega_2, chain_omega_1_dot, chain_omega_2_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -500,16 +506,14 @@ pub fn series<R: Real>(
         let t8_k = sin_chain_theta_2_k * R::literal(9.81);
         let t9_k = sums_1[2] + chain_omega_1 * chain_omega_1_k
             + chain_omega_1_k * chain_omega_1;
-        let t10_k = -t1_k;
-        let t11_k = sums_1[3] + t9 * t10_k + t9_k * t10;
-        let t12_k = -t8_k;
-        let t13_k = t12_k - t11_k;
-        let n28_k = sums_1[4] + t2_k * chain_omega_2_dot;
-        let n29_k = sums_1[5] + t2_k * chain_omega_1_dot;
-        let t7_k_2 = t7_k - n28_k;
-        let t13_k_2 = t13_k - n29_k;
+        let t10_k = sums_1[3] + t9 * t1_k + t9_k * t1;
+        let t11_k = t10_k - t8_k;
+        let n26_k = sums_1[4] + t2_k * chain_omega_2_dot;
+        let n27_k = sums_1[5] + t2_k * chain_omega_1_dot;
+        let t7_k_2 = t7_k - n26_k;
+        let t11_k_2 = t11_k - n27_k;
         let [chain_omega_1_dot_k, chain_omega_2_dot_k] = factored
-            .solve([t7_k_2, t13_k_2]);
+            .solve([t7_k_2, t11_k_2]);
         lanes
             .set(
                 order,
@@ -533,12 +537,12 @@ pub fn series<R: Real>(
         lanes_1
             .set(
                 order,
-                [chain_omega_2_k, t1_k, chain_omega_1_k, t9_k, t2_k, t2_k],
+                [chain_omega_2_k, t1_k, chain_omega_1_k, t1_k, t2_k, t2_k],
                 [
                     chain_omega_2_k,
                     t4_k,
                     chain_omega_1_k,
-                    t10_k,
+                    t9_k,
                     chain_omega_2_dot_k,
                     chain_omega_1_dot_k,
                 ],

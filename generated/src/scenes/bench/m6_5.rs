@@ -41,15 +41,15 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                    224
+//   rate                    235
 //   mass_matrix              26
-//   forcing                 109
-//   rate_jacobian           831
+//   forcing                  85
+//   rate_jacobian           826
 //   parameter_jacobian        0
 //   time_derivative           0
 //   outputs                   0
 //   energy                   58
-//   power_balance           421
+//   power_balance           397
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -330,92 +330,116 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 224 operations.
+/// 235 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
-    let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = R::literal(4.0) * chain_theta_1_minus_chain_theta_2.cos();
-    let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
-    let t1 = R::literal(3.0) * chain_theta_1_minus_chain_theta_3.cos();
-    let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
-    let t2 = R::literal(2.0) * chain_theta_1_minus_chain_theta_4.cos();
-    let chain_theta_1_minus_chain_theta_5 = chain_theta_1 - chain_theta_5;
-    let t3 = chain_theta_1_minus_chain_theta_5.cos();
-    let chain_theta_2_minus_chain_theta_3 = chain_theta_2 - chain_theta_3;
-    let chain_theta_2_minus_chain_theta_4 = chain_theta_2 - chain_theta_4;
-    let chain_theta_2_minus_chain_theta_5 = chain_theta_2 - chain_theta_5;
-    let chain_theta_3_minus_chain_theta_4 = chain_theta_3 - chain_theta_4;
-    let chain_theta_3_minus_chain_theta_5 = chain_theta_3 - chain_theta_5;
-    let chain_theta_4_minus_chain_theta_5 = chain_theta_4 - chain_theta_5;
-    let t4 = t0 * R::literal(0.2);
-    let t5 = t1 * R::literal(0.2);
-    let t6 = t2 * R::literal(0.2);
-    let t7 = t3 * R::literal(0.2);
-    let t8 = R::literal(1.0) / (R::literal(4.0) - t4 * t0);
-    let t9 = R::literal(3.0) * chain_theta_2_minus_chain_theta_3.cos() - t5 * t0;
-    let t10 = t9 * t8;
-    let t11 = R::literal(2.0) * chain_theta_2_minus_chain_theta_4.cos() - t6 * t0;
-    let t12 = t11 * t8;
-    let t13 = chain_theta_2_minus_chain_theta_5.cos() - t7 * t0;
-    let t14 = t13 * t8;
-    let t15 = R::literal(1.0) / (R::literal(3.0) - t5 * t1 - t10 * t9);
-    let t16 = R::literal(2.0) * chain_theta_3_minus_chain_theta_4.cos() - t6 * t1
-        - t12 * t9;
-    let t17 = t16 * t15;
-    let t18 = chain_theta_3_minus_chain_theta_5.cos() - t7 * t1 - t14 * t9;
-    let t19 = t18 * t15;
-    let t20 = R::literal(1.0) / (R::literal(2.0) - t6 * t2 - t12 * t11 - t17 * t16);
-    let t21 = chain_theta_4_minus_chain_theta_5.cos() - t7 * t2 - t14 * t11 - t19 * t16;
-    let t22 = t21 * t20;
+    let sin_chain_theta_1 = chain_theta_1.sin();
+    let cos_chain_theta_1 = chain_theta_1.cos();
+    let sin_chain_theta_2 = chain_theta_2.sin();
+    let cos_chain_theta_2 = chain_theta_2.cos();
+    let sin_chain_theta_3 = chain_theta_3.sin();
+    let cos_chain_theta_3 = chain_theta_3.cos();
+    let sin_chain_theta_4 = chain_theta_4.sin();
+    let cos_chain_theta_4 = chain_theta_4.cos();
+    let sin_chain_theta_5 = chain_theta_5.sin();
+    let cos_chain_theta_5 = chain_theta_5.cos();
+    let t0 = sin_chain_theta_1 * cos_chain_theta_2
+        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t1 = R::literal(4.0)
+        * (cos_chain_theta_1 * cos_chain_theta_2
+            + sin_chain_theta_1 * sin_chain_theta_2);
+    let t2 = sin_chain_theta_1 * cos_chain_theta_3
+        - cos_chain_theta_1 * sin_chain_theta_3;
+    let t3 = R::literal(3.0)
+        * (cos_chain_theta_1 * cos_chain_theta_3
+            + sin_chain_theta_1 * sin_chain_theta_3);
+    let t4 = sin_chain_theta_1 * cos_chain_theta_4
+        - cos_chain_theta_1 * sin_chain_theta_4;
+    let t5 = R::literal(2.0)
+        * (cos_chain_theta_1 * cos_chain_theta_4
+            + sin_chain_theta_1 * sin_chain_theta_4);
+    let t6 = sin_chain_theta_1 * cos_chain_theta_5
+        - cos_chain_theta_1 * sin_chain_theta_5;
+    let t7 = cos_chain_theta_1 * cos_chain_theta_5
+        + sin_chain_theta_1 * sin_chain_theta_5;
+    let t8 = sin_chain_theta_2 * cos_chain_theta_3
+        - cos_chain_theta_2 * sin_chain_theta_3;
+    let t9 = sin_chain_theta_2 * cos_chain_theta_4
+        - cos_chain_theta_2 * sin_chain_theta_4;
+    let t10 = sin_chain_theta_2 * cos_chain_theta_5
+        - cos_chain_theta_2 * sin_chain_theta_5;
+    let t11 = sin_chain_theta_3 * cos_chain_theta_4
+        - cos_chain_theta_3 * sin_chain_theta_4;
+    let t12 = sin_chain_theta_3 * cos_chain_theta_5
+        - cos_chain_theta_3 * sin_chain_theta_5;
+    let t13 = sin_chain_theta_4 * cos_chain_theta_5
+        - cos_chain_theta_4 * sin_chain_theta_5;
+    let t14 = t1 * R::literal(0.2);
+    let t15 = t3 * R::literal(0.2);
+    let t16 = t5 * R::literal(0.2);
+    let t17 = t7 * R::literal(0.2);
+    let t18 = R::literal(1.0) / (R::literal(4.0) - t14 * t1);
+    let t19 = R::literal(3.0)
+        * (cos_chain_theta_2 * cos_chain_theta_3 + sin_chain_theta_2 * sin_chain_theta_3)
+        - t15 * t1;
+    let t20 = t19 * t18;
+    let t21 = R::literal(2.0)
+        * (cos_chain_theta_2 * cos_chain_theta_4 + sin_chain_theta_2 * sin_chain_theta_4)
+        - t16 * t1;
+    let t22 = t21 * t18;
+    let t23 = cos_chain_theta_2 * cos_chain_theta_5
+        + sin_chain_theta_2 * sin_chain_theta_5 - t17 * t1;
+    let t24 = t23 * t18;
+    let t25 = R::literal(1.0) / (R::literal(3.0) - t15 * t3 - t20 * t19);
+    let t26 = R::literal(2.0)
+        * (cos_chain_theta_3 * cos_chain_theta_4 + sin_chain_theta_3 * sin_chain_theta_4)
+        - t16 * t3 - t22 * t19;
+    let t27 = t26 * t25;
+    let t28 = cos_chain_theta_3 * cos_chain_theta_5
+        + sin_chain_theta_3 * sin_chain_theta_5 - t17 * t3 - t24 * t19;
+    let t29 = t28 * t25;
+    let t30 = R::literal(1.0) / (R::literal(2.0) - t16 * t5 - t22 * t21 - t27 * t26);
+    let t31 = cos_chain_theta_4 * cos_chain_theta_5
+        + sin_chain_theta_4 * sin_chain_theta_5 - t17 * t5 - t24 * t21 - t29 * t26;
+    let t32 = t31 * t30;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t23 = R::literal(3.0) * chain_omega_3_squared;
+    let t33 = R::literal(3.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t24 = R::literal(2.0) * chain_omega_4_squared;
+    let t34 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t25 = -(R::literal(49.05) * chain_theta_1.sin())
-        - R::literal(4.0) * chain_omega_2_squared
-            * chain_theta_1_minus_chain_theta_2.sin()
-        - t23 * chain_theta_1_minus_chain_theta_3.sin()
-        - t24 * chain_theta_1_minus_chain_theta_4.sin()
-        - chain_omega_5_squared * chain_theta_1_minus_chain_theta_5.sin();
+    let t35 = -(R::literal(49.05) * sin_chain_theta_1)
+        - R::literal(4.0) * chain_omega_2_squared * t0 - t33 * t2 - t34 * t4
+        - chain_omega_5_squared * t6;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t26 = -(R::literal(39.24) * chain_theta_2.sin())
-        - R::literal(4.0) * chain_omega_1_squared * (chain_theta_2 - chain_theta_1).sin()
-        - t23 * chain_theta_2_minus_chain_theta_3.sin()
-        - t24 * chain_theta_2_minus_chain_theta_4.sin()
-        - chain_omega_5_squared * chain_theta_2_minus_chain_theta_5.sin() - t4 * t25;
-    let t27 = -(R::literal(29.43) * chain_theta_3.sin())
-        - R::literal(3.0) * chain_omega_1_squared * (chain_theta_3 - chain_theta_1).sin()
-        - R::literal(3.0) * chain_omega_2_squared * (chain_theta_3 - chain_theta_2).sin()
-        - t24 * chain_theta_3_minus_chain_theta_4.sin()
-        - chain_omega_5_squared * chain_theta_3_minus_chain_theta_5.sin() - t5 * t25
-        - t10 * t26;
-    let t28 = -(R::literal(19.62) * chain_theta_4.sin())
-        - R::literal(2.0) * chain_omega_1_squared * (chain_theta_4 - chain_theta_1).sin()
-        - R::literal(2.0) * chain_omega_2_squared * (chain_theta_4 - chain_theta_2).sin()
-        - R::literal(2.0) * chain_omega_3_squared * (chain_theta_4 - chain_theta_3).sin()
-        - chain_omega_5_squared * chain_theta_4_minus_chain_theta_5.sin() - t6 * t25;
-    let t29 = t28 - t12 * t26 - t17 * t27;
-    let t30 = -(R::literal(9.81) * chain_theta_5.sin())
-        - chain_omega_1_squared * (chain_theta_5 - chain_theta_1).sin()
-        - chain_omega_2_squared * (chain_theta_5 - chain_theta_2).sin()
-        - chain_omega_3_squared * (chain_theta_5 - chain_theta_3).sin()
-        - chain_omega_4_squared * (chain_theta_5 - chain_theta_4).sin() - t7 * t25
-        - t14 * t26;
-    let chain_omega_5_dot = (t30 - t19 * t27 - t22 * t29)
+    let t36 = R::literal(4.0) * chain_omega_1_squared * t0
+        - R::literal(39.24) * sin_chain_theta_2 - t33 * t8 - t34 * t9
+        - chain_omega_5_squared * t10 - t14 * t35;
+    let t37 = R::literal(3.0) * chain_omega_1_squared * t2
+        - R::literal(29.43) * sin_chain_theta_3
+        + R::literal(3.0) * chain_omega_2_squared * t8 - t34 * t11
+        - chain_omega_5_squared * t12 - t15 * t35 - t20 * t36;
+    let t38 = R::literal(2.0) * chain_omega_1_squared * t4
+        - R::literal(19.62) * sin_chain_theta_4
+        + R::literal(2.0) * chain_omega_2_squared * t9
+        + R::literal(2.0) * chain_omega_3_squared * t11 - chain_omega_5_squared * t13
+        - t16 * t35 - t22 * t36 - t27 * t37;
+    let t39 = chain_omega_1_squared * t6 - R::literal(9.81) * sin_chain_theta_5
+        + chain_omega_2_squared * t10 + chain_omega_3_squared * t12
+        + chain_omega_4_squared * t13 - t17 * t35 - t24 * t36 - t29 * t37 - t32 * t38;
+    let chain_omega_5_dot = t39
         * (R::literal(1.0)
-            / (R::literal(1.0) - t7 * t3 - t14 * t13 - t19 * t18 - t22 * t21));
-    let chain_omega_4_dot = t29 * t20 - t22 * chain_omega_5_dot;
-    let chain_omega_3_dot = t27 * t15 - t17 * chain_omega_4_dot
-        - t19 * chain_omega_5_dot;
-    let chain_omega_2_dot = t26 * t8 - t10 * chain_omega_3_dot - t12 * chain_omega_4_dot
-        - t14 * chain_omega_5_dot;
-    let chain_omega_1_dot = t25 * R::literal(0.2) - t4 * chain_omega_2_dot
-        - t5 * chain_omega_3_dot - t6 * chain_omega_4_dot - t7 * chain_omega_5_dot;
+            / (R::literal(1.0) - t17 * t7 - t24 * t23 - t29 * t28 - t32 * t31));
+    let chain_omega_4_dot = t38 * t30 - t32 * chain_omega_5_dot;
+    let chain_omega_3_dot = t37 * t25 - t27 * chain_omega_4_dot
+        - t29 * chain_omega_5_dot;
+    let chain_omega_2_dot = t36 * t18 - t20 * chain_omega_3_dot - t22 * chain_omega_4_dot
+        - t24 * chain_omega_5_dot;
+    let chain_omega_1_dot = t35 * R::literal(0.2) - t14 * chain_omega_2_dot
+        - t15 * chain_omega_3_dot - t16 * chain_omega_4_dot - t17 * chain_omega_5_dot;
     [
         chain_omega_1,
         chain_omega_2,
@@ -482,7 +506,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 109 operations.
+/// 85 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     _time: R,
@@ -492,37 +516,39 @@ pub fn forcing<R: Real>(
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
+    let t0 = (chain_theta_1 - chain_theta_2).sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t0 = R::literal(3.0) * chain_omega_3_squared;
+    let t1 = (chain_theta_1 - chain_theta_3).sin();
+    let t2 = R::literal(3.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t1 = R::literal(2.0) * chain_omega_4_squared;
+    let t3 = (chain_theta_1 - chain_theta_4).sin();
+    let t4 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
+    let t5 = (chain_theta_1 - chain_theta_5).sin();
     let chain_theta_1_forcing = -(R::literal(49.05) * chain_theta_1.sin())
-        - R::literal(4.0) * chain_omega_2_squared * (chain_theta_1 - chain_theta_2).sin()
-        - t0 * (chain_theta_1 - chain_theta_3).sin()
-        - t1 * (chain_theta_1 - chain_theta_4).sin()
-        - chain_omega_5_squared * (chain_theta_1 - chain_theta_5).sin();
+        - R::literal(4.0) * chain_omega_2_squared * t0 - t2 * t1 - t4 * t3
+        - chain_omega_5_squared * t5;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = -(R::literal(39.24) * chain_theta_2.sin())
-        - R::literal(4.0) * chain_omega_1_squared * (chain_theta_2 - chain_theta_1).sin()
-        - t0 * (chain_theta_2 - chain_theta_3).sin()
-        - t1 * (chain_theta_2 - chain_theta_4).sin()
-        - chain_omega_5_squared * (chain_theta_2 - chain_theta_5).sin();
-    let chain_theta_3_forcing = -(R::literal(29.43) * chain_theta_3.sin())
-        - R::literal(3.0) * chain_omega_1_squared * (chain_theta_3 - chain_theta_1).sin()
-        - R::literal(3.0) * chain_omega_2_squared * (chain_theta_3 - chain_theta_2).sin()
-        - t1 * (chain_theta_3 - chain_theta_4).sin()
-        - chain_omega_5_squared * (chain_theta_3 - chain_theta_5).sin();
-    let chain_theta_4_forcing = -(R::literal(19.62) * chain_theta_4.sin())
-        - R::literal(2.0) * chain_omega_1_squared * (chain_theta_4 - chain_theta_1).sin()
-        - R::literal(2.0) * chain_omega_2_squared * (chain_theta_4 - chain_theta_2).sin()
-        - R::literal(2.0) * chain_omega_3_squared * (chain_theta_4 - chain_theta_3).sin()
-        - chain_omega_5_squared * (chain_theta_4 - chain_theta_5).sin();
-    let chain_theta_5_forcing = -(R::literal(9.81) * chain_theta_5.sin())
-        - chain_omega_1_squared * (chain_theta_5 - chain_theta_1).sin()
-        - chain_omega_2_squared * (chain_theta_5 - chain_theta_2).sin()
-        - chain_omega_3_squared * (chain_theta_5 - chain_theta_3).sin()
-        - chain_omega_4_squared * (chain_theta_5 - chain_theta_4).sin();
+    let t6 = (chain_theta_2 - chain_theta_3).sin();
+    let t7 = (chain_theta_2 - chain_theta_4).sin();
+    let t8 = (chain_theta_2 - chain_theta_5).sin();
+    let chain_theta_2_forcing = R::literal(4.0) * chain_omega_1_squared * t0
+        - R::literal(39.24) * chain_theta_2.sin() - t2 * t6 - t4 * t7
+        - chain_omega_5_squared * t8;
+    let t9 = (chain_theta_3 - chain_theta_4).sin();
+    let t10 = (chain_theta_3 - chain_theta_5).sin();
+    let chain_theta_3_forcing = R::literal(3.0) * chain_omega_1_squared * t1
+        - R::literal(29.43) * chain_theta_3.sin()
+        + R::literal(3.0) * chain_omega_2_squared * t6 - t4 * t9
+        - chain_omega_5_squared * t10;
+    let t11 = (chain_theta_4 - chain_theta_5).sin();
+    let chain_theta_4_forcing = R::literal(2.0) * chain_omega_1_squared * t3
+        - R::literal(19.62) * chain_theta_4.sin()
+        + R::literal(2.0) * chain_omega_2_squared * t7
+        + R::literal(2.0) * chain_omega_3_squared * t9 - chain_omega_5_squared * t11;
+    let chain_theta_5_forcing = chain_omega_1_squared * t5
+        - R::literal(9.81) * chain_theta_5.sin() + chain_omega_2_squared * t8
+        + chain_omega_3_squared * t10 + chain_omega_4_squared * t11;
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -534,7 +560,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 831 operations.
+/// 826 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     _time: R,
@@ -543,370 +569,367 @@ pub fn rate_jacobian<R: Real>(
 ) -> [R; 55] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
-    let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = chain_theta_1_minus_chain_theta_2.cos();
-    let t1 = R::literal(4.0) * t0;
-    let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
-    let t2 = chain_theta_1_minus_chain_theta_3.cos();
-    let t3 = R::literal(3.0) * t2;
-    let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
-    let t4 = chain_theta_1_minus_chain_theta_4.cos();
-    let t5 = R::literal(2.0) * t4;
-    let chain_theta_1_minus_chain_theta_5 = chain_theta_1 - chain_theta_5;
-    let t6 = chain_theta_1_minus_chain_theta_5.cos();
-    let chain_theta_2_minus_chain_theta_3 = chain_theta_2 - chain_theta_3;
-    let t7 = chain_theta_2_minus_chain_theta_3.cos();
-    let chain_theta_2_minus_chain_theta_4 = chain_theta_2 - chain_theta_4;
-    let t8 = chain_theta_2_minus_chain_theta_4.cos();
-    let chain_theta_2_minus_chain_theta_5 = chain_theta_2 - chain_theta_5;
-    let t9 = chain_theta_2_minus_chain_theta_5.cos();
-    let chain_theta_3_minus_chain_theta_4 = chain_theta_3 - chain_theta_4;
-    let t10 = chain_theta_3_minus_chain_theta_4.cos();
-    let chain_theta_3_minus_chain_theta_5 = chain_theta_3 - chain_theta_5;
-    let t11 = chain_theta_3_minus_chain_theta_5.cos();
-    let chain_theta_4_minus_chain_theta_5 = chain_theta_4 - chain_theta_5;
-    let t12 = chain_theta_4_minus_chain_theta_5.cos();
-    let t13 = t1 * R::literal(0.2);
-    let t14 = t3 * R::literal(0.2);
-    let t15 = t5 * R::literal(0.2);
-    let t16 = t6 * R::literal(0.2);
-    let t17 = R::literal(1.0) / (R::literal(4.0) - t13 * t1);
-    let t18 = R::literal(3.0) * t7 - t14 * t1;
-    let t19 = t18 * t17;
-    let t20 = R::literal(2.0) * t8 - t15 * t1;
-    let t21 = t20 * t17;
-    let t22 = t9 - t16 * t1;
-    let t23 = t22 * t17;
-    let t24 = R::literal(1.0) / (R::literal(3.0) - t14 * t3 - t19 * t18);
-    let t25 = R::literal(2.0) * t10 - t15 * t3 - t21 * t18;
-    let t26 = t25 * t24;
-    let t27 = t11 - t16 * t3 - t23 * t18;
-    let t28 = t27 * t24;
-    let t29 = R::literal(1.0) / (R::literal(2.0) - t15 * t5 - t21 * t20 - t26 * t25);
-    let t30 = t12 - t16 * t5 - t23 * t20 - t28 * t25;
-    let t31 = t30 * t29;
-    let t32 = R::literal(1.0)
-        / (R::literal(1.0) - t16 * t6 - t23 * t22 - t28 * t27 - t31 * t30);
+    let sin_chain_theta_1 = chain_theta_1.sin();
+    let cos_chain_theta_1 = chain_theta_1.cos();
+    let sin_chain_theta_2 = chain_theta_2.sin();
+    let cos_chain_theta_2 = chain_theta_2.cos();
+    let sin_chain_theta_3 = chain_theta_3.sin();
+    let cos_chain_theta_3 = chain_theta_3.cos();
+    let sin_chain_theta_4 = chain_theta_4.sin();
+    let cos_chain_theta_4 = chain_theta_4.cos();
+    let sin_chain_theta_5 = chain_theta_5.sin();
+    let cos_chain_theta_5 = chain_theta_5.cos();
+    let t0 = sin_chain_theta_1 * cos_chain_theta_2
+        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t1 = cos_chain_theta_1 * cos_chain_theta_2
+        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t2 = R::literal(4.0) * t1;
+    let t3 = sin_chain_theta_1 * cos_chain_theta_3
+        - cos_chain_theta_1 * sin_chain_theta_3;
+    let t4 = cos_chain_theta_1 * cos_chain_theta_3
+        + sin_chain_theta_1 * sin_chain_theta_3;
+    let t5 = R::literal(3.0) * t4;
+    let t6 = sin_chain_theta_1 * cos_chain_theta_4
+        - cos_chain_theta_1 * sin_chain_theta_4;
+    let t7 = cos_chain_theta_1 * cos_chain_theta_4
+        + sin_chain_theta_1 * sin_chain_theta_4;
+    let t8 = R::literal(2.0) * t7;
+    let t9 = sin_chain_theta_1 * cos_chain_theta_5
+        - cos_chain_theta_1 * sin_chain_theta_5;
+    let t10 = cos_chain_theta_1 * cos_chain_theta_5
+        + sin_chain_theta_1 * sin_chain_theta_5;
+    let t11 = sin_chain_theta_2 * cos_chain_theta_3
+        - cos_chain_theta_2 * sin_chain_theta_3;
+    let t12 = cos_chain_theta_2 * cos_chain_theta_3
+        + sin_chain_theta_2 * sin_chain_theta_3;
+    let t13 = sin_chain_theta_2 * cos_chain_theta_4
+        - cos_chain_theta_2 * sin_chain_theta_4;
+    let t14 = cos_chain_theta_2 * cos_chain_theta_4
+        + sin_chain_theta_2 * sin_chain_theta_4;
+    let t15 = sin_chain_theta_2 * cos_chain_theta_5
+        - cos_chain_theta_2 * sin_chain_theta_5;
+    let t16 = cos_chain_theta_2 * cos_chain_theta_5
+        + sin_chain_theta_2 * sin_chain_theta_5;
+    let t17 = sin_chain_theta_3 * cos_chain_theta_4
+        - cos_chain_theta_3 * sin_chain_theta_4;
+    let t18 = cos_chain_theta_3 * cos_chain_theta_4
+        + sin_chain_theta_3 * sin_chain_theta_4;
+    let t19 = sin_chain_theta_3 * cos_chain_theta_5
+        - cos_chain_theta_3 * sin_chain_theta_5;
+    let t20 = cos_chain_theta_3 * cos_chain_theta_5
+        + sin_chain_theta_3 * sin_chain_theta_5;
+    let t21 = sin_chain_theta_4 * cos_chain_theta_5
+        - cos_chain_theta_4 * sin_chain_theta_5;
+    let t22 = cos_chain_theta_4 * cos_chain_theta_5
+        + sin_chain_theta_4 * sin_chain_theta_5;
+    let t23 = t2 * R::literal(0.2);
+    let t24 = t5 * R::literal(0.2);
+    let t25 = t8 * R::literal(0.2);
+    let t26 = t10 * R::literal(0.2);
+    let t27 = R::literal(1.0) / (R::literal(4.0) - t23 * t2);
+    let t28 = R::literal(3.0) * t12 - t24 * t2;
+    let t29 = t28 * t27;
+    let t30 = R::literal(2.0) * t14 - t25 * t2;
+    let t31 = t30 * t27;
+    let t32 = t16 - t26 * t2;
+    let t33 = t32 * t27;
+    let t34 = R::literal(1.0) / (R::literal(3.0) - t24 * t5 - t29 * t28);
+    let t35 = R::literal(2.0) * t18 - t25 * t5 - t31 * t28;
+    let t36 = t35 * t34;
+    let t37 = t20 - t26 * t5 - t33 * t28;
+    let t38 = t37 * t34;
+    let t39 = R::literal(1.0) / (R::literal(2.0) - t25 * t8 - t31 * t30 - t36 * t35);
+    let t40 = t22 - t26 * t8 - t33 * t30 - t38 * t35;
+    let t41 = t40 * t39;
+    let t42 = R::literal(1.0)
+        / (R::literal(1.0) - t26 * t10 - t33 * t32 - t38 * t37 - t41 * t40);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t33 = chain_theta_1_minus_chain_theta_2.sin();
-    let t34 = R::literal(4.0) * chain_omega_2_squared;
+    let t43 = R::literal(4.0) * chain_omega_2_squared;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t35 = chain_theta_1_minus_chain_theta_3.sin();
-    let t36 = R::literal(3.0) * chain_omega_3_squared;
+    let t44 = R::literal(3.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t37 = chain_theta_1_minus_chain_theta_4.sin();
-    let t38 = R::literal(2.0) * chain_omega_4_squared;
+    let t45 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t39 = chain_theta_1_minus_chain_theta_5.sin();
-    let t40 = -(R::literal(49.05) * chain_theta_1.sin()) - t34 * t33 - t36 * t35
-        - t38 * t37 - chain_omega_5_squared * t39;
+    let t46 = -(R::literal(49.05) * sin_chain_theta_1) - t43 * t0 - t44 * t3 - t45 * t6
+        - chain_omega_5_squared * t9;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_minus_chain_theta_1 = chain_theta_2 - chain_theta_1;
-    let t41 = chain_theta_2_minus_chain_theta_1.sin();
-    let t42 = R::literal(4.0) * chain_omega_1_squared;
-    let t43 = chain_theta_2_minus_chain_theta_3.sin();
-    let t44 = chain_theta_2_minus_chain_theta_4.sin();
-    let t45 = chain_theta_2_minus_chain_theta_5.sin();
-    let chain_theta_3_minus_chain_theta_1 = chain_theta_3 - chain_theta_1;
-    let t46 = chain_theta_3_minus_chain_theta_1.sin();
-    let t47 = R::literal(3.0) * chain_omega_1_squared;
-    let chain_theta_3_minus_chain_theta_2 = chain_theta_3 - chain_theta_2;
-    let t48 = chain_theta_3_minus_chain_theta_2.sin();
+    let t47 = R::literal(4.0) * chain_omega_1_squared;
+    let t48 = R::literal(3.0) * chain_omega_1_squared;
     let t49 = R::literal(3.0) * chain_omega_2_squared;
-    let t50 = chain_theta_3_minus_chain_theta_4.sin();
-    let t51 = chain_theta_3_minus_chain_theta_5.sin();
-    let chain_theta_4_minus_chain_theta_1 = chain_theta_4 - chain_theta_1;
-    let t52 = chain_theta_4_minus_chain_theta_1.sin();
-    let t53 = R::literal(2.0) * chain_omega_1_squared;
-    let chain_theta_4_minus_chain_theta_2 = chain_theta_4 - chain_theta_2;
-    let t54 = chain_theta_4_minus_chain_theta_2.sin();
-    let t55 = R::literal(2.0) * chain_omega_2_squared;
-    let chain_theta_4_minus_chain_theta_3 = chain_theta_4 - chain_theta_3;
-    let t56 = chain_theta_4_minus_chain_theta_3.sin();
-    let t57 = R::literal(2.0) * chain_omega_3_squared;
-    let t58 = chain_theta_4_minus_chain_theta_5.sin();
-    let chain_theta_5_minus_chain_theta_1 = chain_theta_5 - chain_theta_1;
-    let t59 = chain_theta_5_minus_chain_theta_1.sin();
-    let chain_theta_5_minus_chain_theta_2 = chain_theta_5 - chain_theta_2;
-    let t60 = chain_theta_5_minus_chain_theta_2.sin();
-    let chain_theta_5_minus_chain_theta_3 = chain_theta_5 - chain_theta_3;
-    let t61 = chain_theta_5_minus_chain_theta_3.sin();
-    let chain_theta_5_minus_chain_theta_4 = chain_theta_5 - chain_theta_4;
-    let t62 = chain_theta_5_minus_chain_theta_4.sin();
-    let t63 = -(R::literal(39.24) * chain_theta_2.sin()) - t42 * t41 - t36 * t43
-        - t38 * t44 - chain_omega_5_squared * t45 - t13 * t40;
-    let t64 = -(R::literal(29.43) * chain_theta_3.sin()) - t47 * t46 - t49 * t48
-        - t38 * t50 - chain_omega_5_squared * t51 - t14 * t40 - t19 * t63;
-    let t65 = -(R::literal(19.62) * chain_theta_4.sin()) - t53 * t52 - t55 * t54
-        - t57 * t56 - chain_omega_5_squared * t58 - t15 * t40 - t21 * t63 - t26 * t64;
-    let chain_omega_5_dot = (-(R::literal(9.81) * chain_theta_5.sin())
-        - chain_omega_1_squared * t59 - chain_omega_2_squared * t60
-        - chain_omega_3_squared * t61 - chain_omega_4_squared * t62 - t16 * t40
-        - t23 * t63 - t28 * t64 - t31 * t65) * t32;
-    let chain_omega_4_dot = t65 * t29 - t31 * chain_omega_5_dot;
-    let chain_omega_3_dot = t64 * t24 - t26 * chain_omega_4_dot
-        - t28 * chain_omega_5_dot;
-    let chain_omega_2_dot = t63 * t17 - t19 * chain_omega_3_dot - t21 * chain_omega_4_dot
-        - t23 * chain_omega_5_dot;
-    let chain_omega_1_dot = t40 * R::literal(0.2) - t13 * chain_omega_2_dot
-        - t14 * chain_omega_3_dot - t15 * chain_omega_4_dot - t16 * chain_omega_5_dot;
-    let t66 = t34 * t0;
-    let t67 = t36 * t2;
-    let t68 = t38 * t4;
-    let t69 = chain_omega_5_squared * t6;
-    let t70 = t42 * chain_theta_2_minus_chain_theta_1.cos();
-    let t71 = t47 * chain_theta_3_minus_chain_theta_1.cos();
-    let t72 = t53 * chain_theta_4_minus_chain_theta_1.cos();
-    let t73 = chain_omega_1_squared * chain_theta_5_minus_chain_theta_1.cos();
-    let t74 = R::literal(4.0) * t33;
-    let t75 = t74 * chain_omega_2_dot;
-    let t76 = t74 * chain_omega_1_dot;
-    let t77 = R::literal(3.0) * t35;
-    let t78 = t77 * chain_omega_3_dot;
-    let t79 = t77 * chain_omega_1_dot;
-    let t80 = R::literal(2.0) * t37;
-    let t81 = t80 * chain_omega_4_dot;
-    let t82 = t80 * chain_omega_1_dot;
-    let t83 = t39 * chain_omega_5_dot;
-    let t84 = -(R::literal(49.05) * chain_theta_1.cos()) - t66 - t67 - t68 - t69 + t75
-        + t78 + t81 + t83;
-    let t85 = t39 * chain_omega_1_dot;
-    let t86 = t70 + t76 - t13 * t84;
-    let t87 = t71 + t79 - t14 * t84 - t19 * t86;
-    let t88 = t72 + t82 - t15 * t84 - t21 * t86 - t26 * t87;
-    let chain_omega_5_dot_by_chain_theta_1 = (t73 + t85 - t16 * t84 - t23 * t86
-        - t28 * t87 - t31 * t88) * t32;
-    let chain_omega_4_dot_by_chain_theta_1 = t88 * t29
-        - t31 * chain_omega_5_dot_by_chain_theta_1;
-    let chain_omega_3_dot_by_chain_theta_1 = t87 * t24
-        - t26 * chain_omega_4_dot_by_chain_theta_1
-        - t28 * chain_omega_5_dot_by_chain_theta_1;
-    let chain_omega_2_dot_by_chain_theta_1 = t86 * t17
-        - t19 * chain_omega_3_dot_by_chain_theta_1
-        - t21 * chain_omega_4_dot_by_chain_theta_1
-        - t23 * chain_omega_5_dot_by_chain_theta_1;
-    let chain_omega_1_dot_by_chain_theta_1 = t84 * R::literal(0.2)
-        - t13 * chain_omega_2_dot_by_chain_theta_1
-        - t14 * chain_omega_3_dot_by_chain_theta_1
-        - t15 * chain_omega_4_dot_by_chain_theta_1
-        - t16 * chain_omega_5_dot_by_chain_theta_1;
-    let t89 = t36 * t7;
-    let t90 = t38 * t8;
-    let t91 = chain_omega_5_squared * t9;
-    let t92 = t49 * chain_theta_3_minus_chain_theta_2.cos();
-    let t93 = t55 * chain_theta_4_minus_chain_theta_2.cos();
-    let t94 = chain_omega_2_squared * chain_theta_5_minus_chain_theta_2.cos();
-    let t95 = t66 - t75;
-    let t96 = R::literal(3.0) * t43;
-    let t97 = t96 * chain_omega_3_dot;
-    let t98 = t96 * chain_omega_2_dot;
-    let t99 = R::literal(2.0) * t44;
-    let t100 = t99 * chain_omega_4_dot;
-    let t101 = t99 * chain_omega_2_dot;
-    let t102 = t45 * chain_omega_5_dot;
-    let t103 = t45 * chain_omega_2_dot;
-    let t104 = -(R::literal(39.24) * chain_theta_2.cos()) - t70 - t89 - t90 - t91 - t76
-        + t97 + t100 + t102 - t13 * t95;
-    let t105 = t92 + t98 - t14 * t95 - t19 * t104;
-    let t106 = t93 + t101 - t15 * t95 - t21 * t104 - t26 * t105;
-    let chain_omega_5_dot_by_chain_theta_2 = (t94 + t103 - t16 * t95 - t23 * t104
-        - t28 * t105 - t31 * t106) * t32;
-    let chain_omega_4_dot_by_chain_theta_2 = t106 * t29
-        - t31 * chain_omega_5_dot_by_chain_theta_2;
-    let chain_omega_3_dot_by_chain_theta_2 = t105 * t24
-        - t26 * chain_omega_4_dot_by_chain_theta_2
-        - t28 * chain_omega_5_dot_by_chain_theta_2;
-    let chain_omega_2_dot_by_chain_theta_2 = t104 * t17
-        - t19 * chain_omega_3_dot_by_chain_theta_2
-        - t21 * chain_omega_4_dot_by_chain_theta_2
-        - t23 * chain_omega_5_dot_by_chain_theta_2;
-    let chain_omega_1_dot_by_chain_theta_2 = t95 * R::literal(0.2)
-        - t13 * chain_omega_2_dot_by_chain_theta_2
-        - t14 * chain_omega_3_dot_by_chain_theta_2
-        - t15 * chain_omega_4_dot_by_chain_theta_2
-        - t16 * chain_omega_5_dot_by_chain_theta_2;
-    let t107 = t38 * t10;
-    let t108 = chain_omega_5_squared * t11;
-    let t109 = t57 * chain_theta_4_minus_chain_theta_3.cos();
-    let t110 = chain_omega_3_squared * chain_theta_5_minus_chain_theta_3.cos();
-    let t111 = t67 - t78;
-    let t112 = R::literal(2.0) * t50;
-    let t113 = t112 * chain_omega_4_dot;
-    let t114 = t112 * chain_omega_3_dot;
-    let t115 = t51 * chain_omega_5_dot;
-    let t116 = t51 * chain_omega_3_dot;
-    let t117 = t89 - t97 - t13 * t111;
-    let t118 = -(R::literal(29.43) * chain_theta_3.cos()) - t71 - t92 - t107 - t108 - t79
-        - t98 + t113 + t115 - t14 * t111 - t19 * t117;
-    let t119 = t109 + t114 - t15 * t111 - t21 * t117 - t26 * t118;
-    let chain_omega_5_dot_by_chain_theta_3 = (t110 + t116 - t16 * t111 - t23 * t117
-        - t28 * t118 - t31 * t119) * t32;
-    let chain_omega_4_dot_by_chain_theta_3 = t119 * t29
-        - t31 * chain_omega_5_dot_by_chain_theta_3;
-    let chain_omega_3_dot_by_chain_theta_3 = t118 * t24
-        - t26 * chain_omega_4_dot_by_chain_theta_3
-        - t28 * chain_omega_5_dot_by_chain_theta_3;
-    let chain_omega_2_dot_by_chain_theta_3 = t117 * t17
-        - t19 * chain_omega_3_dot_by_chain_theta_3
-        - t21 * chain_omega_4_dot_by_chain_theta_3
-        - t23 * chain_omega_5_dot_by_chain_theta_3;
-    let chain_omega_1_dot_by_chain_theta_3 = t111 * R::literal(0.2)
-        - t13 * chain_omega_2_dot_by_chain_theta_3
-        - t14 * chain_omega_3_dot_by_chain_theta_3
-        - t15 * chain_omega_4_dot_by_chain_theta_3
-        - t16 * chain_omega_5_dot_by_chain_theta_3;
-    let t120 = chain_omega_5_squared * t12;
-    let t121 = chain_omega_4_squared * chain_theta_5_minus_chain_theta_4.cos();
-    let t122 = t68 - t81;
-    let t123 = t58 * chain_omega_5_dot;
-    let t124 = t58 * chain_omega_4_dot;
-    let t125 = t90 - t100 - t13 * t122;
-    let t126 = t107 - t113 - t14 * t122 - t19 * t125;
-    let t127 = -(R::literal(19.62) * chain_theta_4.cos()) - t72 - t93 - t109 - t120 - t82
-        - t101 - t114 + t123 - t15 * t122 - t21 * t125 - t26 * t126;
-    let chain_omega_5_dot_by_chain_theta_4 = (t121 + t124 - t16 * t122 - t23 * t125
-        - t28 * t126 - t31 * t127) * t32;
-    let chain_omega_4_dot_by_chain_theta_4 = t127 * t29
-        - t31 * chain_omega_5_dot_by_chain_theta_4;
-    let chain_omega_3_dot_by_chain_theta_4 = t126 * t24
-        - t26 * chain_omega_4_dot_by_chain_theta_4
-        - t28 * chain_omega_5_dot_by_chain_theta_4;
-    let chain_omega_2_dot_by_chain_theta_4 = t125 * t17
-        - t19 * chain_omega_3_dot_by_chain_theta_4
-        - t21 * chain_omega_4_dot_by_chain_theta_4
-        - t23 * chain_omega_5_dot_by_chain_theta_4;
-    let chain_omega_1_dot_by_chain_theta_4 = t122 * R::literal(0.2)
-        - t13 * chain_omega_2_dot_by_chain_theta_4
-        - t14 * chain_omega_3_dot_by_chain_theta_4
-        - t15 * chain_omega_4_dot_by_chain_theta_4
-        - t16 * chain_omega_5_dot_by_chain_theta_4;
-    let t128 = t69 - t83;
-    let t129 = t91 - t102 - t13 * t128;
-    let t130 = t108 - t115 - t14 * t128 - t19 * t129;
-    let t131 = t120 - t123 - t15 * t128 - t21 * t129 - t26 * t130;
-    let chain_omega_5_dot_by_chain_theta_5 = (-(R::literal(9.81) * chain_theta_5.cos())
-        - t73 - t94 - t110 - t121 - t85 - t103 - t116 - t124 - t16 * t128 - t23 * t129
-        - t28 * t130 - t31 * t131) * t32;
-    let chain_omega_4_dot_by_chain_theta_5 = t131 * t29
-        - t31 * chain_omega_5_dot_by_chain_theta_5;
-    let chain_omega_3_dot_by_chain_theta_5 = t130 * t24
-        - t26 * chain_omega_4_dot_by_chain_theta_5
-        - t28 * chain_omega_5_dot_by_chain_theta_5;
-    let chain_omega_2_dot_by_chain_theta_5 = t129 * t17
-        - t19 * chain_omega_3_dot_by_chain_theta_5
-        - t21 * chain_omega_4_dot_by_chain_theta_5
-        - t23 * chain_omega_5_dot_by_chain_theta_5;
-    let chain_omega_1_dot_by_chain_theta_5 = t128 * R::literal(0.2)
-        - t13 * chain_omega_2_dot_by_chain_theta_5
-        - t14 * chain_omega_3_dot_by_chain_theta_5
-        - t15 * chain_omega_4_dot_by_chain_theta_5
-        - t16 * chain_omega_5_dot_by_chain_theta_5;
-    let t132 = R::literal(8.0) * chain_omega_1 * t41;
-    let t133 = t19 * t132 - R::literal(6.0) * chain_omega_1 * t46;
-    let t134 = t21 * t132 - R::literal(4.0) * chain_omega_1 * t52 - t26 * t133;
-    let chain_omega_5_dot_by_chain_omega_1 = (t23 * t132
-        - R::literal(2.0) * chain_omega_1 * t59 - t28 * t133 - t31 * t134) * t32;
-    let chain_omega_4_dot_by_chain_omega_1 = t134 * t29
-        - t31 * chain_omega_5_dot_by_chain_omega_1;
-    let chain_omega_3_dot_by_chain_omega_1 = t133 * t24
-        - t26 * chain_omega_4_dot_by_chain_omega_1
-        - t28 * chain_omega_5_dot_by_chain_omega_1;
-    let chain_omega_2_dot_by_chain_omega_1 = -(t132 * t17)
-        - t19 * chain_omega_3_dot_by_chain_omega_1
-        - t21 * chain_omega_4_dot_by_chain_omega_1
-        - t23 * chain_omega_5_dot_by_chain_omega_1;
-    let chain_omega_1_dot_by_chain_omega_1 = -(t13 * chain_omega_2_dot_by_chain_omega_1)
-        - t14 * chain_omega_3_dot_by_chain_omega_1
-        - t15 * chain_omega_4_dot_by_chain_omega_1
-        - t16 * chain_omega_5_dot_by_chain_omega_1;
-    let t135 = R::literal(8.0) * chain_omega_2 * t33;
-    let t136 = t13 * t135;
-    let t137 = t14 * t135 - R::literal(6.0) * chain_omega_2 * t48 - t19 * t136;
-    let t138 = t15 * t135 - R::literal(4.0) * chain_omega_2 * t54 - t21 * t136
-        - t26 * t137;
-    let chain_omega_5_dot_by_chain_omega_2 = (t16 * t135
-        - R::literal(2.0) * chain_omega_2 * t60 - t23 * t136 - t28 * t137 - t31 * t138)
-        * t32;
-    let chain_omega_4_dot_by_chain_omega_2 = t138 * t29
-        - t31 * chain_omega_5_dot_by_chain_omega_2;
-    let chain_omega_3_dot_by_chain_omega_2 = t137 * t24
-        - t26 * chain_omega_4_dot_by_chain_omega_2
-        - t28 * chain_omega_5_dot_by_chain_omega_2;
-    let chain_omega_2_dot_by_chain_omega_2 = t136 * t17
-        - t19 * chain_omega_3_dot_by_chain_omega_2
-        - t21 * chain_omega_4_dot_by_chain_omega_2
-        - t23 * chain_omega_5_dot_by_chain_omega_2;
-    let chain_omega_1_dot_by_chain_omega_2 = -(t135 * R::literal(0.2))
-        - t13 * chain_omega_2_dot_by_chain_omega_2
-        - t14 * chain_omega_3_dot_by_chain_omega_2
-        - t15 * chain_omega_4_dot_by_chain_omega_2
-        - t16 * chain_omega_5_dot_by_chain_omega_2;
-    let t139 = R::literal(6.0) * chain_omega_3;
-    let t140 = t139 * t35;
-    let t141 = t13 * t140 - t139 * t43;
-    let t142 = t14 * t140 - t19 * t141;
-    let t143 = t15 * t140 - R::literal(4.0) * chain_omega_3 * t56 - t21 * t141
-        - t26 * t142;
-    let chain_omega_5_dot_by_chain_omega_3 = (t16 * t140
-        - R::literal(2.0) * chain_omega_3 * t61 - t23 * t141 - t28 * t142 - t31 * t143)
-        * t32;
-    let chain_omega_4_dot_by_chain_omega_3 = t143 * t29
-        - t31 * chain_omega_5_dot_by_chain_omega_3;
-    let chain_omega_3_dot_by_chain_omega_3 = t142 * t24
-        - t26 * chain_omega_4_dot_by_chain_omega_3
-        - t28 * chain_omega_5_dot_by_chain_omega_3;
-    let chain_omega_2_dot_by_chain_omega_3 = t141 * t17
-        - t19 * chain_omega_3_dot_by_chain_omega_3
-        - t21 * chain_omega_4_dot_by_chain_omega_3
-        - t23 * chain_omega_5_dot_by_chain_omega_3;
-    let chain_omega_1_dot_by_chain_omega_3 = -(t140 * R::literal(0.2))
-        - t13 * chain_omega_2_dot_by_chain_omega_3
-        - t14 * chain_omega_3_dot_by_chain_omega_3
-        - t15 * chain_omega_4_dot_by_chain_omega_3
-        - t16 * chain_omega_5_dot_by_chain_omega_3;
-    let t144 = R::literal(4.0) * chain_omega_4;
-    let t145 = t144 * t37;
-    let t146 = t13 * t145 - t144 * t44;
-    let t147 = t14 * t145 - t144 * t50 - t19 * t146;
-    let t148 = t15 * t145 - t21 * t146 - t26 * t147;
-    let chain_omega_5_dot_by_chain_omega_4 = (t16 * t145
-        - R::literal(2.0) * chain_omega_4 * t62 - t23 * t146 - t28 * t147 - t31 * t148)
-        * t32;
-    let chain_omega_4_dot_by_chain_omega_4 = t148 * t29
-        - t31 * chain_omega_5_dot_by_chain_omega_4;
-    let chain_omega_3_dot_by_chain_omega_4 = t147 * t24
-        - t26 * chain_omega_4_dot_by_chain_omega_4
-        - t28 * chain_omega_5_dot_by_chain_omega_4;
-    let chain_omega_2_dot_by_chain_omega_4 = t146 * t17
-        - t19 * chain_omega_3_dot_by_chain_omega_4
-        - t21 * chain_omega_4_dot_by_chain_omega_4
-        - t23 * chain_omega_5_dot_by_chain_omega_4;
-    let chain_omega_1_dot_by_chain_omega_4 = -(t145 * R::literal(0.2))
-        - t13 * chain_omega_2_dot_by_chain_omega_4
-        - t14 * chain_omega_3_dot_by_chain_omega_4
-        - t15 * chain_omega_4_dot_by_chain_omega_4
-        - t16 * chain_omega_5_dot_by_chain_omega_4;
-    let t149 = R::literal(2.0) * chain_omega_5;
-    let t150 = t149 * t39;
-    let t151 = t13 * t150 - t149 * t45;
-    let t152 = t14 * t150 - t149 * t51 - t19 * t151;
-    let t153 = t15 * t150 - t149 * t58 - t21 * t151 - t26 * t152;
-    let chain_omega_5_dot_by_chain_omega_5 = (t16 * t150 - t23 * t151 - t28 * t152
-        - t31 * t153) * t32;
-    let chain_omega_4_dot_by_chain_omega_5 = t153 * t29
-        - t31 * chain_omega_5_dot_by_chain_omega_5;
-    let chain_omega_3_dot_by_chain_omega_5 = t152 * t24
-        - t26 * chain_omega_4_dot_by_chain_omega_5
-        - t28 * chain_omega_5_dot_by_chain_omega_5;
-    let chain_omega_2_dot_by_chain_omega_5 = t151 * t17
-        - t19 * chain_omega_3_dot_by_chain_omega_5
-        - t21 * chain_omega_4_dot_by_chain_omega_5
-        - t23 * chain_omega_5_dot_by_chain_omega_5;
-    let chain_omega_1_dot_by_chain_omega_5 = -(t150 * R::literal(0.2))
-        - t13 * chain_omega_2_dot_by_chain_omega_5
-        - t14 * chain_omega_3_dot_by_chain_omega_5
-        - t15 * chain_omega_4_dot_by_chain_omega_5
-        - t16 * chain_omega_5_dot_by_chain_omega_5;
+    let t50 = R::literal(2.0) * chain_omega_1_squared;
+    let t51 = R::literal(2.0) * chain_omega_2_squared;
+    let t52 = R::literal(2.0) * chain_omega_3_squared;
+    let t53 = t47 * t0 - R::literal(39.24) * sin_chain_theta_2 - t44 * t11 - t45 * t13
+        - chain_omega_5_squared * t15 - t23 * t46;
+    let t54 = t48 * t3 - R::literal(29.43) * sin_chain_theta_3 + t49 * t11 - t45 * t17
+        - chain_omega_5_squared * t19 - t24 * t46 - t29 * t53;
+    let t55 = t50 * t6 - R::literal(19.62) * sin_chain_theta_4 + t51 * t13 + t52 * t17
+        - chain_omega_5_squared * t21 - t25 * t46 - t31 * t53 - t36 * t54;
+    let chain_omega_5_dot = (chain_omega_1_squared * t9
+        - R::literal(9.81) * sin_chain_theta_5 + chain_omega_2_squared * t15
+        + chain_omega_3_squared * t19 + chain_omega_4_squared * t21 - t26 * t46
+        - t33 * t53 - t38 * t54 - t41 * t55) * t42;
+    let chain_omega_4_dot = t55 * t39 - t41 * chain_omega_5_dot;
+    let chain_omega_3_dot = t54 * t34 - t36 * chain_omega_4_dot
+        - t38 * chain_omega_5_dot;
+    let chain_omega_2_dot = t53 * t27 - t29 * chain_omega_3_dot - t31 * chain_omega_4_dot
+        - t33 * chain_omega_5_dot;
+    let chain_omega_1_dot = t46 * R::literal(0.2) - t23 * chain_omega_2_dot
+        - t24 * chain_omega_3_dot - t25 * chain_omega_4_dot - t26 * chain_omega_5_dot;
+    let t56 = t43 * t1;
+    let t57 = t44 * t4;
+    let t58 = t45 * t7;
+    let t59 = chain_omega_5_squared * t10;
+    let t60 = t47 * t1;
+    let t61 = t48 * t4;
+    let t62 = t50 * t7;
+    let t63 = chain_omega_1_squared * t10;
+    let t64 = R::literal(4.0) * t0;
+    let t65 = t64 * chain_omega_2_dot;
+    let t66 = t64 * chain_omega_1_dot;
+    let t67 = R::literal(3.0) * t3;
+    let t68 = t67 * chain_omega_3_dot;
+    let t69 = t67 * chain_omega_1_dot;
+    let t70 = R::literal(2.0) * t6;
+    let t71 = t70 * chain_omega_4_dot;
+    let t72 = t70 * chain_omega_1_dot;
+    let t73 = t9 * chain_omega_5_dot;
+    let t74 = -(R::literal(49.05) * cos_chain_theta_1) - t56 - t57 - t58 - t59 + t65
+        + t68 + t71 + t73;
+    let t75 = t9 * chain_omega_1_dot;
+    let t76 = t60 + t66 - t23 * t74;
+    let t77 = t61 + t69 - t24 * t74 - t29 * t76;
+    let t78 = t62 + t72 - t25 * t74 - t31 * t76 - t36 * t77;
+    let chain_omega_5_dot_by_chain_theta_1 = (t63 + t75 - t26 * t74 - t33 * t76
+        - t38 * t77 - t41 * t78) * t42;
+    let chain_omega_4_dot_by_chain_theta_1 = t78 * t39
+        - t41 * chain_omega_5_dot_by_chain_theta_1;
+    let chain_omega_3_dot_by_chain_theta_1 = t77 * t34
+        - t36 * chain_omega_4_dot_by_chain_theta_1
+        - t38 * chain_omega_5_dot_by_chain_theta_1;
+    let chain_omega_2_dot_by_chain_theta_1 = t76 * t27
+        - t29 * chain_omega_3_dot_by_chain_theta_1
+        - t31 * chain_omega_4_dot_by_chain_theta_1
+        - t33 * chain_omega_5_dot_by_chain_theta_1;
+    let chain_omega_1_dot_by_chain_theta_1 = t74 * R::literal(0.2)
+        - t23 * chain_omega_2_dot_by_chain_theta_1
+        - t24 * chain_omega_3_dot_by_chain_theta_1
+        - t25 * chain_omega_4_dot_by_chain_theta_1
+        - t26 * chain_omega_5_dot_by_chain_theta_1;
+    let t79 = t44 * t12;
+    let t80 = t45 * t14;
+    let t81 = chain_omega_5_squared * t16;
+    let t82 = t49 * t12;
+    let t83 = t51 * t14;
+    let t84 = chain_omega_2_squared * t16;
+    let t85 = t56 - t65;
+    let t86 = R::literal(3.0) * t11;
+    let t87 = t86 * chain_omega_3_dot;
+    let t88 = t86 * chain_omega_2_dot;
+    let t89 = R::literal(2.0) * t13;
+    let t90 = t89 * chain_omega_4_dot;
+    let t91 = t89 * chain_omega_2_dot;
+    let t92 = t15 * chain_omega_5_dot;
+    let t93 = t15 * chain_omega_2_dot;
+    let t94 = -(R::literal(39.24) * cos_chain_theta_2) - t60 - t79 - t80 - t81 - t66
+        + t87 + t90 + t92 - t23 * t85;
+    let t95 = t82 + t88 - t24 * t85 - t29 * t94;
+    let t96 = t83 + t91 - t25 * t85 - t31 * t94 - t36 * t95;
+    let chain_omega_5_dot_by_chain_theta_2 = (t84 + t93 - t26 * t85 - t33 * t94
+        - t38 * t95 - t41 * t96) * t42;
+    let chain_omega_4_dot_by_chain_theta_2 = t96 * t39
+        - t41 * chain_omega_5_dot_by_chain_theta_2;
+    let chain_omega_3_dot_by_chain_theta_2 = t95 * t34
+        - t36 * chain_omega_4_dot_by_chain_theta_2
+        - t38 * chain_omega_5_dot_by_chain_theta_2;
+    let chain_omega_2_dot_by_chain_theta_2 = t94 * t27
+        - t29 * chain_omega_3_dot_by_chain_theta_2
+        - t31 * chain_omega_4_dot_by_chain_theta_2
+        - t33 * chain_omega_5_dot_by_chain_theta_2;
+    let chain_omega_1_dot_by_chain_theta_2 = t85 * R::literal(0.2)
+        - t23 * chain_omega_2_dot_by_chain_theta_2
+        - t24 * chain_omega_3_dot_by_chain_theta_2
+        - t25 * chain_omega_4_dot_by_chain_theta_2
+        - t26 * chain_omega_5_dot_by_chain_theta_2;
+    let t97 = t45 * t18;
+    let t98 = chain_omega_5_squared * t20;
+    let t99 = t52 * t18;
+    let t100 = chain_omega_3_squared * t20;
+    let t101 = t57 - t68;
+    let t102 = R::literal(2.0) * t17;
+    let t103 = t102 * chain_omega_4_dot;
+    let t104 = t102 * chain_omega_3_dot;
+    let t105 = t19 * chain_omega_5_dot;
+    let t106 = t19 * chain_omega_3_dot;
+    let t107 = t79 - t87 - t23 * t101;
+    let t108 = -(R::literal(29.43) * cos_chain_theta_3) - t61 - t82 - t97 - t98 - t69
+        - t88 + t103 + t105 - t24 * t101 - t29 * t107;
+    let t109 = t99 + t104 - t25 * t101 - t31 * t107 - t36 * t108;
+    let chain_omega_5_dot_by_chain_theta_3 = (t100 + t106 - t26 * t101 - t33 * t107
+        - t38 * t108 - t41 * t109) * t42;
+    let chain_omega_4_dot_by_chain_theta_3 = t109 * t39
+        - t41 * chain_omega_5_dot_by_chain_theta_3;
+    let chain_omega_3_dot_by_chain_theta_3 = t108 * t34
+        - t36 * chain_omega_4_dot_by_chain_theta_3
+        - t38 * chain_omega_5_dot_by_chain_theta_3;
+    let chain_omega_2_dot_by_chain_theta_3 = t107 * t27
+        - t29 * chain_omega_3_dot_by_chain_theta_3
+        - t31 * chain_omega_4_dot_by_chain_theta_3
+        - t33 * chain_omega_5_dot_by_chain_theta_3;
+    let chain_omega_1_dot_by_chain_theta_3 = t101 * R::literal(0.2)
+        - t23 * chain_omega_2_dot_by_chain_theta_3
+        - t24 * chain_omega_3_dot_by_chain_theta_3
+        - t25 * chain_omega_4_dot_by_chain_theta_3
+        - t26 * chain_omega_5_dot_by_chain_theta_3;
+    let t110 = chain_omega_5_squared * t22;
+    let t111 = chain_omega_4_squared * t22;
+    let t112 = t58 - t71;
+    let t113 = t21 * chain_omega_5_dot;
+    let t114 = t21 * chain_omega_4_dot;
+    let t115 = t80 - t90 - t23 * t112;
+    let t116 = t97 - t103 - t24 * t112 - t29 * t115;
+    let t117 = -(R::literal(19.62) * cos_chain_theta_4) - t62 - t83 - t99 - t110 - t72
+        - t91 - t104 + t113 - t25 * t112 - t31 * t115 - t36 * t116;
+    let chain_omega_5_dot_by_chain_theta_4 = (t111 + t114 - t26 * t112 - t33 * t115
+        - t38 * t116 - t41 * t117) * t42;
+    let chain_omega_4_dot_by_chain_theta_4 = t117 * t39
+        - t41 * chain_omega_5_dot_by_chain_theta_4;
+    let chain_omega_3_dot_by_chain_theta_4 = t116 * t34
+        - t36 * chain_omega_4_dot_by_chain_theta_4
+        - t38 * chain_omega_5_dot_by_chain_theta_4;
+    let chain_omega_2_dot_by_chain_theta_4 = t115 * t27
+        - t29 * chain_omega_3_dot_by_chain_theta_4
+        - t31 * chain_omega_4_dot_by_chain_theta_4
+        - t33 * chain_omega_5_dot_by_chain_theta_4;
+    let chain_omega_1_dot_by_chain_theta_4 = t112 * R::literal(0.2)
+        - t23 * chain_omega_2_dot_by_chain_theta_4
+        - t24 * chain_omega_3_dot_by_chain_theta_4
+        - t25 * chain_omega_4_dot_by_chain_theta_4
+        - t26 * chain_omega_5_dot_by_chain_theta_4;
+    let t118 = t59 - t73;
+    let t119 = t81 - t92 - t23 * t118;
+    let t120 = t98 - t105 - t24 * t118 - t29 * t119;
+    let t121 = t110 - t113 - t25 * t118 - t31 * t119 - t36 * t120;
+    let chain_omega_5_dot_by_chain_theta_5 = (-(R::literal(9.81) * cos_chain_theta_5)
+        - t63 - t84 - t100 - t111 - t75 - t93 - t106 - t114 - t26 * t118 - t33 * t119
+        - t38 * t120 - t41 * t121) * t42;
+    let chain_omega_4_dot_by_chain_theta_5 = t121 * t39
+        - t41 * chain_omega_5_dot_by_chain_theta_5;
+    let chain_omega_3_dot_by_chain_theta_5 = t120 * t34
+        - t36 * chain_omega_4_dot_by_chain_theta_5
+        - t38 * chain_omega_5_dot_by_chain_theta_5;
+    let chain_omega_2_dot_by_chain_theta_5 = t119 * t27
+        - t29 * chain_omega_3_dot_by_chain_theta_5
+        - t31 * chain_omega_4_dot_by_chain_theta_5
+        - t33 * chain_omega_5_dot_by_chain_theta_5;
+    let chain_omega_1_dot_by_chain_theta_5 = t118 * R::literal(0.2)
+        - t23 * chain_omega_2_dot_by_chain_theta_5
+        - t24 * chain_omega_3_dot_by_chain_theta_5
+        - t25 * chain_omega_4_dot_by_chain_theta_5
+        - t26 * chain_omega_5_dot_by_chain_theta_5;
+    let t122 = R::literal(8.0) * chain_omega_1 * t0;
+    let t123 = R::literal(6.0) * chain_omega_1 * t3 - t29 * t122;
+    let t124 = R::literal(4.0) * chain_omega_1 * t6 - t31 * t122 - t36 * t123;
+    let chain_omega_5_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t9
+        - t33 * t122 - t38 * t123 - t41 * t124) * t42;
+    let chain_omega_4_dot_by_chain_omega_1 = t124 * t39
+        - t41 * chain_omega_5_dot_by_chain_omega_1;
+    let chain_omega_3_dot_by_chain_omega_1 = t123 * t34
+        - t36 * chain_omega_4_dot_by_chain_omega_1
+        - t38 * chain_omega_5_dot_by_chain_omega_1;
+    let chain_omega_2_dot_by_chain_omega_1 = t122 * t27
+        - t29 * chain_omega_3_dot_by_chain_omega_1
+        - t31 * chain_omega_4_dot_by_chain_omega_1
+        - t33 * chain_omega_5_dot_by_chain_omega_1;
+    let chain_omega_1_dot_by_chain_omega_1 = -(t23 * chain_omega_2_dot_by_chain_omega_1)
+        - t24 * chain_omega_3_dot_by_chain_omega_1
+        - t25 * chain_omega_4_dot_by_chain_omega_1
+        - t26 * chain_omega_5_dot_by_chain_omega_1;
+    let t125 = R::literal(8.0) * chain_omega_2 * t0;
+    let t126 = t23 * t125;
+    let t127 = R::literal(6.0) * chain_omega_2 * t11 + t24 * t125 - t29 * t126;
+    let t128 = R::literal(4.0) * chain_omega_2 * t13 + t25 * t125 - t31 * t126
+        - t36 * t127;
+    let chain_omega_5_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t15
+        + t26 * t125 - t33 * t126 - t38 * t127 - t41 * t128) * t42;
+    let chain_omega_4_dot_by_chain_omega_2 = t128 * t39
+        - t41 * chain_omega_5_dot_by_chain_omega_2;
+    let chain_omega_3_dot_by_chain_omega_2 = t127 * t34
+        - t36 * chain_omega_4_dot_by_chain_omega_2
+        - t38 * chain_omega_5_dot_by_chain_omega_2;
+    let chain_omega_2_dot_by_chain_omega_2 = t126 * t27
+        - t29 * chain_omega_3_dot_by_chain_omega_2
+        - t31 * chain_omega_4_dot_by_chain_omega_2
+        - t33 * chain_omega_5_dot_by_chain_omega_2;
+    let chain_omega_1_dot_by_chain_omega_2 = -(t125 * R::literal(0.2))
+        - t23 * chain_omega_2_dot_by_chain_omega_2
+        - t24 * chain_omega_3_dot_by_chain_omega_2
+        - t25 * chain_omega_4_dot_by_chain_omega_2
+        - t26 * chain_omega_5_dot_by_chain_omega_2;
+    let t129 = R::literal(6.0) * chain_omega_3;
+    let t130 = t129 * t3;
+    let t131 = t23 * t130 - t129 * t11;
+    let t132 = t24 * t130 - t29 * t131;
+    let t133 = R::literal(4.0) * chain_omega_3 * t17 + t25 * t130 - t31 * t131
+        - t36 * t132;
+    let chain_omega_5_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t19
+        + t26 * t130 - t33 * t131 - t38 * t132 - t41 * t133) * t42;
+    let chain_omega_4_dot_by_chain_omega_3 = t133 * t39
+        - t41 * chain_omega_5_dot_by_chain_omega_3;
+    let chain_omega_3_dot_by_chain_omega_3 = t132 * t34
+        - t36 * chain_omega_4_dot_by_chain_omega_3
+        - t38 * chain_omega_5_dot_by_chain_omega_3;
+    let chain_omega_2_dot_by_chain_omega_3 = t131 * t27
+        - t29 * chain_omega_3_dot_by_chain_omega_3
+        - t31 * chain_omega_4_dot_by_chain_omega_3
+        - t33 * chain_omega_5_dot_by_chain_omega_3;
+    let chain_omega_1_dot_by_chain_omega_3 = -(t130 * R::literal(0.2))
+        - t23 * chain_omega_2_dot_by_chain_omega_3
+        - t24 * chain_omega_3_dot_by_chain_omega_3
+        - t25 * chain_omega_4_dot_by_chain_omega_3
+        - t26 * chain_omega_5_dot_by_chain_omega_3;
+    let t134 = R::literal(4.0) * chain_omega_4;
+    let t135 = t134 * t6;
+    let t136 = t23 * t135 - t134 * t13;
+    let t137 = t24 * t135 - t134 * t17 - t29 * t136;
+    let t138 = t25 * t135 - t31 * t136 - t36 * t137;
+    let chain_omega_5_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t21
+        + t26 * t135 - t33 * t136 - t38 * t137 - t41 * t138) * t42;
+    let chain_omega_4_dot_by_chain_omega_4 = t138 * t39
+        - t41 * chain_omega_5_dot_by_chain_omega_4;
+    let chain_omega_3_dot_by_chain_omega_4 = t137 * t34
+        - t36 * chain_omega_4_dot_by_chain_omega_4
+        - t38 * chain_omega_5_dot_by_chain_omega_4;
+    let chain_omega_2_dot_by_chain_omega_4 = t136 * t27
+        - t29 * chain_omega_3_dot_by_chain_omega_4
+        - t31 * chain_omega_4_dot_by_chain_omega_4
+        - t33 * chain_omega_5_dot_by_chain_omega_4;
+    let chain_omega_1_dot_by_chain_omega_4 = -(t135 * R::literal(0.2))
+        - t23 * chain_omega_2_dot_by_chain_omega_4
+        - t24 * chain_omega_3_dot_by_chain_omega_4
+        - t25 * chain_omega_4_dot_by_chain_omega_4
+        - t26 * chain_omega_5_dot_by_chain_omega_4;
+    let t139 = R::literal(2.0) * chain_omega_5;
+    let t140 = t139 * t9;
+    let t141 = t23 * t140 - t139 * t15;
+    let t142 = t24 * t140 - t139 * t19 - t29 * t141;
+    let t143 = t25 * t140 - t139 * t21 - t31 * t141 - t36 * t142;
+    let chain_omega_5_dot_by_chain_omega_5 = (t26 * t140 - t33 * t141 - t38 * t142
+        - t41 * t143) * t42;
+    let chain_omega_4_dot_by_chain_omega_5 = t143 * t39
+        - t41 * chain_omega_5_dot_by_chain_omega_5;
+    let chain_omega_3_dot_by_chain_omega_5 = t142 * t34
+        - t36 * chain_omega_4_dot_by_chain_omega_5
+        - t38 * chain_omega_5_dot_by_chain_omega_5;
+    let chain_omega_2_dot_by_chain_omega_5 = t141 * t27
+        - t29 * chain_omega_3_dot_by_chain_omega_5
+        - t31 * chain_omega_4_dot_by_chain_omega_5
+        - t33 * chain_omega_5_dot_by_chain_omega_5;
+    let chain_omega_1_dot_by_chain_omega_5 = -(t140 * R::literal(0.2))
+        - t23 * chain_omega_2_dot_by_chain_omega_5
+        - t24 * chain_omega_3_dot_by_chain_omega_5
+        - t25 * chain_omega_4_dot_by_chain_omega_5
+        - t26 * chain_omega_5_dot_by_chain_omega_5;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1065,7 +1088,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 421 operations.
+/// 397 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -1130,117 +1153,112 @@ pub fn power_balance<R: Real>(
     let t22 = t21 * t20;
     let t23 = R::literal(49.05) * sin_chain_theta_1;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
+    let t24 = chain_theta_1_minus_chain_theta_2.sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t24 = R::literal(3.0) * chain_omega_3_squared;
+    let t25 = chain_theta_1_minus_chain_theta_3.sin();
+    let t26 = R::literal(3.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t25 = R::literal(2.0) * chain_omega_4_squared;
+    let t27 = chain_theta_1_minus_chain_theta_4.sin();
+    let t28 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t26 = -t23
-        - R::literal(4.0) * chain_omega_2_squared
-            * chain_theta_1_minus_chain_theta_2.sin()
-        - t24 * chain_theta_1_minus_chain_theta_3.sin()
-        - t25 * chain_theta_1_minus_chain_theta_4.sin()
-        - chain_omega_5_squared * chain_theta_1_minus_chain_theta_5.sin();
-    let t27 = R::literal(39.24) * sin_chain_theta_2;
+    let t29 = chain_theta_1_minus_chain_theta_5.sin();
+    let t30 = -t23 - R::literal(4.0) * chain_omega_2_squared * t24 - t26 * t25
+        - t28 * t27 - chain_omega_5_squared * t29;
+    let t31 = R::literal(39.24) * sin_chain_theta_2;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t28 = R::literal(29.43) * sin_chain_theta_3;
-    let t29 = R::literal(19.62) * sin_chain_theta_4;
-    let t30 = R::literal(9.81) * sin_chain_theta_5;
-    let t31 = -t27
-        - R::literal(4.0) * chain_omega_1_squared * (chain_theta_2 - chain_theta_1).sin()
-        - t24 * chain_theta_2_minus_chain_theta_3.sin()
-        - t25 * chain_theta_2_minus_chain_theta_4.sin()
-        - chain_omega_5_squared * chain_theta_2_minus_chain_theta_5.sin() - t4 * t26;
-    let t32 = -t28
-        - R::literal(3.0) * chain_omega_1_squared * (chain_theta_3 - chain_theta_1).sin()
-        - R::literal(3.0) * chain_omega_2_squared * (chain_theta_3 - chain_theta_2).sin()
-        - t25 * chain_theta_3_minus_chain_theta_4.sin()
-        - chain_omega_5_squared * chain_theta_3_minus_chain_theta_5.sin() - t5 * t26
-        - t10 * t31;
-    let t33 = -t29
-        - R::literal(2.0) * chain_omega_1_squared * (chain_theta_4 - chain_theta_1).sin()
-        - R::literal(2.0) * chain_omega_2_squared * (chain_theta_4 - chain_theta_2).sin()
-        - R::literal(2.0) * chain_omega_3_squared * (chain_theta_4 - chain_theta_3).sin()
-        - chain_omega_5_squared * chain_theta_4_minus_chain_theta_5.sin() - t6 * t26
-        - t12 * t31;
-    let t34 = t33 - t17 * t32;
-    let t35 = -t30 - chain_omega_1_squared * (chain_theta_5 - chain_theta_1).sin()
-        - chain_omega_2_squared * (chain_theta_5 - chain_theta_2).sin()
-        - chain_omega_3_squared * (chain_theta_5 - chain_theta_3).sin()
-        - chain_omega_4_squared * (chain_theta_5 - chain_theta_4).sin() - t7 * t26
-        - t14 * t31 - t19 * t32;
-    let chain_omega_5_dot = (t35 - t22 * t34)
+    let t32 = chain_theta_2_minus_chain_theta_3.sin();
+    let t33 = chain_theta_2_minus_chain_theta_4.sin();
+    let t34 = chain_theta_2_minus_chain_theta_5.sin();
+    let t35 = R::literal(29.43) * sin_chain_theta_3;
+    let t36 = chain_theta_3_minus_chain_theta_4.sin();
+    let t37 = chain_theta_3_minus_chain_theta_5.sin();
+    let t38 = R::literal(19.62) * sin_chain_theta_4;
+    let t39 = chain_theta_4_minus_chain_theta_5.sin();
+    let t40 = R::literal(9.81) * sin_chain_theta_5;
+    let t41 = R::literal(4.0) * chain_omega_1_squared * t24 - t31 - t26 * t32 - t28 * t33
+        - chain_omega_5_squared * t34 - t4 * t30;
+    let t42 = R::literal(3.0) * chain_omega_1_squared * t25 - t35
+        + R::literal(3.0) * chain_omega_2_squared * t32 - t28 * t36
+        - chain_omega_5_squared * t37 - t5 * t30 - t10 * t41;
+    let t43 = R::literal(2.0) * chain_omega_1_squared * t27 - t38
+        + R::literal(2.0) * chain_omega_2_squared * t33
+        + R::literal(2.0) * chain_omega_3_squared * t36 - chain_omega_5_squared * t39
+        - t6 * t30 - t12 * t41 - t17 * t42;
+    let t44 = chain_omega_1_squared * t29 - t40 + chain_omega_2_squared * t34
+        + chain_omega_3_squared * t37 + chain_omega_4_squared * t39 - t7 * t30
+        - t14 * t41 - t19 * t42 - t22 * t43;
+    let chain_omega_5_dot = t44
         * (R::literal(1.0)
             / (R::literal(1.0) - t7 * t3 - t14 * t13 - t19 * t18 - t22 * t21));
-    let chain_omega_4_dot = t34 * t20 - t22 * chain_omega_5_dot;
-    let chain_omega_3_dot = t32 * t15 - t17 * chain_omega_4_dot
+    let chain_omega_4_dot = t43 * t20 - t22 * chain_omega_5_dot;
+    let chain_omega_3_dot = t42 * t15 - t17 * chain_omega_4_dot
         - t19 * chain_omega_5_dot;
-    let chain_omega_2_dot = t31 * t8 - t10 * chain_omega_3_dot - t12 * chain_omega_4_dot
+    let chain_omega_2_dot = t41 * t8 - t10 * chain_omega_3_dot - t12 * chain_omega_4_dot
         - t14 * chain_omega_5_dot;
-    let chain_omega_1_dot = t26 * R::literal(0.2) - t4 * chain_omega_2_dot
+    let chain_omega_1_dot = t30 * R::literal(0.2) - t4 * chain_omega_2_dot
         - t5 * chain_omega_3_dot - t6 * chain_omega_4_dot - t7 * chain_omega_5_dot;
-    let t36 = R::literal(2.0) * chain_omega_2;
-    let t37 = R::literal(2.0) * chain_omega_3;
-    let t38 = R::literal(2.0) * chain_omega_4;
-    let t39 = R::literal(2.0) * chain_omega_5;
-    let t40 = R::literal(2.0) * chain_v_1;
-    let t41 = R::literal(2.0) * chain_u_1;
-    let t42 = R::literal(0.5)
-        * (t36 * chain_v_2 * cos_chain_theta_2 + t36 * chain_v_3 * cos_chain_theta_2
-            + t36 * chain_v_4 * cos_chain_theta_2 + t36 * chain_v_5 * cos_chain_theta_2
-            - t36 * chain_u_2 * sin_chain_theta_2 - t36 * chain_u_3 * sin_chain_theta_2
-            - t36 * chain_u_4 * sin_chain_theta_2 - t36 * chain_u_5 * sin_chain_theta_2);
-    let t43 = (R::literal(0.5)
-        * (t41 * chain_v_2 + t41 * chain_v_3 + t41 * chain_v_4 + t41 * chain_v_5
-            - t40 * chain_u_2 - t40 * chain_u_3 - t40 * chain_u_4 - t40 * chain_u_5)
-        + t23) * chain_omega_1 + (t42 + t27) * chain_omega_2;
-    let t44 = t43
+    let t45 = R::literal(2.0) * chain_omega_2;
+    let t46 = R::literal(2.0) * chain_omega_3;
+    let t47 = R::literal(2.0) * chain_omega_4;
+    let t48 = R::literal(2.0) * chain_omega_5;
+    let t49 = R::literal(2.0) * chain_v_1;
+    let t50 = R::literal(2.0) * chain_u_1;
+    let t51 = R::literal(0.5)
+        * (t45 * chain_v_2 * cos_chain_theta_2 + t45 * chain_v_3 * cos_chain_theta_2
+            + t45 * chain_v_4 * cos_chain_theta_2 + t45 * chain_v_5 * cos_chain_theta_2
+            - t45 * chain_u_2 * sin_chain_theta_2 - t45 * chain_u_3 * sin_chain_theta_2
+            - t45 * chain_u_4 * sin_chain_theta_2 - t45 * chain_u_5 * sin_chain_theta_2);
+    let t52 = (R::literal(0.5)
+        * (t50 * chain_v_2 + t50 * chain_v_3 + t50 * chain_v_4 + t50 * chain_v_5
+            - t49 * chain_u_2 - t49 * chain_u_3 - t49 * chain_u_4 - t49 * chain_u_5)
+        + t23) * chain_omega_1 + (t51 + t31) * chain_omega_2;
+    let t53 = t52
         + (R::literal(0.5)
-            * (t37 * chain_v_3 * cos_chain_theta_3 + t37 * chain_v_4 * cos_chain_theta_3
-                + t37 * chain_v_5 * cos_chain_theta_3
-                - t37 * chain_u_3 * sin_chain_theta_3
-                - t37 * chain_u_4 * sin_chain_theta_3
-                - t37 * chain_u_5 * sin_chain_theta_3) + t28) * chain_omega_3;
-    let t45 = t44
+            * (t46 * chain_v_3 * cos_chain_theta_3 + t46 * chain_v_4 * cos_chain_theta_3
+                + t46 * chain_v_5 * cos_chain_theta_3
+                - t46 * chain_u_3 * sin_chain_theta_3
+                - t46 * chain_u_4 * sin_chain_theta_3
+                - t46 * chain_u_5 * sin_chain_theta_3) + t35) * chain_omega_3;
+    let t54 = t53
         + (R::literal(0.5)
-            * (t38 * chain_v_4 * cos_chain_theta_4 + t38 * chain_v_5 * cos_chain_theta_4
-                - t38 * chain_u_4 * sin_chain_theta_4
-                - t38 * chain_u_5 * sin_chain_theta_4) + t29) * chain_omega_4
+            * (t47 * chain_v_4 * cos_chain_theta_4 + t47 * chain_v_5 * cos_chain_theta_4
+                - t47 * chain_u_4 * sin_chain_theta_4
+                - t47 * chain_u_5 * sin_chain_theta_4) + t38) * chain_omega_4
         + (R::literal(0.5)
-            * (t39 * chain_v_5 * cos_chain_theta_5 - t39 * chain_u_5 * sin_chain_theta_5)
-            + t30) * chain_omega_5;
-    let t46 = R::literal(2.0) * chain_u_2;
-    let t47 = R::literal(2.0) * chain_v_2;
-    let t48 = R::literal(2.0) * chain_u_3;
-    let t49 = R::literal(2.0) * chain_v_3;
-    let t50 = R::literal(2.0) * chain_u_4;
-    let t51 = R::literal(2.0) * chain_v_4;
-    let t52 = R::literal(2.0) * chain_u_5;
-    let t53 = R::literal(2.0) * chain_v_5;
-    let t54 = t45
+            * (t48 * chain_v_5 * cos_chain_theta_5 - t48 * chain_u_5 * sin_chain_theta_5)
+            + t40) * chain_omega_5;
+    let t55 = R::literal(2.0) * chain_u_2;
+    let t56 = R::literal(2.0) * chain_v_2;
+    let t57 = R::literal(2.0) * chain_u_3;
+    let t58 = R::literal(2.0) * chain_v_3;
+    let t59 = R::literal(2.0) * chain_u_4;
+    let t60 = R::literal(2.0) * chain_v_4;
+    let t61 = R::literal(2.0) * chain_u_5;
+    let t62 = R::literal(2.0) * chain_v_5;
+    let t63 = t54
         + R::literal(0.5)
-            * (t41 * cos_chain_theta_1 + t40 * sin_chain_theta_1
-                + t46 * cos_chain_theta_1 + t47 * sin_chain_theta_1
-                + t48 * cos_chain_theta_1 + t49 * sin_chain_theta_1
-                + t50 * cos_chain_theta_1 + t51 * sin_chain_theta_1
-                + t52 * cos_chain_theta_1 + t53 * sin_chain_theta_1) * chain_omega_1_dot;
-    let t55 = t54
+            * (t50 * cos_chain_theta_1 + t49 * sin_chain_theta_1
+                + t55 * cos_chain_theta_1 + t56 * sin_chain_theta_1
+                + t57 * cos_chain_theta_1 + t58 * sin_chain_theta_1
+                + t59 * cos_chain_theta_1 + t60 * sin_chain_theta_1
+                + t61 * cos_chain_theta_1 + t62 * sin_chain_theta_1) * chain_omega_1_dot;
+    let t64 = t63
         + R::literal(0.5)
-            * (t46 * cos_chain_theta_2 + t47 * sin_chain_theta_2
-                + t48 * cos_chain_theta_2 + t49 * sin_chain_theta_2
-                + t50 * cos_chain_theta_2 + t51 * sin_chain_theta_2
-                + t52 * cos_chain_theta_2 + t53 * sin_chain_theta_2) * chain_omega_2_dot;
-    let t56 = t55
+            * (t55 * cos_chain_theta_2 + t56 * sin_chain_theta_2
+                + t57 * cos_chain_theta_2 + t58 * sin_chain_theta_2
+                + t59 * cos_chain_theta_2 + t60 * sin_chain_theta_2
+                + t61 * cos_chain_theta_2 + t62 * sin_chain_theta_2) * chain_omega_2_dot;
+    let t65 = t64
         + R::literal(0.5)
-            * (t48 * cos_chain_theta_3 + t49 * sin_chain_theta_3
-                + t50 * cos_chain_theta_3 + t51 * sin_chain_theta_3
-                + t52 * cos_chain_theta_3 + t53 * sin_chain_theta_3) * chain_omega_3_dot
+            * (t57 * cos_chain_theta_3 + t58 * sin_chain_theta_3
+                + t59 * cos_chain_theta_3 + t60 * sin_chain_theta_3
+                + t61 * cos_chain_theta_3 + t62 * sin_chain_theta_3) * chain_omega_3_dot
         + R::literal(0.5)
-            * (t50 * cos_chain_theta_4 + t51 * sin_chain_theta_4
-                + t52 * cos_chain_theta_4 + t53 * sin_chain_theta_4) * chain_omega_4_dot;
+            * (t59 * cos_chain_theta_4 + t60 * sin_chain_theta_4
+                + t61 * cos_chain_theta_4 + t62 * sin_chain_theta_4) * chain_omega_4_dot;
     PowerBalance {
-        stored_rate: t56
-            + R::literal(0.5) * (t52 * cos_chain_theta_5 + t53 * sin_chain_theta_5)
+        stored_rate: t65
+            + R::literal(0.5) * (t61 * cos_chain_theta_5 + t62 * sin_chain_theta_5)
                 * chain_omega_5_dot,
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
@@ -1252,7 +1270,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 185 recurrences. 75 sums of products an order.
+/// 171 recurrences. 75 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1338,61 +1356,47 @@ pub fn series<R: Real>(
     let t52 = t51 - t47;
     let t53 = sin_chain_theta_2 * R::literal(39.24);
     let t54 = chain_omega_1 * chain_omega_1;
-    let t55 = -t1;
-    let t56 = t54 * R::literal(4.0);
-    let t57 = t56 * t55;
-    let t58 = t41 * t16;
-    let t59 = t44 * t20;
-    let t60 = t46 * t24;
-    let t61 = -t53;
-    let t62 = t61 - t57;
-    let t63 = t62 - t58;
-    let t64 = t63 - t59;
-    let t65 = t64 - t60;
-    let t66 = sin_chain_theta_3 * R::literal(29.43);
-    let t67 = -t5;
-    let t68 = t54 * R::literal(3.0);
-    let t69 = t68 * t67;
-    let t70 = -t16;
-    let t71 = t37 * R::literal(3.0);
-    let t72 = t71 * t70;
-    let t73 = t44 * t27;
-    let t74 = t46 * t31;
-    let t75 = -t66;
-    let t76 = t75 - t69;
-    let t77 = t76 - t72;
-    let t78 = t77 - t73;
-    let t79 = t78 - t74;
-    let t80 = sin_chain_theta_4 * R::literal(19.62);
-    let t81 = -t9;
-    let t82 = t54 * R::literal(2.0);
-    let t83 = t82 * t81;
-    let t84 = -t20;
-    let t85 = t37 * R::literal(2.0);
-    let t86 = t85 * t84;
-    let t87 = -t27;
-    let t88 = t40 * R::literal(2.0);
-    let t89 = t88 * t87;
-    let t90 = t46 * t34;
-    let t91 = -t80;
-    let t92 = t91 - t83;
-    let t93 = t92 - t86;
-    let t94 = t93 - t89;
-    let t95 = t94 - t90;
-    let t96 = sin_chain_theta_5 * R::literal(9.81);
-    let t97 = -t13;
-    let t98 = t54 * t97;
-    let t99 = -t24;
-    let t100 = t37 * t99;
-    let t101 = -t31;
-    let t102 = t40 * t101;
-    let t103 = -t34;
-    let t104 = t43 * t103;
-    let t105 = -t96;
-    let t106 = t105 - t98;
-    let t107 = t106 - t100;
-    let t108 = t107 - t102;
-    let t109 = t108 - t104;
+    let t55 = t54 * R::literal(4.0);
+    let t56 = t55 * t1;
+    let t57 = t41 * t16;
+    let t58 = t44 * t20;
+    let t59 = t46 * t24;
+    let t60 = t56 - t53;
+    let t61 = t60 - t57;
+    let t62 = t61 - t58;
+    let t63 = t62 - t59;
+    let t64 = sin_chain_theta_3 * R::literal(29.43);
+    let t65 = t54 * R::literal(3.0);
+    let t66 = t65 * t5;
+    let t67 = t37 * R::literal(3.0);
+    let t68 = t67 * t16;
+    let t69 = t44 * t27;
+    let t70 = t46 * t31;
+    let t71 = t66 - t64;
+    let t72 = t71 + t68;
+    let t73 = t72 - t69;
+    let t74 = t73 - t70;
+    let t75 = sin_chain_theta_4 * R::literal(19.62);
+    let t76 = t54 * R::literal(2.0);
+    let t77 = t76 * t9;
+    let t78 = t37 * R::literal(2.0);
+    let t79 = t78 * t20;
+    let t80 = t40 * R::literal(2.0);
+    let t81 = t80 * t27;
+    let t82 = t46 * t34;
+    let t83 = t77 - t75;
+    let t84 = t83 + t79;
+    let t85 = t84 + t81;
+    let t86 = t85 - t82;
+    let t87 = sin_chain_theta_5 * R::literal(9.81);
+    let t88 = t54 * t13;
+    let t89 = t37 * t24;
+    let t90 = t40 * t31;
+    let t91 = t43 * t34;
+    let t92 = t88 - t87;
+    let t93 = t92 + t89;
+    let t94 = t93 + t90;
+    let t95 = t94 + t91;
     let factored = Factored::new([
         [
             R::literal(5.0),
@@ -1407,7 +1411,7 @@ pub fn series<R: Real>(
         [t14, t25, t32, t35, R::literal(1.0)],
     ]);
     let [chain_omega_1_dot, chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot,
-    chain_omega_5_dot] = factored.solve([t52, t65, t79, t95, t109]);
+    chain_omega_5_dot] = factored.solve([t52, t63, t74, t86, t95]);
     let mut rates = [
         chain_omega_1,
         chain_omega_2,
@@ -1519,104 +1523,90 @@ pub fn series<R: Real>(
         let t53_k = sin_chain_theta_2_k * R::literal(39.24);
         let t54_k = sums_3[8] + chain_omega_1 * chain_omega_1_k
             + chain_omega_1_k * chain_omega_1;
-        let t55_k = -t1_k;
-        let t56_k = t54_k * R::literal(4.0);
-        let t57_k = sums_3[9] + t56 * t55_k + t56_k * t55;
-        let t58_k = sums_4[0] + t41 * t16_k + t41_k * t16;
-        let t59_k = sums_4[1] + t44 * t20_k + t44_k * t20;
-        let t60_k = sums_4[2] + t46 * t24_k + t46_k * t24;
-        let t61_k = -t53_k;
-        let t62_k = t61_k - t57_k;
-        let t63_k = t62_k - t58_k;
-        let t64_k = t63_k - t59_k;
-        let t65_k = t64_k - t60_k;
-        let t66_k = sin_chain_theta_3_k * R::literal(29.43);
-        let t67_k = -t5_k;
-        let t68_k = t54_k * R::literal(3.0);
-        let t69_k = sums_4[3] + t68 * t67_k + t68_k * t67;
-        let t70_k = -t16_k;
-        let t71_k = t37_k * R::literal(3.0);
-        let t72_k = sums_4[4] + t71 * t70_k + t71_k * t70;
-        let t73_k = sums_4[5] + t44 * t27_k + t44_k * t27;
-        let t74_k = sums_4[6] + t46 * t31_k + t46_k * t31;
-        let t75_k = -t66_k;
-        let t76_k = t75_k - t69_k;
-        let t77_k = t76_k - t72_k;
-        let t78_k = t77_k - t73_k;
-        let t79_k = t78_k - t74_k;
-        let t80_k = sin_chain_theta_4_k * R::literal(19.62);
-        let t81_k = -t9_k;
-        let t82_k = t54_k * R::literal(2.0);
-        let t83_k = sums_4[7] + t82 * t81_k + t82_k * t81;
-        let t84_k = -t20_k;
-        let t85_k = t37_k * R::literal(2.0);
-        let t86_k = sums_4[8] + t85 * t84_k + t85_k * t84;
-        let t87_k = -t27_k;
-        let t88_k = t40_k * R::literal(2.0);
-        let t89_k = sums_4[9] + t88 * t87_k + t88_k * t87;
-        let t90_k = sums_5[0] + t46 * t34_k + t46_k * t34;
-        let t91_k = -t80_k;
-        let t92_k = t91_k - t83_k;
-        let t93_k = t92_k - t86_k;
-        let t94_k = t93_k - t89_k;
-        let t95_k = t94_k - t90_k;
-        let t96_k = sin_chain_theta_5_k * R::literal(9.81);
-        let t97_k = -t13_k;
-        let t98_k = sums_5[1] + t54 * t97_k + t54_k * t97;
-        let t99_k = -t24_k;
-        let t100_k = sums_5[2] + t37 * t99_k + t37_k * t99;
-        let t101_k = -t31_k;
-        let t102_k = sums_5[3] + t40 * t101_k + t40_k * t101;
-        let t103_k = -t34_k;
-        let t104_k = sums_5[4] + t43 * t103_k + t43_k * t103;
-        let t105_k = -t96_k;
-        let t106_k = t105_k - t98_k;
-        let t107_k = t106_k - t100_k;
-        let t108_k = t107_k - t102_k;
-        let t109_k = t108_k - t104_k;
-        let n145_k = sums_5[5] + t3_k * chain_omega_2_dot;
-        let n146_k = sums_5[6] + t7_k * chain_omega_3_dot;
-        let n147_k = sums_5[7] + t11_k * chain_omega_4_dot;
-        let n148_k = sums_5[8] + t14_k * chain_omega_5_dot;
-        let n149_k = sums_5[9] + t3_k * chain_omega_1_dot;
-        let n150_k = sums_6[0] + t18_k * chain_omega_3_dot;
-        let n151_k = sums_6[1] + t22_k * chain_omega_4_dot;
-        let n152_k = sums_6[2] + t25_k * chain_omega_5_dot;
-        let n153_k = sums_6[3] + t7_k * chain_omega_1_dot;
-        let n154_k = sums_6[4] + t18_k * chain_omega_2_dot;
-        let n155_k = sums_6[5] + t29_k * chain_omega_4_dot;
-        let n156_k = sums_6[6] + t32_k * chain_omega_5_dot;
-        let n157_k = sums_6[7] + t11_k * chain_omega_1_dot;
-        let n158_k = sums_6[8] + t22_k * chain_omega_2_dot;
-        let n159_k = sums_6[9] + t29_k * chain_omega_3_dot;
-        let n160_k = sums_7[0] + t35_k * chain_omega_5_dot;
-        let n161_k = sums_7[1] + t14_k * chain_omega_1_dot;
-        let n162_k = sums_7[2] + t25_k * chain_omega_2_dot;
-        let n163_k = sums_7[3] + t32_k * chain_omega_3_dot;
-        let n164_k = sums_7[4] + t35_k * chain_omega_4_dot;
-        let n165_k = n145_k + n146_k;
-        let n166_k = n147_k + n148_k;
-        let n167_k = n165_k + n166_k;
-        let t52_k_2 = t52_k - n167_k;
-        let n169_k = n149_k + n150_k;
-        let n170_k = n151_k + n152_k;
-        let n171_k = n169_k + n170_k;
-        let t65_k_2 = t65_k - n171_k;
-        let n173_k = n153_k + n154_k;
-        let n174_k = n155_k + n156_k;
-        let n175_k = n173_k + n174_k;
-        let t79_k_2 = t79_k - n175_k;
-        let n177_k = n157_k + n158_k;
-        let n178_k = n159_k + n160_k;
-        let n179_k = n177_k + n178_k;
-        let t95_k_2 = t95_k - n179_k;
-        let n181_k = n161_k + n162_k;
-        let n182_k = n163_k + n164_k;
-        let n183_k = n181_k + n182_k;
-        let t109_k_2 = t109_k - n183_k;
+        let t55_k = t54_k * R::literal(4.0);
+        let t56_k = sums_3[9] + t55 * t1_k + t55_k * t1;
+        let t57_k = sums_4[0] + t41 * t16_k + t41_k * t16;
+        let t58_k = sums_4[1] + t44 * t20_k + t44_k * t20;
+        let t59_k = sums_4[2] + t46 * t24_k + t46_k * t24;
+        let t60_k = t56_k - t53_k;
+        let t61_k = t60_k - t57_k;
+        let t62_k = t61_k - t58_k;
+        let t63_k = t62_k - t59_k;
+        let t64_k = sin_chain_theta_3_k * R::literal(29.43);
+        let t65_k = t54_k * R::literal(3.0);
+        let t66_k = sums_4[3] + t65 * t5_k + t65_k * t5;
+        let t67_k = t37_k * R::literal(3.0);
+        let t68_k = sums_4[4] + t67 * t16_k + t67_k * t16;
+        let t69_k = sums_4[5] + t44 * t27_k + t44_k * t27;
+        let t70_k = sums_4[6] + t46 * t31_k + t46_k * t31;
+        let t71_k = t66_k - t64_k;
+        let t72_k = t71_k + t68_k;
+        let t73_k = t72_k - t69_k;
+        let t74_k = t73_k - t70_k;
+        let t75_k = sin_chain_theta_4_k * R::literal(19.62);
+        let t76_k = t54_k * R::literal(2.0);
+        let t77_k = sums_4[7] + t76 * t9_k + t76_k * t9;
+        let t78_k = t37_k * R::literal(2.0);
+        let t79_k = sums_4[8] + t78 * t20_k + t78_k * t20;
+        let t80_k = t40_k * R::literal(2.0);
+        let t81_k = sums_4[9] + t80 * t27_k + t80_k * t27;
+        let t82_k = sums_5[0] + t46 * t34_k + t46_k * t34;
+        let t83_k = t77_k - t75_k;
+        let t84_k = t83_k + t79_k;
+        let t85_k = t84_k + t81_k;
+        let t86_k = t85_k - t82_k;
+        let t87_k = sin_chain_theta_5_k * R::literal(9.81);
+        let t88_k = sums_5[1] + t54 * t13_k + t54_k * t13;
+        let t89_k = sums_5[2] + t37 * t24_k + t37_k * t24;
+        let t90_k = sums_5[3] + t40 * t31_k + t40_k * t31;
+        let t91_k = sums_5[4] + t43 * t34_k + t43_k * t34;
+        let t92_k = t88_k - t87_k;
+        let t93_k = t92_k + t89_k;
+        let t94_k = t93_k + t90_k;
+        let t95_k = t94_k + t91_k;
+        let n131_k = sums_5[5] + t3_k * chain_omega_2_dot;
+        let n132_k = sums_5[6] + t7_k * chain_omega_3_dot;
+        let n133_k = sums_5[7] + t11_k * chain_omega_4_dot;
+        let n134_k = sums_5[8] + t14_k * chain_omega_5_dot;
+        let n135_k = sums_5[9] + t3_k * chain_omega_1_dot;
+        let n136_k = sums_6[0] + t18_k * chain_omega_3_dot;
+        let n137_k = sums_6[1] + t22_k * chain_omega_4_dot;
+        let n138_k = sums_6[2] + t25_k * chain_omega_5_dot;
+        let n139_k = sums_6[3] + t7_k * chain_omega_1_dot;
+        let n140_k = sums_6[4] + t18_k * chain_omega_2_dot;
+        let n141_k = sums_6[5] + t29_k * chain_omega_4_dot;
+        let n142_k = sums_6[6] + t32_k * chain_omega_5_dot;
+        let n143_k = sums_6[7] + t11_k * chain_omega_1_dot;
+        let n144_k = sums_6[8] + t22_k * chain_omega_2_dot;
+        let n145_k = sums_6[9] + t29_k * chain_omega_3_dot;
+        let n146_k = sums_7[0] + t35_k * chain_omega_5_dot;
+        let n147_k = sums_7[1] + t14_k * chain_omega_1_dot;
+        let n148_k = sums_7[2] + t25_k * chain_omega_2_dot;
+        let n149_k = sums_7[3] + t32_k * chain_omega_3_dot;
+        let n150_k = sums_7[4] + t35_k * chain_omega_4_dot;
+        let n151_k = n131_k + n132_k;
+        let n152_k = n133_k + n134_k;
+        let n153_k = n151_k + n152_k;
+        let t52_k_2 = t52_k - n153_k;
+        let n155_k = n135_k + n136_k;
+        let n156_k = n137_k + n138_k;
+        let n157_k = n155_k + n156_k;
+        let t63_k_2 = t63_k - n157_k;
+        let n159_k = n139_k + n140_k;
+        let n160_k = n141_k + n142_k;
+        let n161_k = n159_k + n160_k;
+        let t74_k_2 = t74_k - n161_k;
+        let n163_k = n143_k + n144_k;
+        let n164_k = n145_k + n146_k;
+        let n165_k = n163_k + n164_k;
+        let t86_k_2 = t86_k - n165_k;
+        let n167_k = n147_k + n148_k;
+        let n168_k = n149_k + n150_k;
+        let n169_k = n167_k + n168_k;
+        let t95_k_2 = t95_k - n169_k;
         let [chain_omega_1_dot_k, chain_omega_2_dot_k, chain_omega_3_dot_k,
         chain_omega_4_dot_k, chain_omega_5_dot_k] = factored
-            .solve([t52_k_2, t65_k_2, t79_k_2, t95_k_2, t109_k_2]);
+            .solve([t52_k_2, t63_k_2, t74_k_2, t86_k_2, t95_k_2]);
         lanes
             .set(
                 order,
@@ -1692,7 +1682,7 @@ pub fn series<R: Real>(
                     chain_omega_5_k,
                     t13_k,
                     chain_omega_1_k,
-                    t55_k,
+                    t1_k,
                 ],
                 [
                     chain_omega_2_k,
@@ -1704,25 +1694,25 @@ pub fn series<R: Real>(
                     chain_omega_5_k,
                     t46_k,
                     chain_omega_1_k,
-                    t56_k,
+                    t55_k,
                 ],
             );
         lanes_4
             .set(
                 order,
-                [t16_k, t20_k, t24_k, t67_k, t70_k, t27_k, t31_k, t81_k, t84_k, t87_k],
-                [t41_k, t44_k, t46_k, t68_k, t71_k, t44_k, t46_k, t82_k, t85_k, t88_k],
+                [t16_k, t20_k, t24_k, t5_k, t16_k, t27_k, t31_k, t9_k, t20_k, t27_k],
+                [t41_k, t44_k, t46_k, t65_k, t67_k, t44_k, t46_k, t76_k, t78_k, t80_k],
             );
         lanes_5
             .set(
                 order,
-                [t34_k, t54_k, t37_k, t40_k, t43_k, t3_k, t7_k, t11_k, t14_k, t3_k],
+                [t34_k, t13_k, t24_k, t31_k, t34_k, t3_k, t7_k, t11_k, t14_k, t3_k],
                 [
                     t46_k,
-                    t97_k,
-                    t99_k,
-                    t101_k,
-                    t103_k,
+                    t54_k,
+                    t37_k,
+                    t40_k,
+                    t43_k,
                     chain_omega_2_dot_k,
                     chain_omega_3_dot_k,
                     chain_omega_4_dot_k,

@@ -91,6 +91,14 @@ macro_rules! lanes {
             fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
                 Self(lhs.0.simd_lt(rhs.0).bitselect(then.0, otherwise.0))
             }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                if cfg!(target_feature = "fma") {
+                    Self(self.0.mul_add(factor.0, summand.0))
+                } else {
+                    self * factor + summand
+                }
+            }
             fn powf(self, exponent: Self) -> Self {
                 let (base, exponent) = (self.0.to_array(), exponent.0.to_array());
                 let powers = std::array::from_fn::<f64, $count, _>(|lane| {

@@ -24,6 +24,12 @@ pub trait Real:
     fn literal(value: f64) -> Self;
     /// `if lhs < rhs { then } else { otherwise }`.
     fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self;
+    /// `self factor + summand`, in one operation and rounded once where the target the
+    /// program is compiled for has one (`-C target-cpu=native`), else in two.
+    #[inline(always)]
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        self * factor + summand
+    }
     /// Integer power, by repeated squaring, so that it is the same to the last
     /// bit with and without `std`.
     fn powi(self, exponent: i32) -> Self {
@@ -78,6 +84,14 @@ macro_rules! implement_real {
             #[inline(always)]
             fn select_less(lhs: Self, rhs: Self, then: Self, otherwise: Self) -> Self {
                 if lhs < rhs { then } else { otherwise }
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                // Without the instruction the fused function is a slow emulation.
+                #[cfg(all(feature = "std", target_feature = "fma"))]
+                { <$float>::mul_add(self, factor, summand) }
+                #[cfg(not(all(feature = "std", target_feature = "fma")))]
+                { self * factor + summand }
             }
             fn interpolate(table: &CubicTable<'_>, order: u32, argument: Self) -> Self {
                 table.search(order, argument)

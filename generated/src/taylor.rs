@@ -103,7 +103,7 @@ impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
 #[inline(always)]
 fn add_products<R: Real, const N: usize>(sums: &mut [R; N], left: &[R; N], right: &[R; N]) {
     for lane in 0..N {
-        sums[lane] = sums[lane] + left[lane] * right[lane];
+        sums[lane] = left[lane].mul_add(right[lane], sums[lane]);
     }
 }
 
@@ -132,9 +132,9 @@ impl<R: Real, const N: usize> Factored<R, N> {
         for column in 0..N {
             let inverse = R::literal(1.0) / matrix[column][column];
             for row in column + 1..N {
-                let scaled = matrix[row][column] * inverse;
+                let scaled = -(matrix[row][column] * inverse);
                 for other in column + 1..=row {
-                    matrix[row][other] = matrix[row][other] - scaled * matrix[other][column];
+                    matrix[row][other] = scaled.mul_add(matrix[other][column], matrix[row][other]);
                 }
             }
             for row in column + 1..N {
@@ -149,14 +149,16 @@ impl<R: Real, const N: usize> Factored<R, N> {
     #[must_use]
     pub fn solve(&self, mut right_side: [R; N]) -> [R; N] {
         for column in 0..N {
+            let minus = -right_side[column];
             for row in column + 1..N {
-                right_side[row] = right_side[row] - self.factors[row][column] * right_side[column];
+                right_side[row] = self.factors[row][column].mul_add(minus, right_side[row]);
             }
         }
         for row in (0..N).rev() {
             right_side[row] = right_side[row] * self.factors[row][row];
             for other in row + 1..N {
-                right_side[row] = right_side[row] - self.factors[other][row] * right_side[other];
+                right_side[row] =
+                    self.factors[other][row].mul_add(-right_side[other], right_side[row]);
             }
         }
         right_side

@@ -1,5 +1,7 @@
 //! Weighted sums of stages, in lanes.
 
+use machinist_scenes::Real;
+
 /// Stages are padded to a multiple of so many states, and summed so many at once.
 pub(super) const LANES: usize = 4;
 
@@ -26,13 +28,13 @@ pub(super) fn combine(
         for &(offset, weight) in sum {
             let stage = &stages[offset + at..][..LANES];
             for (total, stage) in total.iter_mut().zip(stage) {
-                *total += weight * stage;
+                *total = Real::mul_add(weight, *stage, *total);
             }
         }
         match start {
             Some(start) => {
                 for ((into, total), start) in into.iter_mut().zip(total).zip(&start[at..]) {
-                    *into = start + step * total;
+                    *into = Real::mul_add(step, total, *start);
                 }
             }
             None => {

@@ -175,12 +175,29 @@ impl Builder {
 
     fn product(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if self.tape.is_constant(a) {
-            return self.push(Recurrence::Scaled { series: b, factor: a });
+            return self.scaled(b, a);
         }
         if self.tape.is_constant(b) {
-            return self.push(Recurrence::Scaled { series: a, factor: b });
+            return self.scaled(a, b);
         }
         self.push(Recurrence::Product(a, b))
+    }
+
+    /// Factors of factors are one: what an order costs is its longest chain.
+    fn scaled(&mut self, series: NodeId, factor: NodeId) -> NodeId {
+        let Recurrence::Scaled { series: inner, factor: first } = self.tape[series].recurrence
+        else {
+            return self.push(Recurrence::Scaled { series, factor });
+        };
+        let literal = |id: NodeId| match self.tape[id].recurrence {
+            Recurrence::Constant(Op::Literal(value)) => Some(value),
+            _ => None,
+        };
+        let factor = match (literal(first), literal(factor)) {
+            (Some(a), Some(b)) if (a * b).is_finite() => self.number(a * b),
+            _ => self.push(Recurrence::Constant(Op::Mul(first, factor))),
+        };
+        self.push(Recurrence::Scaled { series: inner, factor })
     }
 
     fn quotient(&mut self, a: NodeId, b: NodeId) -> NodeId {
@@ -197,7 +214,7 @@ impl Builder {
                 self.push(Recurrence::Constant(Op::Div(one, b)))
             }
         };
-        self.push(Recurrence::Scaled { series: a, factor })
+        self.scaled(a, factor)
     }
 
     /// By repeated squaring.

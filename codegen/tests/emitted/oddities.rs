@@ -728,12 +728,10 @@ pub fn series<R: Real>(
         }
         let [state_2_k, STATES_2_k, p_2_k] = *state_k;
         let sums = lanes.sums(order);
-        let t0_k = STATES_2_k * p.arm_damping;
-        let t1_k = p_2_k - t0_k;
-        let sin_state_2_k = inverse * sums[0] + state_2_k * cos_state_2;
-        let cos_state_2_k = -(inverse * sums[1] + state_2_k * sin_state_2);
-        let t4_k = sin_state_2_k * t3;
-        let t5_k = t1_k - t4_k;
+        let t1_k = (-STATES_2_k).mul_add(p.arm_damping, p_2_k);
+        let sin_state_2_k = state_2_k.mul_add(cos_state_2, inverse * sums[0]);
+        let cos_state_2_k = -state_2_k.mul_add(sin_state_2, inverse * sums[1]);
+        let t5_k = (-sin_state_2_k).mul_add(t3, t1_k);
         let t8_k = t5_k * t7;
         let time_k = R::literal(if order == 1 { 1.0 } else { 0.0 });
         let t9_k = t9_first * time_k + t9_second * sums[2] + t9_third * sums[3];

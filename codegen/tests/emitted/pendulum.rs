@@ -497,12 +497,10 @@ pub fn series<R: Real>(
         }
         let [arm_phi_k, arm_phi_dot_k, drive_torque_k] = *state_k;
         let sums = lanes.sums(order);
-        let t0_k = arm_phi_dot_k * p.arm_damping;
-        let t1_k = drive_torque_k - t0_k;
-        let sin_arm_phi_k = inverse * sums[0] + arm_phi_k * cos_arm_phi;
-        let cos_arm_phi_k = -(inverse * sums[1] + arm_phi_k * sin_arm_phi);
-        let t4_k = sin_arm_phi_k * t3;
-        let t5_k = t1_k - t4_k;
+        let t1_k = (-arm_phi_dot_k).mul_add(p.arm_damping, drive_torque_k);
+        let sin_arm_phi_k = arm_phi_k.mul_add(cos_arm_phi, inverse * sums[0]);
+        let cos_arm_phi_k = -arm_phi_k.mul_add(sin_arm_phi, inverse * sums[1]);
+        let t5_k = (-sin_arm_phi_k).mul_add(t3, t1_k);
         let t8_k = t5_k * t7;
         let time_k = R::literal(if order == 1 { 1.0 } else { 0.0 });
         let t9_k = t9_first * time_k + t9_second * sums[2] + t9_third * sums[3];

@@ -1075,31 +1075,31 @@ pub fn series<R: Real>(
         let t4_k = arm_phi_k - arm_phi_dot_k;
         let t5_k = -t4_k;
         let t6_k = R::select_less(t4, R::literal(0.0), t5_k, t4_k);
-        let t7_k = inverse * sums[2] + t4_k * t7;
-        let t8_k = inverse * sums[3] + t5_k * t8;
-        let t9_k = inverse * sums[4] + t4_k * t10;
-        let t10_k = -(inverse * sums[5] + t4_k * t9);
+        let t7_k = t4_k.mul_add(t7, inverse * sums[2]);
+        let t8_k = t5_k.mul_add(t8, inverse * sums[3]);
+        let t9_k = t4_k.mul_add(t10, inverse * sums[4]);
+        let t10_k = -t4_k.mul_add(t9, inverse * sums[5]);
         let t11_k = -t9_k;
-        let t12_k = inverse * sums[6] + t4_k * t14;
-        let t13_k = sums[7] + t12 * t12_k + t12_k * t12;
+        let t12_k = t4_k.mul_add(t14, inverse * sums[6]);
+        let t13_k = t12_k.mul_add(t12, t12.mul_add(t12_k, sums[7]));
         let t15_k = -t12_k;
-        let t16_k = sums[8] + t4 * t4_k + t4_k * t4;
+        let t16_k = t4_k.mul_add(t4, t4.mul_add(t4_k, sums[8]));
         let t17_k = -t16_k;
         let t18_k = (t17_k - sums[9]) * inverse_t18;
         let t19_k = (t4_k - inverse * sums_1[0]) * inverse_t18_2;
         let t20_k = -t19_k;
         let t21_k = (-t4_k - inverse * sums_1[1]) * inverse_t18_3;
-        let t22_k = sums_1[2] + t5 * t5_k + t5_k * t5;
+        let t22_k = t5_k.mul_add(t5, t5.mul_add(t5_k, sums_1[2]));
         let t23_k = -t22_k;
         let t24_k = (t23_k - sums_1[3]) * inverse_t24;
         let t25_k = (-t5_k - inverse * sums_1[4]) * inverse_t24_2;
         let t27_k = (t4_k - inverse * sums_1[5]) * inverse_t26;
         let t28_k = -t27_k;
-        let t29_k = inverse * sums_1[6] + t4_k * t30;
-        let t30_k = inverse * sums_1[7] + t4_k * t29;
+        let t29_k = t4_k.mul_add(t30, inverse * sums_1[6]);
+        let t30_k = t4_k.mul_add(t29, inverse * sums_1[7]);
         let t31_k = -t29_k;
-        let t32_k = inverse * sums_1[8] + t4_k * t34;
-        let t33_k = sums_1[9] + t32 * t32_k + t32_k * t32;
+        let t32_k = t4_k.mul_add(t34, inverse * sums_1[8]);
+        let t33_k = t32_k.mul_add(t32, t32.mul_add(t32_k, sums_1[9]));
         let t34_k = -t33_k;
         let t35_k = -t32_k;
         let t36_k = t36_first * arm_phi_k + t36_second * sums_2[0]
@@ -1110,35 +1110,36 @@ pub fn series<R: Real>(
             + t38_third * sums_2[1];
         let t39_k = t39_first * arm_phi_k + t39_second * sums_2[0]
             + t39_third * sums_2[1];
-        let t41_k = sums_2[2] + arm_phi * arm_phi_dot_k + arm_phi_k * arm_phi_dot;
+        let t41_k = arm_phi_k
+            .mul_add(arm_phi_dot, arm_phi.mul_add(arm_phi_dot_k, sums_2[2]));
         let t42_k = arm_phi_dot_k * p.arm_length;
         let t44_k = arm_phi_k * t43;
         let t45_k = arm_phi_k * R::literal(0.5);
-        let t46_k = (arm_phi_dot_k - sums_2[3] - arm_phi_k * t46) * inverse_t40;
-        let t47_k = -(sums_2[4] + arm_phi_k * t47) * inverse_t40_2;
+        let t46_k = (-arm_phi_k).mul_add(t46, arm_phi_dot_k - sums_2[3]) * inverse_t40;
+        let t47_k = -arm_phi_k.mul_add(t47, sums_2[4]) * inverse_t40_2;
         let t48_k = -arm_phi_k;
-        let t50_k = sums_2[5] + t40 * arm_phi_k + arm_phi_k * t40;
-        let t51_k = sums_2[6] + t40 * t50_k + arm_phi_k * t50;
-        let t52_k = -(sums_2[7] + t51_k * t52) * inverse_t51;
-        let t53_k = -(sums_2[8] + arm_phi_k * t53) * inverse_t40_3;
-        let t54_k = sums_2[9] + t50 * t50_k + t50_k * t50;
-        let t55_k = sums_3[0] + t51 * t54_k + t51_k * t54;
-        let t56_k = (p.arm_length * (arm_phi_k * t56 + inverse * sums_3[1])
+        let t50_k = arm_phi_k.mul_add(t40, t40.mul_add(arm_phi_k, sums_2[5]));
+        let t51_k = arm_phi_k.mul_add(t50, t40.mul_add(t50_k, sums_2[6]));
+        let t52_k = -t51_k.mul_add(t52, sums_2[7]) * inverse_t51;
+        let t53_k = -arm_phi_k.mul_add(t53, sums_2[8]) * inverse_t40_3;
+        let t54_k = t50_k.mul_add(t50, t50.mul_add(t50_k, sums_2[9]));
+        let t55_k = t51_k.mul_add(t54, t51.mul_add(t54_k, sums_3[0]));
+        let t56_k = (p.arm_length * arm_phi_k.mul_add(t56, inverse * sums_3[1])
             - inverse * sums_3[2]) * inverse_t40_4;
-        let t57_k = (R::literal(-2.5) * (arm_phi_k * t57 + inverse * sums_3[3])
+        let t57_k = (R::literal(-2.5) * arm_phi_k.mul_add(t57, inverse * sums_3[3])
             - inverse * sums_3[4]) * inverse_t40_5;
         let t58_k = (arm_phi_k - inverse * sums_3[5]) * inverse_t40_6;
-        let t59_k = sums_3[6] + arm_phi_dot * t58_k + arm_phi_dot_k * t58;
-        let t60_k = inverse * sums_3[7] + t59_k * t60;
+        let t59_k = arm_phi_dot_k.mul_add(t58, arm_phi_dot.mul_add(t58_k, sums_3[6]));
+        let t60_k = t59_k.mul_add(t60, inverse * sums_3[7]);
         let t61_k = R::select_less(arm_phi, arm_phi_dot, arm_phi_k, arm_phi_k);
         let t62_k = R::select_less(arm_phi_dot, arm_phi, R::literal(0.0), arm_phi_k);
         let time_k = R::literal(if order == 1 { 1.0 } else { 0.0 });
-        let t63_k = time_k * p.arm_length;
-        let t65_k = -t63_k;
-        let t66_k = R::literal(1.0) * arm_phi_before + time * arm_phi_k;
-        let t67_k = p.arm_length * t65_before + t64 * t65_k;
-        let t68_k = t63_k + arm_phi_k;
-        let t69_k = t69_first * t63_k + t69_second * sums_3[8] + t69_third * sums_3[9];
+        let t65_k = -time_k * p.arm_length;
+        let t66_k = time.mul_add(arm_phi_k, R::literal(1.0) * arm_phi_before);
+        let t67_k = t64.mul_add(t65_k, p.arm_length * t65_before);
+        let t68_k = time_k * p.arm_length + arm_phi_k;
+        let t69_k = t69_first * time_k * p.arm_length + t69_second * sums_3[8]
+            + t69_third * sums_3[9];
         let t70_k = inverse * p.arm_length * t71_before;
         let t71_k = -inverse * p.arm_length * t70_before;
         let t72_k = -t70_k;
@@ -1148,7 +1149,7 @@ pub fn series<R: Real>(
         let t76_k = inverse * p.arm_length * t75_before;
         let t77_k = -t75_k;
         let t78_k = inverse * p.arm_length * t80_before;
-        let t79_k = sums_4[0] + t78 * t78_k + t78_k * t78;
+        let t79_k = t78_k.mul_add(t78, t78.mul_add(t78_k, sums_4[0]));
         let t80_k = -t79_k;
         let t81_k = -t78_k;
         lanes
@@ -1225,8 +1226,8 @@ pub fn series<R: Real>(
                     k * t58_k,
                     arm_phi_dot_k,
                     k * t59_k,
-                    t63_k,
-                    t63_k,
+                    time_k * p.arm_length,
+                    time_k * p.arm_length,
                 ],
                 [
                     t54_k,
@@ -1237,7 +1238,7 @@ pub fn series<R: Real>(
                     arm_phi_k,
                     t58_k,
                     t60_k,
-                    t63_k,
+                    time_k * p.arm_length,
                     sums_3[8],
                 ],
             );
@@ -1302,7 +1303,7 @@ pub fn series<R: Real>(
             t60_k,
             t61_k,
             t62_k,
-            t63_k,
+            time_k * p.arm_length,
             t66_k,
             t67_k,
             t68_k,

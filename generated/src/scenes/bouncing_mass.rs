@@ -605,21 +605,21 @@ pub fn series<R: Real>(
     let t0 = time * p.frequency;
     let t1 = t0.sin();
     let t2 = t0.cos();
-    let plate = t1 * p.amplitude;
     let t3 = p.frequency * p.frequency;
-    let t4 = plate * t3;
-    let t5 = p.ball_gravity - t4;
-    let ball_weight = t5 * p.ball_mass;
+    let t4 = p.amplitude * t3;
+    let t5 = t1 * t4;
+    let t6 = p.ball_gravity - t5;
+    let ball_weight = t6 * p.ball_mass;
     let ball_contact_force = R::select_less(
         ball_resting,
         R::literal(0.5),
         R::literal(0.0),
         ball_weight,
     );
-    let t6 = R::literal(1.0) / p.ball_mass;
-    let t7 = p.ball_mass * p.ball_gravity;
-    let t8 = ball_contact_force - t7;
-    let ball_v_dot = t8 * t6;
+    let t7 = R::literal(1.0) / p.ball_mass;
+    let t8 = p.ball_mass * p.ball_gravity;
+    let t9 = ball_contact_force - t8;
+    let ball_v_dot = t9 * t7;
     let mut t1_before = t1;
     let mut t2_before = t2;
     let mut rates = [ball_v, ball_v_dot, R::literal(0.0)];
@@ -634,17 +634,15 @@ pub fn series<R: Real>(
         let [_, ball_v_k, ..] = *state_k;
         let t1_k = inverse * p.frequency * t2_before;
         let t2_k = -inverse * p.frequency * t1_before;
-        let plate_k = t1_k * p.amplitude;
-        let t4_k = plate_k * t3;
-        let t5_k = -t4_k;
-        let ball_weight_k = t5_k * p.ball_mass;
+        let t6_k = -t1_k * t4;
+        let ball_weight_k = t6_k * p.ball_mass;
         let ball_contact_force_k = R::select_less(
             ball_resting,
             R::literal(0.5),
             R::literal(0.0),
             ball_weight_k,
         );
-        let ball_v_dot_k = ball_contact_force_k * t6;
+        let ball_v_dot_k = ball_contact_force_k * t7;
         t1_before = t1_k;
         t2_before = t2_k;
         rates = [ball_v_k, ball_v_dot_k, R::literal(0.0)];

@@ -619,15 +619,11 @@ pub fn series<R: Real>(
             break;
         }
         let [oscillator_x_k, oscillator_v_k, ..] = *state_k;
-        let t0_k = oscillator_v_k * p.stop_damping;
-        let t2_k = oscillator_x_k * p.oscillator_stiffness;
-        let t3_k = oscillator_v_k * p.oscillator_damping;
-        let t4_k = oscillator_x_k * p.stop_stiffness;
-        let t6_k = -t4_k;
-        let t7_k = t6_k - t0_k;
+        let t6_k = -oscillator_x_k * p.stop_stiffness;
+        let t7_k = (-oscillator_v_k).mul_add(p.stop_damping, t6_k);
         let t8_k = R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), t7_k);
-        let t9_k = t8_k - t2_k;
-        let t10_k = t9_k - t3_k;
+        let t9_k = (-oscillator_x_k).mul_add(p.oscillator_stiffness, t8_k);
+        let t10_k = (-oscillator_v_k).mul_add(p.oscillator_damping, t9_k);
         let oscillator_v_dot_k = t10_k * t1;
         rates = [oscillator_v_k, oscillator_v_dot_k, R::literal(0.0)];
     }

@@ -543,15 +543,14 @@ pub fn series<R: Real>(
         }
         let [oscillator_x_k, oscillator_v_k] = *state_k;
         let sums = lanes.sums(order);
-        let t2_k = sums[0] + t1 * oscillator_x_k + oscillator_x_k * t1;
+        let t2_k = oscillator_x_k.mul_add(t1, t1.mul_add(oscillator_x_k, sums[0]));
         let t4_k = (t2_k - sums[1]) * inverse_t4;
         let t5_k = oscillator_x_k + t4_k;
         let t7_k = oscillator_v_k * p.oscillator_damping;
-        let t8_k = (oscillator_x_k - sums[2] - t4_k * t8) * inverse_t4_2;
+        let t8_k = (-t4_k).mul_add(t8, oscillator_x_k - sums[2]) * inverse_t4_2;
         let t11_k = t8_k * t10;
-        let t12_k = sums[3] + t11 * t5_k + t11_k * t5;
-        let t13_k = oscillator_x_k * p.oscillator_stiffness;
-        let t14_k = t12_k + t13_k;
+        let t12_k = t11_k.mul_add(t5, t11.mul_add(t5_k, sums[3]));
+        let t14_k = oscillator_x_k.mul_add(p.oscillator_stiffness, t12_k);
         let t15_k = -t7_k;
         let t16_k = t15_k - t14_k;
         let oscillator_v_dot_k = t16_k * t6;

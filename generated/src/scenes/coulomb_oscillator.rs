@@ -712,15 +712,13 @@ pub fn series<R: Real>(
         }
         let [slider_x_k, slider_v_k, slider_slip_k] = *state_k;
         let sums = lanes.sums(order);
-        let t0_k = slider_x_k * p.slider_stiffness;
-        let t1_k = slider_v_k * p.slider_damping;
-        let slider_held_k = t0_k + t1_k;
+        let slider_held_k = slider_v_k
+            .mul_add(p.slider_damping, slider_x_k * p.slider_stiffness);
         let t3_k = slider_v_k * t2;
-        let t4_k = sums[0] + t3 * slider_slip_k + t3_k * slider_slip;
+        let t4_k = t3_k.mul_add(slider_slip, t3.mul_add(slider_slip_k, sums[0]));
         let t5_k = -t4_k;
-        let t6_k = inverse * sums[1] + t5_k * t6;
-        let t7_k = t6_k * p.slider_stribeck_friction;
-        let slider_dragged_k = t7_k * p.slider_normal_force;
+        let t6_k = t5_k.mul_add(t6, inverse * sums[1]);
+        let slider_dragged_k = t6_k * p.slider_stribeck_friction * p.slider_normal_force;
         let t9_k = -slider_dragged_k;
         let t10_k = R::select_less(slider_slip, R::literal(0.5), slider_held_k, t9_k);
         let slider_friction_k = R::select_less(

@@ -794,27 +794,27 @@ pub fn series<R: Real>(
     let t16 = t15 * p.motor_k_r;
     let t17 = t16 * motor_omega_0;
     let t18 = t17 / t7;
-    let motor_torque = t14 * t18;
     let t19 = R::literal(1.0) / p.motor_inertia;
-    let motor_omega_dot = motor_torque * t19;
-    let t20 = p.motor_alpha_s * motor_omega_0;
-    let t21 = t6 * t20;
-    let t22 = motor_psi_sy * motor_omega_0;
-    let t23 = motor_u_x + t22;
-    let motor_psi_sx_dot = t23 - t21;
-    let t24 = motor_psi_sx * motor_omega_0;
-    let t25 = t9 * t20;
-    let t26 = motor_u_y - t24;
-    let motor_psi_sy_dot = t26 - t25;
-    let t27 = motor_psi_ry * motor_slip_speed;
-    let t28 = t10 - motor_psi_rx;
-    let t29 = p.motor_alpha_r * motor_omega_0;
-    let t30 = t28 * t29;
-    let motor_psi_rx_dot = t27 + t30;
-    let t31 = motor_psi_rx * motor_slip_speed;
-    let t32 = t11 - motor_psi_ry;
-    let t33 = t32 * t29;
-    let motor_psi_ry_dot = t33 - t31;
+    let t20 = t18 * t19;
+    let motor_omega_dot = t14 * t20;
+    let t21 = p.motor_alpha_s * motor_omega_0;
+    let t22 = t6 * t21;
+    let t23 = motor_psi_sy * motor_omega_0;
+    let t24 = motor_u_x + t23;
+    let motor_psi_sx_dot = t24 - t22;
+    let t25 = motor_psi_sx * motor_omega_0;
+    let t26 = t9 * t21;
+    let t27 = motor_u_y - t25;
+    let motor_psi_sy_dot = t27 - t26;
+    let t28 = motor_psi_ry * motor_slip_speed;
+    let t29 = t10 - motor_psi_rx;
+    let t30 = p.motor_alpha_r * motor_omega_0;
+    let t31 = t29 * t30;
+    let motor_psi_rx_dot = t28 + t31;
+    let t32 = motor_psi_rx * motor_slip_speed;
+    let t33 = t11 - motor_psi_ry;
+    let t34 = t33 * t30;
+    let motor_psi_ry_dot = t34 - t32;
     let mut rates = [
         motor_omega_dot,
         motor_psi_sx_dot,
@@ -833,38 +833,32 @@ pub fn series<R: Real>(
         let [motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
         motor_psi_ry_k] = *state_k;
         let sums = lanes.sums(order);
-        let t4_k = motor_omega_k * p.motor_pole_pairs;
-        let motor_slip_speed_k = -t4_k;
-        let t5_k = motor_psi_rx_k * p.motor_k_r;
-        let t6_k = motor_psi_sx_k - t5_k;
-        let t8_k = motor_psi_ry_k * p.motor_k_r;
-        let t9_k = motor_psi_sy_k - t8_k;
-        let t10_k = motor_psi_sx_k * p.motor_k_s;
-        let t11_k = motor_psi_sy_k * p.motor_k_s;
-        let t12_k = sums[0] + motor_psi_sx * motor_psi_ry_k
-            + motor_psi_sx_k * motor_psi_ry;
-        let t13_k = sums[1] + motor_psi_sy * motor_psi_rx_k
-            + motor_psi_sy_k * motor_psi_rx;
+        let motor_slip_speed_k = -motor_omega_k * p.motor_pole_pairs;
+        let t6_k = (-motor_psi_rx_k).mul_add(p.motor_k_r, motor_psi_sx_k);
+        let t9_k = (-motor_psi_ry_k).mul_add(p.motor_k_r, motor_psi_sy_k);
+        let t12_k = motor_psi_sx_k
+            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[0]));
+        let t13_k = motor_psi_sy_k
+            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[1]));
         let t14_k = t13_k - t12_k;
-        let motor_torque_k = t14_k * t18;
-        let motor_omega_dot_k = motor_torque_k * t19;
-        let t21_k = t6_k * t20;
-        let t22_k = motor_psi_sy_k * motor_omega_0;
-        let motor_psi_sx_dot_k = t22_k - t21_k;
-        let t24_k = motor_psi_sx_k * motor_omega_0;
-        let t25_k = t9_k * t20;
-        let t26_k = -t24_k;
-        let motor_psi_sy_dot_k = t26_k - t25_k;
-        let t27_k = sums[2] + motor_psi_ry * motor_slip_speed_k
-            + motor_psi_ry_k * motor_slip_speed;
-        let t28_k = t10_k - motor_psi_rx_k;
-        let t30_k = t28_k * t29;
-        let motor_psi_rx_dot_k = t27_k + t30_k;
-        let t31_k = sums[3] + motor_psi_rx * motor_slip_speed_k
-            + motor_psi_rx_k * motor_slip_speed;
-        let t32_k = t11_k - motor_psi_ry_k;
-        let t33_k = t32_k * t29;
-        let motor_psi_ry_dot_k = t33_k - t31_k;
+        let motor_omega_dot_k = t14_k * t20;
+        let motor_psi_sx_dot_k = (-t6_k).mul_add(t21, motor_psi_sy_k * motor_omega_0);
+        let t27_k = -motor_psi_sx_k * motor_omega_0;
+        let motor_psi_sy_dot_k = (-t9_k).mul_add(t21, t27_k);
+        let t28_k = motor_psi_ry_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_ry.mul_add(motor_slip_speed_k, sums[2]),
+            );
+        let t29_k = motor_psi_sx_k.mul_add(p.motor_k_s, -motor_psi_rx_k);
+        let motor_psi_rx_dot_k = t29_k.mul_add(t30, t28_k);
+        let t32_k = motor_psi_rx_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_rx.mul_add(motor_slip_speed_k, sums[3]),
+            );
+        let t33_k = motor_psi_sy_k.mul_add(p.motor_k_s, -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t33_k.mul_add(t30, -t32_k);
         lanes
             .set(
                 order,

@@ -1337,7 +1337,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 121 recurrences. 28 sums of products an order.
+/// 120 recurrences. 28 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1380,8 +1380,6 @@ pub fn series<R: Real>(
     let t14 = t13.sin();
     let t15 = t13.cos();
     let t16 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t15 * t16;
-    let motor_u_b = t14 * t16;
     let t17 = p.motor_k_s * p.motor_x_s;
     let t18 = t17 * p.motor_alpha_r;
     let t19 = t18 * motor_sigma;
@@ -1396,41 +1394,42 @@ pub fn series<R: Real>(
     let t27 = t26 - t25;
     let t28 = motor_omega * t1;
     let t29 = t28 * t27;
-    let t30 = motor_u_a * R::literal(1.5);
-    let t31 = t30 - t21;
-    let t32 = t31 - t29;
-    let t33 = motor_i_sb * t20;
-    let t34 = t24 * sin_motor_theta;
-    let t35 = t22 * cos_motor_theta;
-    let t36 = t35 - t34;
-    let t37 = t28 * t36;
-    let t38 = motor_u_b * R::literal(1.5);
-    let t39 = t38 - t33;
-    let t40 = t39 - t37;
-    let t41 = R::literal(1.5) * motor_R_r;
-    let t42 = motor_i_ra * t41;
-    let t43 = motor_i_sa * p.motor_pole_pairs;
-    let t44 = t43 * sin_motor_theta;
-    let t45 = motor_i_sb * p.motor_pole_pairs;
-    let t46 = t45 * cos_motor_theta;
-    let t47 = t46 - t44;
-    let t48 = t28 * t47;
-    let t49 = -t42;
-    let t50 = t49 - t48;
-    let t51 = motor_i_rb * t41;
-    let t52 = t43 * cos_motor_theta;
-    let t53 = t45 * sin_motor_theta;
-    let t54 = -t52;
-    let t55 = t54 - t53;
-    let t56 = t28 * t55;
-    let t57 = -t51;
-    let t58 = t57 - t56;
-    let t59 = motor_along * p.motor_pole_pairs;
-    let t60 = t59 * sin_motor_theta;
-    let t61 = motor_across * p.motor_pole_pairs;
-    let t62 = t61 * cos_motor_theta;
-    let t63 = t62 - t60;
-    let t64 = t63 * t1;
+    let t30 = t16 * R::literal(1.5);
+    let t31 = t15 * t30;
+    let t32 = t31 - t21;
+    let t33 = t32 - t29;
+    let t34 = motor_i_sb * t20;
+    let t35 = t24 * sin_motor_theta;
+    let t36 = t22 * cos_motor_theta;
+    let t37 = t36 - t35;
+    let t38 = t28 * t37;
+    let t39 = t14 * t30;
+    let t40 = t39 - t34;
+    let t41 = t40 - t38;
+    let t42 = R::literal(1.5) * motor_R_r;
+    let t43 = motor_i_ra * t42;
+    let t44 = motor_i_sa * p.motor_pole_pairs;
+    let t45 = t44 * sin_motor_theta;
+    let t46 = motor_i_sb * p.motor_pole_pairs;
+    let t47 = t46 * cos_motor_theta;
+    let t48 = t47 - t45;
+    let t49 = t28 * t48;
+    let t50 = -t43;
+    let t51 = t50 - t49;
+    let t52 = motor_i_rb * t42;
+    let t53 = t44 * cos_motor_theta;
+    let t54 = t46 * sin_motor_theta;
+    let t55 = -t53;
+    let t56 = t55 - t54;
+    let t57 = t28 * t56;
+    let t58 = -t52;
+    let t59 = t58 - t57;
+    let t60 = motor_along * p.motor_pole_pairs;
+    let t61 = t60 * sin_motor_theta;
+    let t62 = motor_across * p.motor_pole_pairs;
+    let t63 = t62 * cos_motor_theta;
+    let t64 = t63 - t61;
+    let t65 = t64 * t1;
     let factored = Factored::new([
         [t0, R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)],
         [R::literal(0.0), t0, R::literal(0.0), R::literal(0.0), R::literal(0.0)],
@@ -1445,7 +1444,7 @@ pub fn series<R: Real>(
         ],
     ]);
     let [motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot, motor_omega_dot,
-    ] = factored.solve([t32, t40, t50, t58, t64]);
+    ] = factored.solve([t33, t41, t51, t59, t65]);
     let mut t14_before = t14;
     let mut t15_before = t15;
     let mut rates = [
@@ -1470,82 +1469,92 @@ pub fn series<R: Real>(
         let sums_1 = lanes_1.sums(order);
         let sums_2 = lanes_2.sums(order);
         let motor_theta_k = motor_phi_k * p.motor_pole_pairs;
-        let sin_motor_theta_k = inverse * sums[0] + motor_theta_k * cos_motor_theta;
-        let cos_motor_theta_k = -(inverse * sums[1] + motor_theta_k * sin_motor_theta);
+        let sin_motor_theta_k = motor_theta_k
+            .mul_add(cos_motor_theta, inverse * sums[0]);
+        let cos_motor_theta_k = -motor_theta_k
+            .mul_add(sin_motor_theta, inverse * sums[1]);
         let t2_k = cos_motor_theta_k * t1;
         let t3_k = sin_motor_theta_k * t1;
         let t4_k = -t3_k;
-        let t7_k = sums[2] + motor_i_sa * motor_i_ra_k + motor_i_sa_k * motor_i_ra;
-        let t8_k = sums[3] + motor_i_sb * motor_i_rb_k + motor_i_sb_k * motor_i_rb;
+        let t7_k = motor_i_sa_k
+            .mul_add(motor_i_ra, motor_i_sa.mul_add(motor_i_ra_k, sums[2]));
+        let t8_k = motor_i_sb_k
+            .mul_add(motor_i_rb, motor_i_sb.mul_add(motor_i_rb_k, sums[3]));
         let motor_along_k = t7_k + t8_k;
-        let t9_k = sums[4] + motor_i_sa * motor_i_rb_k + motor_i_sa_k * motor_i_rb;
-        let t10_k = sums[5] + motor_i_sb * motor_i_ra_k + motor_i_sb_k * motor_i_ra;
+        let t9_k = motor_i_sa_k
+            .mul_add(motor_i_rb, motor_i_sa.mul_add(motor_i_rb_k, sums[4]));
+        let t10_k = motor_i_sb_k
+            .mul_add(motor_i_ra, motor_i_sb.mul_add(motor_i_ra_k, sums[5]));
         let motor_across_k = t10_k - t9_k;
         let t14_k = inverse * motor_omega_0 * t15_before;
         let t15_k = -inverse * motor_omega_0 * t14_before;
-        let motor_u_a_k = t15_k * t16;
-        let motor_u_b_k = t14_k * t16;
-        let t21_k = motor_i_sa_k * t20;
         let t22_k = motor_i_ra_k * p.motor_pole_pairs;
-        let t23_k = sums[6] + t22 * sin_motor_theta_k + t22_k * sin_motor_theta;
+        let t23_k = t22_k
+            .mul_add(sin_motor_theta, t22.mul_add(sin_motor_theta_k, sums[6]));
         let t24_k = motor_i_rb_k * p.motor_pole_pairs;
-        let t25_k = sums[7] + t24 * cos_motor_theta_k + t24_k * cos_motor_theta;
+        let t25_k = t24_k
+            .mul_add(cos_motor_theta, t24.mul_add(cos_motor_theta_k, sums[7]));
         let t26_k = -t23_k;
         let t27_k = t26_k - t25_k;
         let t28_k = motor_omega_k * t1;
-        let t29_k = sums[8] + t28 * t27_k + t28_k * t27;
-        let t30_k = motor_u_a_k * R::literal(1.5);
-        let t31_k = t30_k - t21_k;
-        let t32_k = t31_k - t29_k;
-        let t33_k = motor_i_sb_k * t20;
-        let t34_k = sums[9] + t24 * sin_motor_theta_k + t24_k * sin_motor_theta;
-        let t35_k = sums_1[0] + t22 * cos_motor_theta_k + t22_k * cos_motor_theta;
-        let t36_k = t35_k - t34_k;
-        let t37_k = sums_1[1] + t28 * t36_k + t28_k * t36;
-        let t38_k = motor_u_b_k * R::literal(1.5);
-        let t39_k = t38_k - t33_k;
-        let t40_k = t39_k - t37_k;
-        let t42_k = motor_i_ra_k * t41;
-        let t43_k = motor_i_sa_k * p.motor_pole_pairs;
-        let t44_k = sums_1[2] + t43 * sin_motor_theta_k + t43_k * sin_motor_theta;
-        let t45_k = motor_i_sb_k * p.motor_pole_pairs;
-        let t46_k = sums_1[3] + t45 * cos_motor_theta_k + t45_k * cos_motor_theta;
-        let t47_k = t46_k - t44_k;
-        let t48_k = sums_1[4] + t28 * t47_k + t28_k * t47;
-        let t49_k = -t42_k;
-        let t50_k = t49_k - t48_k;
-        let t51_k = motor_i_rb_k * t41;
-        let t52_k = sums_1[5] + t43 * cos_motor_theta_k + t43_k * cos_motor_theta;
-        let t53_k = sums_1[6] + t45 * sin_motor_theta_k + t45_k * sin_motor_theta;
-        let t54_k = -t52_k;
-        let t55_k = t54_k - t53_k;
-        let t56_k = sums_1[7] + t28 * t55_k + t28_k * t55;
-        let t57_k = -t51_k;
-        let t58_k = t57_k - t56_k;
-        let t59_k = motor_along_k * p.motor_pole_pairs;
-        let t60_k = sums_1[8] + t59 * sin_motor_theta_k + t59_k * sin_motor_theta;
-        let t61_k = motor_across_k * p.motor_pole_pairs;
-        let t62_k = sums_1[9] + t61 * cos_motor_theta_k + t61_k * cos_motor_theta;
-        let t63_k = t62_k - t60_k;
-        let t64_k = t63_k * t1;
-        let n105_k = sums_2[0] + t2_k * motor_i_ra_dot;
-        let n106_k = sums_2[1] + t4_k * motor_i_rb_dot;
-        let n107_k = sums_2[2] + t3_k * motor_i_ra_dot;
-        let n108_k = sums_2[3] + t2_k * motor_i_rb_dot;
-        let n109_k = sums_2[4] + t2_k * motor_i_sa_dot;
-        let n110_k = sums_2[5] + t3_k * motor_i_sb_dot;
-        let n111_k = sums_2[6] + t4_k * motor_i_sa_dot;
-        let n112_k = sums_2[7] + t2_k * motor_i_sb_dot;
-        let n113_k = n105_k + n106_k;
-        let t32_k_2 = t32_k - n113_k;
-        let n115_k = n107_k + n108_k;
-        let t40_k_2 = t40_k - n115_k;
-        let n117_k = n109_k + n110_k;
-        let t50_k_2 = t50_k - n117_k;
-        let n119_k = n111_k + n112_k;
-        let t58_k_2 = t58_k - n119_k;
+        let t29_k = t28_k.mul_add(t27, t28.mul_add(t27_k, sums[8]));
+        let t32_k = (-motor_i_sa_k).mul_add(t20, t15_k * t30);
+        let t33_k = t32_k - t29_k;
+        let t35_k = t24_k
+            .mul_add(sin_motor_theta, t24.mul_add(sin_motor_theta_k, sums[9]));
+        let t36_k = t22_k
+            .mul_add(cos_motor_theta, t22.mul_add(cos_motor_theta_k, sums_1[0]));
+        let t37_k = t36_k - t35_k;
+        let t38_k = t28_k.mul_add(t37, t28.mul_add(t37_k, sums_1[1]));
+        let t40_k = (-motor_i_sb_k).mul_add(t20, t14_k * t30);
+        let t41_k = t40_k - t38_k;
+        let t43_k = motor_i_ra_k * t42;
+        let t44_k = motor_i_sa_k * p.motor_pole_pairs;
+        let t45_k = t44_k
+            .mul_add(sin_motor_theta, t44.mul_add(sin_motor_theta_k, sums_1[2]));
+        let t46_k = motor_i_sb_k * p.motor_pole_pairs;
+        let t47_k = t46_k
+            .mul_add(cos_motor_theta, t46.mul_add(cos_motor_theta_k, sums_1[3]));
+        let t48_k = t47_k - t45_k;
+        let t49_k = t28_k.mul_add(t48, t28.mul_add(t48_k, sums_1[4]));
+        let t50_k = -t43_k;
+        let t51_k = t50_k - t49_k;
+        let t52_k = motor_i_rb_k * t42;
+        let t53_k = t44_k
+            .mul_add(cos_motor_theta, t44.mul_add(cos_motor_theta_k, sums_1[5]));
+        let t54_k = t46_k
+            .mul_add(sin_motor_theta, t46.mul_add(sin_motor_theta_k, sums_1[6]));
+        let t55_k = -t53_k;
+        let t56_k = t55_k - t54_k;
+        let t57_k = t28_k.mul_add(t56, t28.mul_add(t56_k, sums_1[7]));
+        let t58_k = -t52_k;
+        let t59_k = t58_k - t57_k;
+        let t60_k = motor_along_k * p.motor_pole_pairs;
+        let t61_k = t60_k
+            .mul_add(sin_motor_theta, t60.mul_add(sin_motor_theta_k, sums_1[8]));
+        let t62_k = motor_across_k * p.motor_pole_pairs;
+        let t63_k = t62_k
+            .mul_add(cos_motor_theta, t62.mul_add(cos_motor_theta_k, sums_1[9]));
+        let t64_k = t63_k - t61_k;
+        let t65_k = t64_k * t1;
+        let n104_k = t2_k.mul_add(motor_i_ra_dot, sums_2[0]);
+        let n105_k = t4_k.mul_add(motor_i_rb_dot, sums_2[1]);
+        let n106_k = t3_k.mul_add(motor_i_ra_dot, sums_2[2]);
+        let n107_k = t2_k.mul_add(motor_i_rb_dot, sums_2[3]);
+        let n108_k = t2_k.mul_add(motor_i_sa_dot, sums_2[4]);
+        let n109_k = t3_k.mul_add(motor_i_sb_dot, sums_2[5]);
+        let n110_k = t4_k.mul_add(motor_i_sa_dot, sums_2[6]);
+        let n111_k = t2_k.mul_add(motor_i_sb_dot, sums_2[7]);
+        let n112_k = n104_k + n105_k;
+        let t33_k_2 = t33_k - n112_k;
+        let n114_k = n106_k + n107_k;
+        let t41_k_2 = t41_k - n114_k;
+        let n116_k = n108_k + n109_k;
+        let t51_k_2 = t51_k - n116_k;
+        let n118_k = n110_k + n111_k;
+        let t59_k_2 = t59_k - n118_k;
         let [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_ra_dot_k, motor_i_rb_dot_k,
-        motor_omega_dot_k] = factored.solve([t32_k_2, t40_k_2, t50_k_2, t58_k_2, t64_k]);
+        motor_omega_dot_k] = factored.solve([t33_k_2, t41_k_2, t51_k_2, t59_k_2, t65_k]);
         lanes
             .set(
                 order,
@@ -1589,7 +1598,7 @@ pub fn series<R: Real>(
                     sin_motor_theta_k,
                     cos_motor_theta_k,
                 ],
-                [t22_k, t36_k, t43_k, t45_k, t47_k, t43_k, t45_k, t55_k, t59_k, t61_k],
+                [t22_k, t37_k, t44_k, t46_k, t48_k, t44_k, t46_k, t56_k, t60_k, t62_k],
             );
         lanes_2
             .set(

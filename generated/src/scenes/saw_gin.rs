@@ -1255,60 +1255,51 @@ pub fn series<R: Real>(
         let [coupling_twist_k, motor_omega_k, cylinder_omega_k, motor_psi_sx_k,
         motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = *state_k;
         let sums = lanes.sums(order);
-        let t4_k = cylinder_omega_k * p.coupling_ratio;
-        let coupling_twist_rate_k = motor_omega_k - t4_k;
-        let t5_k = motor_omega_k * p.motor_pole_pairs;
-        let motor_slip_speed_k = -t5_k;
-        let t6_k = coupling_twist_k * p.coupling_stiffness;
-        let t7_k = coupling_twist_rate_k * p.coupling_damping;
-        let coupling_torque_k = t6_k + t7_k;
+        let coupling_twist_rate_k = (-cylinder_omega_k)
+            .mul_add(p.coupling_ratio, motor_omega_k);
+        let motor_slip_speed_k = -motor_omega_k * p.motor_pole_pairs;
+        let coupling_torque_k = coupling_twist_rate_k
+            .mul_add(p.coupling_damping, coupling_twist_k * p.coupling_stiffness);
         let t12_k = inverse * t11_slope * t12_before;
-        let load_engagement_k = -(sums[0] + t12_k * load_engagement) * inverse_t13;
-        let t14_k = motor_psi_rx_k * p.motor_k_r;
-        let t15_k = motor_psi_sx_k - t14_k;
-        let t17_k = motor_psi_ry_k * p.motor_k_r;
-        let t18_k = motor_psi_sy_k - t17_k;
-        let t19_k = motor_psi_sx_k * p.motor_k_s;
-        let t20_k = motor_psi_sy_k * p.motor_k_s;
-        let t21_k = sums[1] + motor_psi_sx * motor_psi_ry_k
-            + motor_psi_sx_k * motor_psi_ry;
-        let t22_k = sums[2] + motor_psi_sy * motor_psi_rx_k
-            + motor_psi_sy_k * motor_psi_rx;
+        let load_engagement_k = -t12_k.mul_add(load_engagement, sums[0]) * inverse_t13;
+        let t15_k = (-motor_psi_rx_k).mul_add(p.motor_k_r, motor_psi_sx_k);
+        let t18_k = (-motor_psi_ry_k).mul_add(p.motor_k_r, motor_psi_sy_k);
+        let t21_k = motor_psi_sx_k
+            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[1]));
+        let t22_k = motor_psi_sy_k
+            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[2]));
         let t23_k = t22_k - t21_k;
-        let motor_torque_k = t23_k * t27;
         let t31_k = inverse * t28 * t32_before;
         let t32_k = -inverse * t28 * t31_before;
-        let t33_k = t31_k * p.load_amplitude;
         let t36_k = cylinder_omega_k * t35;
-        let t37_k = inverse * sums[3] + t36_k * t39;
-        let t38_k = sums[4] + t37 * t37_k + t37_k * t37;
+        let t37_k = t36_k.mul_add(t39, inverse * sums[3]);
+        let t38_k = t37_k.mul_add(t37, t37.mul_add(t37_k, sums[4]));
         let t39_k = -t38_k;
-        let t40_k = sums[5] + load_engagement * t33_k + load_engagement_k * t34;
-        let load_resistance_k = sums[6] + t40 * t37_k + t40_k * t37;
-        let t43_k = motor_torque_k - coupling_torque_k;
-        let t45_k = coupling_twist_k * t44;
-        let t47_k = coupling_twist_rate_k * t46;
-        let t48_k = t45_k + t47_k;
+        let t40_k = load_engagement_k
+            .mul_add(t34, load_engagement.mul_add(t31_k * p.load_amplitude, sums[5]));
+        let load_resistance_k = t40_k.mul_add(t37, t40.mul_add(t37_k, sums[6]));
+        let t43_k = t23_k.mul_add(t27, -coupling_torque_k);
+        let t48_k = coupling_twist_rate_k.mul_add(t46, coupling_twist_k * t44);
         let t49_k = t48_k - load_resistance_k;
         let motor_omega_dot_k = t43_k * t41;
         let cylinder_omega_dot_k = t49_k * t42;
-        let t51_k = t15_k * t50;
-        let t52_k = motor_psi_sy_k * motor_omega_0;
-        let motor_psi_sx_dot_k = t52_k - t51_k;
-        let t54_k = motor_psi_sx_k * motor_omega_0;
-        let t55_k = t18_k * t50;
-        let t56_k = -t54_k;
-        let motor_psi_sy_dot_k = t56_k - t55_k;
-        let t57_k = sums[7] + motor_psi_ry * motor_slip_speed_k
-            + motor_psi_ry_k * motor_slip_speed;
-        let t58_k = t19_k - motor_psi_rx_k;
-        let t60_k = t58_k * t59;
-        let motor_psi_rx_dot_k = t57_k + t60_k;
-        let t61_k = sums[8] + motor_psi_rx * motor_slip_speed_k
-            + motor_psi_rx_k * motor_slip_speed;
-        let t62_k = t20_k - motor_psi_ry_k;
-        let t63_k = t62_k * t59;
-        let motor_psi_ry_dot_k = t63_k - t61_k;
+        let motor_psi_sx_dot_k = (-t15_k).mul_add(t50, motor_psi_sy_k * motor_omega_0);
+        let t56_k = -motor_psi_sx_k * motor_omega_0;
+        let motor_psi_sy_dot_k = (-t18_k).mul_add(t50, t56_k);
+        let t57_k = motor_psi_ry_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_ry.mul_add(motor_slip_speed_k, sums[7]),
+            );
+        let t58_k = motor_psi_sx_k.mul_add(p.motor_k_s, -motor_psi_rx_k);
+        let motor_psi_rx_dot_k = t58_k.mul_add(t59, t57_k);
+        let t61_k = motor_psi_rx_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_rx.mul_add(motor_slip_speed_k, sums[8]),
+            );
+        let t62_k = motor_psi_sy_k.mul_add(p.motor_k_s, -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t62_k.mul_add(t59, -t61_k);
         lanes
             .set(
                 order,
@@ -1329,7 +1320,7 @@ pub fn series<R: Real>(
                     motor_psi_sy_k,
                     t39_k,
                     t37_k,
-                    t33_k,
+                    t31_k * p.load_amplitude,
                     t40_k,
                     motor_psi_ry_k,
                     motor_psi_rx_k,

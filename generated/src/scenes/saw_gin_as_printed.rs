@@ -1207,66 +1207,54 @@ pub fn series<R: Real>(
         let [motor_phi_k, cylinder_phi_k, motor_omega_k, cylinder_omega_k,
         motor_psi_x1_k, motor_psi_y1_k, motor_psi_x2_k, motor_psi_y2_k] = *state_k;
         let sums = lanes.sums(order);
-        let t0_k = cylinder_phi_k * p.coupling_ratio;
-        let coupling_twist_k = motor_phi_k - t0_k;
-        let t1_k = cylinder_omega_k * p.coupling_ratio;
-        let coupling_twist_rate_k = motor_omega_k - t1_k;
-        let t2_k = motor_phi_k * p.motor_literal;
-        let t4_k = motor_omega_k * t3;
-        let motor_rotor_term_k = t2_k + t4_k;
+        let coupling_twist_k = (-cylinder_phi_k).mul_add(p.coupling_ratio, motor_phi_k);
+        let coupling_twist_rate_k = (-cylinder_omega_k)
+            .mul_add(p.coupling_ratio, motor_omega_k);
+        let motor_rotor_term_k = motor_omega_k
+            .mul_add(t3, motor_phi_k * p.motor_literal);
         let t9_k = inverse * t8_slope * t9_before;
-        let load_engagement_k = -(sums[0] + t9_k * load_engagement) * inverse_t10;
-        let t11_k = coupling_twist_k * p.coupling_stiffness;
-        let t12_k = coupling_twist_rate_k * p.coupling_damping;
-        let coupling_torque_k = t11_k + t12_k;
-        let t13_k = sums[1] + motor_psi_x1 * motor_psi_y2_k
-            + motor_psi_x1_k * motor_psi_y2;
-        let t14_k = sums[2] + motor_psi_y1 * motor_psi_x2_k
-            + motor_psi_y1_k * motor_psi_x2;
+        let load_engagement_k = -t9_k.mul_add(load_engagement, sums[0]) * inverse_t10;
+        let coupling_torque_k = coupling_twist_rate_k
+            .mul_add(p.coupling_damping, coupling_twist_k * p.coupling_stiffness);
+        let t13_k = motor_psi_x1_k
+            .mul_add(motor_psi_y2, motor_psi_x1.mul_add(motor_psi_y2_k, sums[1]));
+        let t14_k = motor_psi_y1_k
+            .mul_add(motor_psi_x2, motor_psi_y1.mul_add(motor_psi_x2_k, sums[2]));
         let t15_k = t14_k - t13_k;
-        let motor_torque_k = t15_k * t20;
         let t24_k = inverse * t21 * t25_before;
         let t25_k = -inverse * t21 * t24_before;
-        let t26_k = t24_k * p.load_amplitude;
         let t29_k = cylinder_omega_k * t28;
-        let t30_k = inverse * sums[3] + t29_k * t32;
-        let t31_k = sums[4] + t30 * t30_k + t30_k * t30;
+        let t30_k = t29_k.mul_add(t32, inverse * sums[3]);
+        let t31_k = t30_k.mul_add(t30, t30.mul_add(t30_k, sums[4]));
         let t32_k = -t31_k;
-        let t33_k = sums[5] + load_engagement * t26_k + load_engagement_k * t27;
-        let load_resistance_k = sums[6] + t33 * t30_k + t33_k * t30;
-        let t36_k = motor_torque_k - coupling_torque_k;
-        let t38_k = coupling_twist_k * t37;
-        let t40_k = coupling_twist_rate_k * t39;
-        let t41_k = t38_k + t40_k;
+        let t33_k = load_engagement_k
+            .mul_add(t27, load_engagement.mul_add(t24_k * p.load_amplitude, sums[5]));
+        let load_resistance_k = t33_k.mul_add(t30, t33.mul_add(t30_k, sums[6]));
+        let t36_k = t15_k.mul_add(t20, -coupling_torque_k);
+        let t41_k = coupling_twist_rate_k.mul_add(t39, coupling_twist_k * t37);
         let t42_k = t41_k - load_resistance_k;
         let motor_omega_dot_k = t36_k * t34;
         let cylinder_omega_dot_k = t42_k * t35;
-        let t44_k = motor_psi_x1_k * t43;
-        let t45_k = motor_psi_y1_k * p.motor_omega_0;
-        let t48_k = motor_psi_x2_k * t47;
-        let t52_k = t45_k + t48_k;
-        let motor_psi_x1_dot_k = t52_k - t44_k;
-        let t53_k = motor_psi_x1_k * p.motor_omega_0;
-        let t54_k = motor_psi_y1_k * t43;
-        let t55_k = motor_psi_y2_k * t47;
-        let t59_k = t55_k - t53_k;
-        let motor_psi_y1_dot_k = t59_k - t54_k;
-        let t61_k = motor_psi_x2_k * t60;
-        let t62_k = sums[7] + motor_psi_y2 * motor_rotor_term_k
-            + motor_psi_y2_k * motor_rotor_term;
-        let t65_k = motor_psi_x1_k * t64;
-        let t66_k = motor_psi_y2_k * p.motor_omega_0;
-        let t67_k = t65_k + t66_k;
-        let t68_k = t67_k - t61_k;
+        let t52_k = motor_psi_x2_k.mul_add(t47, motor_psi_y1_k * p.motor_omega_0);
+        let motor_psi_x1_dot_k = (-motor_psi_x1_k).mul_add(t43, t52_k);
+        let t59_k = (-motor_psi_x1_k).mul_add(p.motor_omega_0, motor_psi_y2_k * t47);
+        let motor_psi_y1_dot_k = (-motor_psi_y1_k).mul_add(t43, t59_k);
+        let t62_k = motor_psi_y2_k
+            .mul_add(
+                motor_rotor_term,
+                motor_psi_y2.mul_add(motor_rotor_term_k, sums[7]),
+            );
+        let t67_k = motor_psi_y2_k.mul_add(p.motor_omega_0, motor_psi_x1_k * t64);
+        let t68_k = (-motor_psi_x2_k).mul_add(t60, t67_k);
         let motor_psi_x2_dot_k = t68_k - t62_k;
-        let t69_k = motor_psi_x2_k * p.motor_omega_0;
-        let t70_k = motor_psi_y2_k * t60;
-        let t71_k = motor_psi_y1_k * t64;
-        let t72_k = sums[8] + motor_psi_x2 * motor_rotor_term_k
-            + motor_psi_x2_k * motor_rotor_term;
-        let t73_k = t71_k + t72_k;
-        let t74_k = t73_k - t69_k;
-        let motor_psi_y2_dot_k = t74_k - t70_k;
+        let t72_k = motor_psi_x2_k
+            .mul_add(
+                motor_rotor_term,
+                motor_psi_x2.mul_add(motor_rotor_term_k, sums[8]),
+            );
+        let t73_k = motor_psi_y1_k.mul_add(t64, t72_k);
+        let t74_k = (-motor_psi_x2_k).mul_add(p.motor_omega_0, t73_k);
+        let motor_psi_y2_dot_k = (-motor_psi_y2_k).mul_add(t60, t74_k);
         lanes
             .set(
                 order,
@@ -1287,7 +1275,7 @@ pub fn series<R: Real>(
                     motor_psi_x2_k,
                     t32_k,
                     t30_k,
-                    t26_k,
+                    t24_k * p.load_amplitude,
                     t33_k,
                     motor_psi_y2_k,
                     motor_psi_x2_k,

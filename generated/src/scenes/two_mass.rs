@@ -637,19 +637,15 @@ pub fn series<R: Real>(
             break;
         }
         let [coupling_twist_k, driver_omega_k, cylinder_omega_k] = *state_k;
-        let t0_k = cylinder_omega_k * p.coupling_ratio;
-        let coupling_twist_rate_k = driver_omega_k - t0_k;
+        let coupling_twist_rate_k = (-cylinder_omega_k)
+            .mul_add(p.coupling_ratio, driver_omega_k);
         let t2_k = inverse * p.load_frequency * t3_before;
         let t3_k = -inverse * p.load_frequency * t2_before;
-        let t4_k = t2_k * p.load_amplitude;
-        let t5_k = coupling_twist_k * p.coupling_stiffness;
-        let t6_k = coupling_twist_rate_k * p.coupling_damping;
-        let coupling_torque_k = t5_k + t6_k;
+        let coupling_torque_k = coupling_twist_rate_k
+            .mul_add(p.coupling_damping, coupling_twist_k * p.coupling_stiffness);
         let t9_k = -coupling_torque_k;
-        let t11_k = coupling_twist_k * t10;
-        let t13_k = coupling_twist_rate_k * t12;
-        let t14_k = t11_k + t13_k;
-        let t15_k = t14_k - t4_k;
+        let t14_k = coupling_twist_rate_k.mul_add(t12, coupling_twist_k * t10);
+        let t15_k = t14_k - t2_k * p.load_amplitude;
         let driver_omega_dot_k = t9_k * t7;
         let cylinder_omega_dot_k = t15_k * t8;
         t2_before = t2_k;

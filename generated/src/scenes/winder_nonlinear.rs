@@ -901,34 +901,30 @@ pub fn series<R: Real>(
         let sums = lanes.sums(order);
         let t12_k = inverse * t9 * t13_before;
         let t13_k = -inverse * t9 * t12_before;
-        let t14_k = t13_k * p.ovality;
         let t16_k = inverse * drum_speed * t17_before;
         let t17_k = -inverse * drum_speed * t16_before;
-        let t18_k = t17_k * p.eccentricity;
-        let shape_k = t14_k + t18_k;
+        let shape_k = t17_k.mul_add(p.eccentricity, t13_k * p.ovality);
         let t20_k = inverse * drum_speed * t21_before;
         let t21_k = -inverse * drum_speed * t20_before;
-        let t22_k = t21_k * p.force_amplitude;
         let t25_k = inverse * package_speed * t26_before;
         let t26_k = -inverse * package_speed * t25_before;
-        let t27_k = t26_k * p.package_force;
-        let force_k = t22_k + t27_k;
+        let force_k = t26_k.mul_add(p.package_force, t21_k * p.force_amplitude);
         let layer_compression_k = shape_k - holder_x_k;
         let t30_k = t12_k * t29;
-        let t32_k = t16_k * t31;
         let t33_k = -t30_k;
-        let shape_rate_k = t33_k - t32_k;
+        let shape_rate_k = (-t16_k).mul_add(t31, t33_k);
         let layer_compression_rate_k = shape_rate_k - holder_v_k;
-        let t35_k = layer_compression_k * p.layer_stiffness;
-        let t36_k = sums[0] + layer_compression * layer_compression_k
-            + layer_compression_k * layer_compression;
-        let t37_k = sums[1] + t36 * layer_compression_k + t36_k * layer_compression;
-        let t38_k = t37_k * p.layer_cubic_stiffness;
-        let t39_k = holder_x_k * p.holder_stiffness;
-        let t40_k = t39_k - t35_k;
-        let t41_k = t40_k - t38_k;
-        let t42_k = layer_compression_rate_k * p.layer_viscosity;
-        let t43_k = force_k + t42_k;
+        let t36_k = layer_compression_k
+            .mul_add(
+                layer_compression,
+                layer_compression.mul_add(layer_compression_k, sums[0]),
+            );
+        let t37_k = t36_k
+            .mul_add(layer_compression, t36.mul_add(layer_compression_k, sums[1]));
+        let t40_k = (-layer_compression_k)
+            .mul_add(p.layer_stiffness, holder_x_k * p.holder_stiffness);
+        let t41_k = (-t37_k).mul_add(p.layer_cubic_stiffness, t40_k);
+        let t43_k = layer_compression_rate_k.mul_add(p.layer_viscosity, force_k);
         let t44_k = t43_k - t41_k;
         let holder_v_dot_k = t44_k * t34;
         lanes

@@ -1,5 +1,7 @@
 //! Order, length and error of a step, and sums of its polynomial.
 
+use machinist_scenes::Real;
+
 /// Error of a step in units of the tolerance beyond which it is taken again.
 pub(super) const LARGEST_ERROR: f64 = 10.0;
 
@@ -68,7 +70,7 @@ impl Tolerance {
             allowed / (order + 1 - back) as f64
         };
         let logs = judged.take(JUDGED.min(order)).map(log_length);
-        logs.fold(f64::INFINITY, f64::min).exp2()
+        exp2(logs.fold(f64::INFINITY, f64::min))
     }
 
     /// Error of a step in units of the tolerance: the defect y' - f at its end
@@ -117,6 +119,18 @@ fn log2(value: f64) -> f64 {
     f64::from(exponent) + m + 0.344 * m * (1.0 - m)
 }
 
+/// 2^x to about three thousandths; infinite and zero where it is out of range.
+fn exp2(x: f64) -> f64 {
+    if x >= 1024.0 {
+        return f64::INFINITY;
+    }
+    let whole = x.max(-1022.0).floor();
+    let f = x.max(-1022.0) - whole;
+    let power = f64::from_bits(((whole as i64 + 1023) as u64) << 52);
+    // 2^f is nearly 1 + f - 0.337 f (1 - f).
+    power * (1.0 + f - 0.337 * f * (1.0 - f))
+}
+
 /// Factor by which a rejected step is shortened.
 pub(super) fn shrink(error: f64, order: usize) -> f64 {
     let factor = (1.0 / error).powf(1.0 / (order + 1) as f64);
@@ -143,7 +157,7 @@ pub(super) fn value(coefficients: &[f64], time: f64, value: &mut [f64]) {
     value.copy_from_slice(orders.next().unwrap_or_default());
     for terms in orders {
         for (value, term) in value.iter_mut().zip(terms) {
-            *value = *value * time + term;
+            *value = Real::mul_add(*value, time, *term);
         }
     }
 }
@@ -182,9 +196,24 @@ fn sum<const N: usize>(
     for terms in coefficients.chunks_exact(states).rev() {
         let terms = &terms[first..first + N];
         for index in 0..N {
-            slope[index] = slope[index] * time + value[index];
-            value[index] = value[index] * time + terms[index];
+            slope[index] = Real::mul_add(slope[index], time, value[index]);
+            value[index] = Real::mul_add(value[index], time, terms[index]);
         }
     }
     (value, slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithms_and_powers_are_good_enough_for_a_step() {
+        for x in (-200..200).map(|n| 0.37 * f64::from(n)) {
+            assert!((log2(x.exp2()) - x).abs() < 0.02);
+            assert!((exp2(x) / x.exp2() - 1.0).abs() < 0.005);
+        }
+        assert_eq!((exp2(f64::INFINITY), exp2(2000.0)), (f64::INFINITY, f64::INFINITY));
+        assert!(exp2(-2000.0) < 1e-300);
+    }
 }

@@ -4,6 +4,7 @@
 //! variant when it is done. What a lane computes does not depend on its neighbours:
 //! results are those of one run after another, to the last bit.
 
+use machinist_scenes::Real;
 use machinist_scenes::taylor::TaylorSeries;
 
 use super::step::{self, Tolerance, order_for};
@@ -319,8 +320,8 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for state in 0..self.states {
             let (mut value, mut slope) = (zero, zero);
             for term in self.current.iter().skip(state).step_by(self.states).rev() {
-                slope = slope * steps + value;
-                value = value * steps + *term;
+                slope = slope.mul_add(steps, value);
+                value = value.mul_add(steps, *term);
             }
             self.end[state] = R::select_less(waits, half, value, self.end[state]);
             self.slope[state] = slope;
@@ -350,7 +351,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     fn value(&self, index: usize, state: usize, after: f64) -> f64 {
         let mut terms = self.current.iter().skip(state).step_by(self.states).rev();
         let highest = terms.next().map_or(0.0, |term| term.lane(index));
-        terms.fold(highest, |value, term| value * after + term.lane(index))
+        terms.fold(highest, |value, term| Real::mul_add(value, after, term.lane(index)))
     }
 
     /// The highest order up to which the coefficients of a lane are finite; those

@@ -448,7 +448,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 46 recurrences. 4 sums of products an order.
+/// 41 recurrences. 4 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -465,23 +465,20 @@ pub fn series<R: Real>(
     let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
     let t1 = motor_psi_rx * R::literal(0.952);
     let t2 = motor_psi_sx - t1;
-    let motor_i_sx = t2 * R::literal(844.204_793_982_429_1);
     let t3 = motor_psi_ry * R::literal(0.952);
     let t4 = motor_psi_sy - t3;
-    let motor_i_sy = t4 * R::literal(844.204_793_982_429_1);
     let t5 = motor_psi_sx * R::literal(0.956);
     let t6 = motor_psi_sy * R::literal(0.956);
     let t7 = motor_psi_sx * motor_psi_ry;
     let t8 = motor_psi_sy * motor_psi_rx;
     let t9 = t8 - t7;
-    let motor_torque = t9 * R::literal(4_822.097_783_227_635);
-    let motor_omega_dot = motor_torque * R::literal(0.238_095_238_095_238_08);
-    let t10 = motor_i_sx * R::literal(0.042_795_676_8);
+    let motor_omega_dot = t9 * R::literal(1_148.118_519_816_103_6);
+    let t10 = t2 * R::literal(36.128_315_516_282_626);
     let t11 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t12 = R::literal(311.126_983_722_080_9) + t11;
     let motor_psi_sx_dot = t12 - t10;
     let t13 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t14 = motor_i_sy * R::literal(0.042_795_676_8);
+    let t14 = t4 * R::literal(36.128_315_516_282_626);
     let t15 = -t13;
     let motor_psi_sy_dot = t15 - t14;
     let t16 = t5 - motor_psi_rx;
@@ -510,40 +507,40 @@ pub fn series<R: Real>(
         let [motor_omega_k, motor_psi_sx_k, motor_psi_sy_k, motor_psi_rx_k,
         motor_psi_ry_k] = *state_k;
         let sums = lanes.sums(order);
-        let t0_k = motor_omega_k * R::literal(4.0);
-        let motor_slip_speed_k = -t0_k;
-        let t1_k = motor_psi_rx_k * R::literal(0.952);
-        let t2_k = motor_psi_sx_k - t1_k;
-        let motor_i_sx_k = t2_k * R::literal(844.204_793_982_429_1);
-        let t3_k = motor_psi_ry_k * R::literal(0.952);
-        let t4_k = motor_psi_sy_k - t3_k;
-        let motor_i_sy_k = t4_k * R::literal(844.204_793_982_429_1);
-        let t5_k = motor_psi_sx_k * R::literal(0.956);
-        let t6_k = motor_psi_sy_k * R::literal(0.956);
-        let t7_k = sums[0] + motor_psi_sx * motor_psi_ry_k
-            + motor_psi_sx_k * motor_psi_ry;
-        let t8_k = sums[1] + motor_psi_sy * motor_psi_rx_k
-            + motor_psi_sy_k * motor_psi_rx;
+        let motor_slip_speed_k = -motor_omega_k * R::literal(4.0);
+        let t2_k = (-motor_psi_rx_k).mul_add(R::literal(0.952), motor_psi_sx_k);
+        let t4_k = (-motor_psi_ry_k).mul_add(R::literal(0.952), motor_psi_sy_k);
+        let t7_k = motor_psi_sx_k
+            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[0]));
+        let t8_k = motor_psi_sy_k
+            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[1]));
         let t9_k = t8_k - t7_k;
-        let motor_torque_k = t9_k * R::literal(4_822.097_783_227_635);
-        let motor_omega_dot_k = motor_torque_k * R::literal(0.238_095_238_095_238_08);
-        let t10_k = motor_i_sx_k * R::literal(0.042_795_676_8);
-        let t11_k = motor_psi_sy_k * R::literal(314.159_265_358_979_3);
-        let motor_psi_sx_dot_k = t11_k - t10_k;
+        let motor_omega_dot_k = t9_k * R::literal(1_148.118_519_816_103_6);
+        let motor_psi_sx_dot_k = (-t2_k)
+            .mul_add(
+                R::literal(36.128_315_516_282_626),
+                motor_psi_sy_k * R::literal(314.159_265_358_979_3),
+            );
         let t13_k = motor_psi_sx_k * R::literal(314.159_265_358_979_3);
-        let t14_k = motor_i_sy_k * R::literal(0.042_795_676_8);
         let t15_k = -t13_k;
-        let motor_psi_sy_dot_k = t15_k - t14_k;
-        let t16_k = t5_k - motor_psi_rx_k;
-        let t17_k = t16_k * R::literal(26.954_864_967_800_425);
-        let t18_k = sums[2] + motor_psi_ry * motor_slip_speed_k
-            + motor_psi_ry_k * motor_slip_speed;
-        let motor_psi_rx_dot_k = t17_k + t18_k;
-        let t19_k = sums[3] + motor_psi_rx * motor_slip_speed_k
-            + motor_psi_rx_k * motor_slip_speed;
-        let t20_k = t6_k - motor_psi_ry_k;
-        let t21_k = t20_k * R::literal(26.954_864_967_800_425);
-        let motor_psi_ry_dot_k = t21_k - t19_k;
+        let motor_psi_sy_dot_k = (-t4_k)
+            .mul_add(R::literal(36.128_315_516_282_626), t15_k);
+        let t16_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t18_k = motor_psi_ry_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_ry.mul_add(motor_slip_speed_k, sums[2]),
+            );
+        let motor_psi_rx_dot_k = t16_k
+            .mul_add(R::literal(26.954_864_967_800_425), t18_k);
+        let t19_k = motor_psi_rx_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_rx.mul_add(motor_slip_speed_k, sums[3]),
+            );
+        let t20_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t20_k
+            .mul_add(R::literal(26.954_864_967_800_425), -t19_k);
         lanes
             .set(
                 order,

@@ -673,7 +673,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 83 recurrences. 9 sums of products an order.
+/// 80 recurrences. 9 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -692,10 +692,8 @@ pub fn series<R: Real>(
     let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
     let t1 = motor_psi_rx * R::literal(0.952);
     let t2 = motor_psi_sx - t1;
-    let motor_i_sx = t2 * R::literal(844.204_793_982_429_1);
     let t3 = motor_psi_ry * R::literal(0.952);
     let t4 = motor_psi_sy - t3;
-    let motor_i_sy = t4 * R::literal(844.204_793_982_429_1);
     let t5 = motor_psi_sx * R::literal(0.956);
     let t6 = motor_psi_sy * R::literal(0.956);
     let t7 = time - R::literal(1.2);
@@ -726,12 +724,12 @@ pub fn series<R: Real>(
     let t28 = coupling_torque - load_resistance;
     let motor_omega_dot = t27 * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = t28 * R::literal(0.803_858_520_900_321_5);
-    let t29 = motor_i_sx * R::literal(0.042_795_676_8);
+    let t29 = t2 * R::literal(36.128_315_516_282_626);
     let t30 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t31 = R::literal(311.126_983_722_080_9) + t30;
     let motor_psi_sx_dot = t31 - t29;
     let t32 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t33 = motor_i_sy * R::literal(0.042_795_676_8);
+    let t33 = t4 * R::literal(36.128_315_516_282_626);
     let t34 = -t32;
     let motor_psi_sy_dot = t34 - t33;
     let t35 = t5 - motor_psi_rx;
@@ -770,57 +768,56 @@ pub fn series<R: Real>(
         motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k, ..] = *state_k;
         let sums = lanes.sums(order);
         let coupling_twist_rate_k = motor_omega_k - cylinder_omega_k;
-        let t0_k = motor_omega_k * R::literal(4.0);
-        let motor_slip_speed_k = -t0_k;
-        let t1_k = motor_psi_rx_k * R::literal(0.952);
-        let t2_k = motor_psi_sx_k - t1_k;
-        let motor_i_sx_k = t2_k * R::literal(844.204_793_982_429_1);
-        let t3_k = motor_psi_ry_k * R::literal(0.952);
-        let t4_k = motor_psi_sy_k - t3_k;
-        let motor_i_sy_k = t4_k * R::literal(844.204_793_982_429_1);
-        let t5_k = motor_psi_sx_k * R::literal(0.956);
-        let t6_k = motor_psi_sy_k * R::literal(0.956);
+        let motor_slip_speed_k = -motor_omega_k * R::literal(4.0);
+        let t2_k = (-motor_psi_rx_k).mul_add(R::literal(0.952), motor_psi_sx_k);
+        let t4_k = (-motor_psi_ry_k).mul_add(R::literal(0.952), motor_psi_sy_k);
         let t10_k = inverse * t9_slope * t10_before;
-        let load_engagement_k = -(sums[0] + t10_k * load_engagement) * inverse_t11;
-        let t12_k = sums[1] + motor_psi_sx * motor_psi_ry_k
-            + motor_psi_sx_k * motor_psi_ry;
-        let t13_k = sums[2] + motor_psi_sy * motor_psi_rx_k
-            + motor_psi_sy_k * motor_psi_rx;
+        let load_engagement_k = -t10_k.mul_add(load_engagement, sums[0]) * inverse_t11;
+        let t12_k = motor_psi_sx_k
+            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[1]));
+        let t13_k = motor_psi_sy_k
+            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[2]));
         let t14_k = t13_k - t12_k;
-        let motor_torque_k = t14_k * R::literal(4_822.097_783_227_635);
-        let t15_k = coupling_twist_rate_k * R::literal(128.5346);
-        let t16_k = coupling_twist_k * p.coupling_stiffness;
-        let coupling_torque_k = t15_k + t16_k;
+        let coupling_torque_k = coupling_twist_k
+            .mul_add(p.coupling_stiffness, coupling_twist_rate_k * R::literal(128.5346));
         let t18_k = inverse * R::literal(241.805_307_826_689_27) * t19_before;
         let t19_k = -inverse * R::literal(241.805_307_826_689_27) * t18_before;
-        let t20_k = t18_k * R::literal(78.78);
         let t22_k = cylinder_omega_k * R::literal(2.0);
-        let t23_k = inverse * sums[3] + t22_k * t25;
-        let t24_k = sums[4] + t23 * t23_k + t23_k * t23;
+        let t23_k = t22_k.mul_add(t25, inverse * sums[3]);
+        let t24_k = t23_k.mul_add(t23, t23.mul_add(t23_k, sums[4]));
         let t25_k = -t24_k;
-        let t26_k = sums[5] + load_engagement * t20_k + load_engagement_k * t21;
-        let load_resistance_k = sums[6] + t26 * t23_k + t26_k * t23;
-        let t27_k = motor_torque_k - coupling_torque_k;
+        let t26_k = load_engagement_k
+            .mul_add(t21, load_engagement.mul_add(t18_k * R::literal(78.78), sums[5]));
+        let load_resistance_k = t26_k.mul_add(t23, t26.mul_add(t23_k, sums[6]));
+        let t27_k = t14_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
         let t28_k = coupling_torque_k - load_resistance_k;
         let motor_omega_dot_k = t27_k * R::literal(0.238_095_238_095_238_08);
         let cylinder_omega_dot_k = t28_k * R::literal(0.803_858_520_900_321_5);
-        let t29_k = motor_i_sx_k * R::literal(0.042_795_676_8);
-        let t30_k = motor_psi_sy_k * R::literal(314.159_265_358_979_3);
-        let motor_psi_sx_dot_k = t30_k - t29_k;
+        let motor_psi_sx_dot_k = (-t2_k)
+            .mul_add(
+                R::literal(36.128_315_516_282_626),
+                motor_psi_sy_k * R::literal(314.159_265_358_979_3),
+            );
         let t32_k = motor_psi_sx_k * R::literal(314.159_265_358_979_3);
-        let t33_k = motor_i_sy_k * R::literal(0.042_795_676_8);
         let t34_k = -t32_k;
-        let motor_psi_sy_dot_k = t34_k - t33_k;
-        let t35_k = t5_k - motor_psi_rx_k;
-        let t36_k = t35_k * R::literal(26.954_864_967_800_425);
-        let t37_k = sums[7] + motor_psi_ry * motor_slip_speed_k
-            + motor_psi_ry_k * motor_slip_speed;
-        let motor_psi_rx_dot_k = t36_k + t37_k;
-        let t38_k = sums[8] + motor_psi_rx * motor_slip_speed_k
-            + motor_psi_rx_k * motor_slip_speed;
-        let t39_k = t6_k - motor_psi_ry_k;
-        let t40_k = t39_k * R::literal(26.954_864_967_800_425);
-        let motor_psi_ry_dot_k = t40_k - t38_k;
+        let motor_psi_sy_dot_k = (-t4_k)
+            .mul_add(R::literal(36.128_315_516_282_626), t34_k);
+        let t35_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t37_k = motor_psi_ry_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_ry.mul_add(motor_slip_speed_k, sums[7]),
+            );
+        let motor_psi_rx_dot_k = t35_k
+            .mul_add(R::literal(26.954_864_967_800_425), t37_k);
+        let t38_k = motor_psi_rx_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_rx.mul_add(motor_slip_speed_k, sums[8]),
+            );
+        let t39_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t39_k
+            .mul_add(R::literal(26.954_864_967_800_425), -t38_k);
         lanes
             .set(
                 order,
@@ -841,7 +838,7 @@ pub fn series<R: Real>(
                     motor_psi_sy_k,
                     t25_k,
                     t23_k,
-                    t20_k,
+                    t18_k * R::literal(78.78),
                     t26_k,
                     motor_psi_ry_k,
                     motor_psi_rx_k,

@@ -1310,7 +1310,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 264 recurrences. 38 sums of products an order.
+/// 261 recurrences. 38 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1338,10 +1338,8 @@ pub fn series<R: Real>(
     let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
     let t1 = motor_psi_rx * R::literal(0.952);
     let t2 = motor_psi_sx - t1;
-    let motor_i_sx = t2 * R::literal(844.204_793_982_429_1);
     let t3 = motor_psi_ry * R::literal(0.952);
     let t4 = motor_psi_sy - t3;
-    let motor_i_sy = t4 * R::literal(844.204_793_982_429_1);
     let t5 = motor_psi_sx * R::literal(0.956);
     let t6 = motor_psi_sy * R::literal(0.956);
     let t7 = time - R::literal(0.15);
@@ -1520,12 +1518,12 @@ pub fn series<R: Real>(
     let piece_8_omega_dot = t135 * R::literal(8.038_585_209_003_216);
     let piece_9_omega_dot = t154 * R::literal(8.038_585_209_003_216);
     let piece_10_omega_dot = t159 * R::literal(8.038_585_209_003_216);
-    let t160 = motor_i_sx * R::literal(0.042_795_676_8);
+    let t160 = t2 * R::literal(36.128_315_516_282_626);
     let t161 = motor_psi_sy * R::literal(314.159_265_358_979_3);
     let t162 = R::literal(311.126_983_722_080_9) + t161;
     let motor_psi_sx_dot = t162 - t160;
     let t163 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t164 = motor_i_sy * R::literal(0.042_795_676_8);
+    let t164 = t4 * R::literal(36.128_315_516_282_626);
     let t165 = -t163;
     let motor_psi_sy_dot = t165 - t164;
     let t166 = t5 - motor_psi_rx;
@@ -1604,24 +1602,17 @@ pub fn series<R: Real>(
         let sums_3 = lanes_3.sums(order);
         let coupling_twist_k = motor_phi_relative_k - piece_1_phi_relative_k;
         let coupling_twist_rate_k = motor_omega_k - piece_1_omega_k;
-        let t0_k = motor_omega_k * R::literal(4.0);
-        let motor_slip_speed_k = -t0_k;
-        let t1_k = motor_psi_rx_k * R::literal(0.952);
-        let t2_k = motor_psi_sx_k - t1_k;
-        let motor_i_sx_k = t2_k * R::literal(844.204_793_982_429_1);
-        let t3_k = motor_psi_ry_k * R::literal(0.952);
-        let t4_k = motor_psi_sy_k - t3_k;
-        let motor_i_sy_k = t4_k * R::literal(844.204_793_982_429_1);
-        let t5_k = motor_psi_sx_k * R::literal(0.956);
-        let t6_k = motor_psi_sy_k * R::literal(0.956);
+        let motor_slip_speed_k = -motor_omega_k * R::literal(4.0);
+        let t2_k = (-motor_psi_rx_k).mul_add(R::literal(0.952), motor_psi_sx_k);
+        let t4_k = (-motor_psi_ry_k).mul_add(R::literal(0.952), motor_psi_sy_k);
         let t10_k = inverse * t9_slope * t10_before;
-        let load_1_engagement_k = -(sums[0] + t10_k * load_1_engagement) * inverse_t11;
-        let t12_k = sums[1] + motor_psi_sx * motor_psi_ry_k
-            + motor_psi_sx_k * motor_psi_ry;
-        let t13_k = sums[2] + motor_psi_sy * motor_psi_rx_k
-            + motor_psi_sy_k * motor_psi_rx;
+        let load_1_engagement_k = -t10_k.mul_add(load_1_engagement, sums[0])
+            * inverse_t11;
+        let t12_k = motor_psi_sx_k
+            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[1]));
+        let t13_k = motor_psi_sy_k
+            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[2]));
         let t14_k = t13_k - t12_k;
-        let motor_torque_k = t14_k * R::literal(4_822.097_783_227_635);
         let t15_k = coupling_twist_rate_k * R::literal(128.5346);
         let t16_k = coupling_twist_k * R::literal(23065.2);
         let coupling_torque_k = t15_k + t16_k;
@@ -1629,56 +1620,57 @@ pub fn series<R: Real>(
         let t19_k = -inverse * R::literal(241.805_307_826_689_27) * t18_before;
         let t20_k = t18_k * R::literal(7.878);
         let t22_k = piece_1_omega_k * R::literal(2.0);
-        let t23_k = inverse * sums[3] + t22_k * t25;
-        let t24_k = sums[4] + t23 * t23_k + t23_k * t23;
+        let t23_k = t22_k.mul_add(t25, inverse * sums[3]);
+        let t24_k = t23_k.mul_add(t23, t23.mul_add(t23_k, sums[4]));
         let t25_k = -t24_k;
-        let t26_k = sums[5] + load_1_engagement * t20_k + load_1_engagement_k * t21;
-        let load_1_resistance_k = sums[6] + t26 * t23_k + t26_k * t23;
+        let t26_k = load_1_engagement_k
+            .mul_add(t21, load_1_engagement.mul_add(t20_k, sums[5]));
+        let load_1_resistance_k = t26_k.mul_add(t23, t26.mul_add(t23_k, sums[6]));
         let t27_k = piece_2_omega_k * R::literal(2.0);
-        let t28_k = inverse * sums[7] + t27_k * t30;
-        let t29_k = sums[8] + t28 * t28_k + t28_k * t28;
+        let t28_k = t27_k.mul_add(t30, inverse * sums[7]);
+        let t29_k = t28_k.mul_add(t28, t28.mul_add(t28_k, sums[8]));
         let t30_k = -t29_k;
-        let load_2_resistance_k = sums[9] + t26 * t28_k + t26_k * t28;
+        let load_2_resistance_k = t26_k.mul_add(t28, t26.mul_add(t28_k, sums[9]));
         let t31_k = piece_3_omega_k * R::literal(2.0);
-        let t32_k = inverse * sums_1[0] + t31_k * t34;
-        let t33_k = sums_1[1] + t32 * t32_k + t32_k * t32;
+        let t32_k = t31_k.mul_add(t34, inverse * sums_1[0]);
+        let t33_k = t32_k.mul_add(t32, t32.mul_add(t32_k, sums_1[1]));
         let t34_k = -t33_k;
-        let load_3_resistance_k = sums_1[2] + t26 * t32_k + t26_k * t32;
+        let load_3_resistance_k = t26_k.mul_add(t32, t26.mul_add(t32_k, sums_1[2]));
         let t35_k = piece_4_omega_k * R::literal(2.0);
-        let t36_k = inverse * sums_1[3] + t35_k * t38;
-        let t37_k = sums_1[4] + t36 * t36_k + t36_k * t36;
+        let t36_k = t35_k.mul_add(t38, inverse * sums_1[3]);
+        let t37_k = t36_k.mul_add(t36, t36.mul_add(t36_k, sums_1[4]));
         let t38_k = -t37_k;
-        let load_4_resistance_k = sums_1[5] + t26 * t36_k + t26_k * t36;
+        let load_4_resistance_k = t26_k.mul_add(t36, t26.mul_add(t36_k, sums_1[5]));
         let t39_k = piece_5_omega_k * R::literal(2.0);
-        let t40_k = inverse * sums_1[6] + t39_k * t42;
-        let t41_k = sums_1[7] + t40 * t40_k + t40_k * t40;
+        let t40_k = t39_k.mul_add(t42, inverse * sums_1[6]);
+        let t41_k = t40_k.mul_add(t40, t40.mul_add(t40_k, sums_1[7]));
         let t42_k = -t41_k;
-        let load_5_resistance_k = sums_1[8] + t26 * t40_k + t26_k * t40;
+        let load_5_resistance_k = t26_k.mul_add(t40, t26.mul_add(t40_k, sums_1[8]));
         let t43_k = piece_6_omega_k * R::literal(2.0);
-        let t44_k = inverse * sums_1[9] + t43_k * t46;
-        let t45_k = sums_2[0] + t44 * t44_k + t44_k * t44;
+        let t44_k = t43_k.mul_add(t46, inverse * sums_1[9]);
+        let t45_k = t44_k.mul_add(t44, t44.mul_add(t44_k, sums_2[0]));
         let t46_k = -t45_k;
-        let load_6_resistance_k = sums_2[1] + t26 * t44_k + t26_k * t44;
+        let load_6_resistance_k = t26_k.mul_add(t44, t26.mul_add(t44_k, sums_2[1]));
         let t47_k = piece_7_omega_k * R::literal(2.0);
-        let t48_k = inverse * sums_2[2] + t47_k * t50;
-        let t49_k = sums_2[3] + t48 * t48_k + t48_k * t48;
+        let t48_k = t47_k.mul_add(t50, inverse * sums_2[2]);
+        let t49_k = t48_k.mul_add(t48, t48.mul_add(t48_k, sums_2[3]));
         let t50_k = -t49_k;
-        let load_7_resistance_k = sums_2[4] + t26 * t48_k + t26_k * t48;
+        let load_7_resistance_k = t26_k.mul_add(t48, t26.mul_add(t48_k, sums_2[4]));
         let t51_k = piece_8_omega_k * R::literal(2.0);
-        let t52_k = inverse * sums_2[5] + t51_k * t54;
-        let t53_k = sums_2[6] + t52 * t52_k + t52_k * t52;
+        let t52_k = t51_k.mul_add(t54, inverse * sums_2[5]);
+        let t53_k = t52_k.mul_add(t52, t52.mul_add(t52_k, sums_2[6]));
         let t54_k = -t53_k;
-        let load_8_resistance_k = sums_2[7] + t26 * t52_k + t26_k * t52;
+        let load_8_resistance_k = t26_k.mul_add(t52, t26.mul_add(t52_k, sums_2[7]));
         let t55_k = piece_9_omega_k * R::literal(2.0);
-        let t56_k = inverse * sums_2[8] + t55_k * t58;
-        let t57_k = sums_2[9] + t56 * t56_k + t56_k * t56;
+        let t56_k = t55_k.mul_add(t58, inverse * sums_2[8]);
+        let t57_k = t56_k.mul_add(t56, t56.mul_add(t56_k, sums_2[9]));
         let t58_k = -t57_k;
         let t59_k = piece_10_omega_k * R::literal(2.0);
-        let t60_k = inverse * sums_3[0] + t59_k * t62;
-        let t61_k = sums_3[1] + t60 * t60_k + t60_k * t60;
+        let t60_k = t59_k.mul_add(t62, inverse * sums_3[0]);
+        let t61_k = t60_k.mul_add(t60, t60.mul_add(t60_k, sums_3[1]));
         let t62_k = -t61_k;
-        let load_10_resistance_k = sums_3[2] + t26 * t60_k + t26_k * t60;
-        let t63_k = motor_torque_k - coupling_torque_k;
+        let load_10_resistance_k = t26_k.mul_add(t60, t26.mul_add(t60_k, sums_3[2]));
+        let t63_k = t14_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
         let t64_k = piece_1_phi_relative_k - piece_2_phi_relative_k;
         let t65_k = t64_k * R::literal(3_382_256.675_279_931);
         let t66_k = t65_k - t16_k;
@@ -1743,34 +1735,36 @@ pub fn series<R: Real>(
         let t125_k = t124_k - t120_k;
         let t126_k = t125_k - t123_k;
         let t127_k = piece_8_phi_relative_k - piece_9_phi_relative_k;
-        let t128_k = t127_k * R::literal(3_382_256.675_279_931);
-        let t129_k = t128_k - t119_k;
+        let t129_k = t127_k.mul_add(R::literal(3_382_256.675_279_931), -t119_k);
         let t130_k = piece_8_omega_k - piece_9_omega_k;
-        let t131_k = t130_k * R::literal(67.645_133_505_598_62);
-        let t132_k = t131_k - t122_k;
+        let t132_k = t130_k.mul_add(R::literal(67.645_133_505_598_62), -t122_k);
         let t133_k = -load_8_resistance_k;
         let t134_k = t133_k - t129_k;
         let t135_k = t134_k - t132_k;
-        let t136_k = piece_9_phi_relative_k * R::literal(6_764_513.350_559_862);
-        let t137_k = piece_9_omega_k * R::literal(135.290_267_011_197_24);
         let t140_k = inverse * t139_slope * t140_before;
         let t142_k = t56_k * R::literal(84.372);
-        let t143_k = (t142_k - sums_3[3] - t140_k * t143) * inverse_t141;
-        let t144_k = sums_3[4] + t20 * t56_k + t20_k * t56;
-        let t145_k = (t144_k - sums_3[5] - t140_k * t145) * inverse_t141_2;
-        let t146_k = piece_8_omega_k * R::literal(67.645_133_505_598_62);
-        let t147_k = piece_10_omega_k * R::literal(67.645_133_505_598_62);
-        let t148_k = piece_8_phi_relative_k * R::literal(3_382_256.675_279_931);
-        let t149_k = t146_k + t147_k;
-        let t150_k = t149_k + t148_k;
-        let t151_k = t150_k - t136_k;
-        let t152_k = t151_k - t137_k;
+        let t143_k = (-t140_k).mul_add(t143, t142_k - sums_3[3]) * inverse_t141;
+        let t144_k = t20_k.mul_add(t56, t20.mul_add(t56_k, sums_3[4]));
+        let t145_k = (-t140_k).mul_add(t145, t144_k - sums_3[5]) * inverse_t141_2;
+        let t149_k = piece_10_omega_k
+            .mul_add(
+                R::literal(67.645_133_505_598_62),
+                piece_8_omega_k * R::literal(67.645_133_505_598_62),
+            );
+        let t150_k = piece_8_phi_relative_k
+            .mul_add(R::literal(3_382_256.675_279_931), t149_k);
+        let t151_k = (-piece_9_phi_relative_k)
+            .mul_add(R::literal(6_764_513.350_559_862), t150_k);
+        let t152_k = (-piece_9_omega_k)
+            .mul_add(R::literal(135.290_267_011_197_24), t151_k);
         let t153_k = t152_k - t143_k;
         let t154_k = t153_k - t145_k;
         let t155_k = piece_9_omega_k - piece_10_omega_k;
-        let t156_k = t155_k * R::literal(67.645_133_505_598_62);
-        let t157_k = piece_9_phi_relative_k * R::literal(3_382_256.675_279_931);
-        let t158_k = t156_k + t157_k;
+        let t158_k = piece_9_phi_relative_k
+            .mul_add(
+                R::literal(3_382_256.675_279_931),
+                t155_k * R::literal(67.645_133_505_598_62),
+            );
         let t159_k = t158_k - load_10_resistance_k;
         let motor_omega_dot_k = t63_k * R::literal(0.238_095_238_095_238_08);
         let piece_1_omega_dot_k = t72_k * R::literal(8.038_585_209_003_216);
@@ -1783,23 +1777,31 @@ pub fn series<R: Real>(
         let piece_8_omega_dot_k = t135_k * R::literal(8.038_585_209_003_216);
         let piece_9_omega_dot_k = t154_k * R::literal(8.038_585_209_003_216);
         let piece_10_omega_dot_k = t159_k * R::literal(8.038_585_209_003_216);
-        let t160_k = motor_i_sx_k * R::literal(0.042_795_676_8);
-        let t161_k = motor_psi_sy_k * R::literal(314.159_265_358_979_3);
-        let motor_psi_sx_dot_k = t161_k - t160_k;
+        let motor_psi_sx_dot_k = (-t2_k)
+            .mul_add(
+                R::literal(36.128_315_516_282_626),
+                motor_psi_sy_k * R::literal(314.159_265_358_979_3),
+            );
         let t163_k = motor_psi_sx_k * R::literal(314.159_265_358_979_3);
-        let t164_k = motor_i_sy_k * R::literal(0.042_795_676_8);
         let t165_k = -t163_k;
-        let motor_psi_sy_dot_k = t165_k - t164_k;
-        let t166_k = t5_k - motor_psi_rx_k;
-        let t167_k = t166_k * R::literal(26.954_864_967_800_425);
-        let t168_k = sums_3[6] + motor_psi_ry * motor_slip_speed_k
-            + motor_psi_ry_k * motor_slip_speed;
-        let motor_psi_rx_dot_k = t167_k + t168_k;
-        let t169_k = sums_3[7] + motor_psi_rx * motor_slip_speed_k
-            + motor_psi_rx_k * motor_slip_speed;
-        let t170_k = t6_k - motor_psi_ry_k;
-        let t171_k = t170_k * R::literal(26.954_864_967_800_425);
-        let motor_psi_ry_dot_k = t171_k - t169_k;
+        let motor_psi_sy_dot_k = (-t4_k)
+            .mul_add(R::literal(36.128_315_516_282_626), t165_k);
+        let t166_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t168_k = motor_psi_ry_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_ry.mul_add(motor_slip_speed_k, sums_3[6]),
+            );
+        let motor_psi_rx_dot_k = t166_k
+            .mul_add(R::literal(26.954_864_967_800_425), t168_k);
+        let t169_k = motor_psi_rx_k
+            .mul_add(
+                motor_slip_speed,
+                motor_psi_rx.mul_add(motor_slip_speed_k, sums_3[7]),
+            );
+        let t170_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t170_k
+            .mul_add(R::literal(26.954_864_967_800_425), -t169_k);
         let t172_k = motor_omega_k - piece_10_omega_k;
         let t173_k = piece_1_omega_k - piece_10_omega_k;
         let t174_k = piece_2_omega_k - piece_10_omega_k;

@@ -679,7 +679,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 73 recurrences. No sums of products.
+/// 68 recurrences. No sums of products.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -705,41 +705,35 @@ pub fn series<R: Real>(
     let t8 = node_1_theta * R::literal(2.0);
     let t9 = node_0_theta + node_2_theta;
     let t10 = t9 - t8;
-    let t11 = t10 * R::literal(188_797.635_432_078_9);
-    let t12 = node_2_theta * R::literal(2.0);
-    let t13 = node_1_theta + node_3_theta;
-    let t14 = t13 - t12;
-    let t15 = t14 * R::literal(188_797.635_432_078_9);
-    let t16 = node_3_theta * R::literal(2.0);
-    let t17 = node_2_theta + node_4_theta;
-    let t18 = t17 - t16;
-    let t19 = t18 * R::literal(188_797.635_432_078_9);
-    let t20 = node_3_theta - node_4_theta;
+    let t11 = node_2_theta * R::literal(2.0);
+    let t12 = node_1_theta + node_3_theta;
+    let t13 = t12 - t11;
+    let t14 = node_3_theta * R::literal(2.0);
+    let t15 = node_2_theta + node_4_theta;
+    let t16 = t15 - t14;
+    let t17 = node_3_theta - node_4_theta;
+    let t18 = t17 * R::literal(188_797.635_432_078_9);
+    let t19 = node_4_theta * R::literal(15600.0);
+    let t20 = node_4_theta - node_5_theta;
     let t21 = t20 * R::literal(188_797.635_432_078_9);
-    let t22 = node_4_theta * R::literal(15600.0);
-    let t23 = node_4_theta - node_5_theta;
-    let t24 = t23 * R::literal(188_797.635_432_078_9);
-    let t25 = t22 + t24;
-    let t26 = t21 - t25;
-    let t27 = node_5_theta * R::literal(2.0);
-    let t28 = node_4_theta + node_6_theta;
+    let t22 = t19 + t21;
+    let t23 = t18 - t22;
+    let t24 = node_5_theta * R::literal(2.0);
+    let t25 = node_4_theta + node_6_theta;
+    let t26 = t25 - t24;
+    let t27 = node_6_theta * R::literal(2.0);
+    let t28 = node_5_theta + node_7_theta;
     let t29 = t28 - t27;
-    let t30 = t29 * R::literal(188_797.635_432_078_9);
-    let t31 = node_6_theta * R::literal(2.0);
-    let t32 = node_5_theta + node_7_theta;
-    let t33 = t32 - t31;
-    let t34 = t33 * R::literal(188_797.635_432_078_9);
-    let t35 = node_6_theta - node_7_theta;
-    let t36 = t35 * R::literal(188_797.635_432_078_9);
-    let t37 = t7 * R::literal(1_702.307_473_310_885);
-    let node_0_omega_dot = -t37;
-    let node_1_omega_dot = t11 * R::literal(851.153_736_655_442_5);
-    let node_2_omega_dot = t15 * R::literal(851.153_736_655_442_5);
-    let node_3_omega_dot = t19 * R::literal(851.153_736_655_442_5);
-    let node_4_omega_dot = t26 * R::literal(19.069_821_446_680_283);
-    let node_5_omega_dot = t30 * R::literal(851.153_736_655_442_5);
-    let node_6_omega_dot = t34 * R::literal(851.153_736_655_442_5);
-    let node_7_omega_dot = t36 * R::literal(1_702.307_473_310_885);
+    let t30 = node_6_theta - node_7_theta;
+    let t31 = t7 * R::literal(1_702.307_473_310_885);
+    let node_0_omega_dot = -t31;
+    let node_1_omega_dot = t10 * R::literal(160_695_812.869_725_9);
+    let node_2_omega_dot = t13 * R::literal(160_695_812.869_725_9);
+    let node_3_omega_dot = t16 * R::literal(160_695_812.869_725_9);
+    let node_4_omega_dot = t23 * R::literal(19.069_821_446_680_283);
+    let node_5_omega_dot = t26 * R::literal(160_695_812.869_725_9);
+    let node_6_omega_dot = t29 * R::literal(160_695_812.869_725_9);
+    let node_7_omega_dot = t30 * R::literal(321_391_625.739_451_8);
     let mut t1_before = t1;
     let mut t2_before = t2;
     let mut rates = [
@@ -774,50 +768,38 @@ pub fn series<R: Real>(
         node_6_omega_k, node_7_omega_k] = *state_k;
         let t1_k = inverse * R::literal(8.0 * core::f64::consts::PI) * t2_before;
         let t2_k = -inverse * R::literal(8.0 * core::f64::consts::PI) * t1_before;
-        let drive_k = t1_k * R::literal(0.12);
-        let t3_k = node_0_theta_k - drive_k;
-        let t4_k = t3_k * R::literal(45200.0);
+        let t3_k = (-t1_k).mul_add(R::literal(0.12), node_0_theta_k);
         let t5_k = node_0_theta_k - node_1_theta_k;
-        let t6_k = t5_k * R::literal(188_797.635_432_078_9);
-        let t7_k = t4_k + t6_k;
-        let t8_k = node_1_theta_k * R::literal(2.0);
+        let t7_k = t5_k
+            .mul_add(R::literal(188_797.635_432_078_9), t3_k * R::literal(45200.0));
         let t9_k = node_0_theta_k + node_2_theta_k;
-        let t10_k = t9_k - t8_k;
-        let t11_k = t10_k * R::literal(188_797.635_432_078_9);
-        let t12_k = node_2_theta_k * R::literal(2.0);
-        let t13_k = node_1_theta_k + node_3_theta_k;
-        let t14_k = t13_k - t12_k;
-        let t15_k = t14_k * R::literal(188_797.635_432_078_9);
-        let t16_k = node_3_theta_k * R::literal(2.0);
-        let t17_k = node_2_theta_k + node_4_theta_k;
-        let t18_k = t17_k - t16_k;
-        let t19_k = t18_k * R::literal(188_797.635_432_078_9);
-        let t20_k = node_3_theta_k - node_4_theta_k;
-        let t21_k = t20_k * R::literal(188_797.635_432_078_9);
-        let t22_k = node_4_theta_k * R::literal(15600.0);
-        let t23_k = node_4_theta_k - node_5_theta_k;
-        let t24_k = t23_k * R::literal(188_797.635_432_078_9);
-        let t25_k = t22_k + t24_k;
-        let t26_k = t21_k - t25_k;
-        let t27_k = node_5_theta_k * R::literal(2.0);
-        let t28_k = node_4_theta_k + node_6_theta_k;
-        let t29_k = t28_k - t27_k;
-        let t30_k = t29_k * R::literal(188_797.635_432_078_9);
-        let t31_k = node_6_theta_k * R::literal(2.0);
-        let t32_k = node_5_theta_k + node_7_theta_k;
-        let t33_k = t32_k - t31_k;
-        let t34_k = t33_k * R::literal(188_797.635_432_078_9);
-        let t35_k = node_6_theta_k - node_7_theta_k;
-        let t36_k = t35_k * R::literal(188_797.635_432_078_9);
-        let t37_k = t7_k * R::literal(1_702.307_473_310_885);
-        let node_0_omega_dot_k = -t37_k;
-        let node_1_omega_dot_k = t11_k * R::literal(851.153_736_655_442_5);
-        let node_2_omega_dot_k = t15_k * R::literal(851.153_736_655_442_5);
-        let node_3_omega_dot_k = t19_k * R::literal(851.153_736_655_442_5);
-        let node_4_omega_dot_k = t26_k * R::literal(19.069_821_446_680_283);
-        let node_5_omega_dot_k = t30_k * R::literal(851.153_736_655_442_5);
-        let node_6_omega_dot_k = t34_k * R::literal(851.153_736_655_442_5);
-        let node_7_omega_dot_k = t36_k * R::literal(1_702.307_473_310_885);
+        let t10_k = (-node_1_theta_k).mul_add(R::literal(2.0), t9_k);
+        let t12_k = node_1_theta_k + node_3_theta_k;
+        let t13_k = (-node_2_theta_k).mul_add(R::literal(2.0), t12_k);
+        let t15_k = node_2_theta_k + node_4_theta_k;
+        let t16_k = (-node_3_theta_k).mul_add(R::literal(2.0), t15_k);
+        let t17_k = node_3_theta_k - node_4_theta_k;
+        let t20_k = node_4_theta_k - node_5_theta_k;
+        let t22_k = t20_k
+            .mul_add(
+                R::literal(188_797.635_432_078_9),
+                node_4_theta_k * R::literal(15600.0),
+            );
+        let t23_k = t17_k.mul_add(R::literal(188_797.635_432_078_9), -t22_k);
+        let t25_k = node_4_theta_k + node_6_theta_k;
+        let t26_k = (-node_5_theta_k).mul_add(R::literal(2.0), t25_k);
+        let t28_k = node_5_theta_k + node_7_theta_k;
+        let t29_k = (-node_6_theta_k).mul_add(R::literal(2.0), t28_k);
+        let t30_k = node_6_theta_k - node_7_theta_k;
+        let t31_k = t7_k * R::literal(1_702.307_473_310_885);
+        let node_0_omega_dot_k = -t31_k;
+        let node_1_omega_dot_k = t10_k * R::literal(160_695_812.869_725_9);
+        let node_2_omega_dot_k = t13_k * R::literal(160_695_812.869_725_9);
+        let node_3_omega_dot_k = t16_k * R::literal(160_695_812.869_725_9);
+        let node_4_omega_dot_k = t23_k * R::literal(19.069_821_446_680_283);
+        let node_5_omega_dot_k = t26_k * R::literal(160_695_812.869_725_9);
+        let node_6_omega_dot_k = t29_k * R::literal(160_695_812.869_725_9);
+        let node_7_omega_dot_k = t30_k * R::literal(321_391_625.739_451_8);
         t1_before = t1_k;
         t2_before = t2_k;
         rates = [

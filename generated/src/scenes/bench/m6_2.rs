@@ -487,29 +487,28 @@ pub fn series<R: Real>(
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
         let t0_k = chain_theta_1_k - chain_theta_2_k;
-        let t1_k = inverse * sums[0] + t0_k * t2;
-        let t2_k = -(inverse * sums[1] + t0_k * t1);
-        let sin_chain_theta_1_k = inverse * sums[2]
-            + chain_theta_1_k * cos_chain_theta_1;
-        let cos_chain_theta_1_k = -(inverse * sums[3]
-            + chain_theta_1_k * sin_chain_theta_1);
-        let sin_chain_theta_2_k = inverse * sums[4]
-            + chain_theta_2_k * cos_chain_theta_2;
-        let cos_chain_theta_2_k = -(inverse * sums[5]
-            + chain_theta_2_k * sin_chain_theta_2);
+        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
+        let sin_chain_theta_1_k = chain_theta_1_k
+            .mul_add(cos_chain_theta_1, inverse * sums[2]);
+        let cos_chain_theta_1_k = -chain_theta_1_k
+            .mul_add(sin_chain_theta_1, inverse * sums[3]);
+        let sin_chain_theta_2_k = chain_theta_2_k
+            .mul_add(cos_chain_theta_2, inverse * sums[4]);
+        let cos_chain_theta_2_k = -chain_theta_2_k
+            .mul_add(sin_chain_theta_2, inverse * sums[5]);
         let t3_k = sin_chain_theta_1_k * R::literal(19.62);
-        let t4_k = sums_1[0] + chain_omega_2 * chain_omega_2_k
-            + chain_omega_2_k * chain_omega_2;
-        let t5_k = sums_1[1] + t4 * t1_k + t4_k * t1;
+        let t4_k = chain_omega_2_k
+            .mul_add(chain_omega_2, chain_omega_2.mul_add(chain_omega_2_k, sums_1[0]));
+        let t5_k = t4_k.mul_add(t1, t4.mul_add(t1_k, sums_1[1]));
         let t6_k = -t3_k;
         let t7_k = t6_k - t5_k;
-        let t8_k = sin_chain_theta_2_k * R::literal(9.81);
-        let t9_k = sums_1[2] + chain_omega_1 * chain_omega_1_k
-            + chain_omega_1_k * chain_omega_1;
-        let t10_k = sums_1[3] + t9 * t1_k + t9_k * t1;
-        let t11_k = t10_k - t8_k;
-        let n26_k = sums_1[4] + t2_k * chain_omega_2_dot;
-        let n27_k = sums_1[5] + t2_k * chain_omega_1_dot;
+        let t9_k = chain_omega_1_k
+            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_1[2]));
+        let t10_k = t9_k.mul_add(t1, t9.mul_add(t1_k, sums_1[3]));
+        let t11_k = (-sin_chain_theta_2_k).mul_add(R::literal(9.81), t10_k);
+        let n26_k = t2_k.mul_add(chain_omega_2_dot, sums_1[4]);
+        let n27_k = t2_k.mul_add(chain_omega_1_dot, sums_1[5]);
         let t7_k_2 = t7_k - n26_k;
         let t11_k_2 = t11_k - n27_k;
         let [chain_omega_1_dot_k, chain_omega_2_dot_k] = factored

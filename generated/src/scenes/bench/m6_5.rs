@@ -1444,146 +1444,142 @@ pub fn series<R: Real>(
         let sums_6 = lanes_6.sums(order);
         let sums_7 = lanes_7.sums(order);
         let t0_k = chain_theta_1_k - chain_theta_2_k;
-        let t1_k = inverse * sums[0] + t0_k * t2;
-        let t2_k = -(inverse * sums[1] + t0_k * t1);
+        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
         let t3_k = t2_k * R::literal(4.0);
         let t4_k = chain_theta_1_k - chain_theta_3_k;
-        let t5_k = inverse * sums[2] + t4_k * t6;
-        let t6_k = -(inverse * sums[3] + t4_k * t5);
+        let t5_k = t4_k.mul_add(t6, inverse * sums[2]);
+        let t6_k = -t4_k.mul_add(t5, inverse * sums[3]);
         let t7_k = t6_k * R::literal(3.0);
         let t8_k = chain_theta_1_k - chain_theta_4_k;
-        let t9_k = inverse * sums[4] + t8_k * t10;
-        let t10_k = -(inverse * sums[5] + t8_k * t9);
+        let t9_k = t8_k.mul_add(t10, inverse * sums[4]);
+        let t10_k = -t8_k.mul_add(t9, inverse * sums[5]);
         let t11_k = t10_k * R::literal(2.0);
         let t12_k = chain_theta_1_k - chain_theta_5_k;
-        let t13_k = inverse * sums[6] + t12_k * t14;
-        let t14_k = -(inverse * sums[7] + t12_k * t13);
+        let t13_k = t12_k.mul_add(t14, inverse * sums[6]);
+        let t14_k = -t12_k.mul_add(t13, inverse * sums[7]);
         let t15_k = chain_theta_2_k - chain_theta_3_k;
-        let t16_k = inverse * sums[8] + t15_k * t17;
-        let t17_k = -(inverse * sums[9] + t15_k * t16);
+        let t16_k = t15_k.mul_add(t17, inverse * sums[8]);
+        let t17_k = -t15_k.mul_add(t16, inverse * sums[9]);
         let t18_k = t17_k * R::literal(3.0);
         let t19_k = chain_theta_2_k - chain_theta_4_k;
-        let t20_k = inverse * sums_1[0] + t19_k * t21;
-        let t21_k = -(inverse * sums_1[1] + t19_k * t20);
+        let t20_k = t19_k.mul_add(t21, inverse * sums_1[0]);
+        let t21_k = -t19_k.mul_add(t20, inverse * sums_1[1]);
         let t22_k = t21_k * R::literal(2.0);
         let t23_k = chain_theta_2_k - chain_theta_5_k;
-        let t24_k = inverse * sums_1[2] + t23_k * t25;
-        let t25_k = -(inverse * sums_1[3] + t23_k * t24);
+        let t24_k = t23_k.mul_add(t25, inverse * sums_1[2]);
+        let t25_k = -t23_k.mul_add(t24, inverse * sums_1[3]);
         let t26_k = chain_theta_3_k - chain_theta_4_k;
-        let t27_k = inverse * sums_1[4] + t26_k * t28;
-        let t28_k = -(inverse * sums_1[5] + t26_k * t27);
+        let t27_k = t26_k.mul_add(t28, inverse * sums_1[4]);
+        let t28_k = -t26_k.mul_add(t27, inverse * sums_1[5]);
         let t29_k = t28_k * R::literal(2.0);
         let t30_k = chain_theta_3_k - chain_theta_5_k;
-        let t31_k = inverse * sums_1[6] + t30_k * t32;
-        let t32_k = -(inverse * sums_1[7] + t30_k * t31);
+        let t31_k = t30_k.mul_add(t32, inverse * sums_1[6]);
+        let t32_k = -t30_k.mul_add(t31, inverse * sums_1[7]);
         let t33_k = chain_theta_4_k - chain_theta_5_k;
-        let t34_k = inverse * sums_1[8] + t33_k * t35;
-        let t35_k = -(inverse * sums_1[9] + t33_k * t34);
-        let sin_chain_theta_1_k = inverse * sums_2[0]
-            + chain_theta_1_k * cos_chain_theta_1;
-        let cos_chain_theta_1_k = -(inverse * sums_2[1]
-            + chain_theta_1_k * sin_chain_theta_1);
-        let sin_chain_theta_2_k = inverse * sums_2[2]
-            + chain_theta_2_k * cos_chain_theta_2;
-        let cos_chain_theta_2_k = -(inverse * sums_2[3]
-            + chain_theta_2_k * sin_chain_theta_2);
-        let sin_chain_theta_3_k = inverse * sums_2[4]
-            + chain_theta_3_k * cos_chain_theta_3;
-        let cos_chain_theta_3_k = -(inverse * sums_2[5]
-            + chain_theta_3_k * sin_chain_theta_3);
-        let sin_chain_theta_4_k = inverse * sums_2[6]
-            + chain_theta_4_k * cos_chain_theta_4;
-        let cos_chain_theta_4_k = -(inverse * sums_2[7]
-            + chain_theta_4_k * sin_chain_theta_4);
-        let sin_chain_theta_5_k = inverse * sums_2[8]
-            + chain_theta_5_k * cos_chain_theta_5;
-        let cos_chain_theta_5_k = -(inverse * sums_2[9]
-            + chain_theta_5_k * sin_chain_theta_5);
+        let t34_k = t33_k.mul_add(t35, inverse * sums_1[8]);
+        let t35_k = -t33_k.mul_add(t34, inverse * sums_1[9]);
+        let sin_chain_theta_1_k = chain_theta_1_k
+            .mul_add(cos_chain_theta_1, inverse * sums_2[0]);
+        let cos_chain_theta_1_k = -chain_theta_1_k
+            .mul_add(sin_chain_theta_1, inverse * sums_2[1]);
+        let sin_chain_theta_2_k = chain_theta_2_k
+            .mul_add(cos_chain_theta_2, inverse * sums_2[2]);
+        let cos_chain_theta_2_k = -chain_theta_2_k
+            .mul_add(sin_chain_theta_2, inverse * sums_2[3]);
+        let sin_chain_theta_3_k = chain_theta_3_k
+            .mul_add(cos_chain_theta_3, inverse * sums_2[4]);
+        let cos_chain_theta_3_k = -chain_theta_3_k
+            .mul_add(sin_chain_theta_3, inverse * sums_2[5]);
+        let sin_chain_theta_4_k = chain_theta_4_k
+            .mul_add(cos_chain_theta_4, inverse * sums_2[6]);
+        let cos_chain_theta_4_k = -chain_theta_4_k
+            .mul_add(sin_chain_theta_4, inverse * sums_2[7]);
+        let sin_chain_theta_5_k = chain_theta_5_k
+            .mul_add(cos_chain_theta_5, inverse * sums_2[8]);
+        let cos_chain_theta_5_k = -chain_theta_5_k
+            .mul_add(sin_chain_theta_5, inverse * sums_2[9]);
         let t36_k = sin_chain_theta_1_k * R::literal(49.05);
-        let t37_k = sums_3[0] + chain_omega_2 * chain_omega_2_k
-            + chain_omega_2_k * chain_omega_2;
+        let t37_k = chain_omega_2_k
+            .mul_add(chain_omega_2, chain_omega_2.mul_add(chain_omega_2_k, sums_3[0]));
         let t38_k = t37_k * R::literal(4.0);
-        let t39_k = sums_3[1] + t38 * t1_k + t38_k * t1;
-        let t40_k = sums_3[2] + chain_omega_3 * chain_omega_3_k
-            + chain_omega_3_k * chain_omega_3;
+        let t39_k = t38_k.mul_add(t1, t38.mul_add(t1_k, sums_3[1]));
+        let t40_k = chain_omega_3_k
+            .mul_add(chain_omega_3, chain_omega_3.mul_add(chain_omega_3_k, sums_3[2]));
         let t41_k = t40_k * R::literal(3.0);
-        let t42_k = sums_3[3] + t41 * t5_k + t41_k * t5;
-        let t43_k = sums_3[4] + chain_omega_4 * chain_omega_4_k
-            + chain_omega_4_k * chain_omega_4;
+        let t42_k = t41_k.mul_add(t5, t41.mul_add(t5_k, sums_3[3]));
+        let t43_k = chain_omega_4_k
+            .mul_add(chain_omega_4, chain_omega_4.mul_add(chain_omega_4_k, sums_3[4]));
         let t44_k = t43_k * R::literal(2.0);
-        let t45_k = sums_3[5] + t44 * t9_k + t44_k * t9;
-        let t46_k = sums_3[6] + chain_omega_5 * chain_omega_5_k
-            + chain_omega_5_k * chain_omega_5;
-        let t47_k = sums_3[7] + t46 * t13_k + t46_k * t13;
+        let t45_k = t44_k.mul_add(t9, t44.mul_add(t9_k, sums_3[5]));
+        let t46_k = chain_omega_5_k
+            .mul_add(chain_omega_5, chain_omega_5.mul_add(chain_omega_5_k, sums_3[6]));
+        let t47_k = t46_k.mul_add(t13, t46.mul_add(t13_k, sums_3[7]));
         let t48_k = -t36_k;
         let t49_k = t48_k - t39_k;
         let t50_k = t49_k - t42_k;
         let t51_k = t50_k - t45_k;
         let t52_k = t51_k - t47_k;
-        let t53_k = sin_chain_theta_2_k * R::literal(39.24);
-        let t54_k = sums_3[8] + chain_omega_1 * chain_omega_1_k
-            + chain_omega_1_k * chain_omega_1;
+        let t54_k = chain_omega_1_k
+            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_3[8]));
         let t55_k = t54_k * R::literal(4.0);
-        let t56_k = sums_3[9] + t55 * t1_k + t55_k * t1;
-        let t57_k = sums_4[0] + t41 * t16_k + t41_k * t16;
-        let t58_k = sums_4[1] + t44 * t20_k + t44_k * t20;
-        let t59_k = sums_4[2] + t46 * t24_k + t46_k * t24;
-        let t60_k = t56_k - t53_k;
+        let t56_k = t55_k.mul_add(t1, t55.mul_add(t1_k, sums_3[9]));
+        let t57_k = t41_k.mul_add(t16, t41.mul_add(t16_k, sums_4[0]));
+        let t58_k = t44_k.mul_add(t20, t44.mul_add(t20_k, sums_4[1]));
+        let t59_k = t46_k.mul_add(t24, t46.mul_add(t24_k, sums_4[2]));
+        let t60_k = (-sin_chain_theta_2_k).mul_add(R::literal(39.24), t56_k);
         let t61_k = t60_k - t57_k;
         let t62_k = t61_k - t58_k;
         let t63_k = t62_k - t59_k;
-        let t64_k = sin_chain_theta_3_k * R::literal(29.43);
         let t65_k = t54_k * R::literal(3.0);
-        let t66_k = sums_4[3] + t65 * t5_k + t65_k * t5;
+        let t66_k = t65_k.mul_add(t5, t65.mul_add(t5_k, sums_4[3]));
         let t67_k = t37_k * R::literal(3.0);
-        let t68_k = sums_4[4] + t67 * t16_k + t67_k * t16;
-        let t69_k = sums_4[5] + t44 * t27_k + t44_k * t27;
-        let t70_k = sums_4[6] + t46 * t31_k + t46_k * t31;
-        let t71_k = t66_k - t64_k;
+        let t68_k = t67_k.mul_add(t16, t67.mul_add(t16_k, sums_4[4]));
+        let t69_k = t44_k.mul_add(t27, t44.mul_add(t27_k, sums_4[5]));
+        let t70_k = t46_k.mul_add(t31, t46.mul_add(t31_k, sums_4[6]));
+        let t71_k = (-sin_chain_theta_3_k).mul_add(R::literal(29.43), t66_k);
         let t72_k = t71_k + t68_k;
         let t73_k = t72_k - t69_k;
         let t74_k = t73_k - t70_k;
-        let t75_k = sin_chain_theta_4_k * R::literal(19.62);
         let t76_k = t54_k * R::literal(2.0);
-        let t77_k = sums_4[7] + t76 * t9_k + t76_k * t9;
+        let t77_k = t76_k.mul_add(t9, t76.mul_add(t9_k, sums_4[7]));
         let t78_k = t37_k * R::literal(2.0);
-        let t79_k = sums_4[8] + t78 * t20_k + t78_k * t20;
+        let t79_k = t78_k.mul_add(t20, t78.mul_add(t20_k, sums_4[8]));
         let t80_k = t40_k * R::literal(2.0);
-        let t81_k = sums_4[9] + t80 * t27_k + t80_k * t27;
-        let t82_k = sums_5[0] + t46 * t34_k + t46_k * t34;
-        let t83_k = t77_k - t75_k;
+        let t81_k = t80_k.mul_add(t27, t80.mul_add(t27_k, sums_4[9]));
+        let t82_k = t46_k.mul_add(t34, t46.mul_add(t34_k, sums_5[0]));
+        let t83_k = (-sin_chain_theta_4_k).mul_add(R::literal(19.62), t77_k);
         let t84_k = t83_k + t79_k;
         let t85_k = t84_k + t81_k;
         let t86_k = t85_k - t82_k;
-        let t87_k = sin_chain_theta_5_k * R::literal(9.81);
-        let t88_k = sums_5[1] + t54 * t13_k + t54_k * t13;
-        let t89_k = sums_5[2] + t37 * t24_k + t37_k * t24;
-        let t90_k = sums_5[3] + t40 * t31_k + t40_k * t31;
-        let t91_k = sums_5[4] + t43 * t34_k + t43_k * t34;
-        let t92_k = t88_k - t87_k;
+        let t88_k = t54_k.mul_add(t13, t54.mul_add(t13_k, sums_5[1]));
+        let t89_k = t37_k.mul_add(t24, t37.mul_add(t24_k, sums_5[2]));
+        let t90_k = t40_k.mul_add(t31, t40.mul_add(t31_k, sums_5[3]));
+        let t91_k = t43_k.mul_add(t34, t43.mul_add(t34_k, sums_5[4]));
+        let t92_k = (-sin_chain_theta_5_k).mul_add(R::literal(9.81), t88_k);
         let t93_k = t92_k + t89_k;
         let t94_k = t93_k + t90_k;
         let t95_k = t94_k + t91_k;
-        let n131_k = sums_5[5] + t3_k * chain_omega_2_dot;
-        let n132_k = sums_5[6] + t7_k * chain_omega_3_dot;
-        let n133_k = sums_5[7] + t11_k * chain_omega_4_dot;
-        let n134_k = sums_5[8] + t14_k * chain_omega_5_dot;
-        let n135_k = sums_5[9] + t3_k * chain_omega_1_dot;
-        let n136_k = sums_6[0] + t18_k * chain_omega_3_dot;
-        let n137_k = sums_6[1] + t22_k * chain_omega_4_dot;
-        let n138_k = sums_6[2] + t25_k * chain_omega_5_dot;
-        let n139_k = sums_6[3] + t7_k * chain_omega_1_dot;
-        let n140_k = sums_6[4] + t18_k * chain_omega_2_dot;
-        let n141_k = sums_6[5] + t29_k * chain_omega_4_dot;
-        let n142_k = sums_6[6] + t32_k * chain_omega_5_dot;
-        let n143_k = sums_6[7] + t11_k * chain_omega_1_dot;
-        let n144_k = sums_6[8] + t22_k * chain_omega_2_dot;
-        let n145_k = sums_6[9] + t29_k * chain_omega_3_dot;
-        let n146_k = sums_7[0] + t35_k * chain_omega_5_dot;
-        let n147_k = sums_7[1] + t14_k * chain_omega_1_dot;
-        let n148_k = sums_7[2] + t25_k * chain_omega_2_dot;
-        let n149_k = sums_7[3] + t32_k * chain_omega_3_dot;
-        let n150_k = sums_7[4] + t35_k * chain_omega_4_dot;
+        let n131_k = t3_k.mul_add(chain_omega_2_dot, sums_5[5]);
+        let n132_k = t7_k.mul_add(chain_omega_3_dot, sums_5[6]);
+        let n133_k = t11_k.mul_add(chain_omega_4_dot, sums_5[7]);
+        let n134_k = t14_k.mul_add(chain_omega_5_dot, sums_5[8]);
+        let n135_k = t3_k.mul_add(chain_omega_1_dot, sums_5[9]);
+        let n136_k = t18_k.mul_add(chain_omega_3_dot, sums_6[0]);
+        let n137_k = t22_k.mul_add(chain_omega_4_dot, sums_6[1]);
+        let n138_k = t25_k.mul_add(chain_omega_5_dot, sums_6[2]);
+        let n139_k = t7_k.mul_add(chain_omega_1_dot, sums_6[3]);
+        let n140_k = t18_k.mul_add(chain_omega_2_dot, sums_6[4]);
+        let n141_k = t29_k.mul_add(chain_omega_4_dot, sums_6[5]);
+        let n142_k = t32_k.mul_add(chain_omega_5_dot, sums_6[6]);
+        let n143_k = t11_k.mul_add(chain_omega_1_dot, sums_6[7]);
+        let n144_k = t22_k.mul_add(chain_omega_2_dot, sums_6[8]);
+        let n145_k = t29_k.mul_add(chain_omega_3_dot, sums_6[9]);
+        let n146_k = t35_k.mul_add(chain_omega_5_dot, sums_7[0]);
+        let n147_k = t14_k.mul_add(chain_omega_1_dot, sums_7[1]);
+        let n148_k = t25_k.mul_add(chain_omega_2_dot, sums_7[2]);
+        let n149_k = t32_k.mul_add(chain_omega_3_dot, sums_7[3]);
+        let n150_k = t35_k.mul_add(chain_omega_4_dot, sums_7[4]);
         let n151_k = n131_k + n132_k;
         let n152_k = n133_k + n134_k;
         let n153_k = n151_k + n152_k;

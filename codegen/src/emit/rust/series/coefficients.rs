@@ -111,7 +111,8 @@ impl<'a> Writer<'a> {
     /// Newest coefficients of all nodes where read.
     pub(super) fn higher(&mut self) -> Vec<TokenStream> {
         let mut statements = Vec::new();
-        for id in self.ids().filter(|&id| self.needs.newest[index(id)]) {
+        let is_written = |needs: &Needs, id| needs.newest[index(id)] && !needs.within[index(id)];
+        for id in self.ids().filter(|&id| is_written(self.needs, id)) {
             let (value, is_atom) = self.higher_of(id);
             if let (false, Some(value)) = (is_atom, &value) {
                 let name = self.newest_name(id);
@@ -261,13 +262,15 @@ impl<'a> Writer<'a> {
                 return (Some(quote!(#name)), true);
             }
             Recurrence::Acceleration(_) => return (self.newest[index(id)].clone(), true),
-            Recurrence::Add(..) | Recurrence::Sub(..) | Recurrence::Neg(_) => {
-                return linear(&recurrence, |id| self.newest[index(id)].clone());
+            Recurrence::Add(a, b) | Recurrence::Sub(a, b) => {
+                let is_difference = matches!(recurrence, Recurrence::Sub(..));
+                return match self.fused(a, b, is_difference) {
+                    Some(fused) => (Some(fused), false),
+                    None => linear(&recurrence, |id| self.newest_or_product(id)),
+                };
             }
-            Recurrence::Scaled { series, factor } => {
-                let (series, factor) = (newest(series), self.value(factor));
-                quote!(#series * #factor)
-            }
+            Recurrence::Neg(_) => return linear(&recurrence, |id| self.newest[index(id)].clone()),
+            Recurrence::Scaled { .. } => return (self.newest_or_product(id), false),
             Recurrence::Product(a, b) => self.product(id, a, b, &sums),
             Recurrence::Tail(..) => return (Some(quote!(#(#sums)*)), true),
             Recurrence::Quotient(a, b) => {
@@ -275,10 +278,10 @@ impl<'a> Writer<'a> {
                 let inverse_of = &self.inverses[index(id)];
                 let b = newest(b);
                 if self.tape.is_constant(a) {
-                    quote!(-(#(#sums)* + #b * #ratio) * #inverse_of)
+                    quote!(-#b.mul_add(#ratio, #(#sums)*) * #inverse_of)
                 } else {
                     let a = newest(a);
-                    quote!((#a - #(#sums)* - #b * #ratio) * #inverse_of)
+                    quote!((-#b).mul_add(#ratio, #a - #(#sums)*) * #inverse_of)
                 }
             }
             Recurrence::Root(a) => {
@@ -298,7 +301,7 @@ impl<'a> Writer<'a> {
                 let (power, exponent, base) = (self.value(id), self.value(exponent), newest(base));
                 let (first, second) = (&sums[0], &sums[1]);
                 quote!(
-                    (#exponent * (#base * #power + #inverse * #first) - #inverse * #second)
+                    (#exponent * #base.mul_add(#power, #inverse * #first) - #inverse * #second)
                         * #inverse_of
                 )
             }
@@ -317,21 +320,49 @@ impl<'a> Writer<'a> {
             }
             Recurrence::Lagged { entry, acceleration } => {
                 let (entry, acceleration) = (newest(entry), self.value(acceleration));
-                quote!(#(#sums)* + #entry * #acceleration)
+                quote!(#entry.mul_add(#acceleration, #(#sums)*))
             }
         };
         (Some(value), false)
+    }
+
+    /// The newest coefficient of a node; that of a product with a constant written out.
+    fn newest_or_product(&self, id: NodeId) -> Option<TokenStream> {
+        if let Some(known) = &self.newest[index(id)] {
+            return Some(known.clone());
+        }
+        let Recurrence::Scaled { series, factor } = self.tape[id].recurrence else { return None };
+        let (series, factor) = (self.newest[index(series)].as_ref()?, self.value(factor));
+        Some(quote!(#series * #factor))
+    }
+
+    /// a + b or a - b where one of them is a product written within.
+    fn fused(&self, a: NodeId, b: NodeId, is_difference: bool) -> Option<TokenStream> {
+        let parts = |id: NodeId| match self.tape[id].recurrence {
+            Recurrence::Scaled { series, factor } if self.needs.within[index(id)] => {
+                Some((self.newest[index(series)].clone()?, self.value(factor)))
+            }
+            _ => None,
+        };
+        let other = |id: NodeId| self.newest_or_product(id);
+        if let (Some((series, factor)), Some(a)) = (parts(b), other(a)) {
+            let series = if is_difference { quote!((-#series)) } else { series };
+            return Some(quote!(#series.mul_add(#factor, #a)));
+        }
+        let ((series, factor), b) = (parts(a)?, other(b)?);
+        let minus = is_difference.then(|| quote!(-));
+        Some(quote!(#series.mul_add(#factor, #minus #b)))
     }
 
     fn product(&self, id: NodeId, a: NodeId, b: NodeId, sums: &[TokenStream]) -> TokenStream {
         if let Some((line, other)) = line_and_other(self.tape, id) {
             let (value, slope) = (self.value(line), self.slope_name(line));
             let (newest, before) = (self.newest_or_zero(other), &self.befores[index(other)]);
-            return quote!(#slope * #before + #value * #newest);
+            return quote!(#value.mul_add(#newest, #slope * #before));
         }
         let ([a_value, b_value], [a, b]) =
             ([a, b].map(|id| self.value(id)), [a, b].map(|id| self.newest_or_zero(id)));
-        quote!(#(#sums)* + #a_value * #b + #a * #b_value)
+        quote!(#a.mul_add(#b_value, #a_value.mul_add(#b, #(#sums)*)))
     }
 
     fn integral(
@@ -349,9 +380,9 @@ impl<'a> Writer<'a> {
         }
         let (value, newest) = (self.value(integrand), self.newest_or_zero(argument));
         if minus {
-            quote!(-(#inverse * #(#sums)* + #newest * #value))
+            quote!(-#newest.mul_add(#value, #inverse * #(#sums)*))
         } else {
-            quote!(#inverse * #(#sums)* + #newest * #value)
+            quote!(#newest.mul_add(#value, #inverse * #(#sums)*))
         }
     }
 

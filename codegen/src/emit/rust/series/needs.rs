@@ -9,6 +9,9 @@ pub(super) struct Needs {
     pub(super) newest: Vec<bool>,
     /// Whether the coefficient before the newest is read.
     pub(super) before: Vec<bool>,
+    /// Whether a node is a product with a constant that one sum or difference alone
+    /// reads, so that it is written within that.
+    pub(super) within: Vec<bool>,
     /// Every sum, once; the place is the lane.
     pub(super) convolutions: Vec<Convolution>,
 }
@@ -17,12 +20,14 @@ pub(super) struct Needs {
 pub(super) fn needs(tape: &TaylorTape) -> Needs {
     let count = tape.nodes.len();
     let (mut newest, mut before) = (vec![false; count], vec![false; count]);
+    let mut reads = vec![0_u32; count];
     let mut waiting = tape.rate.clone();
     if let Some(mass) = &tape.mass_matrix {
         waiting.extend(&mass.right_side);
         waiting.extend(&mass.accelerations);
     }
     while let Some(id) = waiting.pop() {
+        reads[id.0 as usize] += 1;
         if std::mem::replace(&mut newest[id.0 as usize], true) {
             continue;
         }
@@ -43,7 +48,16 @@ pub(super) fn needs(tape: &TaylorTape) -> Needs {
             }
         }
     }
-    Needs { newest, before, convolutions }
+    let mut within = vec![false; count];
+    for node in tape.nodes.iter().zip(&newest).filter(|(_, needed)| **needed).map(|(n, _)| n) {
+        if let Recurrence::Add(a, b) | Recurrence::Sub(a, b) = node.recurrence {
+            for id in [a, b].map(|id| id.0 as usize) {
+                let is_scaled = matches!(tape.nodes[id].recurrence, Recurrence::Scaled { .. });
+                within[id] = is_scaled && reads[id] == 1;
+            }
+        }
+    }
+    Needs { newest, before, within, convolutions }
 }
 
 /// S(a, b) is S(b, a), if neither factor is weighted.

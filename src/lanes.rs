@@ -1,14 +1,15 @@
 //! Several numbers side by side, for simulators to run on: four or eight variants
 //! of a machine at the cost of little more than one.
 //!
-//! Sums, products, quotients and roots are those of the processor's vectors, as wide
-//! as the target that the program is compiled for has them (`-C target-cpu=native`);
-//! other functions are computed lane by lane. Both round as `f64` does, so every lane
+//! Sums, products, quotients, roots, sines and cosines are those of the processor's
+//! vectors, as wide as the target that the program is compiled for has them
+//! (`-C target-cpu=native`); other functions are computed lane by lane. Both round as `f64` does, so every lane
 //! holds, to the last bit, what a run on `f64` would hold.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use machinist_scenes::Real;
+use machinist_scenes::sine::{FARTHEST, sine_and_cosine};
 
 /// Numbers with lanes that can be taken apart.
 pub trait Lanes: Real {
@@ -35,6 +36,12 @@ macro_rules! lanes {
             #[inline]
             fn each(self, function: impl Fn(f64) -> f64) -> Self {
                 Self(<$vector>::from(self.0.to_array().map(function)))
+            }
+
+            /// Whether every lane is near enough to zero for sines by arithmetic.
+            #[inline]
+            fn is_near(self) -> bool {
+                self.0.to_array().iter().all(|lane| lane.abs() <= FARTHEST)
             }
         }
 
@@ -114,7 +121,15 @@ macro_rules! lanes {
             fn abs(self) -> Self {
                 Self(self.0.abs())
             }
-            lanes!(@each exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh);
+            #[inline]
+            fn sin(self) -> Self {
+                if self.is_near() { sine_and_cosine(self).0 } else { self.each(Real::sin) }
+            }
+            #[inline]
+            fn cos(self) -> Self {
+                if self.is_near() { sine_and_cosine(self).1 } else { self.each(Real::cos) }
+            }
+            lanes!(@each exp, ln, tan, asin, acos, atan, sinh, cosh, tanh);
         }
     };
     (@operator $name:ident, $operator:ident, $function:ident) => {

@@ -143,6 +143,12 @@ impl Cas {
         simplify::cheapest(&mut self.vocabulary, &form.0)
     }
 
+    /// The shorter of a form and what it is multiplied out: what it is derived from
+    /// decides how long everything derived is before it is simplified.
+    pub fn shorter(&mut self, form: &Form) -> Form {
+        Form(simplify::shorter(&mut self.vocabulary, &form.0))
+    }
+
     /// As one quotient of polynomials, common factors cancelled.
     #[must_use]
     pub fn rational(&self, form: &Form) -> Form {

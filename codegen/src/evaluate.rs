@@ -3,6 +3,8 @@
 //! Excluded: names, compilation. The order of operations is that of the emitted
 //! Rust, so that both agree bit for bit.
 
+use machinist_scenes::Real;
+
 use crate::emit::needed_nodes;
 use crate::expr::Function;
 use crate::system::Table;
@@ -103,14 +105,15 @@ pub(crate) fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>
 
 /// A function of one argument; `SelectLess` and `Table` have operations of their
 /// own and are not numbers here.
-pub(crate) fn call(function: Function, x: f64) -> f64 {
+#[must_use]
+pub fn call(function: Function, x: f64) -> f64 {
     match function {
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
         Function::Exp => x.exp(),
         Function::Ln => x.ln(),
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
+        Function::Sin => Real::sin(x),
+        Function::Cos => Real::cos(x),
         Function::Tan => x.tan(),
         Function::Asin => x.asin(),
         Function::Acos => x.acos(),

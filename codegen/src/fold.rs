@@ -4,6 +4,7 @@
 //! 0 x is 0 also where x would be infinite: a term with a structural zero is not
 //! there.
 
+use crate::evaluate;
 use crate::expr::Function;
 use crate::lower::Graph;
 use crate::tape::{NodeId, Op};
@@ -129,32 +130,10 @@ fn computed(graph: &Graph, op: &Op) -> Option<f64> {
         Op::Div(a, b) => value(a)? / value(b)?,
         Op::Powi(a, exponent) => value(a)?.powi(exponent),
         Op::Powf(a, b) => value(a)?.powf(value(b)?),
-        Op::Call(function, a) => apply(function, value(a)?)?,
+        Op::Call(function, a) => evaluate::call(function, value(a)?),
         _ => return None,
     };
     // Whatever is not finite stays an operation: it may be in a branch that is
     // never selected.
     result.is_finite().then_some(if result == 0.0 { 0.0 } else { result })
-}
-
-/// A function of one argument in f64.
-#[must_use]
-pub fn apply(function: Function, x: f64) -> Option<f64> {
-    use Function as F;
-    Some(match function {
-        F::Sqrt => x.sqrt(),
-        F::Abs => x.abs(),
-        F::Exp => x.exp(),
-        F::Ln => x.ln(),
-        F::Sin => x.sin(),
-        F::Cos => x.cos(),
-        F::Tan => x.tan(),
-        F::Asin => x.asin(),
-        F::Acos => x.acos(),
-        F::Atan => x.atan(),
-        F::Sinh => x.sinh(),
-        F::Cosh => x.cosh(),
-        F::Tanh => x.tanh(),
-        F::SelectLess | F::Table { .. } => return None,
-    })
 }

@@ -58,7 +58,8 @@ pub struct EquationsOfMotion {
 pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
     let count = system.coordinates.len() as u32;
     let ids: Vec<CoordinateId> = (0..count).map(CoordinateId).collect();
-    let kinetic = cas.form(&system.kinetic);
+    let whole = cas.form(&system.kinetic);
+    let kinetic = cas.shorter(&whole);
     let potential = cas.form(&system.potential);
     let dissipation = cas.form(&system.dissipation);
     let lagrangian = &kinetic - &potential;
@@ -80,7 +81,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         forcing.push(cas.simplify(&f));
     }
     let constraints = Constraints::derive(cas, system);
-    let power = power(cas, system, &momenta, &ids, constraints.supplied_power());
+    let power = power(cas, system, &kinetic, (&momenta, &ids), constraints.supplied_power());
     EquationsOfMotion {
         mass_matrix,
         forcing,
@@ -150,8 +151,8 @@ struct Power {
 fn power(
     cas: &mut Cas,
     system: &LagrangianSystem,
-    momenta: &[Form],
-    ids: &[CoordinateId],
+    kinetic: &Form,
+    (momenta, ids): (&[Form], &[CoordinateId]),
     by_constraints: Vec<Expr>,
 ) -> Power {
     let dissipation = cas.form(&system.dissipation);
@@ -160,9 +161,8 @@ fn power(
         supplied = &supplied + &cas.form(&power);
     }
     let mut dissipated = cas.form(&system.dissipated_power);
-    let kinetic = cas.form(&system.kinetic);
     let potential = cas.form(&system.potential);
-    let mut time_momentum = &kinetic + &kinetic;
+    let mut time_momentum = kinetic + kinetic;
     for (row, id) in ids.iter().enumerate() {
         let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(*id)));
         let force = &system.generalized_force[row];
@@ -172,7 +172,7 @@ fn power(
         dissipated = &dissipated + &(&friction * &velocity);
         time_momentum = &time_momentum - &(&momenta[row] * &velocity);
     }
-    let lagrangian = &kinetic - &potential;
+    let lagrangian = kinetic - &potential;
     supplied = &supplied - &cas.derivative(&lagrangian, Symbol::Time);
     let time_momentum = cas.expand(&time_momentum);
     Power {

@@ -36,6 +36,7 @@ mod include;
 pub mod linear;
 mod real;
 pub mod scenes;
+pub mod sine;
 mod sources;
 mod table;
 pub mod taylor;

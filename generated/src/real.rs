@@ -4,6 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::CubicTable;
+use crate::sine::{FARTHEST, sine_and_cosine};
 
 /// A real number type that emitted code can run on: `f64` and `f32` here,
 /// complex-step, lanes or double-double elsewhere.
@@ -74,7 +75,7 @@ pub trait Real:
 }
 
 macro_rules! implement_real {
-    ($float:ty, $($function:ident = $libm:ident),*; $powf:ident) => {
+    ($float:ty, $($function:ident = $libm:ident),*; $powf:ident; {$($own:item)*}) => {
         impl Real for $float {
             #[inline(always)]
             #[allow(clippy::cast_possible_truncation)]
@@ -96,6 +97,7 @@ macro_rules! implement_real {
             fn interpolate(table: &CubicTable<'_>, order: u32, argument: Self) -> Self {
                 table.search(order, argument)
             }
+            $($own)*
             #[inline]
             fn powf(self, exponent: Self) -> Self {
                 #[cfg(feature = "std")]
@@ -116,10 +118,37 @@ macro_rules! implement_real {
     };
 }
 
-implement_real!(f64, sqrt = sqrt, abs = fabs, exp = exp, ln = log, sin = sin, cos = cos, tan = tan,
-    asin = asin, acos = acos, atan = atan, sinh = sinh, cosh = cosh, tanh = tanh; pow);
+implement_real!(f64, sqrt = sqrt, abs = fabs, exp = exp, ln = log, tan = tan, asin = asin,
+acos = acos, atan = atan, sinh = sinh, cosh = cosh, tanh = tanh; pow; {
+    #[inline]
+    fn sin(self) -> Self {
+        sine_and_cosine_of_any(self).0
+    }
+    #[inline]
+    fn cos(self) -> Self {
+        sine_and_cosine_of_any(self).1
+    }
+});
 implement_real!(f32, sqrt = sqrtf, abs = fabsf, exp = expf, ln = logf, sin = sinf, cos = cosf, tan = tanf,
-    asin = asinf, acos = acosf, atan = atanf, sinh = sinhf, cosh = coshf, tanh = tanhf; powf);
+    asin = asinf, acos = acosf, atan = atanf, sinh = sinhf, cosh = coshf, tanh = tanhf; powf; {});
+
+/// Sine and cosine; where both are asked for, compilers see that they are one call.
+#[inline]
+fn sine_and_cosine_of_any(x: f64) -> (f64, f64) {
+    if x.abs() <= FARTHEST { sine_and_cosine(x) } else { sine_and_cosine_far_away(x) }
+}
+
+#[cold]
+fn sine_and_cosine_far_away(x: f64) -> (f64, f64) {
+    #[cfg(feature = "std")]
+    {
+        (f64::sin(x), f64::cos(x))
+    }
+    #[cfg(not(feature = "std"))]
+    {
+        (libm::sin(x), libm::cos(x))
+    }
+}
 
 /// Integer power by repeated squaring; unrolled where the exponent is known.
 #[inline]

@@ -7,6 +7,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("contract.rs", include_str!("contract.rs")),
     ("include.rs", include_str!("include.rs")),
     ("real.rs", include_str!("real.rs")),
+    ("sine.rs", include_str!("sine.rs")),
     ("sources.rs", include_str!("sources.rs")),
     ("table.rs", include_str!("table.rs")),
     ("field.rs", include_str!("field.rs")),

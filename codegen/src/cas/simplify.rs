@@ -47,6 +47,17 @@ pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
     best.1
 }
 
+/// The form itself, or multiplied out with trigonometric identities applied if that
+/// is shorter, written out without any sharing.
+pub(super) fn shorter(vocabulary: &mut Vocabulary, atom: &Atom) -> Atom {
+    if operations(&to_expr(vocabulary, atom.as_view())) > EXPAND_LIMIT {
+        return atom.clone();
+    }
+    let expanded = trigonometric(vocabulary, &atom.expand());
+    let size = |atom: &Atom| atom.as_view().get_byte_size();
+    if size(&expanded) < size(atom) { expanded } else { atom.clone() }
+}
+
 /// Whether there is an exponential with a number in its argument: exp(50 t + 7) is
 /// a power of exp(t) to Symbolica, and polynomials of degree 50 take long to factor.
 fn has_high_degree(expr: &Expr) -> bool {

@@ -2,6 +2,7 @@
 
 use num_traits::ToPrimitive as _;
 
+use crate::evaluate::call;
 use crate::expr::{Expr, Function, ParameterId, Symbol};
 
 /// The value; NaN if the expression depends on anything but parameters.
@@ -20,28 +21,8 @@ pub fn evaluate(expr: &Expr, parameter: &impl Fn(ParameterId) -> f64) -> f64 {
             _ => f64::NAN,
         },
         Expr::Call(function, arguments) => match arguments.as_slice() {
-            [argument] => unary(*function, value(argument)),
+            [argument] => call(*function, value(argument)),
             _ => f64::NAN,
         },
-    }
-}
-
-/// Value of a function of one argument; NaN for a table.
-pub fn unary(function: Function, x: f64) -> f64 {
-    match function {
-        Function::Sqrt => x.sqrt(),
-        Function::Abs => x.abs(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Atan => x.atan(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-        Function::SelectLess | Function::Table { .. } => f64::NAN,
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::diagnostic::{Mistake, Span};
 use crate::dimension::{Angular, Dimension};
+use crate::evaluate::call;
 use crate::expr::{Expr, Function, Symbol, TableId};
-use crate::scene::evaluate::unary;
 use crate::scene::layout::Scope;
 use crate::scene::resolve::{Resolved, Resolver};
 use crate::scene::spline;
@@ -77,7 +77,7 @@ impl Resolver<'_> {
         let x = self.number(x, scope, allowed)?;
         let mut typed = Typed::over(&[&x]);
         typed.angular = Angular::of_function(x.uses.moves());
-        typed.value = x.value.map(|value| unary(function, value));
+        typed.value = x.value.map(|value| call(function, value));
         typed.expr = Expr::Call(function, vec![x.expr]);
         Ok(typed)
     }

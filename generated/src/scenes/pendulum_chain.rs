@@ -37,19 +37,19 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                    117
+//   rate                    116
 //   mass_matrix              24
-//   forcing                  59
-//   rate_jacobian           285
-//   parameter_jacobian      330
+//   forcing                  56
+//   rate_jacobian           284
+//   parameter_jacobian      328
 //   time_derivative           0
 //   outputs                  17
 //   energy                   48
-//   power_balance           221
+//   power_balance           220
 // With constants of the parameters, prepared once a run:
 //   prepare                  30
-//   prepared_rate            95
-//   prepared_rate_jacobian  255
+//   prepared_rate            94
+//   prepared_rate_jacobian  254
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -400,7 +400,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 117 operations.
+/// 116 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
@@ -409,7 +409,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 95 operations.
+/// 94 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -445,17 +445,14 @@ pub fn prepared_rate<R: Real>(
             + c.chain_m_3_times_chain_l_2 * chain_w_2_squared * t0 + t10 * t2
             + c.chain_m_3_times_chain_gravity * sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t12 = t5 * t11
-        - p.chain_l_2
-            * (c.chain_m_2_times_chain_gravity * sin_chain_th_2
-                - c.chain_m_2_times_chain_l_1 * chain_w_1_squared * t0
-                - c.chain_m_3_times_chain_l_1 * chain_w_1_squared * t0 + t10 * t4
-                + c.chain_m_3_times_chain_gravity * sin_chain_th_2);
-    let chain_w_3_dot = (t6 * t11
-        - c.chain_m_3_times_chain_l_3
-            * (-(p.chain_l_1 * chain_w_1_squared * t2)
-                - p.chain_l_2 * chain_w_2_squared * t4
-                + p.chain_gravity * sin_chain_th_3) - t9 * t12)
+    let t12 = p.chain_l_2
+        * (c.chain_m_2_times_chain_l_1 * chain_w_1_squared * t0
+            + c.chain_m_3_times_chain_l_1 * chain_w_1_squared * t0
+            - c.chain_m_2_times_chain_gravity * sin_chain_th_2 - t10 * t4
+            - c.chain_m_3_times_chain_gravity * sin_chain_th_2) + t5 * t11;
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
+        * (p.chain_l_1 * chain_w_1_squared * t2 + p.chain_l_2 * chain_w_2_squared * t4
+            - p.chain_gravity * sin_chain_th_3) + t6 * t11 - t9 * t12)
         * (R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t6 * t3 - t9 * t8));
     let chain_w_2_dot = t12 * t7 - t9 * chain_w_3_dot;
     let chain_w_1_dot = -(t11 * c.t4) - t5 * chain_w_2_dot - t6 * chain_w_3_dot;
@@ -488,7 +485,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 59 operations.
+/// 56 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     _time: R,
@@ -513,25 +510,26 @@ pub fn forcing<R: Real>(
             + p.chain_m_3 * p.chain_l_2 * chain_w_2_squared
                 * sin_chain_th_1_minus_chain_th_2 + t0 * sin_chain_th_1_minus_chain_th_3
             + chain_m_3_times_chain_gravity * sin_chain_th_1));
-    let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2_minus_chain_th_3 = (chain_th_2 - chain_th_3).sin();
-    let chain_th_2_forcing = -(p.chain_l_2
-        * (chain_m_2_times_chain_gravity * sin_chain_th_2
-            - p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let chain_th_2_forcing = p.chain_l_2
+        * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+            * sin_chain_th_1_minus_chain_th_2
+            + p.chain_m_3 * p.chain_l_1 * chain_w_1_squared
                 * sin_chain_th_1_minus_chain_th_2
-            - p.chain_m_3 * p.chain_l_1 * chain_w_1_squared
-                * sin_chain_th_1_minus_chain_th_2 + t0 * sin_chain_th_2_minus_chain_th_3
-            + chain_m_3_times_chain_gravity * sin_chain_th_2));
-    let chain_th_3_forcing = -(chain_m_3_times_chain_l_3
-        * (-(p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
-            - p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
-            + p.chain_gravity * chain_th_3.sin()));
+            - chain_m_2_times_chain_gravity * sin_chain_th_2
+            - t0 * sin_chain_th_2_minus_chain_th_3
+            - chain_m_3_times_chain_gravity * sin_chain_th_2);
+    let chain_th_3_forcing = chain_m_3_times_chain_l_3
+        * (p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3
+            + p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
+            - p.chain_gravity * chain_th_3.sin());
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 285 operations.
+/// 284 operations.
 #[must_use]
 #[inline]
 pub fn rate_jacobian<R: Real>(
@@ -544,7 +542,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// As `rate_jacobian`, with the constants of the parameters from `prepare`.
 ///
-/// 255 operations.
+/// 254 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
@@ -588,15 +586,13 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t19 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t20 = t8 * t17
-        - p.chain_l_2
-            * (c.chain_m_2_times_chain_gravity * sin_chain_th_2 - t18 * t0 - t19 * t0
-                + t16 * t6 + c.chain_m_3_times_chain_gravity * sin_chain_th_2);
-    let chain_w_3_dot = (t9 * t17
-        - c.chain_m_3_times_chain_l_3
-            * (-(chain_l_1_times_chain_w_1_squared * t3)
-                - chain_l_2_times_chain_w_2_squared * t6
-                + p.chain_gravity * sin_chain_th_3) - t12 * t20) * t13;
+    let t20 = p.chain_l_2
+        * (t18 * t0 + t19 * t0 - c.chain_m_2_times_chain_gravity * sin_chain_th_2
+            - t16 * t6 - c.chain_m_3_times_chain_gravity * sin_chain_th_2) + t8 * t17;
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
+        * (chain_l_1_times_chain_w_1_squared * t3
+            + chain_l_2_times_chain_w_2_squared * t6 - p.chain_gravity * sin_chain_th_3)
+        + t9 * t17 - t12 * t20) * t13;
     let chain_w_2_dot = t20 * t10 - t12 * chain_w_3_dot;
     let chain_w_1_dot = -(t17 * c.t4) - t8 * chain_w_2_dot - t9 * chain_w_3_dot;
     let t21 = c.t0 * t0;
@@ -620,9 +616,9 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t30 = c.t3 * t6;
     let t31 = t30 * chain_w_3_dot;
     let t32 = t30 * chain_w_2_dot;
-    let t33 = -(p.chain_l_2
-        * (t18 * t1 + c.chain_m_2_times_chain_gravity * cos_chain_th_2 + t19 * t1
-            + t16 * t7 + c.chain_m_3_times_chain_gravity * cos_chain_th_2)) - t23 + t31
+    let t33 = p.chain_l_2
+        * (-(t18 * t1) - c.chain_m_2_times_chain_gravity * cos_chain_th_2 - t19 * t1
+            - t16 * t7 - c.chain_m_3_times_chain_gravity * cos_chain_th_2) - t23 + t31
         - t8 * t29;
     let chain_w_3_dot_by_chain_th_2 = (c.t3 * chain_w_2_squared * t7 + t32 - t9 * t29
         - t12 * t33) * t13;
@@ -631,9 +627,9 @@ pub fn prepared_rate_jacobian<R: Real>(
         - t9 * chain_w_3_dot_by_chain_th_2;
     let t34 = c.t1 * chain_w_3_squared * t4 - t25;
     let t35 = c.t3 * chain_w_3_squared * t7 - t31 - t8 * t34;
-    let chain_w_3_dot_by_chain_th_3 = (-(c.chain_m_3_times_chain_l_3
-        * (chain_l_1_times_chain_w_1_squared * t4
-            + chain_l_2_times_chain_w_2_squared * t7 + p.chain_gravity * cos_chain_th_3))
+    let chain_w_3_dot_by_chain_th_3 = (c.chain_m_3_times_chain_l_3
+        * (-(chain_l_1_times_chain_w_1_squared * t4)
+            - chain_l_2_times_chain_w_2_squared * t7 - p.chain_gravity * cos_chain_th_3)
         - t27 - t32 - t9 * t34 - t12 * t35) * t13;
     let chain_w_2_dot_by_chain_th_3 = t35 * t10 - t12 * chain_w_3_dot_by_chain_th_3;
     let chain_w_1_dot_by_chain_th_3 = t34 * c.t4 - t8 * chain_w_2_dot_by_chain_th_3
@@ -683,7 +679,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 330 operations.
+/// 328 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     _time: R,
@@ -735,106 +731,108 @@ pub fn parameter_jacobian<R: Real>(
         + t10 * sin_chain_th_1_minus_chain_th_3
         + chain_m_3_times_chain_gravity * sin_chain_th_1;
     let t12 = p.chain_l_1 * t11;
-    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let t13 = chain_m_2_times_chain_gravity * sin_chain_th_2;
     let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
-    let t13 = chain_m_2_times_chain_gravity * sin_chain_th_2
-        - p.chain_m_2 * p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
-        - chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
-        + t10 * sin_chain_th_2_minus_chain_th_3
-        + chain_m_3_times_chain_gravity * sin_chain_th_2;
+    let t14 = t10 * sin_chain_th_2_minus_chain_th_3;
+    let t15 = chain_m_3_times_chain_gravity * sin_chain_th_2;
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let t16 = p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_2;
+    let t17 = chain_m_3_times_chain_l_1 * chain_w_1_squared
+        * sin_chain_th_1_minus_chain_th_2;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t14 = -(chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
-        - chain_l_2_times_chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
-        + p.chain_gravity * sin_chain_th_3;
-    let t15 = t4 * t12 - p.chain_l_2 * t13;
-    let chain_w_3_dot = (t5 * t12 - chain_m_3_times_chain_l_3 * t14 - t8 * t15) * t9;
-    let chain_w_2_dot = t15 * t6 - t8 * chain_w_3_dot;
+    let t18 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3
+        + chain_l_2_times_chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
+        - p.chain_gravity * sin_chain_th_3;
+    let t19 = p.chain_l_2 * (t16 + t17 - t13 - t14 - t15) + t4 * t12;
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t18 + t5 * t12 - t8 * t19) * t9;
+    let chain_w_2_dot = t19 * t6 - t8 * chain_w_3_dot;
     let chain_w_1_dot = -(t12 * t3) - t4 * chain_w_2_dot - t5 * chain_w_3_dot;
-    let t16 = chain_l_1_squared * chain_w_1_dot;
-    let t17 = -(p.chain_gravity * chain_x_1) - t16;
-    let t18 = t4 * t17;
-    let chain_w_3_dot_by_chain_m_1 = (t8 * t18 - t5 * t17) * t9;
-    let chain_w_2_dot_by_chain_m_1 = -(t18 * t6) - t8 * chain_w_3_dot_by_chain_m_1;
-    let chain_w_1_dot_by_chain_m_1 = t17 * t3 - t4 * chain_w_2_dot_by_chain_m_1
+    let t20 = chain_l_1_squared * chain_w_1_dot;
+    let t21 = -(p.chain_gravity * chain_x_1) - t20;
+    let t22 = t4 * t21;
+    let chain_w_3_dot_by_chain_m_1 = (t8 * t22 - t5 * t21) * t9;
+    let chain_w_2_dot_by_chain_m_1 = -(t22 * t6) - t8 * chain_w_3_dot_by_chain_m_1;
+    let chain_w_1_dot_by_chain_m_1 = t21 * t3 - t4 * chain_w_2_dot_by_chain_m_1
         - t5 * chain_w_3_dot_by_chain_m_1;
-    let t19 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
+    let t23 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
-    let t20 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
-    let t21 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
-    let t22 = t21 * chain_w_2_dot;
-    let t23 = -(p.chain_l_1 * (t19 + chain_gravity_times_sin_chain_th_1)) - t16 - t22;
-    let t24 = t21 * chain_w_1_dot;
-    let t25 = chain_l_2_squared * chain_w_2_dot;
-    let t26 = -(p.chain_l_2 * (chain_gravity_times_sin_chain_th_2 - t20)) - t24 - t25
-        - t4 * t23;
-    let chain_w_3_dot_by_chain_m_2 = (-(t5 * t23) - t8 * t26) * t9;
-    let chain_w_2_dot_by_chain_m_2 = t26 * t6 - t8 * chain_w_3_dot_by_chain_m_2;
-    let chain_w_1_dot_by_chain_m_2 = t23 * t3 - t4 * chain_w_2_dot_by_chain_m_2
+    let t24 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
+    let t25 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
+    let t26 = t25 * chain_w_2_dot;
+    let t27 = -(p.chain_l_1 * (t23 + chain_gravity_times_sin_chain_th_1)) - t20 - t26;
+    let t28 = t25 * chain_w_1_dot;
+    let t29 = chain_l_2_squared * chain_w_2_dot;
+    let t30 = p.chain_l_2 * (t24 - chain_gravity_times_sin_chain_th_2) - t28 - t29
+        - t4 * t27;
+    let chain_w_3_dot_by_chain_m_2 = (-(t5 * t27) - t8 * t30) * t9;
+    let chain_w_2_dot_by_chain_m_2 = t30 * t6 - t8 * chain_w_3_dot_by_chain_m_2;
+    let chain_w_1_dot_by_chain_m_2 = t27 * t3 - t4 * chain_w_2_dot_by_chain_m_2
         - t5 * chain_w_3_dot_by_chain_m_2;
     let chain_l_3_times_chain_w_3_squared = p.chain_l_3 * chain_w_3_squared;
-    let t27 = p.chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t28 = -(p.chain_l_1
-        * (t19 + chain_l_3_times_chain_w_3_squared * sin_chain_th_1_minus_chain_th_3
-            + chain_gravity_times_sin_chain_th_1)) - t16 - t22 - t27 * chain_w_3_dot;
-    let t29 = p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t30 = -(p.chain_l_2
-        * (chain_l_3_times_chain_w_3_squared * sin_chain_th_2_minus_chain_th_3 - t20
-            + chain_gravity_times_sin_chain_th_2)) - t24 - t25 - t29 * chain_w_3_dot
-        - t4 * t28;
-    let chain_w_3_dot_by_chain_m_3 = (-(p.chain_l_3 * t14) - t27 * chain_w_1_dot
-        - t29 * chain_w_2_dot - chain_l_3_squared * chain_w_3_dot - t5 * t28 - t8 * t30)
+    let t31 = p.chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t32 = -(p.chain_l_1
+        * (t23 + chain_l_3_times_chain_w_3_squared * sin_chain_th_1_minus_chain_th_3
+            + chain_gravity_times_sin_chain_th_1)) - t20 - t26 - t31 * chain_w_3_dot;
+    let t33 = p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t34 = p.chain_l_2
+        * (t24 - chain_l_3_times_chain_w_3_squared * sin_chain_th_2_minus_chain_th_3
+            - chain_gravity_times_sin_chain_th_2) - t28 - t29 - t33 * chain_w_3_dot
+        - t4 * t32;
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t18 - t31 * chain_w_1_dot
+        - t33 * chain_w_2_dot - chain_l_3_squared * chain_w_3_dot - t5 * t32 - t8 * t34)
         * t9;
-    let chain_w_2_dot_by_chain_m_3 = t30 * t6 - t8 * chain_w_3_dot_by_chain_m_3;
-    let chain_w_1_dot_by_chain_m_3 = t28 * t3 - t4 * chain_w_2_dot_by_chain_m_3
+    let chain_w_2_dot_by_chain_m_3 = t34 * t6 - t8 * chain_w_3_dot_by_chain_m_3;
+    let chain_w_1_dot_by_chain_m_3 = t32 * t3 - t4 * chain_w_2_dot_by_chain_m_3
         - t5 * chain_w_3_dot_by_chain_m_3;
-    let t31 = p.chain_l_2 * chain_m_2_plus_chain_m_3;
-    let t32 = t31 * cos_chain_th_1_minus_chain_th_2;
-    let t33 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t34 = -t11 - R::literal(2.0) * p.chain_l_1 * t0 * chain_w_1_dot
-        - t32 * chain_w_2_dot - t33 * chain_w_3_dot;
-    let t35 = t31 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
-        - t32 * chain_w_1_dot - t4 * t34;
+    let t35 = p.chain_l_2 * chain_m_2_plus_chain_m_3;
+    let t36 = t35 * cos_chain_th_1_minus_chain_th_2;
+    let t37 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t38 = -t11 - R::literal(2.0) * p.chain_l_1 * t0 * chain_w_1_dot
+        - t36 * chain_w_2_dot - t37 * chain_w_3_dot;
+    let t39 = t35 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
+        - t36 * chain_w_1_dot - t4 * t38;
     let chain_w_3_dot_by_chain_l_1 = (chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3 - t33 * chain_w_1_dot - t5 * t34 - t8 * t35)
+        * sin_chain_th_1_minus_chain_th_3 - t37 * chain_w_1_dot - t5 * t38 - t8 * t39)
         * t9;
-    let chain_w_2_dot_by_chain_l_1 = t35 * t6 - t8 * chain_w_3_dot_by_chain_l_1;
-    let chain_w_1_dot_by_chain_l_1 = t34 * t3 - t4 * chain_w_2_dot_by_chain_l_1
+    let chain_w_2_dot_by_chain_l_1 = t39 * t6 - t8 * chain_w_3_dot_by_chain_l_1;
+    let chain_w_1_dot_by_chain_l_1 = t38 * t3 - t4 * chain_w_2_dot_by_chain_l_1
         - t5 * chain_w_3_dot_by_chain_l_1;
-    let t36 = p.chain_l_1 * chain_m_2_plus_chain_m_3;
-    let t37 = t36 * cos_chain_th_1_minus_chain_th_2;
-    let t38 = -(t36 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2)
-        - t37 * chain_w_2_dot;
-    let t39 = chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t40 = -t13 - t37 * chain_w_1_dot
+    let t40 = p.chain_l_1 * chain_m_2_plus_chain_m_3;
+    let t41 = t40 * cos_chain_th_1_minus_chain_th_2;
+    let t42 = -(t40 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2)
+        - t41 * chain_w_2_dot;
+    let t43 = chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
+    let t44 = t17 - (t13 + t14 + t15 - t16) - t41 * chain_w_1_dot
         - R::literal(2.0) * p.chain_l_2 * chain_m_2_plus_chain_m_3 * chain_w_2_dot
-        - t39 * chain_w_3_dot - t4 * t38;
+        - t43 * chain_w_3_dot - t4 * t42;
     let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * chain_w_2_squared
-        * sin_chain_th_2_minus_chain_th_3 - t39 * chain_w_2_dot - t5 * t38 - t8 * t40)
+        * sin_chain_th_2_minus_chain_th_3 - t43 * chain_w_2_dot - t5 * t42 - t8 * t44)
         * t9;
-    let chain_w_2_dot_by_chain_l_2 = t40 * t6 - t8 * chain_w_3_dot_by_chain_l_2;
-    let chain_w_1_dot_by_chain_l_2 = t38 * t3 - t4 * chain_w_2_dot_by_chain_l_2
+    let chain_w_2_dot_by_chain_l_2 = t44 * t6 - t8 * chain_w_3_dot_by_chain_l_2;
+    let chain_w_1_dot_by_chain_l_2 = t42 * t3 - t4 * chain_w_2_dot_by_chain_l_2
         - t5 * chain_w_3_dot_by_chain_l_2;
-    let t41 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
-    let t42 = -(chain_m_3_times_chain_l_1 * chain_w_3_squared
-        * sin_chain_th_1_minus_chain_th_3) - t41 * chain_w_3_dot;
-    let t43 = chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
-    let t44 = -(chain_m_3_times_chain_l_2 * chain_w_3_squared
-        * sin_chain_th_2_minus_chain_th_3) - t43 * chain_w_3_dot - t4 * t42;
-    let chain_w_3_dot_by_chain_l_3 = (-(p.chain_m_3 * t14) - t41 * chain_w_1_dot
-        - t43 * chain_w_2_dot
-        - R::literal(2.0) * p.chain_m_3 * p.chain_l_3 * chain_w_3_dot - t5 * t42
-        - t8 * t44) * t9;
-    let chain_w_2_dot_by_chain_l_3 = t44 * t6 - t8 * chain_w_3_dot_by_chain_l_3;
-    let chain_w_1_dot_by_chain_l_3 = t42 * t3 - t4 * chain_w_2_dot_by_chain_l_3
+    let t45 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
+    let t46 = -(chain_m_3_times_chain_l_1 * chain_w_3_squared
+        * sin_chain_th_1_minus_chain_th_3) - t45 * chain_w_3_dot;
+    let t47 = chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
+    let t48 = -(chain_m_3_times_chain_l_2 * chain_w_3_squared
+        * sin_chain_th_2_minus_chain_th_3) - t47 * chain_w_3_dot - t4 * t46;
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t18 - t45 * chain_w_1_dot
+        - t47 * chain_w_2_dot
+        - R::literal(2.0) * p.chain_m_3 * p.chain_l_3 * chain_w_3_dot - t5 * t46
+        - t8 * t48) * t9;
+    let chain_w_2_dot_by_chain_l_3 = t48 * t6 - t8 * chain_w_3_dot_by_chain_l_3;
+    let chain_w_1_dot_by_chain_l_3 = t46 * t3 - t4 * chain_w_2_dot_by_chain_l_3
         - t5 * chain_w_3_dot_by_chain_l_3;
-    let t45 = t0 * chain_x_1;
-    let t46 = t4 * t45 - t31 * sin_chain_th_2;
-    let chain_w_3_dot_by_chain_gravity = (t5 * t45
-        - chain_m_3_times_chain_l_3 * sin_chain_th_3 - t8 * t46) * t9;
-    let chain_w_2_dot_by_chain_gravity = t46 * t6 - t8 * chain_w_3_dot_by_chain_gravity;
-    let chain_w_1_dot_by_chain_gravity = -(t45 * t3)
+    let t49 = t0 * chain_x_1;
+    let t50 = t4 * t49 - t35 * sin_chain_th_2;
+    let chain_w_3_dot_by_chain_gravity = (t5 * t49
+        - chain_m_3_times_chain_l_3 * sin_chain_th_3 - t8 * t50) * t9;
+    let chain_w_2_dot_by_chain_gravity = t50 * t6 - t8 * chain_w_3_dot_by_chain_gravity;
+    let chain_w_1_dot_by_chain_gravity = -(t49 * t3)
         - t4 * chain_w_2_dot_by_chain_gravity - t5 * chain_w_3_dot_by_chain_gravity;
     [
         chain_w_1_dot_by_chain_m_1,
@@ -935,7 +933,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 221 operations.
+/// 220 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -992,22 +990,20 @@ pub fn power_balance<R: Real>(
             + chain_m_3_times_chain_l_2 * chain_w_2_squared
                 * sin_chain_th_1_minus_chain_th_2 + t8 * sin_chain_th_1_minus_chain_th_3
             + chain_m_3_times_chain_gravity * sin_chain_th_1);
-    let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
-    let t10 = t3 * t9
-        - p.chain_l_2
-            * (chain_m_2_times_chain_gravity * sin_chain_th_2
-                - p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-                    * sin_chain_th_1_minus_chain_th_2
-                - chain_m_3_times_chain_l_1 * chain_w_1_squared
-                    * sin_chain_th_1_minus_chain_th_2
-                + t8 * sin_chain_th_2_minus_chain_th_3
-                + chain_m_3_times_chain_gravity * sin_chain_th_2);
-    let chain_w_3_dot = (t4 * t9
-        - chain_m_3_times_chain_l_3
-            * (-(p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
-                - p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
-                + p.chain_gravity * sin_chain_th_3) - t7 * t10)
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let t10 = p.chain_l_2
+        * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
+            * sin_chain_th_1_minus_chain_th_2
+            + chain_m_3_times_chain_l_1 * chain_w_1_squared
+                * sin_chain_th_1_minus_chain_th_2
+            - chain_m_2_times_chain_gravity * sin_chain_th_2
+            - t8 * sin_chain_th_2_minus_chain_th_3
+            - chain_m_3_times_chain_gravity * sin_chain_th_2) + t3 * t9;
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3
+        * (p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3
+            + p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
+            - p.chain_gravity * sin_chain_th_3) + t4 * t9 - t7 * t10)
         * (R::literal(1.0)
             / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t4 * t1 - t7 * t6));
     let chain_w_2_dot = t10 * t5 - t7 * chain_w_3_dot;
@@ -1058,7 +1054,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 109 recurrences. 29 sums of products an order.
+/// 106 recurrences. 29 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1129,37 +1125,34 @@ pub fn series<R: Real>(
     let t47 = t46 + t42;
     let t48 = t47 * p.chain_l_1;
     let t49 = -t48;
-    let t50 = chain_w_1 * chain_w_1;
-    let t51 = p.chain_m_2 * p.chain_l_1;
-    let t52 = t50 * t51;
-    let t53 = t52 * t6;
-    let t54 = sin_chain_th_2 * t33;
-    let t55 = t50 * t14;
+    let t50 = sin_chain_th_2 * t33;
+    let t51 = t39 * t20;
+    let t52 = sin_chain_th_2 * t41;
+    let t53 = chain_w_1 * chain_w_1;
+    let t54 = p.chain_m_2 * p.chain_l_1;
+    let t55 = t53 * t54;
     let t56 = t55 * t6;
-    let t57 = t39 * t20;
-    let t58 = sin_chain_th_2 * t41;
-    let t59 = t54 - t53;
-    let t60 = t59 - t56;
-    let t61 = t60 + t57;
-    let t62 = t61 + t58;
+    let t57 = t53 * t14;
+    let t58 = t57 * t6;
+    let t59 = t56 + t58;
+    let t60 = t59 - t50;
+    let t61 = t60 - t51;
+    let t62 = t61 - t52;
     let t63 = t62 * p.chain_l_2;
-    let t64 = -t63;
-    let t65 = t50 * p.chain_l_1;
+    let t64 = sin_chain_th_3 * p.chain_gravity;
+    let t65 = t53 * p.chain_l_1;
     let t66 = t65 * t12;
-    let t67 = -t66;
-    let t68 = t29 * p.chain_l_2;
-    let t69 = t68 * t20;
-    let t70 = sin_chain_th_3 * p.chain_gravity;
-    let t71 = t67 - t69;
-    let t72 = t71 + t70;
-    let t73 = t72 * t38;
-    let t74 = -t73;
+    let t67 = t29 * p.chain_l_2;
+    let t68 = t67 * t20;
+    let t69 = t66 + t68;
+    let t70 = t69 - t64;
+    let t71 = t70 * t38;
     let factored = Factored::new([
         [t3, R::literal(0.0), R::literal(0.0)],
         [t10, t18, R::literal(0.0)],
         [t16, t24, t26],
     ]);
-    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t49, t64, t74]);
+    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored.solve([t49, t63, t71]);
     let mut rates = [
         chain_w_1,
         chain_w_2,
@@ -1217,42 +1210,37 @@ pub fn series<R: Real>(
         let t47_k = sin_chain_th_1_k.mul_add(t41, t46_k);
         let t48_k = t47_k * p.chain_l_1;
         let t49_k = -t48_k;
-        let t50_k = chain_w_1_k
-            .mul_add(chain_w_1, chain_w_1.mul_add(chain_w_1_k, sums_1[7]));
-        let t52_k = t50_k * t51;
-        let t53_k = t52_k.mul_add(t6, t52.mul_add(t6_k, sums_1[8]));
-        let t55_k = t50_k * t14;
+        let t51_k = t39_k.mul_add(t20, t39.mul_add(t20_k, sums_1[7]));
+        let t53_k = chain_w_1_k
+            .mul_add(chain_w_1, chain_w_1.mul_add(chain_w_1_k, sums_1[8]));
+        let t55_k = t53_k * t54;
         let t56_k = t55_k.mul_add(t6, t55.mul_add(t6_k, sums_1[9]));
-        let t57_k = t39_k.mul_add(t20, t39.mul_add(t20_k, sums_2[0]));
-        let t59_k = sin_chain_th_2_k.mul_add(t33, -t53_k);
-        let t60_k = t59_k - t56_k;
-        let t61_k = t60_k + t57_k;
-        let t62_k = sin_chain_th_2_k.mul_add(t41, t61_k);
-        let t63_k = t62_k * p.chain_l_2;
-        let t64_k = -t63_k;
-        let t65_k = t50_k * p.chain_l_1;
+        let t57_k = t53_k * t14;
+        let t58_k = t57_k.mul_add(t6, t57.mul_add(t6_k, sums_2[0]));
+        let t59_k = t56_k + t58_k;
+        let t60_k = (-sin_chain_th_2_k).mul_add(t33, t59_k);
+        let t61_k = t60_k - t51_k;
+        let t62_k = (-sin_chain_th_2_k).mul_add(t41, t61_k);
+        let t65_k = t53_k * p.chain_l_1;
         let t66_k = t65_k.mul_add(t12, t65.mul_add(t12_k, sums_2[1]));
-        let t67_k = -t66_k;
-        let t68_k = t29_k * p.chain_l_2;
-        let t69_k = t68_k.mul_add(t20, t68.mul_add(t20_k, sums_2[2]));
-        let t71_k = t67_k - t69_k;
-        let t72_k = sin_chain_th_3_k.mul_add(p.chain_gravity, t71_k);
-        let t73_k = t72_k * t38;
-        let t74_k = -t73_k;
-        let n97_k = t10_k.mul_add(chain_w_2_dot, sums_2[3]);
-        let n98_k = t16_k.mul_add(chain_w_3_dot, sums_2[4]);
-        let n99_k = t10_k.mul_add(chain_w_1_dot, sums_2[5]);
-        let n100_k = t24_k.mul_add(chain_w_3_dot, sums_2[6]);
-        let n101_k = t16_k.mul_add(chain_w_1_dot, sums_2[7]);
-        let n102_k = t24_k.mul_add(chain_w_2_dot, sums_2[8]);
-        let n103_k = n97_k + n98_k;
-        let t49_k_2 = t49_k - n103_k;
-        let n105_k = n99_k + n100_k;
-        let t64_k_2 = t64_k - n105_k;
-        let n107_k = n101_k + n102_k;
-        let t74_k_2 = t74_k - n107_k;
+        let t67_k = t29_k * p.chain_l_2;
+        let t68_k = t67_k.mul_add(t20, t67.mul_add(t20_k, sums_2[2]));
+        let t69_k = t66_k + t68_k;
+        let t70_k = (-sin_chain_th_3_k).mul_add(p.chain_gravity, t69_k);
+        let n94_k = t10_k.mul_add(chain_w_2_dot, sums_2[3]);
+        let n95_k = t16_k.mul_add(chain_w_3_dot, sums_2[4]);
+        let n96_k = t10_k.mul_add(chain_w_1_dot, sums_2[5]);
+        let n97_k = t24_k.mul_add(chain_w_3_dot, sums_2[6]);
+        let n98_k = t16_k.mul_add(chain_w_1_dot, sums_2[7]);
+        let n99_k = t24_k.mul_add(chain_w_2_dot, sums_2[8]);
+        let n100_k = n94_k + n95_k;
+        let t49_k_2 = t49_k - n100_k;
+        let n102_k = n96_k + n97_k;
+        let t63_k = t62_k.mul_add(p.chain_l_2, -n102_k);
+        let n104_k = n98_k + n99_k;
+        let t71_k = t70_k.mul_add(t38, -n104_k);
         let [chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k] = factored
-            .solve([t49_k_2, t64_k_2, t74_k_2]);
+            .solve([t49_k_2, t63_k, t71_k]);
         lanes
             .set(
                 order,
@@ -1292,8 +1280,8 @@ pub fn series<R: Real>(
                     t6_k,
                     chain_w_3_k,
                     t12_k,
+                    t20_k,
                     chain_w_1_k,
-                    t6_k,
                     t6_k,
                 ],
                 [
@@ -1304,19 +1292,19 @@ pub fn series<R: Real>(
                     t35_k,
                     chain_w_3_k,
                     t39_k,
+                    t39_k,
                     chain_w_1_k,
-                    t52_k,
                     t55_k,
                 ],
             );
         lanes_2
             .set(
                 order,
-                [t20_k, t12_k, t20_k, t10_k, t16_k, t10_k, t24_k, t16_k, t24_k],
+                [t6_k, t12_k, t20_k, t10_k, t16_k, t10_k, t24_k, t16_k, t24_k],
                 [
-                    t39_k,
+                    t57_k,
                     t65_k,
-                    t68_k,
+                    t67_k,
                     chain_w_2_dot_k,
                     chain_w_3_dot_k,
                     chain_w_1_dot_k,

@@ -976,57 +976,56 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         - chain_omega_10_squared * t16;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t152 = R::literal(6.0) * chain_omega_1_squared * t6
-        - R::literal(58.86) * sin_chain_theta_5
         + R::literal(6.0) * chain_omega_2_squared * t20
         + R::literal(6.0) * chain_omega_3_squared * t27
-        + R::literal(6.0) * chain_omega_4_squared * t33 - t147 * t39 - t148 * t40
-        - t149 * t41 - t150 * t42 - chain_omega_10_squared * t43;
+        + R::literal(6.0) * chain_omega_4_squared * t33
+        - R::literal(58.86) * sin_chain_theta_5 - t147 * t39 - t148 * t40 - t149 * t41
+        - t150 * t42 - chain_omega_10_squared * t43;
     let t153 = R::literal(5.0) * chain_omega_1_squared * t8
-        - R::literal(49.05) * sin_chain_theta_6
         + R::literal(5.0) * chain_omega_2_squared * t21
         + R::literal(5.0) * chain_omega_3_squared * t28
         + R::literal(5.0) * chain_omega_4_squared * t34
-        + R::literal(5.0) * chain_omega_5_squared * t39 - t148 * t44 - t149 * t45
-        - t150 * t46 - chain_omega_10_squared * t47;
+        + R::literal(5.0) * chain_omega_5_squared * t39
+        - R::literal(49.05) * sin_chain_theta_6 - t148 * t44 - t149 * t45 - t150 * t46
+        - chain_omega_10_squared * t47;
     let t154 = R::literal(4.0) * chain_omega_1_squared * t10
-        - R::literal(39.24) * sin_chain_theta_7
         + R::literal(4.0) * chain_omega_2_squared * t22
         + R::literal(4.0) * chain_omega_3_squared * t29
         + R::literal(4.0) * chain_omega_4_squared * t35
         + R::literal(4.0) * chain_omega_5_squared * t40
-        + R::literal(4.0) * chain_omega_6_squared * t44 - t149 * t48 - t150 * t49;
+        + R::literal(4.0) * chain_omega_6_squared * t44
+        - R::literal(39.24) * sin_chain_theta_7 - t149 * t48 - t150 * t49;
     let t155 = R::literal(3.0) * chain_omega_1_squared * t12
-        - R::literal(29.43) * sin_chain_theta_8
         + R::literal(3.0) * chain_omega_2_squared * t23
         + R::literal(3.0) * chain_omega_3_squared * t30
         + R::literal(3.0) * chain_omega_4_squared * t36
         + R::literal(3.0) * chain_omega_5_squared * t41
         + R::literal(3.0) * chain_omega_6_squared * t45
-        + R::literal(3.0) * chain_omega_7_squared * t48 - t150 * t51;
+        + R::literal(3.0) * chain_omega_7_squared * t48
+        - R::literal(29.43) * sin_chain_theta_8 - t150 * t51;
     let t156 = R::literal(2.0) * chain_omega_1_squared * t14
-        - R::literal(19.62) * sin_chain_theta_9
         + R::literal(2.0) * chain_omega_2_squared * t24
         + R::literal(2.0) * chain_omega_3_squared * t31
         + R::literal(2.0) * chain_omega_4_squared * t37
         + R::literal(2.0) * chain_omega_5_squared * t42
         + R::literal(2.0) * chain_omega_6_squared * t46
-        + R::literal(2.0) * chain_omega_7_squared * t49;
+        + R::literal(2.0) * chain_omega_7_squared * t49
+        + R::literal(2.0) * chain_omega_8_squared * t51;
     let t157 = R::literal(9.0) * chain_omega_1_squared * t0
         - R::literal(88.29) * sin_chain_theta_2 - t144 * t18 - t145 * t19 - t146 * t20
         - t147 * t21 - t148 * t22 - t149 * t23 - t150 * t24
         - chain_omega_10_squared * t25 - t54 * t151;
     let t158 = R::literal(8.0) * chain_omega_1_squared * t2
-        - R::literal(78.48) * sin_chain_theta_3
-        + R::literal(8.0) * chain_omega_2_squared * t18 - t145 * t26 - t146 * t27
-        - t147 * t28 - t148 * t29 - t149 * t30 - t150 * t31
-        - chain_omega_10_squared * t32 - t55 * t151;
+        + R::literal(8.0) * chain_omega_2_squared * t18
+        - R::literal(78.48) * sin_chain_theta_3 - t145 * t26 - t146 * t27 - t147 * t28
+        - t148 * t29 - t149 * t30 - t150 * t31 - chain_omega_10_squared * t32
+        - t55 * t151;
     let t159 = t158 - t65 * t157;
     let t160 = R::literal(7.0) * chain_omega_1_squared * t4
-        - R::literal(68.67) * sin_chain_theta_4
         + R::literal(7.0) * chain_omega_2_squared * t19
-        + R::literal(7.0) * chain_omega_3_squared * t26 - t146 * t33 - t147 * t34
-        - t148 * t35 - t149 * t36 - t150 * t37 - chain_omega_10_squared * t38
-        - t56 * t151;
+        + R::literal(7.0) * chain_omega_3_squared * t26
+        - R::literal(68.67) * sin_chain_theta_4 - t146 * t33 - t147 * t34 - t148 * t35
+        - t149 * t36 - t150 * t37 - chain_omega_10_squared * t38 - t56 * t151;
     let t161 = t160 - t67 * t157 - t82 * t159;
     let t162 = t152 - t57 * t151 - t69 * t157 - t84 * t159 - t97 * t161;
     let t163 = t153 - t58 * t151 - t71 * t157 - t86 * t159 - t99 * t161 - t110 * t162;
@@ -1034,15 +1033,15 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         - t101 * t161 - t112 * t162 - t121 * t163;
     let t165 = t155 - chain_omega_10_squared * t52 - t60 * t151 - t75 * t157 - t90 * t159
         - t103 * t161 - t114 * t162 - t123 * t163 - t130 * t164;
-    let t166 = t156 + R::literal(2.0) * chain_omega_8_squared * t51
+    let t166 = t156 - R::literal(19.62) * sin_chain_theta_9
         - chain_omega_10_squared * t53 - t61 * t151 - t77 * t157 - t92 * t159
         - t105 * t161 - t116 * t162 - t125 * t163 - t132 * t164 - t137 * t165;
-    let t167 = chain_omega_1_squared * t16 - R::literal(9.81) * sin_chain_theta_10
-        + chain_omega_2_squared * t25 + chain_omega_3_squared * t32
-        + chain_omega_4_squared * t38 + chain_omega_5_squared * t43
-        + chain_omega_6_squared * t47 + chain_omega_7_squared * t50
-        + chain_omega_8_squared * t52 + chain_omega_9_squared * t53 - t62 * t151
-        - t79 * t157;
+    let t167 = chain_omega_1_squared * t16 + chain_omega_2_squared * t25
+        + chain_omega_3_squared * t32 + chain_omega_4_squared * t38
+        + chain_omega_5_squared * t43 + chain_omega_6_squared * t47
+        + chain_omega_7_squared * t50 + chain_omega_8_squared * t52
+        + chain_omega_9_squared * t53 - R::literal(9.81) * sin_chain_theta_10
+        - t62 * t151 - t79 * t157;
     let chain_omega_10_dot = (t167 - t94 * t159 - t107 * t161 - t118 * t162 - t127 * t163
         - t134 * t164 - t139 * t165 - t142 * t166) * t143;
     let chain_omega_9_dot = t166 * t140 - t142 * chain_omega_10_dot;
@@ -1295,7 +1294,6 @@ pub fn forcing<R: Real>(
     let chain_theta_1_forcing = -(R::literal(98.1) * chain_theta_1.sin())
         - R::literal(9.0) * chain_omega_2_squared * t0 - t2 * t1 - t4 * t3 - t6 * t5
         - t8 * t7 - t10 * t9 - t12 * t11 - t14 * t13 - chain_omega_10_squared * t15;
-    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t16 = (chain_theta_2 - chain_theta_3).sin();
     let t17 = (chain_theta_2 - chain_theta_4).sin();
     let t18 = (chain_theta_2 - chain_theta_5).sin();
@@ -1304,6 +1302,7 @@ pub fn forcing<R: Real>(
     let t21 = (chain_theta_2 - chain_theta_8).sin();
     let t22 = (chain_theta_2 - chain_theta_9).sin();
     let t23 = (chain_theta_2 - chain_theta_10).sin();
+    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let chain_theta_2_forcing = R::literal(9.0) * chain_omega_1_squared * t0
         - R::literal(88.29) * chain_theta_2.sin() - t2 * t16 - t4 * t17 - t6 * t18
         - t8 * t19 - t10 * t20 - t12 * t21 - t14 * t22 - chain_omega_10_squared * t23;
@@ -1315,8 +1314,8 @@ pub fn forcing<R: Real>(
     let t29 = (chain_theta_3 - chain_theta_9).sin();
     let t30 = (chain_theta_3 - chain_theta_10).sin();
     let chain_theta_3_forcing = R::literal(8.0) * chain_omega_1_squared * t1
-        - R::literal(78.48) * chain_theta_3.sin()
-        + R::literal(8.0) * chain_omega_2_squared * t16 - t4 * t24 - t6 * t25 - t8 * t26
+        + R::literal(8.0) * chain_omega_2_squared * t16
+        - R::literal(78.48) * chain_theta_3.sin() - t4 * t24 - t6 * t25 - t8 * t26
         - t10 * t27 - t12 * t28 - t14 * t29 - chain_omega_10_squared * t30;
     let t31 = (chain_theta_4 - chain_theta_5).sin();
     let t32 = (chain_theta_4 - chain_theta_6).sin();
@@ -1325,9 +1324,9 @@ pub fn forcing<R: Real>(
     let t35 = (chain_theta_4 - chain_theta_9).sin();
     let t36 = (chain_theta_4 - chain_theta_10).sin();
     let chain_theta_4_forcing = R::literal(7.0) * chain_omega_1_squared * t3
-        - R::literal(68.67) * chain_theta_4.sin()
         + R::literal(7.0) * chain_omega_2_squared * t17
-        + R::literal(7.0) * chain_omega_3_squared * t24 - t6 * t31 - t8 * t32 - t10 * t33
+        + R::literal(7.0) * chain_omega_3_squared * t24
+        - R::literal(68.67) * chain_theta_4.sin() - t6 * t31 - t8 * t32 - t10 * t33
         - t12 * t34 - t14 * t35 - chain_omega_10_squared * t36;
     let t37 = (chain_theta_5 - chain_theta_6).sin();
     let t38 = (chain_theta_5 - chain_theta_7).sin();
@@ -1335,62 +1334,61 @@ pub fn forcing<R: Real>(
     let t40 = (chain_theta_5 - chain_theta_9).sin();
     let t41 = (chain_theta_5 - chain_theta_10).sin();
     let chain_theta_5_forcing = R::literal(6.0) * chain_omega_1_squared * t5
-        - R::literal(58.86) * chain_theta_5.sin()
         + R::literal(6.0) * chain_omega_2_squared * t18
         + R::literal(6.0) * chain_omega_3_squared * t25
-        + R::literal(6.0) * chain_omega_4_squared * t31 - t8 * t37 - t10 * t38
-        - t12 * t39 - t14 * t40 - chain_omega_10_squared * t41;
+        + R::literal(6.0) * chain_omega_4_squared * t31
+        - R::literal(58.86) * chain_theta_5.sin() - t8 * t37 - t10 * t38 - t12 * t39
+        - t14 * t40 - chain_omega_10_squared * t41;
     let t42 = (chain_theta_6 - chain_theta_7).sin();
     let t43 = (chain_theta_6 - chain_theta_8).sin();
     let t44 = (chain_theta_6 - chain_theta_9).sin();
     let t45 = (chain_theta_6 - chain_theta_10).sin();
     let t46 = R::literal(5.0) * chain_omega_1_squared * t7
-        - R::literal(49.05) * chain_theta_6.sin()
         + R::literal(5.0) * chain_omega_2_squared * t19
         + R::literal(5.0) * chain_omega_3_squared * t26
         + R::literal(5.0) * chain_omega_4_squared * t32
-        + R::literal(5.0) * chain_omega_5_squared * t37 - t10 * t42 - t12 * t43
-        - t14 * t44;
+        + R::literal(5.0) * chain_omega_5_squared * t37
+        - R::literal(49.05) * chain_theta_6.sin() - t10 * t42 - t12 * t43 - t14 * t44;
     let chain_theta_6_forcing = t46 - chain_omega_10_squared * t45;
     let t47 = (chain_theta_7 - chain_theta_8).sin();
     let t48 = (chain_theta_7 - chain_theta_9).sin();
     let t49 = (chain_theta_7 - chain_theta_10).sin();
     let t50 = R::literal(4.0) * chain_omega_1_squared * t9
-        - R::literal(39.24) * chain_theta_7.sin()
         + R::literal(4.0) * chain_omega_2_squared * t20
         + R::literal(4.0) * chain_omega_3_squared * t27
         + R::literal(4.0) * chain_omega_4_squared * t33
         + R::literal(4.0) * chain_omega_5_squared * t38
-        + R::literal(4.0) * chain_omega_6_squared * t42 - t12 * t47 - t14 * t48;
+        + R::literal(4.0) * chain_omega_6_squared * t42
+        - R::literal(39.24) * chain_theta_7.sin() - t12 * t47 - t14 * t48;
     let chain_theta_7_forcing = t50 - chain_omega_10_squared * t49;
     let t51 = (chain_theta_8 - chain_theta_9).sin();
     let t52 = (chain_theta_8 - chain_theta_10).sin();
     let t53 = R::literal(3.0) * chain_omega_1_squared * t11
-        - R::literal(29.43) * chain_theta_8.sin()
         + R::literal(3.0) * chain_omega_2_squared * t21
         + R::literal(3.0) * chain_omega_3_squared * t28
         + R::literal(3.0) * chain_omega_4_squared * t34
         + R::literal(3.0) * chain_omega_5_squared * t39
         + R::literal(3.0) * chain_omega_6_squared * t43
-        + R::literal(3.0) * chain_omega_7_squared * t47;
+        + R::literal(3.0) * chain_omega_7_squared * t47
+        - R::literal(29.43) * chain_theta_8.sin();
     let chain_theta_8_forcing = t53 - t14 * t51 - chain_omega_10_squared * t52;
     let t54 = (chain_theta_9 - chain_theta_10).sin();
     let t55 = R::literal(2.0) * chain_omega_1_squared * t13
-        - R::literal(19.62) * chain_theta_9.sin()
         + R::literal(2.0) * chain_omega_2_squared * t22
         + R::literal(2.0) * chain_omega_3_squared * t29
         + R::literal(2.0) * chain_omega_4_squared * t35
         + R::literal(2.0) * chain_omega_5_squared * t40
         + R::literal(2.0) * chain_omega_6_squared * t44
-        + R::literal(2.0) * chain_omega_7_squared * t48;
-    let chain_theta_9_forcing = t55 + R::literal(2.0) * chain_omega_8_squared * t51
+        + R::literal(2.0) * chain_omega_7_squared * t48
+        + R::literal(2.0) * chain_omega_8_squared * t51;
+    let chain_theta_9_forcing = t55 - R::literal(19.62) * chain_theta_9.sin()
         - chain_omega_10_squared * t54;
     let chain_theta_10_forcing = chain_omega_1_squared * t15
-        - R::literal(9.81) * chain_theta_10.sin() + chain_omega_2_squared * t23
-        + chain_omega_3_squared * t30 + chain_omega_4_squared * t36
-        + chain_omega_5_squared * t41 + chain_omega_6_squared * t45
-        + chain_omega_7_squared * t49 + chain_omega_8_squared * t52
-        + chain_omega_9_squared * t54;
+        + chain_omega_2_squared * t23 + chain_omega_3_squared * t30
+        + chain_omega_4_squared * t36 + chain_omega_5_squared * t41
+        + chain_omega_6_squared * t45 + chain_omega_7_squared * t49
+        + chain_omega_8_squared * t52 + chain_omega_9_squared * t54
+        - R::literal(9.81) * chain_theta_10.sin();
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -1801,41 +1799,42 @@ pub fn rate_jacobian<R: Real>(
     let t233 = t197 * t0 - R::literal(88.29) * sin_chain_theta_2 - t189 * t26
         - t190 * t28 - t191 * t30 - t192 * t32 - t193 * t34 - t194 * t36 - t195 * t38
         - chain_omega_10_squared * t40 - t98 * t196;
-    let t234 = t198 * t3 - R::literal(78.48) * sin_chain_theta_3 + t199 * t26
+    let t234 = t198 * t3 + t199 * t26 - R::literal(78.48) * sin_chain_theta_3
         - t190 * t42 - t191 * t44 - t192 * t46 - t193 * t48 - t194 * t50 - t195 * t52
         - chain_omega_10_squared * t54 - t99 * t196 - t109 * t233;
-    let t235 = t200 * t6 - R::literal(68.67) * sin_chain_theta_4 + t201 * t28
-        + t202 * t42 - t191 * t56 - t192 * t58 - t193 * t60 - t194 * t62 - t195 * t64
-        - chain_omega_10_squared * t66 - t100 * t196 - t111 * t233;
+    let t235 = t200 * t6 + t201 * t28 + t202 * t42
+        - R::literal(68.67) * sin_chain_theta_4 - t191 * t56 - t192 * t58 - t193 * t60
+        - t194 * t62 - t195 * t64 - chain_omega_10_squared * t66 - t100 * t196
+        - t111 * t233;
     let t236 = t235 - t126 * t234;
-    let t237 = t203 * t9 - R::literal(58.86) * sin_chain_theta_5 + t204 * t30
-        + t205 * t44 + t206 * t56 - t192 * t68 - t193 * t70 - t194 * t72 - t195 * t74
-        - chain_omega_10_squared * t76 - t101 * t196 - t113 * t233;
+    let t237 = t203 * t9 + t204 * t30 + t205 * t44 + t206 * t56
+        - R::literal(58.86) * sin_chain_theta_5 - t192 * t68 - t193 * t70 - t194 * t72
+        - t195 * t74 - chain_omega_10_squared * t76 - t101 * t196 - t113 * t233;
     let t238 = t237 - t128 * t234 - t141 * t236;
-    let t239 = t207 * t12 - R::literal(49.05) * sin_chain_theta_6 + t208 * t32
-        + t209 * t46 + t210 * t58 + t211 * t68 - t193 * t78 - t194 * t80 - t195 * t82
+    let t239 = t207 * t12 + t208 * t32 + t209 * t46 + t210 * t58 + t211 * t68
+        - R::literal(49.05) * sin_chain_theta_6 - t193 * t78 - t194 * t80 - t195 * t82
         - chain_omega_10_squared * t84 - t102 * t196 - t115 * t233;
     let t240 = t239 - t130 * t234 - t143 * t236 - t154 * t238;
-    let t241 = t212 * t15 - R::literal(39.24) * sin_chain_theta_7 + t213 * t34
-        + t214 * t48 + t215 * t60 + t216 * t70 + t217 * t78 - t194 * t86 - t195 * t88
+    let t241 = t212 * t15 + t213 * t34 + t214 * t48 + t215 * t60 + t216 * t70
+        + t217 * t78 - R::literal(39.24) * sin_chain_theta_7 - t194 * t86 - t195 * t88
         - chain_omega_10_squared * t90 - t103 * t196 - t117 * t233;
     let t242 = t241 - t132 * t234 - t145 * t236 - t156 * t238 - t165 * t240;
-    let t243 = t218 * t18 - R::literal(29.43) * sin_chain_theta_8 + t219 * t36
-        + t220 * t50 + t221 * t62 + t222 * t72 + t223 * t80 + t224 * t86 - t195 * t92
+    let t243 = t218 * t18 + t219 * t36 + t220 * t50 + t221 * t62 + t222 * t72
+        + t223 * t80 + t224 * t86 - R::literal(29.43) * sin_chain_theta_8 - t195 * t92
         - chain_omega_10_squared * t94 - t104 * t196 - t119 * t233;
     let t244 = t243 - t134 * t234 - t147 * t236 - t158 * t238 - t167 * t240
         - t174 * t242;
-    let t245 = t225 * t21 - R::literal(19.62) * sin_chain_theta_9 + t226 * t38
-        + t227 * t52 + t228 * t64 + t229 * t74 + t230 * t82 + t231 * t88 + t232 * t92
+    let t245 = t225 * t21 + t226 * t38 + t227 * t52 + t228 * t64 + t229 * t74
+        + t230 * t82 + t231 * t88 + t232 * t92 - R::literal(19.62) * sin_chain_theta_9
         - chain_omega_10_squared * t96 - t105 * t196 - t121 * t233;
     let t246 = t245 - t136 * t234 - t149 * t236 - t160 * t238 - t169 * t240 - t176 * t242
         - t181 * t244;
-    let t247 = chain_omega_1_squared * t24 - R::literal(9.81) * sin_chain_theta_10
-        + chain_omega_2_squared * t40 + chain_omega_3_squared * t54
-        + chain_omega_4_squared * t66 + chain_omega_5_squared * t76
-        + chain_omega_6_squared * t84 + chain_omega_7_squared * t90
-        + chain_omega_8_squared * t94 + chain_omega_9_squared * t96 - t106 * t196
-        - t123 * t233;
+    let t247 = chain_omega_1_squared * t24 + chain_omega_2_squared * t40
+        + chain_omega_3_squared * t54 + chain_omega_4_squared * t66
+        + chain_omega_5_squared * t76 + chain_omega_6_squared * t84
+        + chain_omega_7_squared * t90 + chain_omega_8_squared * t94
+        + chain_omega_9_squared * t96 - R::literal(9.81) * sin_chain_theta_10
+        - t106 * t196 - t123 * t233;
     let chain_omega_10_dot = (t247 - t138 * t234 - t151 * t236 - t162 * t238
         - t171 * t240 - t178 * t242 - t183 * t244 - t186 * t246) * t187;
     let chain_omega_9_dot = t246 * t184 - t186 * chain_omega_10_dot;
@@ -4144,7 +4143,6 @@ pub fn power_balance<R: Real>(
         - t104 * t103 - t106 * t105 - t108 * t107 - t110 * t109 - t112 * t111
         - t114 * t113 - chain_omega_10_squared * t115;
     let t117 = R::literal(88.29) * sin_chain_theta_2;
-    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t118 = chain_theta_2_minus_chain_theta_3.sin();
     let t119 = chain_theta_2_minus_chain_theta_4.sin();
     let t120 = chain_theta_2_minus_chain_theta_5.sin();
@@ -4153,6 +4151,7 @@ pub fn power_balance<R: Real>(
     let t123 = chain_theta_2_minus_chain_theta_8.sin();
     let t124 = chain_theta_2_minus_chain_theta_9.sin();
     let t125 = chain_theta_2_minus_chain_theta_10.sin();
+    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t126 = R::literal(78.48) * sin_chain_theta_3;
     let t127 = chain_theta_3_minus_chain_theta_4.sin();
     let t128 = chain_theta_3_minus_chain_theta_5.sin();
@@ -4179,62 +4178,63 @@ pub fn power_balance<R: Real>(
     let t149 = chain_theta_6_minus_chain_theta_8.sin();
     let t150 = chain_theta_6_minus_chain_theta_9.sin();
     let t151 = chain_theta_6_minus_chain_theta_10.sin();
-    let t152 = R::literal(5.0) * chain_omega_1_squared * t107 - t147
+    let t152 = R::literal(5.0) * chain_omega_1_squared * t107
         + R::literal(5.0) * chain_omega_2_squared * t121
         + R::literal(5.0) * chain_omega_3_squared * t129
         + R::literal(5.0) * chain_omega_4_squared * t136
-        + R::literal(5.0) * chain_omega_5_squared * t142 - t110 * t148 - t112 * t149
-        - t114 * t150 - chain_omega_10_squared * t151;
+        + R::literal(5.0) * chain_omega_5_squared * t142 - t147 - t110 * t148
+        - t112 * t149 - t114 * t150 - chain_omega_10_squared * t151;
     let t153 = R::literal(39.24) * sin_chain_theta_7;
     let t154 = chain_theta_7_minus_chain_theta_8.sin();
     let t155 = chain_theta_7_minus_chain_theta_9.sin();
     let t156 = chain_theta_7_minus_chain_theta_10.sin();
-    let t157 = R::literal(4.0) * chain_omega_1_squared * t109 - t153
+    let t157 = R::literal(4.0) * chain_omega_1_squared * t109
         + R::literal(4.0) * chain_omega_2_squared * t122
         + R::literal(4.0) * chain_omega_3_squared * t130
         + R::literal(4.0) * chain_omega_4_squared * t137
         + R::literal(4.0) * chain_omega_5_squared * t143
-        + R::literal(4.0) * chain_omega_6_squared * t148 - t112 * t154 - t114 * t155
-        - chain_omega_10_squared * t156;
+        + R::literal(4.0) * chain_omega_6_squared * t148 - t153 - t112 * t154
+        - t114 * t155 - chain_omega_10_squared * t156;
     let t158 = R::literal(29.43) * sin_chain_theta_8;
     let t159 = chain_theta_8_minus_chain_theta_9.sin();
     let t160 = chain_theta_8_minus_chain_theta_10.sin();
-    let t161 = R::literal(3.0) * chain_omega_1_squared * t111 - t158
+    let t161 = R::literal(3.0) * chain_omega_1_squared * t111
         + R::literal(3.0) * chain_omega_2_squared * t123
         + R::literal(3.0) * chain_omega_3_squared * t131
         + R::literal(3.0) * chain_omega_4_squared * t138
         + R::literal(3.0) * chain_omega_5_squared * t144
         + R::literal(3.0) * chain_omega_6_squared * t149
-        + R::literal(3.0) * chain_omega_7_squared * t154 - t114 * t159;
+        + R::literal(3.0) * chain_omega_7_squared * t154 - t158 - t114 * t159;
     let t162 = R::literal(19.62) * sin_chain_theta_9;
     let t163 = chain_theta_9_minus_chain_theta_10.sin();
-    let t164 = R::literal(2.0) * chain_omega_1_squared * t113 - t162
+    let t164 = R::literal(2.0) * chain_omega_1_squared * t113
         + R::literal(2.0) * chain_omega_2_squared * t124
         + R::literal(2.0) * chain_omega_3_squared * t132
         + R::literal(2.0) * chain_omega_4_squared * t139
         + R::literal(2.0) * chain_omega_5_squared * t145
         + R::literal(2.0) * chain_omega_6_squared * t150
         + R::literal(2.0) * chain_omega_7_squared * t155
-        + R::literal(2.0) * chain_omega_8_squared * t159;
+        + R::literal(2.0) * chain_omega_8_squared * t159 - t162;
     let t165 = R::literal(9.81) * sin_chain_theta_10;
     let t166 = R::literal(9.0) * chain_omega_1_squared * t100 - t117 - t102 * t118
         - t104 * t119 - t106 * t120 - t108 * t121 - t110 * t122 - t112 * t123
         - t114 * t124 - chain_omega_10_squared * t125 - t9 * t116;
-    let t167 = R::literal(8.0) * chain_omega_1_squared * t101 - t126
-        + R::literal(8.0) * chain_omega_2_squared * t118 - t104 * t127 - t106 * t128
-        - t108 * t129 - t110 * t130 - t112 * t131 - t114 * t132
+    let t167 = R::literal(8.0) * chain_omega_1_squared * t101
+        + R::literal(8.0) * chain_omega_2_squared * t118 - t126 - t104 * t127
+        - t106 * t128 - t108 * t129 - t110 * t130 - t112 * t131 - t114 * t132
         - chain_omega_10_squared * t133 - t10 * t116 - t20 * t166;
-    let t168 = R::literal(7.0) * chain_omega_1_squared * t103 - t134
+    let t168 = R::literal(7.0) * chain_omega_1_squared * t103
         + R::literal(7.0) * chain_omega_2_squared * t119
-        + R::literal(7.0) * chain_omega_3_squared * t127 - t106 * t135 - t108 * t136
-        - t110 * t137 - t112 * t138 - t114 * t139 - chain_omega_10_squared * t140
-        - t11 * t116;
+        + R::literal(7.0) * chain_omega_3_squared * t127 - t134 - t106 * t135
+        - t108 * t136 - t110 * t137 - t112 * t138 - t114 * t139
+        - chain_omega_10_squared * t140 - t11 * t116;
     let t169 = t168 - t22 * t166 - t37 * t167;
-    let t170 = R::literal(6.0) * chain_omega_1_squared * t105 - t141
+    let t170 = R::literal(6.0) * chain_omega_1_squared * t105
         + R::literal(6.0) * chain_omega_2_squared * t120
         + R::literal(6.0) * chain_omega_3_squared * t128
-        + R::literal(6.0) * chain_omega_4_squared * t135 - t108 * t142 - t110 * t143
-        - t112 * t144 - t114 * t145 - chain_omega_10_squared * t146 - t12 * t116;
+        + R::literal(6.0) * chain_omega_4_squared * t135 - t141 - t108 * t142
+        - t110 * t143 - t112 * t144 - t114 * t145 - chain_omega_10_squared * t146
+        - t12 * t116;
     let t171 = t170 - t24 * t166 - t39 * t167 - t52 * t169;
     let t172 = t152 - t13 * t116 - t26 * t166 - t41 * t167 - t54 * t169 - t65 * t171;
     let t173 = t157 - t14 * t116 - t28 * t166 - t43 * t167 - t56 * t169 - t67 * t171
@@ -4243,11 +4243,11 @@ pub fn power_balance<R: Real>(
         - t45 * t167 - t58 * t169 - t69 * t171 - t78 * t172 - t85 * t173;
     let t175 = t164 - chain_omega_10_squared * t163 - t16 * t116 - t32 * t166
         - t47 * t167 - t60 * t169 - t71 * t171 - t80 * t172 - t87 * t173 - t92 * t174;
-    let t176 = chain_omega_1_squared * t115 - t165 + chain_omega_2_squared * t125
+    let t176 = chain_omega_1_squared * t115 + chain_omega_2_squared * t125
         + chain_omega_3_squared * t133 + chain_omega_4_squared * t140
         + chain_omega_5_squared * t146 + chain_omega_6_squared * t151
         + chain_omega_7_squared * t156 + chain_omega_8_squared * t160
-        + chain_omega_9_squared * t163 - t17 * t116 - t34 * t166 - t49 * t167;
+        + chain_omega_9_squared * t163 - t165 - t17 * t116 - t34 * t166 - t49 * t167;
     let chain_omega_10_dot = (t176 - t62 * t169 - t73 * t171 - t82 * t172 - t89 * t173
         - t94 * t174 - t97 * t175) * t98;
     let chain_omega_9_dot = t175 * t95 - t97 * chain_omega_10_dot;
@@ -4741,196 +4741,196 @@ pub fn series<R: Real>(
     let t206 = t205 - t195;
     let t207 = t206 - t197;
     let t208 = sin_chain_theta_2 * R::literal(88.29);
-    let t209 = chain_omega_1 * chain_omega_1;
-    let t210 = t209 * R::literal(9.0);
-    let t211 = t210 * t1;
-    let t212 = t176 * t36;
-    let t213 = t179 * t40;
-    let t214 = t182 * t44;
-    let t215 = t185 * t48;
-    let t216 = t188 * t52;
-    let t217 = t191 * t56;
-    let t218 = t194 * t60;
-    let t219 = t196 * t64;
-    let t220 = t211 - t208;
-    let t221 = t220 - t212;
-    let t222 = t221 - t213;
-    let t223 = t222 - t214;
-    let t224 = t223 - t215;
-    let t225 = t224 - t216;
-    let t226 = t225 - t217;
-    let t227 = t226 - t218;
-    let t228 = t227 - t219;
+    let t209 = t176 * t36;
+    let t210 = t179 * t40;
+    let t211 = t182 * t44;
+    let t212 = t185 * t48;
+    let t213 = t188 * t52;
+    let t214 = t191 * t56;
+    let t215 = t194 * t60;
+    let t216 = t196 * t64;
+    let t217 = chain_omega_1 * chain_omega_1;
+    let t218 = t217 * R::literal(9.0);
+    let t219 = t218 * t1;
+    let t220 = t219 - t208;
+    let t221 = t220 - t209;
+    let t222 = t221 - t210;
+    let t223 = t222 - t211;
+    let t224 = t223 - t212;
+    let t225 = t224 - t213;
+    let t226 = t225 - t214;
+    let t227 = t226 - t215;
+    let t228 = t227 - t216;
     let t229 = sin_chain_theta_3 * R::literal(78.48);
-    let t230 = t209 * R::literal(8.0);
-    let t231 = t230 * t5;
-    let t232 = t172 * R::literal(8.0);
-    let t233 = t232 * t36;
-    let t234 = t179 * t67;
-    let t235 = t182 * t71;
-    let t236 = t185 * t75;
-    let t237 = t188 * t79;
-    let t238 = t191 * t83;
-    let t239 = t194 * t87;
-    let t240 = t196 * t91;
-    let t241 = t231 - t229;
-    let t242 = t241 + t233;
-    let t243 = t242 - t234;
-    let t244 = t243 - t235;
-    let t245 = t244 - t236;
-    let t246 = t245 - t237;
-    let t247 = t246 - t238;
-    let t248 = t247 - t239;
-    let t249 = t248 - t240;
+    let t230 = t179 * t67;
+    let t231 = t182 * t71;
+    let t232 = t185 * t75;
+    let t233 = t188 * t79;
+    let t234 = t191 * t83;
+    let t235 = t194 * t87;
+    let t236 = t196 * t91;
+    let t237 = t217 * R::literal(8.0);
+    let t238 = t237 * t5;
+    let t239 = t172 * R::literal(8.0);
+    let t240 = t239 * t36;
+    let t241 = t238 + t240;
+    let t242 = t241 - t229;
+    let t243 = t242 - t230;
+    let t244 = t243 - t231;
+    let t245 = t244 - t232;
+    let t246 = t245 - t233;
+    let t247 = t246 - t234;
+    let t248 = t247 - t235;
+    let t249 = t248 - t236;
     let t250 = sin_chain_theta_4 * R::literal(68.67);
-    let t251 = t209 * R::literal(7.0);
-    let t252 = t251 * t9;
-    let t253 = t172 * R::literal(7.0);
-    let t254 = t253 * t40;
-    let t255 = t175 * R::literal(7.0);
-    let t256 = t255 * t67;
-    let t257 = t182 * t94;
-    let t258 = t185 * t98;
-    let t259 = t188 * t102;
-    let t260 = t191 * t106;
-    let t261 = t194 * t110;
-    let t262 = t196 * t114;
-    let t263 = t252 - t250;
-    let t264 = t263 + t254;
-    let t265 = t264 + t256;
-    let t266 = t265 - t257;
-    let t267 = t266 - t258;
-    let t268 = t267 - t259;
-    let t269 = t268 - t260;
-    let t270 = t269 - t261;
-    let t271 = t270 - t262;
+    let t251 = t182 * t94;
+    let t252 = t185 * t98;
+    let t253 = t188 * t102;
+    let t254 = t191 * t106;
+    let t255 = t194 * t110;
+    let t256 = t196 * t114;
+    let t257 = t217 * R::literal(7.0);
+    let t258 = t257 * t9;
+    let t259 = t172 * R::literal(7.0);
+    let t260 = t259 * t40;
+    let t261 = t175 * R::literal(7.0);
+    let t262 = t261 * t67;
+    let t263 = t258 + t260;
+    let t264 = t263 + t262;
+    let t265 = t264 - t250;
+    let t266 = t265 - t251;
+    let t267 = t266 - t252;
+    let t268 = t267 - t253;
+    let t269 = t268 - t254;
+    let t270 = t269 - t255;
+    let t271 = t270 - t256;
     let t272 = sin_chain_theta_5 * R::literal(58.86);
-    let t273 = t209 * R::literal(6.0);
-    let t274 = t273 * t13;
-    let t275 = t172 * R::literal(6.0);
-    let t276 = t275 * t44;
-    let t277 = t175 * R::literal(6.0);
-    let t278 = t277 * t71;
-    let t279 = t178 * R::literal(6.0);
-    let t280 = t279 * t94;
-    let t281 = t185 * t117;
-    let t282 = t188 * t121;
-    let t283 = t191 * t125;
-    let t284 = t194 * t129;
-    let t285 = t196 * t133;
-    let t286 = t274 - t272;
-    let t287 = t286 + t276;
-    let t288 = t287 + t278;
-    let t289 = t288 + t280;
-    let t290 = t289 - t281;
-    let t291 = t290 - t282;
-    let t292 = t291 - t283;
-    let t293 = t292 - t284;
-    let t294 = t293 - t285;
+    let t273 = t185 * t117;
+    let t274 = t188 * t121;
+    let t275 = t191 * t125;
+    let t276 = t194 * t129;
+    let t277 = t196 * t133;
+    let t278 = t217 * R::literal(6.0);
+    let t279 = t278 * t13;
+    let t280 = t172 * R::literal(6.0);
+    let t281 = t280 * t44;
+    let t282 = t175 * R::literal(6.0);
+    let t283 = t282 * t71;
+    let t284 = t178 * R::literal(6.0);
+    let t285 = t284 * t94;
+    let t286 = t279 + t281;
+    let t287 = t286 + t283;
+    let t288 = t287 + t285;
+    let t289 = t288 - t272;
+    let t290 = t289 - t273;
+    let t291 = t290 - t274;
+    let t292 = t291 - t275;
+    let t293 = t292 - t276;
+    let t294 = t293 - t277;
     let t295 = sin_chain_theta_6 * R::literal(49.05);
-    let t296 = t209 * R::literal(5.0);
-    let t297 = t296 * t17;
-    let t298 = t172 * R::literal(5.0);
-    let t299 = t298 * t48;
-    let t300 = t175 * R::literal(5.0);
-    let t301 = t300 * t75;
-    let t302 = t178 * R::literal(5.0);
-    let t303 = t302 * t98;
-    let t304 = t181 * R::literal(5.0);
-    let t305 = t304 * t117;
-    let t306 = t188 * t136;
-    let t307 = t191 * t140;
-    let t308 = t194 * t144;
-    let t309 = t196 * t148;
-    let t310 = t297 - t295;
-    let t311 = t310 + t299;
-    let t312 = t311 + t301;
-    let t313 = t312 + t303;
-    let t314 = t313 + t305;
-    let t315 = t314 - t306;
-    let t316 = t315 - t307;
-    let t317 = t316 - t308;
-    let t318 = t317 - t309;
+    let t296 = t188 * t136;
+    let t297 = t191 * t140;
+    let t298 = t194 * t144;
+    let t299 = t196 * t148;
+    let t300 = t217 * R::literal(5.0);
+    let t301 = t300 * t17;
+    let t302 = t172 * R::literal(5.0);
+    let t303 = t302 * t48;
+    let t304 = t175 * R::literal(5.0);
+    let t305 = t304 * t75;
+    let t306 = t178 * R::literal(5.0);
+    let t307 = t306 * t98;
+    let t308 = t181 * R::literal(5.0);
+    let t309 = t308 * t117;
+    let t310 = t301 + t303;
+    let t311 = t310 + t305;
+    let t312 = t311 + t307;
+    let t313 = t312 + t309;
+    let t314 = t313 - t295;
+    let t315 = t314 - t296;
+    let t316 = t315 - t297;
+    let t317 = t316 - t298;
+    let t318 = t317 - t299;
     let t319 = sin_chain_theta_7 * R::literal(39.24);
-    let t320 = t209 * R::literal(4.0);
-    let t321 = t320 * t21;
-    let t322 = t172 * R::literal(4.0);
-    let t323 = t322 * t52;
-    let t324 = t175 * R::literal(4.0);
-    let t325 = t324 * t79;
-    let t326 = t178 * R::literal(4.0);
-    let t327 = t326 * t102;
-    let t328 = t181 * R::literal(4.0);
-    let t329 = t328 * t121;
-    let t330 = t184 * R::literal(4.0);
-    let t331 = t330 * t136;
-    let t332 = t191 * t151;
-    let t333 = t194 * t155;
-    let t334 = t196 * t159;
-    let t335 = t321 - t319;
-    let t336 = t335 + t323;
-    let t337 = t336 + t325;
-    let t338 = t337 + t327;
-    let t339 = t338 + t329;
-    let t340 = t339 + t331;
-    let t341 = t340 - t332;
-    let t342 = t341 - t333;
-    let t343 = t342 - t334;
+    let t320 = t191 * t151;
+    let t321 = t194 * t155;
+    let t322 = t196 * t159;
+    let t323 = t217 * R::literal(4.0);
+    let t324 = t323 * t21;
+    let t325 = t172 * R::literal(4.0);
+    let t326 = t325 * t52;
+    let t327 = t175 * R::literal(4.0);
+    let t328 = t327 * t79;
+    let t329 = t178 * R::literal(4.0);
+    let t330 = t329 * t102;
+    let t331 = t181 * R::literal(4.0);
+    let t332 = t331 * t121;
+    let t333 = t184 * R::literal(4.0);
+    let t334 = t333 * t136;
+    let t335 = t324 + t326;
+    let t336 = t335 + t328;
+    let t337 = t336 + t330;
+    let t338 = t337 + t332;
+    let t339 = t338 + t334;
+    let t340 = t339 - t319;
+    let t341 = t340 - t320;
+    let t342 = t341 - t321;
+    let t343 = t342 - t322;
     let t344 = sin_chain_theta_8 * R::literal(29.43);
-    let t345 = t209 * R::literal(3.0);
-    let t346 = t345 * t25;
-    let t347 = t172 * R::literal(3.0);
-    let t348 = t347 * t56;
-    let t349 = t175 * R::literal(3.0);
-    let t350 = t349 * t83;
-    let t351 = t178 * R::literal(3.0);
-    let t352 = t351 * t106;
-    let t353 = t181 * R::literal(3.0);
-    let t354 = t353 * t125;
-    let t355 = t184 * R::literal(3.0);
-    let t356 = t355 * t140;
-    let t357 = t187 * R::literal(3.0);
-    let t358 = t357 * t151;
-    let t359 = t194 * t162;
-    let t360 = t196 * t166;
-    let t361 = t346 - t344;
-    let t362 = t361 + t348;
-    let t363 = t362 + t350;
-    let t364 = t363 + t352;
-    let t365 = t364 + t354;
-    let t366 = t365 + t356;
-    let t367 = t366 + t358;
-    let t368 = t367 - t359;
-    let t369 = t368 - t360;
+    let t345 = t194 * t162;
+    let t346 = t196 * t166;
+    let t347 = t217 * R::literal(3.0);
+    let t348 = t347 * t25;
+    let t349 = t172 * R::literal(3.0);
+    let t350 = t349 * t56;
+    let t351 = t175 * R::literal(3.0);
+    let t352 = t351 * t83;
+    let t353 = t178 * R::literal(3.0);
+    let t354 = t353 * t106;
+    let t355 = t181 * R::literal(3.0);
+    let t356 = t355 * t125;
+    let t357 = t184 * R::literal(3.0);
+    let t358 = t357 * t140;
+    let t359 = t187 * R::literal(3.0);
+    let t360 = t359 * t151;
+    let t361 = t348 + t350;
+    let t362 = t361 + t352;
+    let t363 = t362 + t354;
+    let t364 = t363 + t356;
+    let t365 = t364 + t358;
+    let t366 = t365 + t360;
+    let t367 = t366 - t344;
+    let t368 = t367 - t345;
+    let t369 = t368 - t346;
     let t370 = sin_chain_theta_9 * R::literal(19.62);
-    let t371 = t209 * R::literal(2.0);
-    let t372 = t371 * t29;
-    let t373 = t172 * R::literal(2.0);
-    let t374 = t373 * t60;
-    let t375 = t175 * R::literal(2.0);
-    let t376 = t375 * t87;
-    let t377 = t178 * R::literal(2.0);
-    let t378 = t377 * t110;
-    let t379 = t181 * R::literal(2.0);
-    let t380 = t379 * t129;
-    let t381 = t184 * R::literal(2.0);
-    let t382 = t381 * t144;
-    let t383 = t187 * R::literal(2.0);
-    let t384 = t383 * t155;
-    let t385 = t190 * R::literal(2.0);
-    let t386 = t385 * t162;
-    let t387 = t196 * t169;
-    let t388 = t372 - t370;
-    let t389 = t388 + t374;
-    let t390 = t389 + t376;
-    let t391 = t390 + t378;
-    let t392 = t391 + t380;
-    let t393 = t392 + t382;
-    let t394 = t393 + t384;
-    let t395 = t394 + t386;
-    let t396 = t395 - t387;
+    let t371 = t196 * t169;
+    let t372 = t217 * R::literal(2.0);
+    let t373 = t372 * t29;
+    let t374 = t172 * R::literal(2.0);
+    let t375 = t374 * t60;
+    let t376 = t175 * R::literal(2.0);
+    let t377 = t376 * t87;
+    let t378 = t178 * R::literal(2.0);
+    let t379 = t378 * t110;
+    let t380 = t181 * R::literal(2.0);
+    let t381 = t380 * t129;
+    let t382 = t184 * R::literal(2.0);
+    let t383 = t382 * t144;
+    let t384 = t187 * R::literal(2.0);
+    let t385 = t384 * t155;
+    let t386 = t190 * R::literal(2.0);
+    let t387 = t386 * t162;
+    let t388 = t373 + t375;
+    let t389 = t388 + t377;
+    let t390 = t389 + t379;
+    let t391 = t390 + t381;
+    let t392 = t391 + t383;
+    let t393 = t392 + t385;
+    let t394 = t393 + t387;
+    let t395 = t394 - t370;
+    let t396 = t395 - t371;
     let t397 = sin_chain_theta_10 * R::literal(9.81);
-    let t398 = t209 * t33;
+    let t398 = t217 * t33;
     let t399 = t172 * t64;
     let t400 = t175 * t91;
     let t401 = t178 * t114;
@@ -4939,15 +4939,15 @@ pub fn series<R: Real>(
     let t404 = t187 * t159;
     let t405 = t190 * t166;
     let t406 = t193 * t169;
-    let t407 = t398 - t397;
-    let t408 = t407 + t399;
-    let t409 = t408 + t400;
-    let t410 = t409 + t401;
-    let t411 = t410 + t402;
-    let t412 = t411 + t403;
-    let t413 = t412 + t404;
-    let t414 = t413 + t405;
-    let t415 = t414 + t406;
+    let t407 = t398 + t399;
+    let t408 = t407 + t400;
+    let t409 = t408 + t401;
+    let t410 = t409 + t402;
+    let t411 = t410 + t403;
+    let t412 = t411 + t404;
+    let t413 = t412 + t405;
+    let t414 = t413 + t406;
+    let t415 = t414 - t397;
     let factored = Factored::new([
         [
             R::literal(10.0),
@@ -5377,189 +5377,189 @@ pub fn series<R: Real>(
         let t205_k = t204_k - t192_k;
         let t206_k = t205_k - t195_k;
         let t207_k = t206_k - t197_k;
-        let t209_k = chain_omega_1_k
-            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_12[8]));
-        let t210_k = t209_k * R::literal(9.0);
-        let t211_k = t210_k.mul_add(t1, t210.mul_add(t1_k, sums_12[9]));
-        let t212_k = t176_k.mul_add(t36, t176.mul_add(t36_k, sums_13[0]));
-        let t213_k = t179_k.mul_add(t40, t179.mul_add(t40_k, sums_13[1]));
-        let t214_k = t182_k.mul_add(t44, t182.mul_add(t44_k, sums_13[2]));
-        let t215_k = t185_k.mul_add(t48, t185.mul_add(t48_k, sums_13[3]));
-        let t216_k = t188_k.mul_add(t52, t188.mul_add(t52_k, sums_13[4]));
-        let t217_k = t191_k.mul_add(t56, t191.mul_add(t56_k, sums_13[5]));
-        let t218_k = t194_k.mul_add(t60, t194.mul_add(t60_k, sums_13[6]));
-        let t219_k = t196_k.mul_add(t64, t196.mul_add(t64_k, sums_13[7]));
-        let t220_k = (-sin_chain_theta_2_k).mul_add(R::literal(88.29), t211_k);
-        let t221_k = t220_k - t212_k;
-        let t222_k = t221_k - t213_k;
-        let t223_k = t222_k - t214_k;
-        let t224_k = t223_k - t215_k;
-        let t225_k = t224_k - t216_k;
-        let t226_k = t225_k - t217_k;
-        let t227_k = t226_k - t218_k;
-        let t228_k = t227_k - t219_k;
-        let t230_k = t209_k * R::literal(8.0);
-        let t231_k = t230_k.mul_add(t5, t230.mul_add(t5_k, sums_13[8]));
-        let t232_k = t172_k * R::literal(8.0);
-        let t233_k = t232_k.mul_add(t36, t232.mul_add(t36_k, sums_13[9]));
-        let t234_k = t179_k.mul_add(t67, t179.mul_add(t67_k, sums_14[0]));
-        let t235_k = t182_k.mul_add(t71, t182.mul_add(t71_k, sums_14[1]));
-        let t236_k = t185_k.mul_add(t75, t185.mul_add(t75_k, sums_14[2]));
-        let t237_k = t188_k.mul_add(t79, t188.mul_add(t79_k, sums_14[3]));
-        let t238_k = t191_k.mul_add(t83, t191.mul_add(t83_k, sums_14[4]));
-        let t239_k = t194_k.mul_add(t87, t194.mul_add(t87_k, sums_14[5]));
-        let t240_k = t196_k.mul_add(t91, t196.mul_add(t91_k, sums_14[6]));
-        let t241_k = (-sin_chain_theta_3_k).mul_add(R::literal(78.48), t231_k);
-        let t242_k = t241_k + t233_k;
-        let t243_k = t242_k - t234_k;
-        let t244_k = t243_k - t235_k;
-        let t245_k = t244_k - t236_k;
-        let t246_k = t245_k - t237_k;
-        let t247_k = t246_k - t238_k;
-        let t248_k = t247_k - t239_k;
-        let t249_k = t248_k - t240_k;
-        let t251_k = t209_k * R::literal(7.0);
-        let t252_k = t251_k.mul_add(t9, t251.mul_add(t9_k, sums_14[7]));
-        let t253_k = t172_k * R::literal(7.0);
-        let t254_k = t253_k.mul_add(t40, t253.mul_add(t40_k, sums_14[8]));
-        let t255_k = t175_k * R::literal(7.0);
-        let t256_k = t255_k.mul_add(t67, t255.mul_add(t67_k, sums_14[9]));
-        let t257_k = t182_k.mul_add(t94, t182.mul_add(t94_k, sums_15[0]));
-        let t258_k = t185_k.mul_add(t98, t185.mul_add(t98_k, sums_15[1]));
-        let t259_k = t188_k.mul_add(t102, t188.mul_add(t102_k, sums_15[2]));
-        let t260_k = t191_k.mul_add(t106, t191.mul_add(t106_k, sums_15[3]));
-        let t261_k = t194_k.mul_add(t110, t194.mul_add(t110_k, sums_15[4]));
-        let t262_k = t196_k.mul_add(t114, t196.mul_add(t114_k, sums_15[5]));
-        let t263_k = (-sin_chain_theta_4_k).mul_add(R::literal(68.67), t252_k);
-        let t264_k = t263_k + t254_k;
-        let t265_k = t264_k + t256_k;
-        let t266_k = t265_k - t257_k;
-        let t267_k = t266_k - t258_k;
-        let t268_k = t267_k - t259_k;
-        let t269_k = t268_k - t260_k;
-        let t270_k = t269_k - t261_k;
-        let t271_k = t270_k - t262_k;
-        let t273_k = t209_k * R::literal(6.0);
-        let t274_k = t273_k.mul_add(t13, t273.mul_add(t13_k, sums_15[6]));
-        let t275_k = t172_k * R::literal(6.0);
-        let t276_k = t275_k.mul_add(t44, t275.mul_add(t44_k, sums_15[7]));
-        let t277_k = t175_k * R::literal(6.0);
-        let t278_k = t277_k.mul_add(t71, t277.mul_add(t71_k, sums_15[8]));
-        let t279_k = t178_k * R::literal(6.0);
-        let t280_k = t279_k.mul_add(t94, t279.mul_add(t94_k, sums_15[9]));
-        let t281_k = t185_k.mul_add(t117, t185.mul_add(t117_k, sums_16[0]));
-        let t282_k = t188_k.mul_add(t121, t188.mul_add(t121_k, sums_16[1]));
-        let t283_k = t191_k.mul_add(t125, t191.mul_add(t125_k, sums_16[2]));
-        let t284_k = t194_k.mul_add(t129, t194.mul_add(t129_k, sums_16[3]));
-        let t285_k = t196_k.mul_add(t133, t196.mul_add(t133_k, sums_16[4]));
-        let t286_k = (-sin_chain_theta_5_k).mul_add(R::literal(58.86), t274_k);
-        let t287_k = t286_k + t276_k;
-        let t288_k = t287_k + t278_k;
-        let t289_k = t288_k + t280_k;
-        let t290_k = t289_k - t281_k;
-        let t291_k = t290_k - t282_k;
-        let t292_k = t291_k - t283_k;
-        let t293_k = t292_k - t284_k;
-        let t294_k = t293_k - t285_k;
-        let t296_k = t209_k * R::literal(5.0);
-        let t297_k = t296_k.mul_add(t17, t296.mul_add(t17_k, sums_16[5]));
-        let t298_k = t172_k * R::literal(5.0);
-        let t299_k = t298_k.mul_add(t48, t298.mul_add(t48_k, sums_16[6]));
-        let t300_k = t175_k * R::literal(5.0);
-        let t301_k = t300_k.mul_add(t75, t300.mul_add(t75_k, sums_16[7]));
-        let t302_k = t178_k * R::literal(5.0);
-        let t303_k = t302_k.mul_add(t98, t302.mul_add(t98_k, sums_16[8]));
-        let t304_k = t181_k * R::literal(5.0);
-        let t305_k = t304_k.mul_add(t117, t304.mul_add(t117_k, sums_16[9]));
-        let t306_k = t188_k.mul_add(t136, t188.mul_add(t136_k, sums_17[0]));
-        let t307_k = t191_k.mul_add(t140, t191.mul_add(t140_k, sums_17[1]));
-        let t308_k = t194_k.mul_add(t144, t194.mul_add(t144_k, sums_17[2]));
-        let t309_k = t196_k.mul_add(t148, t196.mul_add(t148_k, sums_17[3]));
-        let t310_k = (-sin_chain_theta_6_k).mul_add(R::literal(49.05), t297_k);
-        let t311_k = t310_k + t299_k;
-        let t312_k = t311_k + t301_k;
-        let t313_k = t312_k + t303_k;
-        let t314_k = t313_k + t305_k;
-        let t315_k = t314_k - t306_k;
-        let t316_k = t315_k - t307_k;
-        let t317_k = t316_k - t308_k;
-        let t318_k = t317_k - t309_k;
-        let t320_k = t209_k * R::literal(4.0);
-        let t321_k = t320_k.mul_add(t21, t320.mul_add(t21_k, sums_17[4]));
-        let t322_k = t172_k * R::literal(4.0);
-        let t323_k = t322_k.mul_add(t52, t322.mul_add(t52_k, sums_17[5]));
-        let t324_k = t175_k * R::literal(4.0);
-        let t325_k = t324_k.mul_add(t79, t324.mul_add(t79_k, sums_17[6]));
-        let t326_k = t178_k * R::literal(4.0);
-        let t327_k = t326_k.mul_add(t102, t326.mul_add(t102_k, sums_17[7]));
-        let t328_k = t181_k * R::literal(4.0);
-        let t329_k = t328_k.mul_add(t121, t328.mul_add(t121_k, sums_17[8]));
-        let t330_k = t184_k * R::literal(4.0);
-        let t331_k = t330_k.mul_add(t136, t330.mul_add(t136_k, sums_17[9]));
-        let t332_k = t191_k.mul_add(t151, t191.mul_add(t151_k, sums_18[0]));
-        let t333_k = t194_k.mul_add(t155, t194.mul_add(t155_k, sums_18[1]));
-        let t334_k = t196_k.mul_add(t159, t196.mul_add(t159_k, sums_18[2]));
-        let t335_k = (-sin_chain_theta_7_k).mul_add(R::literal(39.24), t321_k);
-        let t336_k = t335_k + t323_k;
-        let t337_k = t336_k + t325_k;
-        let t338_k = t337_k + t327_k;
-        let t339_k = t338_k + t329_k;
-        let t340_k = t339_k + t331_k;
-        let t341_k = t340_k - t332_k;
-        let t342_k = t341_k - t333_k;
-        let t343_k = t342_k - t334_k;
-        let t345_k = t209_k * R::literal(3.0);
-        let t346_k = t345_k.mul_add(t25, t345.mul_add(t25_k, sums_18[3]));
-        let t347_k = t172_k * R::literal(3.0);
-        let t348_k = t347_k.mul_add(t56, t347.mul_add(t56_k, sums_18[4]));
-        let t349_k = t175_k * R::literal(3.0);
-        let t350_k = t349_k.mul_add(t83, t349.mul_add(t83_k, sums_18[5]));
-        let t351_k = t178_k * R::literal(3.0);
-        let t352_k = t351_k.mul_add(t106, t351.mul_add(t106_k, sums_18[6]));
-        let t353_k = t181_k * R::literal(3.0);
-        let t354_k = t353_k.mul_add(t125, t353.mul_add(t125_k, sums_18[7]));
-        let t355_k = t184_k * R::literal(3.0);
-        let t356_k = t355_k.mul_add(t140, t355.mul_add(t140_k, sums_18[8]));
-        let t357_k = t187_k * R::literal(3.0);
-        let t358_k = t357_k.mul_add(t151, t357.mul_add(t151_k, sums_18[9]));
-        let t359_k = t194_k.mul_add(t162, t194.mul_add(t162_k, sums_19[0]));
-        let t360_k = t196_k.mul_add(t166, t196.mul_add(t166_k, sums_19[1]));
-        let t361_k = (-sin_chain_theta_8_k).mul_add(R::literal(29.43), t346_k);
-        let t362_k = t361_k + t348_k;
-        let t363_k = t362_k + t350_k;
-        let t364_k = t363_k + t352_k;
-        let t365_k = t364_k + t354_k;
-        let t366_k = t365_k + t356_k;
-        let t367_k = t366_k + t358_k;
-        let t368_k = t367_k - t359_k;
-        let t369_k = t368_k - t360_k;
-        let t371_k = t209_k * R::literal(2.0);
-        let t372_k = t371_k.mul_add(t29, t371.mul_add(t29_k, sums_19[2]));
-        let t373_k = t172_k * R::literal(2.0);
-        let t374_k = t373_k.mul_add(t60, t373.mul_add(t60_k, sums_19[3]));
-        let t375_k = t175_k * R::literal(2.0);
-        let t376_k = t375_k.mul_add(t87, t375.mul_add(t87_k, sums_19[4]));
-        let t377_k = t178_k * R::literal(2.0);
-        let t378_k = t377_k.mul_add(t110, t377.mul_add(t110_k, sums_19[5]));
-        let t379_k = t181_k * R::literal(2.0);
-        let t380_k = t379_k.mul_add(t129, t379.mul_add(t129_k, sums_19[6]));
-        let t381_k = t184_k * R::literal(2.0);
-        let t382_k = t381_k.mul_add(t144, t381.mul_add(t144_k, sums_19[7]));
-        let t383_k = t187_k * R::literal(2.0);
-        let t384_k = t383_k.mul_add(t155, t383.mul_add(t155_k, sums_19[8]));
-        let t385_k = t190_k * R::literal(2.0);
-        let t386_k = t385_k.mul_add(t162, t385.mul_add(t162_k, sums_19[9]));
-        let t387_k = t196_k.mul_add(t169, t196.mul_add(t169_k, sums_20[0]));
-        let t388_k = (-sin_chain_theta_9_k).mul_add(R::literal(19.62), t372_k);
-        let t389_k = t388_k + t374_k;
-        let t390_k = t389_k + t376_k;
-        let t391_k = t390_k + t378_k;
-        let t392_k = t391_k + t380_k;
-        let t393_k = t392_k + t382_k;
-        let t394_k = t393_k + t384_k;
-        let t395_k = t394_k + t386_k;
-        let t396_k = t395_k - t387_k;
-        let t398_k = t209_k.mul_add(t33, t209.mul_add(t33_k, sums_20[1]));
+        let t209_k = t176_k.mul_add(t36, t176.mul_add(t36_k, sums_12[8]));
+        let t210_k = t179_k.mul_add(t40, t179.mul_add(t40_k, sums_12[9]));
+        let t211_k = t182_k.mul_add(t44, t182.mul_add(t44_k, sums_13[0]));
+        let t212_k = t185_k.mul_add(t48, t185.mul_add(t48_k, sums_13[1]));
+        let t213_k = t188_k.mul_add(t52, t188.mul_add(t52_k, sums_13[2]));
+        let t214_k = t191_k.mul_add(t56, t191.mul_add(t56_k, sums_13[3]));
+        let t215_k = t194_k.mul_add(t60, t194.mul_add(t60_k, sums_13[4]));
+        let t216_k = t196_k.mul_add(t64, t196.mul_add(t64_k, sums_13[5]));
+        let t217_k = chain_omega_1_k
+            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_13[6]));
+        let t218_k = t217_k * R::literal(9.0);
+        let t219_k = t218_k.mul_add(t1, t218.mul_add(t1_k, sums_13[7]));
+        let t220_k = (-sin_chain_theta_2_k).mul_add(R::literal(88.29), t219_k);
+        let t221_k = t220_k - t209_k;
+        let t222_k = t221_k - t210_k;
+        let t223_k = t222_k - t211_k;
+        let t224_k = t223_k - t212_k;
+        let t225_k = t224_k - t213_k;
+        let t226_k = t225_k - t214_k;
+        let t227_k = t226_k - t215_k;
+        let t228_k = t227_k - t216_k;
+        let t230_k = t179_k.mul_add(t67, t179.mul_add(t67_k, sums_13[8]));
+        let t231_k = t182_k.mul_add(t71, t182.mul_add(t71_k, sums_13[9]));
+        let t232_k = t185_k.mul_add(t75, t185.mul_add(t75_k, sums_14[0]));
+        let t233_k = t188_k.mul_add(t79, t188.mul_add(t79_k, sums_14[1]));
+        let t234_k = t191_k.mul_add(t83, t191.mul_add(t83_k, sums_14[2]));
+        let t235_k = t194_k.mul_add(t87, t194.mul_add(t87_k, sums_14[3]));
+        let t236_k = t196_k.mul_add(t91, t196.mul_add(t91_k, sums_14[4]));
+        let t237_k = t217_k * R::literal(8.0);
+        let t238_k = t237_k.mul_add(t5, t237.mul_add(t5_k, sums_14[5]));
+        let t239_k = t172_k * R::literal(8.0);
+        let t240_k = t239_k.mul_add(t36, t239.mul_add(t36_k, sums_14[6]));
+        let t241_k = t238_k + t240_k;
+        let t242_k = (-sin_chain_theta_3_k).mul_add(R::literal(78.48), t241_k);
+        let t243_k = t242_k - t230_k;
+        let t244_k = t243_k - t231_k;
+        let t245_k = t244_k - t232_k;
+        let t246_k = t245_k - t233_k;
+        let t247_k = t246_k - t234_k;
+        let t248_k = t247_k - t235_k;
+        let t249_k = t248_k - t236_k;
+        let t251_k = t182_k.mul_add(t94, t182.mul_add(t94_k, sums_14[7]));
+        let t252_k = t185_k.mul_add(t98, t185.mul_add(t98_k, sums_14[8]));
+        let t253_k = t188_k.mul_add(t102, t188.mul_add(t102_k, sums_14[9]));
+        let t254_k = t191_k.mul_add(t106, t191.mul_add(t106_k, sums_15[0]));
+        let t255_k = t194_k.mul_add(t110, t194.mul_add(t110_k, sums_15[1]));
+        let t256_k = t196_k.mul_add(t114, t196.mul_add(t114_k, sums_15[2]));
+        let t257_k = t217_k * R::literal(7.0);
+        let t258_k = t257_k.mul_add(t9, t257.mul_add(t9_k, sums_15[3]));
+        let t259_k = t172_k * R::literal(7.0);
+        let t260_k = t259_k.mul_add(t40, t259.mul_add(t40_k, sums_15[4]));
+        let t261_k = t175_k * R::literal(7.0);
+        let t262_k = t261_k.mul_add(t67, t261.mul_add(t67_k, sums_15[5]));
+        let t263_k = t258_k + t260_k;
+        let t264_k = t263_k + t262_k;
+        let t265_k = (-sin_chain_theta_4_k).mul_add(R::literal(68.67), t264_k);
+        let t266_k = t265_k - t251_k;
+        let t267_k = t266_k - t252_k;
+        let t268_k = t267_k - t253_k;
+        let t269_k = t268_k - t254_k;
+        let t270_k = t269_k - t255_k;
+        let t271_k = t270_k - t256_k;
+        let t273_k = t185_k.mul_add(t117, t185.mul_add(t117_k, sums_15[6]));
+        let t274_k = t188_k.mul_add(t121, t188.mul_add(t121_k, sums_15[7]));
+        let t275_k = t191_k.mul_add(t125, t191.mul_add(t125_k, sums_15[8]));
+        let t276_k = t194_k.mul_add(t129, t194.mul_add(t129_k, sums_15[9]));
+        let t277_k = t196_k.mul_add(t133, t196.mul_add(t133_k, sums_16[0]));
+        let t278_k = t217_k * R::literal(6.0);
+        let t279_k = t278_k.mul_add(t13, t278.mul_add(t13_k, sums_16[1]));
+        let t280_k = t172_k * R::literal(6.0);
+        let t281_k = t280_k.mul_add(t44, t280.mul_add(t44_k, sums_16[2]));
+        let t282_k = t175_k * R::literal(6.0);
+        let t283_k = t282_k.mul_add(t71, t282.mul_add(t71_k, sums_16[3]));
+        let t284_k = t178_k * R::literal(6.0);
+        let t285_k = t284_k.mul_add(t94, t284.mul_add(t94_k, sums_16[4]));
+        let t286_k = t279_k + t281_k;
+        let t287_k = t286_k + t283_k;
+        let t288_k = t287_k + t285_k;
+        let t289_k = (-sin_chain_theta_5_k).mul_add(R::literal(58.86), t288_k);
+        let t290_k = t289_k - t273_k;
+        let t291_k = t290_k - t274_k;
+        let t292_k = t291_k - t275_k;
+        let t293_k = t292_k - t276_k;
+        let t294_k = t293_k - t277_k;
+        let t296_k = t188_k.mul_add(t136, t188.mul_add(t136_k, sums_16[5]));
+        let t297_k = t191_k.mul_add(t140, t191.mul_add(t140_k, sums_16[6]));
+        let t298_k = t194_k.mul_add(t144, t194.mul_add(t144_k, sums_16[7]));
+        let t299_k = t196_k.mul_add(t148, t196.mul_add(t148_k, sums_16[8]));
+        let t300_k = t217_k * R::literal(5.0);
+        let t301_k = t300_k.mul_add(t17, t300.mul_add(t17_k, sums_16[9]));
+        let t302_k = t172_k * R::literal(5.0);
+        let t303_k = t302_k.mul_add(t48, t302.mul_add(t48_k, sums_17[0]));
+        let t304_k = t175_k * R::literal(5.0);
+        let t305_k = t304_k.mul_add(t75, t304.mul_add(t75_k, sums_17[1]));
+        let t306_k = t178_k * R::literal(5.0);
+        let t307_k = t306_k.mul_add(t98, t306.mul_add(t98_k, sums_17[2]));
+        let t308_k = t181_k * R::literal(5.0);
+        let t309_k = t308_k.mul_add(t117, t308.mul_add(t117_k, sums_17[3]));
+        let t310_k = t301_k + t303_k;
+        let t311_k = t310_k + t305_k;
+        let t312_k = t311_k + t307_k;
+        let t313_k = t312_k + t309_k;
+        let t314_k = (-sin_chain_theta_6_k).mul_add(R::literal(49.05), t313_k);
+        let t315_k = t314_k - t296_k;
+        let t316_k = t315_k - t297_k;
+        let t317_k = t316_k - t298_k;
+        let t318_k = t317_k - t299_k;
+        let t320_k = t191_k.mul_add(t151, t191.mul_add(t151_k, sums_17[4]));
+        let t321_k = t194_k.mul_add(t155, t194.mul_add(t155_k, sums_17[5]));
+        let t322_k = t196_k.mul_add(t159, t196.mul_add(t159_k, sums_17[6]));
+        let t323_k = t217_k * R::literal(4.0);
+        let t324_k = t323_k.mul_add(t21, t323.mul_add(t21_k, sums_17[7]));
+        let t325_k = t172_k * R::literal(4.0);
+        let t326_k = t325_k.mul_add(t52, t325.mul_add(t52_k, sums_17[8]));
+        let t327_k = t175_k * R::literal(4.0);
+        let t328_k = t327_k.mul_add(t79, t327.mul_add(t79_k, sums_17[9]));
+        let t329_k = t178_k * R::literal(4.0);
+        let t330_k = t329_k.mul_add(t102, t329.mul_add(t102_k, sums_18[0]));
+        let t331_k = t181_k * R::literal(4.0);
+        let t332_k = t331_k.mul_add(t121, t331.mul_add(t121_k, sums_18[1]));
+        let t333_k = t184_k * R::literal(4.0);
+        let t334_k = t333_k.mul_add(t136, t333.mul_add(t136_k, sums_18[2]));
+        let t335_k = t324_k + t326_k;
+        let t336_k = t335_k + t328_k;
+        let t337_k = t336_k + t330_k;
+        let t338_k = t337_k + t332_k;
+        let t339_k = t338_k + t334_k;
+        let t340_k = (-sin_chain_theta_7_k).mul_add(R::literal(39.24), t339_k);
+        let t341_k = t340_k - t320_k;
+        let t342_k = t341_k - t321_k;
+        let t343_k = t342_k - t322_k;
+        let t345_k = t194_k.mul_add(t162, t194.mul_add(t162_k, sums_18[3]));
+        let t346_k = t196_k.mul_add(t166, t196.mul_add(t166_k, sums_18[4]));
+        let t347_k = t217_k * R::literal(3.0);
+        let t348_k = t347_k.mul_add(t25, t347.mul_add(t25_k, sums_18[5]));
+        let t349_k = t172_k * R::literal(3.0);
+        let t350_k = t349_k.mul_add(t56, t349.mul_add(t56_k, sums_18[6]));
+        let t351_k = t175_k * R::literal(3.0);
+        let t352_k = t351_k.mul_add(t83, t351.mul_add(t83_k, sums_18[7]));
+        let t353_k = t178_k * R::literal(3.0);
+        let t354_k = t353_k.mul_add(t106, t353.mul_add(t106_k, sums_18[8]));
+        let t355_k = t181_k * R::literal(3.0);
+        let t356_k = t355_k.mul_add(t125, t355.mul_add(t125_k, sums_18[9]));
+        let t357_k = t184_k * R::literal(3.0);
+        let t358_k = t357_k.mul_add(t140, t357.mul_add(t140_k, sums_19[0]));
+        let t359_k = t187_k * R::literal(3.0);
+        let t360_k = t359_k.mul_add(t151, t359.mul_add(t151_k, sums_19[1]));
+        let t361_k = t348_k + t350_k;
+        let t362_k = t361_k + t352_k;
+        let t363_k = t362_k + t354_k;
+        let t364_k = t363_k + t356_k;
+        let t365_k = t364_k + t358_k;
+        let t366_k = t365_k + t360_k;
+        let t367_k = (-sin_chain_theta_8_k).mul_add(R::literal(29.43), t366_k);
+        let t368_k = t367_k - t345_k;
+        let t369_k = t368_k - t346_k;
+        let t371_k = t196_k.mul_add(t169, t196.mul_add(t169_k, sums_19[2]));
+        let t372_k = t217_k * R::literal(2.0);
+        let t373_k = t372_k.mul_add(t29, t372.mul_add(t29_k, sums_19[3]));
+        let t374_k = t172_k * R::literal(2.0);
+        let t375_k = t374_k.mul_add(t60, t374.mul_add(t60_k, sums_19[4]));
+        let t376_k = t175_k * R::literal(2.0);
+        let t377_k = t376_k.mul_add(t87, t376.mul_add(t87_k, sums_19[5]));
+        let t378_k = t178_k * R::literal(2.0);
+        let t379_k = t378_k.mul_add(t110, t378.mul_add(t110_k, sums_19[6]));
+        let t380_k = t181_k * R::literal(2.0);
+        let t381_k = t380_k.mul_add(t129, t380.mul_add(t129_k, sums_19[7]));
+        let t382_k = t184_k * R::literal(2.0);
+        let t383_k = t382_k.mul_add(t144, t382.mul_add(t144_k, sums_19[8]));
+        let t384_k = t187_k * R::literal(2.0);
+        let t385_k = t384_k.mul_add(t155, t384.mul_add(t155_k, sums_19[9]));
+        let t386_k = t190_k * R::literal(2.0);
+        let t387_k = t386_k.mul_add(t162, t386.mul_add(t162_k, sums_20[0]));
+        let t388_k = t373_k + t375_k;
+        let t389_k = t388_k + t377_k;
+        let t390_k = t389_k + t379_k;
+        let t391_k = t390_k + t381_k;
+        let t392_k = t391_k + t383_k;
+        let t393_k = t392_k + t385_k;
+        let t394_k = t393_k + t387_k;
+        let t395_k = (-sin_chain_theta_9_k).mul_add(R::literal(19.62), t394_k);
+        let t396_k = t395_k - t371_k;
+        let t398_k = t217_k.mul_add(t33, t217.mul_add(t33_k, sums_20[1]));
         let t399_k = t172_k.mul_add(t64, t172.mul_add(t64_k, sums_20[2]));
         let t400_k = t175_k.mul_add(t91, t175.mul_add(t91_k, sums_20[3]));
         let t401_k = t178_k.mul_add(t114, t178.mul_add(t114_k, sums_20[4]));
@@ -5568,15 +5568,15 @@ pub fn series<R: Real>(
         let t404_k = t187_k.mul_add(t159, t187.mul_add(t159_k, sums_20[7]));
         let t405_k = t190_k.mul_add(t166, t190.mul_add(t166_k, sums_20[8]));
         let t406_k = t193_k.mul_add(t169, t193.mul_add(t169_k, sums_20[9]));
-        let t407_k = (-sin_chain_theta_10_k).mul_add(R::literal(9.81), t398_k);
-        let t408_k = t407_k + t399_k;
-        let t409_k = t408_k + t400_k;
-        let t410_k = t409_k + t401_k;
-        let t411_k = t410_k + t402_k;
-        let t412_k = t411_k + t403_k;
-        let t413_k = t412_k + t404_k;
-        let t414_k = t413_k + t405_k;
-        let t415_k = t414_k + t406_k;
+        let t407_k = t398_k + t399_k;
+        let t408_k = t407_k + t400_k;
+        let t409_k = t408_k + t401_k;
+        let t410_k = t409_k + t402_k;
+        let t411_k = t410_k + t403_k;
+        let t412_k = t411_k + t404_k;
+        let t413_k = t412_k + t405_k;
+        let t414_k = t413_k + t406_k;
+        let t415_k = (-sin_chain_theta_10_k).mul_add(R::literal(9.81), t414_k);
         let n486_k = t3_k.mul_add(chain_omega_2_dot, sums_21[0]);
         let n487_k = t7_k.mul_add(chain_omega_3_dot, sums_21[1]);
         let n488_k = t11_k.mul_add(chain_omega_4_dot, sums_21[2]);
@@ -6066,8 +6066,8 @@ pub fn series<R: Real>(
                     t29_k,
                     chain_omega_10_k,
                     t33_k,
-                    chain_omega_1_k,
-                    t1_k,
+                    t36_k,
+                    t40_k,
                 ],
                 [
                     chain_omega_7_k,
@@ -6078,162 +6078,174 @@ pub fn series<R: Real>(
                     t194_k,
                     chain_omega_10_k,
                     t196_k,
-                    chain_omega_1_k,
-                    t210_k,
+                    t176_k,
+                    t179_k,
                 ],
             );
         lanes_13
             .set(
                 order,
-                [t36_k, t40_k, t44_k, t48_k, t52_k, t56_k, t60_k, t64_k, t5_k, t36_k],
                 [
-                    t176_k,
-                    t179_k,
+                    t44_k,
+                    t48_k,
+                    t52_k,
+                    t56_k,
+                    t60_k,
+                    t64_k,
+                    chain_omega_1_k,
+                    t1_k,
+                    t67_k,
+                    t71_k,
+                ],
+                [
                     t182_k,
                     t185_k,
                     t188_k,
                     t191_k,
                     t194_k,
                     t196_k,
-                    t230_k,
-                    t232_k,
+                    chain_omega_1_k,
+                    t218_k,
+                    t179_k,
+                    t182_k,
                 ],
             );
         lanes_14
             .set(
                 order,
-                [t67_k, t71_k, t75_k, t79_k, t83_k, t87_k, t91_k, t9_k, t40_k, t67_k],
+                [t75_k, t79_k, t83_k, t87_k, t91_k, t5_k, t36_k, t94_k, t98_k, t102_k],
                 [
-                    t179_k,
-                    t182_k,
                     t185_k,
                     t188_k,
                     t191_k,
                     t194_k,
                     t196_k,
-                    t251_k,
-                    t253_k,
-                    t255_k,
+                    t237_k,
+                    t239_k,
+                    t182_k,
+                    t185_k,
+                    t188_k,
                 ],
             );
         lanes_15
             .set(
                 order,
                 [
-                    t94_k,
-                    t98_k,
-                    t102_k,
                     t106_k,
                     t110_k,
                     t114_k,
-                    t13_k,
-                    t44_k,
-                    t71_k,
-                    t94_k,
+                    t9_k,
+                    t40_k,
+                    t67_k,
+                    t117_k,
+                    t121_k,
+                    t125_k,
+                    t129_k,
                 ],
                 [
-                    t182_k,
+                    t191_k,
+                    t194_k,
+                    t196_k,
+                    t257_k,
+                    t259_k,
+                    t261_k,
                     t185_k,
                     t188_k,
                     t191_k,
                     t194_k,
-                    t196_k,
-                    t273_k,
-                    t275_k,
-                    t277_k,
-                    t279_k,
                 ],
             );
         lanes_16
             .set(
                 order,
                 [
-                    t117_k,
-                    t121_k,
-                    t125_k,
-                    t129_k,
                     t133_k,
+                    t13_k,
+                    t44_k,
+                    t71_k,
+                    t94_k,
+                    t136_k,
+                    t140_k,
+                    t144_k,
+                    t148_k,
                     t17_k,
-                    t48_k,
-                    t75_k,
-                    t98_k,
-                    t117_k,
                 ],
                 [
-                    t185_k,
+                    t196_k,
+                    t278_k,
+                    t280_k,
+                    t282_k,
+                    t284_k,
                     t188_k,
                     t191_k,
                     t194_k,
                     t196_k,
-                    t296_k,
-                    t298_k,
                     t300_k,
-                    t302_k,
-                    t304_k,
                 ],
             );
         lanes_17
             .set(
                 order,
                 [
-                    t136_k,
-                    t140_k,
-                    t144_k,
-                    t148_k,
+                    t48_k,
+                    t75_k,
+                    t98_k,
+                    t117_k,
+                    t151_k,
+                    t155_k,
+                    t159_k,
                     t21_k,
                     t52_k,
                     t79_k,
-                    t102_k,
-                    t121_k,
-                    t136_k,
                 ],
                 [
-                    t188_k,
+                    t302_k,
+                    t304_k,
+                    t306_k,
+                    t308_k,
                     t191_k,
                     t194_k,
                     t196_k,
-                    t320_k,
-                    t322_k,
-                    t324_k,
-                    t326_k,
-                    t328_k,
-                    t330_k,
+                    t323_k,
+                    t325_k,
+                    t327_k,
                 ],
             );
         lanes_18
             .set(
                 order,
                 [
-                    t151_k,
-                    t155_k,
-                    t159_k,
+                    t102_k,
+                    t121_k,
+                    t136_k,
+                    t162_k,
+                    t166_k,
                     t25_k,
                     t56_k,
                     t83_k,
                     t106_k,
                     t125_k,
-                    t140_k,
-                    t151_k,
                 ],
                 [
-                    t191_k,
+                    t329_k,
+                    t331_k,
+                    t333_k,
                     t194_k,
                     t196_k,
-                    t345_k,
                     t347_k,
                     t349_k,
                     t351_k,
                     t353_k,
                     t355_k,
-                    t357_k,
                 ],
             );
         lanes_19
             .set(
                 order,
                 [
-                    t162_k,
-                    t166_k,
+                    t140_k,
+                    t151_k,
+                    t169_k,
                     t29_k,
                     t60_k,
                     t87_k,
@@ -6241,26 +6253,25 @@ pub fn series<R: Real>(
                     t129_k,
                     t144_k,
                     t155_k,
-                    t162_k,
                 ],
                 [
-                    t194_k,
+                    t357_k,
+                    t359_k,
                     t196_k,
-                    t371_k,
-                    t373_k,
-                    t375_k,
-                    t377_k,
-                    t379_k,
-                    t381_k,
-                    t383_k,
-                    t385_k,
+                    t372_k,
+                    t374_k,
+                    t376_k,
+                    t378_k,
+                    t380_k,
+                    t382_k,
+                    t384_k,
                 ],
             );
         lanes_20
             .set(
                 order,
                 [
-                    t169_k,
+                    t162_k,
                     t33_k,
                     t64_k,
                     t91_k,
@@ -6272,8 +6283,8 @@ pub fn series<R: Real>(
                     t169_k,
                 ],
                 [
-                    t196_k,
-                    t209_k,
+                    t386_k,
+                    t217_k,
                     t172_k,
                     t175_k,
                     t178_k,

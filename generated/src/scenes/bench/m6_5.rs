@@ -419,17 +419,18 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         - R::literal(39.24) * sin_chain_theta_2 - t33 * t8 - t34 * t9
         - chain_omega_5_squared * t10 - t14 * t35;
     let t37 = R::literal(3.0) * chain_omega_1_squared * t2
-        - R::literal(29.43) * sin_chain_theta_3
-        + R::literal(3.0) * chain_omega_2_squared * t8 - t34 * t11
-        - chain_omega_5_squared * t12 - t15 * t35 - t20 * t36;
+        + R::literal(3.0) * chain_omega_2_squared * t8
+        - R::literal(29.43) * sin_chain_theta_3 - t34 * t11 - chain_omega_5_squared * t12
+        - t15 * t35 - t20 * t36;
     let t38 = R::literal(2.0) * chain_omega_1_squared * t4
-        - R::literal(19.62) * sin_chain_theta_4
         + R::literal(2.0) * chain_omega_2_squared * t9
-        + R::literal(2.0) * chain_omega_3_squared * t11 - chain_omega_5_squared * t13
-        - t16 * t35 - t22 * t36 - t27 * t37;
-    let t39 = chain_omega_1_squared * t6 - R::literal(9.81) * sin_chain_theta_5
-        + chain_omega_2_squared * t10 + chain_omega_3_squared * t12
-        + chain_omega_4_squared * t13 - t17 * t35 - t24 * t36 - t29 * t37 - t32 * t38;
+        + R::literal(2.0) * chain_omega_3_squared * t11
+        - R::literal(19.62) * sin_chain_theta_4 - chain_omega_5_squared * t13 - t16 * t35
+        - t22 * t36 - t27 * t37;
+    let t39 = chain_omega_1_squared * t6 + chain_omega_2_squared * t10
+        + chain_omega_3_squared * t12 + chain_omega_4_squared * t13
+        - R::literal(9.81) * sin_chain_theta_5 - t17 * t35 - t24 * t36 - t29 * t37
+        - t32 * t38;
     let chain_omega_5_dot = t39
         * (R::literal(1.0)
             / (R::literal(1.0) - t17 * t7 - t24 * t23 - t29 * t28 - t32 * t31));
@@ -528,27 +529,27 @@ pub fn forcing<R: Real>(
     let chain_theta_1_forcing = -(R::literal(49.05) * chain_theta_1.sin())
         - R::literal(4.0) * chain_omega_2_squared * t0 - t2 * t1 - t4 * t3
         - chain_omega_5_squared * t5;
-    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t6 = (chain_theta_2 - chain_theta_3).sin();
     let t7 = (chain_theta_2 - chain_theta_4).sin();
     let t8 = (chain_theta_2 - chain_theta_5).sin();
+    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let chain_theta_2_forcing = R::literal(4.0) * chain_omega_1_squared * t0
         - R::literal(39.24) * chain_theta_2.sin() - t2 * t6 - t4 * t7
         - chain_omega_5_squared * t8;
     let t9 = (chain_theta_3 - chain_theta_4).sin();
     let t10 = (chain_theta_3 - chain_theta_5).sin();
     let chain_theta_3_forcing = R::literal(3.0) * chain_omega_1_squared * t1
-        - R::literal(29.43) * chain_theta_3.sin()
-        + R::literal(3.0) * chain_omega_2_squared * t6 - t4 * t9
+        + R::literal(3.0) * chain_omega_2_squared * t6
+        - R::literal(29.43) * chain_theta_3.sin() - t4 * t9
         - chain_omega_5_squared * t10;
     let t11 = (chain_theta_4 - chain_theta_5).sin();
     let chain_theta_4_forcing = R::literal(2.0) * chain_omega_1_squared * t3
-        - R::literal(19.62) * chain_theta_4.sin()
         + R::literal(2.0) * chain_omega_2_squared * t7
-        + R::literal(2.0) * chain_omega_3_squared * t9 - chain_omega_5_squared * t11;
-    let chain_theta_5_forcing = chain_omega_1_squared * t5
-        - R::literal(9.81) * chain_theta_5.sin() + chain_omega_2_squared * t8
-        + chain_omega_3_squared * t10 + chain_omega_4_squared * t11;
+        + R::literal(2.0) * chain_omega_3_squared * t9
+        - R::literal(19.62) * chain_theta_4.sin() - chain_omega_5_squared * t11;
+    let chain_theta_5_forcing = chain_omega_1_squared * t5 + chain_omega_2_squared * t8
+        + chain_omega_3_squared * t10 + chain_omega_4_squared * t11
+        - R::literal(9.81) * chain_theta_5.sin();
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -661,14 +662,14 @@ pub fn rate_jacobian<R: Real>(
     let t52 = R::literal(2.0) * chain_omega_3_squared;
     let t53 = t47 * t0 - R::literal(39.24) * sin_chain_theta_2 - t44 * t11 - t45 * t13
         - chain_omega_5_squared * t15 - t23 * t46;
-    let t54 = t48 * t3 - R::literal(29.43) * sin_chain_theta_3 + t49 * t11 - t45 * t17
+    let t54 = t48 * t3 + t49 * t11 - R::literal(29.43) * sin_chain_theta_3 - t45 * t17
         - chain_omega_5_squared * t19 - t24 * t46 - t29 * t53;
-    let t55 = t50 * t6 - R::literal(19.62) * sin_chain_theta_4 + t51 * t13 + t52 * t17
+    let t55 = t50 * t6 + t51 * t13 + t52 * t17 - R::literal(19.62) * sin_chain_theta_4
         - chain_omega_5_squared * t21 - t25 * t46 - t31 * t53 - t36 * t54;
-    let chain_omega_5_dot = (chain_omega_1_squared * t9
-        - R::literal(9.81) * sin_chain_theta_5 + chain_omega_2_squared * t15
-        + chain_omega_3_squared * t19 + chain_omega_4_squared * t21 - t26 * t46
-        - t33 * t53 - t38 * t54 - t41 * t55) * t42;
+    let chain_omega_5_dot = (chain_omega_1_squared * t9 + chain_omega_2_squared * t15
+        + chain_omega_3_squared * t19 + chain_omega_4_squared * t21
+        - R::literal(9.81) * sin_chain_theta_5 - t26 * t46 - t33 * t53 - t38 * t54
+        - t41 * t55) * t42;
     let chain_omega_4_dot = t55 * t39 - t41 * chain_omega_5_dot;
     let chain_omega_3_dot = t54 * t34 - t36 * chain_omega_4_dot
         - t38 * chain_omega_5_dot;
@@ -1165,10 +1166,10 @@ pub fn power_balance<R: Real>(
     let t30 = -t23 - R::literal(4.0) * chain_omega_2_squared * t24 - t26 * t25
         - t28 * t27 - chain_omega_5_squared * t29;
     let t31 = R::literal(39.24) * sin_chain_theta_2;
-    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t32 = chain_theta_2_minus_chain_theta_3.sin();
     let t33 = chain_theta_2_minus_chain_theta_4.sin();
     let t34 = chain_theta_2_minus_chain_theta_5.sin();
+    let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t35 = R::literal(29.43) * sin_chain_theta_3;
     let t36 = chain_theta_3_minus_chain_theta_4.sin();
     let t37 = chain_theta_3_minus_chain_theta_5.sin();
@@ -1177,15 +1178,15 @@ pub fn power_balance<R: Real>(
     let t40 = R::literal(9.81) * sin_chain_theta_5;
     let t41 = R::literal(4.0) * chain_omega_1_squared * t24 - t31 - t26 * t32 - t28 * t33
         - chain_omega_5_squared * t34 - t4 * t30;
-    let t42 = R::literal(3.0) * chain_omega_1_squared * t25 - t35
-        + R::literal(3.0) * chain_omega_2_squared * t32 - t28 * t36
+    let t42 = R::literal(3.0) * chain_omega_1_squared * t25
+        + R::literal(3.0) * chain_omega_2_squared * t32 - t35 - t28 * t36
         - chain_omega_5_squared * t37 - t5 * t30 - t10 * t41;
-    let t43 = R::literal(2.0) * chain_omega_1_squared * t27 - t38
+    let t43 = R::literal(2.0) * chain_omega_1_squared * t27
         + R::literal(2.0) * chain_omega_2_squared * t33
-        + R::literal(2.0) * chain_omega_3_squared * t36 - chain_omega_5_squared * t39
-        - t6 * t30 - t12 * t41 - t17 * t42;
-    let t44 = chain_omega_1_squared * t29 - t40 + chain_omega_2_squared * t34
-        + chain_omega_3_squared * t37 + chain_omega_4_squared * t39 - t7 * t30
+        + R::literal(2.0) * chain_omega_3_squared * t36 - t38
+        - chain_omega_5_squared * t39 - t6 * t30 - t12 * t41 - t17 * t42;
+    let t44 = chain_omega_1_squared * t29 + chain_omega_2_squared * t34
+        + chain_omega_3_squared * t37 + chain_omega_4_squared * t39 - t40 - t7 * t30
         - t14 * t41 - t19 * t42 - t22 * t43;
     let chain_omega_5_dot = t44
         * (R::literal(1.0)
@@ -1355,48 +1356,48 @@ pub fn series<R: Real>(
     let t51 = t50 - t45;
     let t52 = t51 - t47;
     let t53 = sin_chain_theta_2 * R::literal(39.24);
-    let t54 = chain_omega_1 * chain_omega_1;
-    let t55 = t54 * R::literal(4.0);
-    let t56 = t55 * t1;
-    let t57 = t41 * t16;
-    let t58 = t44 * t20;
-    let t59 = t46 * t24;
-    let t60 = t56 - t53;
-    let t61 = t60 - t57;
-    let t62 = t61 - t58;
-    let t63 = t62 - t59;
+    let t54 = t41 * t16;
+    let t55 = t44 * t20;
+    let t56 = t46 * t24;
+    let t57 = chain_omega_1 * chain_omega_1;
+    let t58 = t57 * R::literal(4.0);
+    let t59 = t58 * t1;
+    let t60 = t59 - t53;
+    let t61 = t60 - t54;
+    let t62 = t61 - t55;
+    let t63 = t62 - t56;
     let t64 = sin_chain_theta_3 * R::literal(29.43);
-    let t65 = t54 * R::literal(3.0);
-    let t66 = t65 * t5;
-    let t67 = t37 * R::literal(3.0);
-    let t68 = t67 * t16;
-    let t69 = t44 * t27;
-    let t70 = t46 * t31;
-    let t71 = t66 - t64;
-    let t72 = t71 + t68;
-    let t73 = t72 - t69;
-    let t74 = t73 - t70;
+    let t65 = t44 * t27;
+    let t66 = t46 * t31;
+    let t67 = t57 * R::literal(3.0);
+    let t68 = t67 * t5;
+    let t69 = t37 * R::literal(3.0);
+    let t70 = t69 * t16;
+    let t71 = t68 + t70;
+    let t72 = t71 - t64;
+    let t73 = t72 - t65;
+    let t74 = t73 - t66;
     let t75 = sin_chain_theta_4 * R::literal(19.62);
-    let t76 = t54 * R::literal(2.0);
-    let t77 = t76 * t9;
-    let t78 = t37 * R::literal(2.0);
-    let t79 = t78 * t20;
-    let t80 = t40 * R::literal(2.0);
-    let t81 = t80 * t27;
-    let t82 = t46 * t34;
-    let t83 = t77 - t75;
-    let t84 = t83 + t79;
-    let t85 = t84 + t81;
-    let t86 = t85 - t82;
+    let t76 = t46 * t34;
+    let t77 = t57 * R::literal(2.0);
+    let t78 = t77 * t9;
+    let t79 = t37 * R::literal(2.0);
+    let t80 = t79 * t20;
+    let t81 = t40 * R::literal(2.0);
+    let t82 = t81 * t27;
+    let t83 = t78 + t80;
+    let t84 = t83 + t82;
+    let t85 = t84 - t75;
+    let t86 = t85 - t76;
     let t87 = sin_chain_theta_5 * R::literal(9.81);
-    let t88 = t54 * t13;
+    let t88 = t57 * t13;
     let t89 = t37 * t24;
     let t90 = t40 * t31;
     let t91 = t43 * t34;
-    let t92 = t88 - t87;
-    let t93 = t92 + t89;
-    let t94 = t93 + t90;
-    let t95 = t94 + t91;
+    let t92 = t88 + t89;
+    let t93 = t92 + t90;
+    let t94 = t93 + t91;
+    let t95 = t94 - t87;
     let factored = Factored::new([
         [
             R::literal(5.0),
@@ -1520,46 +1521,46 @@ pub fn series<R: Real>(
         let t50_k = t49_k - t42_k;
         let t51_k = t50_k - t45_k;
         let t52_k = t51_k - t47_k;
-        let t54_k = chain_omega_1_k
-            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_3[8]));
-        let t55_k = t54_k * R::literal(4.0);
-        let t56_k = t55_k.mul_add(t1, t55.mul_add(t1_k, sums_3[9]));
-        let t57_k = t41_k.mul_add(t16, t41.mul_add(t16_k, sums_4[0]));
-        let t58_k = t44_k.mul_add(t20, t44.mul_add(t20_k, sums_4[1]));
-        let t59_k = t46_k.mul_add(t24, t46.mul_add(t24_k, sums_4[2]));
-        let t60_k = (-sin_chain_theta_2_k).mul_add(R::literal(39.24), t56_k);
-        let t61_k = t60_k - t57_k;
-        let t62_k = t61_k - t58_k;
-        let t63_k = t62_k - t59_k;
-        let t65_k = t54_k * R::literal(3.0);
-        let t66_k = t65_k.mul_add(t5, t65.mul_add(t5_k, sums_4[3]));
-        let t67_k = t37_k * R::literal(3.0);
-        let t68_k = t67_k.mul_add(t16, t67.mul_add(t16_k, sums_4[4]));
-        let t69_k = t44_k.mul_add(t27, t44.mul_add(t27_k, sums_4[5]));
-        let t70_k = t46_k.mul_add(t31, t46.mul_add(t31_k, sums_4[6]));
-        let t71_k = (-sin_chain_theta_3_k).mul_add(R::literal(29.43), t66_k);
-        let t72_k = t71_k + t68_k;
-        let t73_k = t72_k - t69_k;
-        let t74_k = t73_k - t70_k;
-        let t76_k = t54_k * R::literal(2.0);
-        let t77_k = t76_k.mul_add(t9, t76.mul_add(t9_k, sums_4[7]));
-        let t78_k = t37_k * R::literal(2.0);
-        let t79_k = t78_k.mul_add(t20, t78.mul_add(t20_k, sums_4[8]));
-        let t80_k = t40_k * R::literal(2.0);
-        let t81_k = t80_k.mul_add(t27, t80.mul_add(t27_k, sums_4[9]));
-        let t82_k = t46_k.mul_add(t34, t46.mul_add(t34_k, sums_5[0]));
-        let t83_k = (-sin_chain_theta_4_k).mul_add(R::literal(19.62), t77_k);
-        let t84_k = t83_k + t79_k;
-        let t85_k = t84_k + t81_k;
-        let t86_k = t85_k - t82_k;
-        let t88_k = t54_k.mul_add(t13, t54.mul_add(t13_k, sums_5[1]));
+        let t54_k = t41_k.mul_add(t16, t41.mul_add(t16_k, sums_3[8]));
+        let t55_k = t44_k.mul_add(t20, t44.mul_add(t20_k, sums_3[9]));
+        let t56_k = t46_k.mul_add(t24, t46.mul_add(t24_k, sums_4[0]));
+        let t57_k = chain_omega_1_k
+            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_4[1]));
+        let t58_k = t57_k * R::literal(4.0);
+        let t59_k = t58_k.mul_add(t1, t58.mul_add(t1_k, sums_4[2]));
+        let t60_k = (-sin_chain_theta_2_k).mul_add(R::literal(39.24), t59_k);
+        let t61_k = t60_k - t54_k;
+        let t62_k = t61_k - t55_k;
+        let t63_k = t62_k - t56_k;
+        let t65_k = t44_k.mul_add(t27, t44.mul_add(t27_k, sums_4[3]));
+        let t66_k = t46_k.mul_add(t31, t46.mul_add(t31_k, sums_4[4]));
+        let t67_k = t57_k * R::literal(3.0);
+        let t68_k = t67_k.mul_add(t5, t67.mul_add(t5_k, sums_4[5]));
+        let t69_k = t37_k * R::literal(3.0);
+        let t70_k = t69_k.mul_add(t16, t69.mul_add(t16_k, sums_4[6]));
+        let t71_k = t68_k + t70_k;
+        let t72_k = (-sin_chain_theta_3_k).mul_add(R::literal(29.43), t71_k);
+        let t73_k = t72_k - t65_k;
+        let t74_k = t73_k - t66_k;
+        let t76_k = t46_k.mul_add(t34, t46.mul_add(t34_k, sums_4[7]));
+        let t77_k = t57_k * R::literal(2.0);
+        let t78_k = t77_k.mul_add(t9, t77.mul_add(t9_k, sums_4[8]));
+        let t79_k = t37_k * R::literal(2.0);
+        let t80_k = t79_k.mul_add(t20, t79.mul_add(t20_k, sums_4[9]));
+        let t81_k = t40_k * R::literal(2.0);
+        let t82_k = t81_k.mul_add(t27, t81.mul_add(t27_k, sums_5[0]));
+        let t83_k = t78_k + t80_k;
+        let t84_k = t83_k + t82_k;
+        let t85_k = (-sin_chain_theta_4_k).mul_add(R::literal(19.62), t84_k);
+        let t86_k = t85_k - t76_k;
+        let t88_k = t57_k.mul_add(t13, t57.mul_add(t13_k, sums_5[1]));
         let t89_k = t37_k.mul_add(t24, t37.mul_add(t24_k, sums_5[2]));
         let t90_k = t40_k.mul_add(t31, t40.mul_add(t31_k, sums_5[3]));
         let t91_k = t43_k.mul_add(t34, t43.mul_add(t34_k, sums_5[4]));
-        let t92_k = (-sin_chain_theta_5_k).mul_add(R::literal(9.81), t88_k);
-        let t93_k = t92_k + t89_k;
-        let t94_k = t93_k + t90_k;
-        let t95_k = t94_k + t91_k;
+        let t92_k = t88_k + t89_k;
+        let t93_k = t92_k + t90_k;
+        let t94_k = t93_k + t91_k;
+        let t95_k = (-sin_chain_theta_5_k).mul_add(R::literal(9.81), t94_k);
         let n131_k = t3_k.mul_add(chain_omega_2_dot, sums_5[5]);
         let n132_k = t7_k.mul_add(chain_omega_3_dot, sums_5[6]);
         let n133_k = t11_k.mul_add(chain_omega_4_dot, sums_5[7]);
@@ -1677,8 +1678,8 @@ pub fn series<R: Real>(
                     t9_k,
                     chain_omega_5_k,
                     t13_k,
-                    chain_omega_1_k,
-                    t1_k,
+                    t16_k,
+                    t20_k,
                 ],
                 [
                     chain_omega_2_k,
@@ -1689,23 +1690,45 @@ pub fn series<R: Real>(
                     t44_k,
                     chain_omega_5_k,
                     t46_k,
-                    chain_omega_1_k,
-                    t55_k,
+                    t41_k,
+                    t44_k,
                 ],
             );
         lanes_4
             .set(
                 order,
-                [t16_k, t20_k, t24_k, t5_k, t16_k, t27_k, t31_k, t9_k, t20_k, t27_k],
-                [t41_k, t44_k, t46_k, t65_k, t67_k, t44_k, t46_k, t76_k, t78_k, t80_k],
+                [
+                    t24_k,
+                    chain_omega_1_k,
+                    t1_k,
+                    t27_k,
+                    t31_k,
+                    t5_k,
+                    t16_k,
+                    t34_k,
+                    t9_k,
+                    t20_k,
+                ],
+                [
+                    t46_k,
+                    chain_omega_1_k,
+                    t58_k,
+                    t44_k,
+                    t46_k,
+                    t67_k,
+                    t69_k,
+                    t46_k,
+                    t77_k,
+                    t79_k,
+                ],
             );
         lanes_5
             .set(
                 order,
-                [t34_k, t13_k, t24_k, t31_k, t34_k, t3_k, t7_k, t11_k, t14_k, t3_k],
+                [t27_k, t13_k, t24_k, t31_k, t34_k, t3_k, t7_k, t11_k, t14_k, t3_k],
                 [
-                    t46_k,
-                    t54_k,
+                    t81_k,
+                    t57_k,
                     t37_k,
                     t40_k,
                     t43_k,

@@ -1,0 +1,168 @@
+//! Sine and cosine by arithmetic alone: the same to the last bit with and without
+//! `std`, on every machine, and for several numbers side by side.
+//!
+//! ```text
+//! x = n pi/2 + r + tail      n whole, |r| <= pi/4
+//! ```
+//!
+//! with pi/2 in three parts, of which the first two have so few digits that n times
+//! them is exact. Sine and cosine of r are polynomials, and n says which is which. The
+//! error is below one unit in the last place.
+//!
+//! Source: the argument reduction and the polynomials are those of fdlibm (Sun
+//! Microsystems, 1993), `__ieee754_rem_pio2`, `__kernel_sin` and `__kernel_cos`, here
+//! without branches.
+
+use crate::Real;
+
+/// Farther from zero than this, n would need more digits than are kept for it.
+pub const FARTHEST: f64 = 1e6;
+
+/// Adding and subtracting it rounds to a whole number.
+const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
+/// pi/2: 33 bits, the next 33 bits, the rest.
+const HALF_PI: [f64; 3] =
+    [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
+
+/// sin r = r + sum of `SINE[k] r^(2 k + 3)`.
+const SINE: [f64; 6] = [
+    -1.666_666_666_666_663_2e-1,
+    8.333_333_333_322_49e-3,
+    -1.984_126_982_985_795e-4,
+    2.755_731_370_707_006_8e-6,
+    -2.505_076_025_340_686_3e-8,
+    1.589_690_995_211_55e-10,
+];
+
+/// cos r = 1 - r^2/2 + sum of `COSINE[k] r^(2 k + 4)`.
+const COSINE: [f64; 6] = [
+    4.166_666_666_666_66e-2,
+    -1.388_888_888_887_411e-3,
+    2.480_158_728_947_673e-5,
+    -2.755_731_435_139_066_3e-7,
+    2.087_572_321_298_175e-9,
+    -1.135_964_755_778_819_5e-11,
+];
+
+/// Sine and cosine of a number not farther from zero than [`FARTHEST`].
+#[must_use]
+#[inline(always)]
+pub fn sine_and_cosine<R: Real>(x: R) -> (R, R) {
+    let l = R::literal;
+    let n = round(x * l(core::f64::consts::FRAC_2_PI));
+    let (r, tail) = remainder(x, n);
+    let (sine, cosine) = (sine(r, tail), cosine(r, tail));
+
+    // n modulo 4: a turn has four quarters.
+    let quarter = n - l(4.0) * round((n - l(1.5)) * l(0.25));
+    let from_half = (quarter - l(2.0)).abs();
+    let is_odd = (from_half - l(1.0)).abs();
+    let half = l(0.5);
+    let (s, c) =
+        (R::select_less(is_odd, half, cosine, sine), R::select_less(is_odd, half, sine, cosine));
+    let from_middle = (quarter - l(1.5)).abs();
+    (R::select_less(l(1.5), quarter, -s, s), R::select_less(from_middle, l(1.0), -c, c))
+}
+
+#[inline(always)]
+fn round<R: Real>(x: R) -> R {
+    (x + R::literal(ROUNDING)) - R::literal(ROUNDING)
+}
+
+/// x - n pi/2 and what its last digit leaves out.
+#[inline(always)]
+fn remainder<R: Real>(x: R, n: R) -> (R, R) {
+    let [first, second, rest] = HALF_PI.map(R::literal);
+    let near = x - n * first;
+    let part = n * second;
+    let r = near - part;
+    let left = n * rest - ((near - r) - part);
+    let y = r - left;
+    (y, (r - y) - left)
+}
+
+/// sin(r + tail).
+#[inline(always)]
+fn sine<R: Real>(r: R, tail: R) -> R {
+    let [s1, s2, s3, s4, s5, s6] = SINE.map(R::literal);
+    let z = r * r;
+    let p = s2 + z * (s3 + z * s4) + z * (z * z) * (s5 + z * s6);
+    let v = z * r;
+    r - ((z * (R::literal(0.5) * tail - v * p) - tail) - v * s1)
+}
+
+/// cos(r + tail).
+#[inline(always)]
+fn cosine<R: Real>(r: R, tail: R) -> R {
+    let [c1, c2, c3, c4, c5, c6] = COSINE.map(R::literal);
+    let one = R::literal(1.0);
+    let z = r * r;
+    let w = z * z;
+    let p = z * (c1 + z * (c2 + z * c3)) + w * w * (c4 + z * (c5 + z * c6));
+    let half = R::literal(0.5) * z;
+    let near = one - half;
+    near + (((one - near) - half) + (z * p - r * tail))
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::*;
+
+    /// Units in the last place between two numbers.
+    fn units(a: f64, b: f64) -> u64 {
+        let place = |x: f64| if x < 0.0 { -(x.abs().to_bits() as i64) } else { x.to_bits() as i64 };
+        place(a).abs_diff(place(b))
+    }
+
+    /// Numbers all over the range: equally spaced, and around multiples of pi/4.
+    fn numbers() -> impl Iterator<Item = f64> {
+        let spaced = (-40_000..=40_000).map(|k| f64::from(k) * 5e-4 * (1.0 + f64::from(k) * 1e-5));
+        let eighth = core::f64::consts::FRAC_PI_4;
+        let multiples = (-2000..2000).chain((1_000_000..1_002_000).step_by(7));
+        let near = multiples.flat_map(move |k| {
+            let middle = f64::from(k) * eighth;
+            (-20_i64..=20).map(move |step| f64::from_bits((middle.to_bits() as i64 + step) as u64))
+        });
+        let small = (1..300).map(|k| 0.5_f64.powi(k) * 1.37);
+        spaced.chain(near).chain(small).filter(|x| x.abs() <= FARTHEST)
+    }
+
+    #[test]
+    fn they_are_those_of_the_standard_library_to_a_unit_in_the_last_place() {
+        for x in numbers() {
+            let (sine, cosine) = sine_and_cosine(x);
+            assert!(units(sine, f64::sin(x)) <= 1, "sin {x:e}: {sine:e} {:e}", f64::sin(x));
+            assert!(units(cosine, f64::cos(x)) <= 1, "cos {x:e}: {cosine:e} {:e}", f64::cos(x));
+        }
+    }
+
+    #[test]
+    fn sine_is_odd_and_cosine_even_to_the_last_bit() {
+        for x in numbers() {
+            let ((s, c), (minus_s, also_c)) = (sine_and_cosine(x), sine_and_cosine(-x));
+            assert_eq!(
+                (s.to_bits(), c.to_bits()),
+                ((-minus_s).to_bits(), also_c.to_bits()),
+                "{x:e}"
+            );
+        }
+        assert!(sine_and_cosine(-0.0_f64).0.is_sign_negative());
+    }
+
+    #[test]
+    fn squares_add_up_to_one() {
+        for x in numbers() {
+            let (s, c) = sine_and_cosine(x);
+            assert!((s * s + c * c - 1.0).abs() <= 2.0 * f64::EPSILON, "{x:e}");
+        }
+    }
+
+    #[test]
+    fn far_away_and_beyond_numbers_the_standard_library_answers() {
+        for x in [1.1e6, -3e8, 1e22, f64::MAX] {
+            assert_eq!((Real::sin(x), Real::cos(x)), (f64::sin(x), f64::cos(x)));
+        }
+        assert!(Real::sin(f64::INFINITY).is_nan() && Real::cos(f64::NAN).is_nan());
+    }
+}

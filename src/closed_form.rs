@@ -6,6 +6,7 @@
 //! (such as a negative inertia) give NaN or infinities, as their formulas do.
 
 pub mod bobbin_holder;
+pub mod bouncing_bobbin;
 pub mod coulomb;
 pub mod duffing;
 pub mod four_bar;
@@ -26,6 +27,7 @@ pub mod winder;
 pub mod winding_pair;
 
 pub use bobbin_holder::BobbinHolder;
+pub use bouncing_bobbin::BouncingBobbin;
 pub use coulomb::CoulombOscillator;
 pub use duffing::Duffing;
 pub use four_bar::FourBar;

@@ -24,6 +24,7 @@ use machinist_scenes::scenes::slider_crank::SliderCrank;
 use machinist_scenes::scenes::stick_slip::StickSlip;
 use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
 use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::scenes::winder_full::WinderFull;
 use machinist_scenes::scenes::winder_holder_drop::WinderHolderDrop;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
 use machinist_scenes::scenes::winder_linkage::WinderLinkage;
@@ -67,6 +68,7 @@ pub(crate) fn all() -> Vec<Machine> {
         motor_stationary_axes(),
         winder_linear(),
         winder_nonlinear(),
+        winder_full(),
         pendulum_chain(),
         pendulum_constrained(),
         slider_crank(),
@@ -120,6 +122,11 @@ pub(crate) fn winder_linear() -> Machine {
 /// The bobbin on a stiffening layer.
 pub(crate) fn winder_nonlinear() -> Machine {
     Machine::new("winder_nonlinear", &WinderNonlinear, &WinderNonlinear)
+}
+
+/// The bobbin with all nonlinearities.
+pub(crate) fn winder_full() -> Machine {
+    Machine::new("winder_full", &WinderFull, &WinderFull)
 }
 
 /// Three pendulums hanging on one another.

@@ -288,8 +288,8 @@ impl Walk {
         let (by, then) = (&self.decided().running, &stage.running);
         let share = 100.0 * (then.amplitude / by.amplitude - 1.0);
         let mut change = format!(
-            "amplitude {:.4} mm instead of {:.4} mm ({share:+.2} %), least pressure {:.2} N instead \
-             of {:.2} N",
+            "amplitude {:.4} mm instead of {:.4} mm ({share:+.3} %), least pressure {:.3} N instead \
+             of {:.3} N",
             1e3 * then.amplitude,
             1e3 * by.amplitude,
             then.least_pressure,

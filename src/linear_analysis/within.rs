@@ -23,6 +23,9 @@ use super::equilibrium::split;
 use super::motions::Motions;
 use crate::constraints::{Constraints, Level};
 
+/// Beside the terms that make it up, an entry below this is rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// The space of deviations that constraints allow; q, q' and z divided by their scales.
 pub(super) struct Within {
     /// N, n by as many positions as are free.
@@ -70,7 +73,16 @@ impl Within {
 
     /// The motions of \[s, u, z\].
     pub fn motions(&self, whole: &Motions) -> Motions {
-        let matrix = &self.dual * whole.scaled() * &self.basis;
+        let scaled = whole.scaled();
+        let mut matrix = &self.dual * &scaled * &self.basis;
+        // What cancels but for rounding is nothing: rates that no allowed motion changes.
+        let terms = self.dual.abs() * scaled.abs() * self.basis.abs();
+        let least = f64::EPSILON * scaled.norm();
+        matrix.zip_apply(&terms, |value, terms| {
+            if value.abs() <= least.max(ROUNDING * terms) {
+                *value = 0.0;
+            }
+        });
         Motions::alone(matrix, self.positions.ncols(), whole.first_order)
     }
 

@@ -53,7 +53,7 @@ fn the_bench_speed_needs_the_full_model_which_finds_contact_lost() {
     let walk = walk(5.5);
     assert_eq!(walk.decided().number, 3);
     assert!(walk.later().is_empty());
-    // 5.5 m/s over 30 to 60 mm: from 183 to 92 rad/s, through 148 to 139 rad/s.
+    // 5.5 m/s over 30 to 60 mm: from 183 to 92 rad/s, through 148 to 134 rad/s.
     let nearest = walk.stages[0].nearest().expect("there are frequencies");
     assert_eq!((nearest.name, nearest.ratio.to_bits()), (
         "the package, once a turn",
@@ -175,7 +175,7 @@ fn where_the_map_is_stable_the_full_model_neither_leaves_the_drum_nor_slips() {
             }
         }
     }
-    assert!(looked_at > 10, "{looked_at}");
+    assert!(looked_at >= 8, "{looked_at}");
     assert!(map.share(Condition::Stable) > 0.2 && map.share(Condition::Contact) > 0.2);
 }
 

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 //
 // Sources, with SHA-256:
-//   725a6e9b102578233be4dcc304a75468c704961b3cf63798ab0f1b21506c2b3f  scenes/winder_full.toml
+//   e37df34497b46761b32cf9fd4b2154f2b8af8b4059dbfe9faf6a01ada9944402  scenes/winder_full.toml
 //   6a499f56da908c543a803cb62c4955ce07ac86b90e61c7b8d2e18332a529f16e  units/pressed_bobbin.toml
 //   101cd072fa52fb3709d9fdd0b1d21ebcc701907b5ea804f1fcaac4d6c575bd3c  units/yarn_layer_one_sided.toml
 //   4a9287d8640ce522ef5c8bd7b795a51195467dcdcc985c50f2cb32e6d3c10664  units/winding_pair.toml
@@ -42,7 +42,7 @@
 //   parameter_jacobian       51 of 8 by 30
 //
 // Operations:
-//   initial_state             1
+//   initial_state             5
 //   discontinuities           0
 //   rate                    103
 //   mass_matrix              17
@@ -576,7 +576,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
 
 /// State at the start of the run, in the units of the states.
 ///
-/// 1 operation.
+/// 5 operations.
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     [
@@ -584,7 +584,7 @@ pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
         R::literal(0.0),
         p.initial_velocity,
         p.winding_speed / p.pair_package_radius,
-        R::literal(0.0),
+        p.eccentricity + p.ovality * p.ovality_phase.cos() - p.initial_deflection,
         R::literal(1.0),
         p.pair_package_radius,
         R::literal(0.0),

@@ -40,6 +40,8 @@ pub struct Winder {
     pub preload: f64,
     /// Tension of the thread \[N\].
     pub tension: f64,
+    /// \[Nmax\], pressure that the yarn bears \[N\]; only the map asks for it.
+    pub largest: f64,
 }
 
 /// Three winders, each of which another stage decides.
@@ -61,6 +63,7 @@ impl Winder {
             shape: machine.value("ovality")?,
             preload: machine.value("holder.preload")?,
             tension: machine.value("pair.tension")?,
+            largest: map::LARGEST,
         })
     }
 
@@ -72,6 +75,7 @@ impl Winder {
             ("least radius", self.radii.0),
             ("largest radius", self.radii.1),
             ("pressure at rest", self.preload),
+            ("largest pressure", self.largest),
         ];
         let others = [("force", self.force), ("shape", self.shape), ("tension", self.tension)];
         let bad = positive.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0));

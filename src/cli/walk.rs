@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use machinist::plot::plot_map;
-use machinist::winder_walk::map::{Condition, StabilityMap};
+use machinist::winder_walk::map::{Condition, FASTEST, StabilityMap};
 use machinist::winder_walk::{Stage, Walk, Winder};
 use serde::Serialize;
 
@@ -12,9 +12,6 @@ use super::Failure;
 use super::output::{columns, draw_file, print, require_ending};
 use super::progress::during;
 use crate::report::number::number;
-
-/// The fastest winding of the map, where the winder itself is slower \[m/s\].
-const FASTEST: f64 = 9.0;
 
 #[derive(Debug, Args)]
 pub struct WalkCommand {
@@ -39,6 +36,9 @@ pub struct WalkCommand {
     /// Tension of the thread [N]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     tension: Option<f64>,
+    /// What the yarn bears at most [N], for the stability map
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    largest: Option<f64>,
     /// Draw the stability map to a file that ends in .svg or .png
     #[arg(long, value_name = "FILE")]
     map: Option<PathBuf>,
@@ -96,13 +96,14 @@ impl WalkCommand {
             shape: self.shape.unwrap_or(winder.shape),
             preload: self.preload.unwrap_or(winder.preload),
             tension: self.tension.unwrap_or(winder.tension),
+            largest: self.largest.unwrap_or(winder.largest),
             ..winder
         })
     }
 }
 
 fn described(walk: &Walk) -> String {
-    let Winder { speed, radii, force, shape, preload, tension } = walk.winder;
+    let Winder { speed, radii, force, shape, preload, tension, .. } = walk.winder;
     let mut text = format!(
         "Winder at {speed} m/s, package of {} to {} mm, {} N and {} mm of the drum,\n\
          {preload} N pressure, {tension} N tension\n\n",

@@ -94,6 +94,7 @@ impl Picture<'_> {
         let mut chart = ChartBuilder::on(area)
             .margin_top(6 * SCALE)
             .margin_right(28 * SCALE)
+            .margin_left(10 * SCALE)
             .set_label_area_size(LabelAreaPosition::Left, 72 * SCALE)
             .set_label_area_size(LabelAreaPosition::Bottom, 52 * SCALE)
             .build_cartesian_2d(horizontal, vertical)?;

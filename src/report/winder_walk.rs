@@ -1,7 +1,7 @@
 //! Which of three models a winder needs, and where it winds stably.
 
 use machinist::winder_walk::layer;
-use machinist::winder_walk::map::{Cell, Condition, StabilityMap};
+use machinist::winder_walk::map::{Cell, Condition, FASTEST, StabilityMap};
 use machinist::winder_walk::{SPEEDS, Stage, Walk, Winder, spectrum};
 use maud::{Markup, html};
 
@@ -9,13 +9,13 @@ use super::figure;
 use super::number::number;
 use crate::cli::walk::{HEADING, line};
 
-/// Speed up to which the map goes \[m/s\].
-const FASTEST: f64 = 9.0;
+/// Pressure of the second map \[N\]; the first has the bench winder's own.
+const HARDER: f64 = 100.0;
 
-/// Three winders walked, and the map of the bench winder.
+/// Three winders walked, and maps of the bench winder.
 pub struct Study {
     walks: Vec<Walk>,
-    map: StabilityMap,
+    maps: Vec<StabilityMap>,
     /// Whether what stages cost is shown.
     with_times: bool,
 }
@@ -30,8 +30,9 @@ impl Study {
         let walk = |speed| Walk::of(&winder(speed)?).map_err(|error| error.to_string());
         let walks = SPEEDS.into_iter().map(walk).collect::<Result<_, String>>()?;
         let bench = winder(SPEEDS[2])?;
-        let map = StabilityMap::of(&bench, FASTEST).map_err(|error| error.to_string())?;
-        Ok(Self { walks, map, with_times })
+        let map = |winder| StabilityMap::of(&winder, FASTEST).map_err(|error| error.to_string());
+        let maps = vec![map(bench)?, map(Winder { preload: HARDER, ..bench })?];
+        Ok(Self { walks, maps, with_times })
     }
 }
 
@@ -52,7 +53,7 @@ pub fn section(study: &Result<Study, String>) -> Markup {
         @match study {
             Ok(study) => {
                 @for walk in &study.walks { (walked(walk, study.with_times)) }
-                (map(&study.map))
+                (maps(&study.maps))
             }
             Err(error) => p.warning { "The winders could not be walked: " (error) },
         }
@@ -97,37 +98,41 @@ fn row(stage: &Stage) -> Markup {
     }
 }
 
-fn map(map: &StabilityMap) -> Markup {
-    let limits = &map.limits;
+fn maps(maps: &[StabilityMap]) -> Markup {
     html! {
         h3 { "Where winding is stable" }
         p {
+            "The unbalance grows with the square of the speed. The pressure varies by the sum of
+             amplitudes at worst phases, so that what is stable here neither leaves the drum nor
+             slips. The colour is that of the condition which fails first; the numbers are the
+             adhesion margin (N - dN) (f - (fa r + k)/R) - Pn. The drum's shape, twice a turn,
+             meets the resonance at half the speed at which its unbalance does."
+        }
+        @for (index, map) in maps.iter().enumerate() { (drawn(map, index)) }
+    }
+}
+
+fn drawn(map: &StabilityMap, index: usize) -> Markup {
+    let limits = &map.limits;
+    let millimetres: Vec<f64> = map.radii.iter().map(|radius| 1e3 * radius).collect();
+    figure::classes(
+        &format!("winder-stability-{}", index + 1),
+        (&millimetres, &map.speeds),
+        &classes(map),
+        ["radius of the package [mm]", "winding speed [m/s]"],
+        "%{x:.4~g} mm, %{y:.3~g} m/s: adhesion margin %{z:.3~g} N",
+        &html! {
             "Pressure " (number(limits.pressure, 4)) " N, tension " (number(limits.tension, 4))
-            " N, at most " (number(limits.largest, 4)) " N on the yarn, the unbalance growing with
-             the square of the speed. The pressure varies by the sum of amplitudes at worst phases,
-             with the stiffness known to " (number(100.0 * limits.spread, 2)) " %: what is stable
-             here neither leaves the drum nor slips. Of all points: "
+            " N, at most " (number(limits.largest, 4)) " N on the yarn, stiffness known to "
+            (number(100.0 * limits.spread, 2)) " %. Of all points: "
             @for condition in Condition::ALL {
                 @if map.share(condition) > 0.0 {
                     (condition.name()) " " (number(100.0 * map.share(condition), 2)) " %; "
                 }
             }
-            "the colour is that of the condition which fails first."
-        }
-        (figure::classes(
-            "winder-stability-map",
-            (&map.radii.iter().map(|radius| 1e3 * radius).collect::<Vec<f64>>(), &map.speeds),
-            &classes(map),
-            ["radius of the package [mm]", "winding speed [m/s]"],
-            "%{x:.4~g} mm, %{y:.3~g} m/s: adhesion margin %{z:.3~g} N",
-            &html! {
-                "Conditions of stable winding. The numbers are the adhesion margin
-                 (N - dN) (f - (fa r + k)/R) - Pn, below zero of which friction may not suffice.
-                 The drum's shape, twice a turn, meets the resonance at half the speed at which
-                 its unbalance does."
-            },
-        ))
-    }
+            code { "machinist walk --preload " (number(limits.pressure, 4)) " --map map.svg" }
+        },
+    )
 }
 
 /// Adhesion margins where each condition is the first to fail.

@@ -130,15 +130,17 @@ pub struct StabilityMap {
     pub cells: Vec<Vec<Cell>>,
 }
 
+/// Speed up to which maps go, where the winder is no faster \[m/s\].
+pub const FASTEST: f64 = 14.0;
 /// Radii and speeds of a map.
-pub const SIZE: (u32, u32) = (61, 101);
+pub const SIZE: (u32, u32) = (61, 141);
 /// \[Nmax\] unless told otherwise \[N\].
-pub const LARGEST: f64 = 80.0;
+pub const LARGEST: f64 = 190.0;
 /// delta, likewise.
 pub const SPREAD: f64 = 0.1;
 
 impl StabilityMap {
-    /// The map of a winder from a tenth of a speed \[m/s\] up to it. Its unbalance goes with
+    /// The map of a winder up to a speed \[m/s\]. Its unbalance goes with
     /// the square of the speed, and is the winder's at the winder's own.
     ///
     /// # Errors
@@ -154,14 +156,14 @@ impl StabilityMap {
             pair,
             pressure: winder.preload,
             tension: winder.tension,
-            largest: LARGEST,
+            largest: winder.largest,
             spread: SPREAD,
         };
         let drum_radius = linear.value("drum_radius")?;
         let radii: Vec<f64> = winder.radii(SIZE.0).collect();
         let bobbins: Vec<BobbinOscillator> =
             radii.iter().map(|radius| bobbin(&linear, *radius)).collect::<Result<_, _>>()?;
-        let share = |k: u32| 0.1 + 0.9 * f64::from(k) / f64::from(SIZE.1 - 1);
+        let share = |k: u32| f64::from(k + 1) / f64::from(SIZE.1);
         let speeds: Vec<f64> = (0..SIZE.1).map(|k| fastest * share(k)).collect();
         let row = |speed: &f64| {
             let force = winder.force * (speed / winder.speed).powi(2);

@@ -159,7 +159,7 @@ fn the_band_of_the_closed_form_is_where_the_map_is_stable() {
 #[test]
 fn where_the_map_is_stable_the_full_model_neither_leaves_the_drum_nor_slips() {
     let bench = Winder::at_speed(5.5).expect("it has what it needs");
-    let map = StabilityMap::of(&bench, 9.0).expect("it has what it needs");
+    let map = StabilityMap::of(&bench, map::FASTEST).expect("it has what it needs");
     let machine = winder_full();
     let mut looked_at = 0;
     for row in (0..map.speeds.len()).step_by(10) {
@@ -176,7 +176,7 @@ fn where_the_map_is_stable_the_full_model_neither_leaves_the_drum_nor_slips() {
         }
     }
     assert!(looked_at >= 8, "{looked_at}");
-    assert!(map.share(Condition::Stable) > 0.2 && map.share(Condition::Contact) > 0.2);
+    assert!(map.share(Condition::Stable) > 0.15 && map.share(Condition::Contact) > 0.15);
 }
 
 #[test]

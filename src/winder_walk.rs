@@ -139,13 +139,8 @@ pub struct Running {
 
 impl Running {
     /// Before anything has been seen.
-    const NOTHING: Self = Self {
-        amplitude: 0.0,
-        least_pressure: f64::INFINITY,
-        open: 0.0,
-        slipping: 0.0,
-        slip: 0.0,
-    };
+    const NOTHING: Self =
+        Self { amplitude: 0.0, least_pressure: f64::INFINITY, open: 0.0, slipping: 0.0, slip: 0.0 };
 
     /// By deflections and pressures at even times, of a model that knows no slip.
     fn of(deflections: &[f64], pressures: &[f64]) -> Self {
@@ -199,9 +194,8 @@ impl Stage {
     /// Whether it is enough.
     #[must_use]
     pub fn decides(&self) -> bool {
-        self.enough.is_none_or(|enough| {
-            self.clearances.iter().all(|clearance| clearance.ratio >= enough)
-        })
+        self.enough
+            .is_none_or(|enough| self.clearances.iter().all(|clearance| clearance.ratio >= enough))
     }
 }
 

@@ -44,7 +44,8 @@ impl BouncingBobbin {
     /// 0.1 ms may be overlooked.
     #[must_use]
     pub fn motion(&self, times: &[f64]) -> (Vec<Bounced>, usize) {
-        let mut phase = Phase { from: 0.0, is_flight: false, start: Deflection::default(), surface: 0.0 };
+        let mut phase =
+            Phase { from: 0.0, is_flight: false, start: Deflection::default(), surface: 0.0 };
         let mut until = self.end_of(&phase, times.last().copied().unwrap_or(0.0));
         let mut switches = 0;
         let mut motion = Vec::with_capacity(times.len());

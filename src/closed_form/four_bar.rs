@@ -183,7 +183,8 @@ mod tests {
     fn slopes_are_differences_of_the_potential() {
         for angle in [0.2, 1.5, 3.0, 5.0] {
             let step = 1e-5;
-            let around = |of: &dyn Fn(f64) -> f64| (of(angle + step) - of(angle - step)) / (2.0 * step);
+            let around =
+                |of: &dyn Fn(f64) -> f64| (of(angle + step) - of(angle - step)) / (2.0 * step);
             let (slope, curvature) = FOUR_BAR.slopes(angle);
             assert!((around(&|angle| FOUR_BAR.potential(angle)) - slope).abs() < 1e-8);
             assert!((around(&|angle| FOUR_BAR.slopes(angle).0) - curvature).abs() < 1e-8);

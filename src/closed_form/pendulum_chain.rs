@@ -52,11 +52,9 @@ impl PendulumChain {
     #[must_use]
     pub fn frequencies(&self) -> [f64; 3] {
         let stiffness = |i: usize| self.mass_below(i) * self.gravity * self.lengths[i];
-        let mass = |i: usize, j: usize| {
-            self.mass_below(i.max(j)) * self.lengths[i] * self.lengths[j]
-        };
-        let weighed =
-            Matrix3::from_fn(|i, j| mass(i, j) / (stiffness(i) * stiffness(j)).sqrt());
+        let mass =
+            |i: usize, j: usize| self.mass_below(i.max(j)) * self.lengths[i] * self.lengths[j];
+        let weighed = Matrix3::from_fn(|i, j| mass(i, j) / (stiffness(i) * stiffness(j)).sqrt());
         let squares = SymmetricEigen::new(weighed).eigenvalues;
         let mut frequencies = [0, 1, 2].map(|index| 1.0 / squares[index].sqrt());
         frequencies.sort_by(f64::total_cmp);

@@ -122,7 +122,8 @@ impl<'a> Solver<'a> {
         let rates = constraints.residual(Level::Velocities, point.time, &point.state);
         let matrix = constraints.matrix(point.time, &point.state);
         let off = constraints.relative(Level::Velocities, &matrix, &rates, &point.state);
-        let moving = (0..rates.len()).filter(|index| off[*index].is_nan() || off[*index] > ACCEPTED);
+        let moving =
+            (0..rates.len()).filter(|index| off[*index].is_nan() || off[*index] > ACCEPTED);
         let residual = |index: usize| {
             let constraint = self.simulator.constraint(index);
             let (state, unit) = (constraint.name.to_owned(), constraint.unit.to_owned());

@@ -4,7 +4,8 @@
 use machinist::trajectory::Column;
 use maud::{Markup, PreEscaped, html};
 use plotly::common::{
-    Anchor, ColorScale, ColorScaleElement, ColorScalePalette, DashType, Line, Marker, Mode, Orientation, Title,
+    Anchor, ColorScale, ColorScaleElement, ColorScalePalette, DashType, Line, Marker, Mode,
+    Orientation, Title,
 };
 use plotly::configuration::Configuration;
 use plotly::layout::{Axis, AxisType, HoverMode, Legend, Margin};

@@ -1,9 +1,7 @@
 //! Checks of the bobbin with all nonlinearities: each of them alone against its closed form,
 //! and without them the second stage of modelling.
 
-use super::{
-    Check, CheckFailure, Machine, Measured, counted, machine, relative_distance, worse,
-};
+use super::{Check, CheckFailure, Machine, Measured, counted, machine, relative_distance, worse};
 use crate::Method;
 use crate::closed_form::BouncingBobbin;
 use crate::closed_form::winder::{BENCH_M5, FORCE_M5, SHAPE_M5};

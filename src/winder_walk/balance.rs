@@ -50,14 +50,11 @@ pub fn steady(
     let mut coefficients = DVector::zeros(count);
     for _ in 0..ITERATIONS {
         let compressions = &shapes - &waves * &coefficients;
-        let pushes = compressions
-            .map(|d| bobbin.layer_stiffness * d + cubic_stiffness * d * d * d);
-        let slopes =
-            compressions.map(|d| bobbin.layer_stiffness + 3.0 * cubic_stiffness * d * d);
+        let pushes = compressions.map(|d| bobbin.layer_stiffness * d + cubic_stiffness * d * d * d);
+        let slopes = compressions.map(|d| bobbin.layer_stiffness + 3.0 * cubic_stiffness * d * d);
         let residual = &impedance * &coefficients - &analysis * pushes - &driving;
-        let bent = DMatrix::from_fn(SAMPLES, count, |row, column| {
-            slopes[row] * waves[(row, column)]
-        });
+        let bent =
+            DMatrix::from_fn(SAMPLES, count, |row, column| slopes[row] * waves[(row, column)]);
         let change = (&impedance + &analysis * bent).lu().solve(&residual)?;
         coefficients -= &change;
         if change.amax() <= 1e-15 * coefficients.amax() {

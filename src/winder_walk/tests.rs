@@ -55,10 +55,10 @@ fn the_bench_speed_needs_the_full_model_which_finds_contact_lost() {
     assert!(walk.later().is_empty());
     // 5.5 m/s over 30 to 60 mm: from 183 to 92 rad/s, through 148 to 134 rad/s.
     let nearest = walk.stages[0].nearest().expect("there are frequencies");
-    assert_eq!((nearest.name, nearest.ratio.to_bits()), (
-        "the package, once a turn",
-        1.0_f64.to_bits()
-    ));
+    assert_eq!(
+        (nearest.name, nearest.ratio.to_bits()),
+        ("the package, once a turn", 1.0_f64.to_bits())
+    );
     let [linear, _, full] = &walk.stages;
     assert!(linear.running.least_pressure < 0.0, "the linear drum pulls");
     assert!(full.running.least_pressure >= 0.0 && full.running.open > 0.1);
@@ -114,8 +114,7 @@ fn the_pressure_varies_as_evaluated_by_hand() {
     // Force: Z = 45800 - 2.1 110^2 + 110 95 j = 20390 + 10450 j, c~ = |42000 + 10450 j|.
     let by_force = 25.0 / 20_390.0_f64.hypot(10_450.0) * 42_000.0_f64.hypot(10_450.0);
     // Shape: Z = 45800 - 2.1 220^2 + 220 95 j = -55840 + 20900 j, c_p - m p^2 = -97840.
-    let by_shape =
-        2e-4 * 97_840.0 / 55_840.0_f64.hypot(20_900.0) * 42_000.0_f64.hypot(20_900.0);
+    let by_shape = 2e-4 * 97_840.0 / 55_840.0_f64.hypot(20_900.0) * 42_000.0_f64.hypot(20_900.0);
     let found = LIMITS.variation(&BENCH_M5, &winder, 110.0);
     assert!((found - 1.1 * (by_force + by_shape)).abs() < 1e-11);
     assert!((by_force - 47.22).abs() < 0.01 && (by_shape - 15.40).abs() < 0.01);

@@ -121,7 +121,8 @@ pub struct Residual {
 
 impl fmt::Display for Residual {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` changes by {:.3e} {} a second", self.state, self.rate, self.unit)
+        let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
+        write!(f, "`{}` changes by {:.3e}{unit} a second", self.state, self.rate)
     }
 }
 

@@ -261,7 +261,7 @@ impl Walk {
         let (what, ratio) = (nearest.name, nearest.ratio);
         if stage.decides() {
             return format!(
-                "Stage {number}, {name}, is enough: {what} comes nearest to the resonance, to a \
+                "Stage {number}, {name}, is enough: {what}, comes nearest to the resonance, to a \
                  ratio of {ratio:.2}, and {enough} is asked for."
             );
         }
@@ -270,7 +270,7 @@ impl Walk {
         } else {
             "passes through the resonance".to_owned()
         };
-        format!("Stage {number}, {name}, is not enough: {what} {near}, and {enough} is asked for.")
+        format!("Stage {number}, {name}, is not enough: {what}, {near}, and {enough} is asked for.")
     }
 
     /// What a later stage would have cost, as a multiple of the time that the stage which
@@ -285,7 +285,7 @@ impl Walk {
     pub fn change(&self, stage: &Stage) -> String {
         let (by, then) = (&self.decided().running, &stage.running);
         let share = 100.0 * (then.amplitude / by.amplitude - 1.0);
-        let mut change = format!(
+        let change = format!(
             "amplitude {:.4} mm instead of {:.4} mm ({share:+.3} %), least pressure {:.3} N instead \
              of {:.3} N",
             1e3 * then.amplitude,
@@ -293,15 +293,15 @@ impl Walk {
             then.least_pressure,
             by.least_pressure
         );
-        if stage.number == 3 {
-            change += &format!(
-                ", without contact {:.1} % of the time, slipping {:.1} % of it by {:.2} % at most",
-                100.0 * then.open,
-                100.0 * then.slipping,
-                100.0 * then.slip
-            );
+        if stage.number < 3 {
+            return change;
         }
-        change
+        format!(
+            "{change}, without contact {:.1} % of the time, slipping {:.1} % of it by {:.2} % at most",
+            100.0 * then.open,
+            100.0 * then.slipping,
+            100.0 * then.slip
+        )
     }
 
     /// The stages after the one that decided.

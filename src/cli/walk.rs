@@ -121,14 +121,14 @@ fn described(walk: &Walk) -> String {
     if later.is_empty() {
         text.push_str("\nThere is no later stage.\n");
     }
-    for stage in later {
-        text += &format!(
-            "\nStage {} would have cost {} times as much, and changed: {}.\n",
-            stage.number,
-            number(walk.cost(stage), 2),
-            walk.change(stage)
-        );
-    }
+    let told = |stage: &Stage| {
+        let (cost, change) = (number(walk.cost(stage), 2), walk.change(stage));
+        format!(
+            "\nStage {} would have cost {cost} times as much, and changed: {change}.\n",
+            stage.number
+        )
+    };
+    text.extend(later.iter().map(told));
     text
 }
 

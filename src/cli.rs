@@ -23,6 +23,7 @@ mod scene;
 pub mod specs;
 mod stability;
 mod verify;
+pub mod walk;
 
 use std::process::ExitCode;
 
@@ -58,6 +59,8 @@ enum Command {
     Modes(modes::Modes),
     /// Frequency response of a scene: amplitude and phase
     Response(response::FrequencyResponse),
+    /// Say which model of a winder is enough, and where it winds stably
+    Walk(walk::WalkCommand),
     /// Hold the simulators against closed forms and references
     Verify(verify::Verify),
     /// Make one page with equations, plots, checks and costs of all scenes
@@ -78,6 +81,7 @@ pub fn main() -> ExitCode {
         Command::Stability(command) => command.execute(),
         Command::Modes(command) => command.execute(),
         Command::Response(command) => command.execute(),
+        Command::Walk(command) => command.execute(),
         Command::Verify(command) => command.execute(),
         Command::Report(command) => command.execute(),
         Command::List(command) => command.execute(),

@@ -6,9 +6,11 @@
 //! (such as a negative inertia) give NaN or infinities, as their formulas do.
 
 pub mod bobbin_holder;
+pub mod bouncing_bobbin;
 pub mod coulomb;
 pub mod duffing;
 pub mod four_bar;
+pub mod holder_oscillation;
 pub mod induction_motor;
 pub mod motor_windings;
 pub mod one_sided_stop;
@@ -26,9 +28,11 @@ pub mod winder;
 pub mod winding_pair;
 
 pub use bobbin_holder::BobbinHolder;
+pub use bouncing_bobbin::BouncingBobbin;
 pub use coulomb::CoulombOscillator;
 pub use duffing::Duffing;
 pub use four_bar::FourBar;
+pub use holder_oscillation::SwingingHolder;
 pub use induction_motor::{InductionMotor, Nameplate};
 pub use motor_windings::MotorWindings;
 pub use one_sided_stop::OneSidedStop;

@@ -24,10 +24,13 @@ mod modes;
 mod motions;
 mod operating_point;
 mod response;
+mod rest;
+mod within;
 
 use machinist_scenes::{Quantity, Simulator};
 use motions::Motions;
 use nalgebra::{DMatrix, DVector};
+use within::Within;
 
 pub use equilibrium::equilibrium;
 pub use error::{LinearError, Residual};
@@ -59,6 +62,10 @@ pub struct Linearization<'a> {
 
 /// The mechanical part, M dq'' + D dq' + K dq = df, in the units of the scene's
 /// coordinates. It leaves out what first-order states feed back.
+///
+/// Of a machine with constraints, of the motions dq = E dr that these allow, with columns of
+/// E of length 1 as the scales of q' measure: E^T M E, E^T D E, E^T K E. K holds the geometric
+/// stiffness of the constraints' forces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SecondOrder {
     /// M, as emitted.
@@ -105,7 +112,18 @@ impl<'a> Linearization<'a> {
         let motions = Motions::new(self.simulator, &self.matrix);
         let (n, mass) = (motions.coordinates, self.mass_matrix());
         let block = |column: usize| -&mass * motions.matrix.view((n, column), (n, n));
-        SecondOrder { damping: block(n), stiffness: block(0), mass }
+        let whole = SecondOrder { damping: block(n), stiffness: block(0), mass: mass.clone() };
+        let Some(within) = Within::of(self.simulator, &self.point, &motions) else { return whole };
+        let mut allowed = within.velocities;
+        for (mut row, scale) in allowed.row_iter_mut().zip(&motions.scales.as_slice()[n..]) {
+            row *= *scale;
+        }
+        let projected = |matrix: DMatrix<f64>| allowed.transpose() * matrix * &allowed;
+        SecondOrder {
+            mass: projected(whole.mass),
+            damping: projected(whole.damping),
+            stiffness: projected(whole.stiffness),
+        }
     }
 
     /// Names of \[q, q', z\]: what shapes of modes are made of. All generalized

@@ -1,8 +1,10 @@
-//! Plots of trajectories, mode shapes and frequency responses as SVG and PNG, with
-//! a font of their own.
+//! Plots of trajectories, mode shapes, frequency responses and stability maps as SVG
+//! and PNG, with a font of their own.
 
 #[cfg(feature = "linear")]
 mod linear;
+#[cfg(feature = "verify")]
+mod map;
 mod panel;
 mod ruler;
 
@@ -19,6 +21,8 @@ use crate::error::did_you_mean;
 use crate::trajectory::{Column, ColumnKind, Trajectory};
 #[cfg(feature = "linear")]
 pub use linear::{plot_modes, plot_response};
+#[cfg(feature = "verify")]
+pub use map::plot_map;
 use panel::Panel;
 use ruler::Axis;
 
@@ -86,6 +90,13 @@ pub fn plot(trajectory: &Trajectory, columns: &[&str], path: &Path) -> Result<()
     picture.write(path)
 }
 
+/// What can be drawn into a file.
+trait Drawn {
+    /// Width and height, [`SCALE`] times as large as shown.
+    fn size(&self) -> (u32, u32);
+    fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB>;
+}
+
 /// Panels over each other, under a title.
 struct Picture<'a> {
     title: &'a str,
@@ -132,51 +143,53 @@ fn chosen<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<&'a Colu
     names.iter().map(find).collect()
 }
 
+fn write(picture: &impl Drawn, path: &Path) -> Result<(), PlotError> {
+    let ending = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    // Only a font file that does not parse is refused, and a test parses this one.
+    let _ = register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT);
+    let bytes = match ending.to_ascii_lowercase().as_str() {
+        "svg" => svg(picture)?.into_bytes(),
+        "png" => png(picture)?,
+        _ => return Err(PlotError::UnknownFileType(path.to_owned())),
+    };
+    fs::write(path, bytes).map_err(|source| PlotError::Writing { path: path.to_owned(), source })
+}
+
+fn svg(picture: &impl Drawn) -> Result<String, PlotError> {
+    let mut text = String::new();
+    let (width, height) = picture.size();
+    {
+        let area = SVGBackend::with_string(&mut text, (width, height)).into_drawing_area();
+        picture.draw(&area).map_err(|error| drawing(&error))?;
+    }
+    let drawn = format!("width=\"{width}\" height=\"{height}\"");
+    let shown = format!("width=\"{}\" height=\"{}\"", width / SCALE, height / SCALE);
+    Ok(text.replacen(&drawn, &shown, 1))
+}
+
+fn png(picture: &impl Drawn) -> Result<Vec<u8>, PlotError> {
+    let (width, height) = picture.size();
+    let mut pixels = vec![0; width as usize * height as usize * 3];
+    {
+        let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
+        picture.draw(&area).map_err(|error| drawing(&error))?;
+    }
+    let (width, height, pixels) = averaged(&pixels, width, height);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    let written = encoder.write_header().and_then(|mut file| file.write_image_data(&pixels));
+    written.map_err(|error| drawing(&error))?;
+    Ok(bytes)
+}
+
 impl Picture<'_> {
     fn write(&self, path: &Path) -> Result<(), PlotError> {
-        let ending = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-        if self.panels.is_empty() {
-            return Err(PlotError::Nothing);
-        }
-        // Only a font file that does not parse is refused, and a test parses this one.
-        let _ = register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT);
-        let bytes = match ending.to_ascii_lowercase().as_str() {
-            "svg" => self.svg()?.into_bytes(),
-            "png" => self.png()?,
-            _ => return Err(PlotError::UnknownFileType(path.to_owned())),
-        };
-        fs::write(path, bytes)
-            .map_err(|source| PlotError::Writing { path: path.to_owned(), source })
+        if self.panels.is_empty() { Err(PlotError::Nothing) } else { write(self, path) }
     }
+}
 
-    fn svg(&self) -> Result<String, PlotError> {
-        let mut text = String::new();
-        let (width, height) = self.size();
-        {
-            let area = SVGBackend::with_string(&mut text, (width, height)).into_drawing_area();
-            self.draw(&area).map_err(|error| drawing(&error))?;
-        }
-        let drawn = format!("width=\"{width}\" height=\"{height}\"");
-        let shown = format!("width=\"{}\" height=\"{}\"", width / SCALE, height / SCALE);
-        Ok(text.replacen(&drawn, &shown, 1))
-    }
-
-    fn png(&self) -> Result<Vec<u8>, PlotError> {
-        let (width, height) = self.size();
-        let mut pixels = vec![0; width as usize * height as usize * 3];
-        {
-            let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
-            self.draw(&area).map_err(|error| drawing(&error))?;
-        }
-        let (width, height, pixels) = averaged(&pixels, width, height);
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, width, height);
-        encoder.set_color(png::ColorType::Rgb);
-        let written = encoder.write_header().and_then(|mut file| file.write_image_data(&pixels));
-        written.map_err(|error| drawing(&error))?;
-        Ok(bytes)
-    }
-
+impl Drawn for Picture<'_> {
     fn size(&self) -> (u32, u32) {
         let height = TITLE_HEIGHT + self.panels.len() as u32 * PANEL_HEIGHT + TIME_AXIS_HEIGHT;
         (WIDTH * SCALE, height * SCALE)
@@ -185,7 +198,7 @@ impl Picture<'_> {
     fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB> {
         area.fill(&WHITE)?;
         let (heading, mut rest) = area.split_vertically(TITLE_HEIGHT * SCALE);
-        self.draw_title(&heading)?;
+        draw_title(&heading, self.title, &self.subtitle)?;
         for (index, panel) in self.panels.iter().enumerate() {
             let is_last = index + 1 == self.panels.len();
             let (own, below) = rest.split_vertically(PANEL_HEIGHT * SCALE);
@@ -194,12 +207,16 @@ impl Picture<'_> {
         }
         area.present()
     }
+}
 
-    fn draw_title<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB> {
-        let at = |x: u32, y: u32| ((x * SCALE) as i32, (y * SCALE) as i32);
-        area.draw_text(self.title, &text(22, panel::INK), at(24, 16))?;
-        area.draw_text(&self.subtitle, &text(14, panel::FAINT), at(24, 42))
-    }
+fn draw_title<DB: DrawingBackend>(
+    area: &DrawingArea<DB, Shift>,
+    title: &str,
+    subtitle: &str,
+) -> DrawResult<DB> {
+    let at = |x: u32, y: u32| ((x * SCALE) as i32, (y * SCALE) as i32);
+    area.draw_text(title, &text(22, panel::INK), at(24, 16))?;
+    area.draw_text(subtitle, &text(14, panel::FAINT), at(24, 42))
 }
 
 fn drawing(error: &impl ToString) -> PlotError {

@@ -26,7 +26,6 @@ use machinist::linear_analysis::LinearError;
 use machinist::stability::{Plan as Strain, Study, study};
 use machinist::trajectory::Trajectory;
 use machinist::verify::{Verdict, VerifyOptions, verify_all};
-use machinist::winder_walk::FirstStage;
 use machinist::work_precision::{self, Plan, WorkPrecision};
 use machinist::{SimulateError, Simulation};
 use machinist_codegen::dependencies::Dependencies;
@@ -49,7 +48,7 @@ struct Report {
     emitted: Summary,
     verdicts: Vec<Verdict>,
     ledger: Result<Vec<LedgerRow>, String>,
-    winder: Result<FirstStage, String>,
+    winder: Result<winder_walk::Study, String>,
     /// Where a scene has fields.
     fields: Option<fields::Study>,
     work_precision: Vec<WorkPrecision>,
@@ -105,7 +104,7 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
         verdicts.iter().position(|row| row.scene == scene.name()).unwrap_or(usize::MAX)
     });
     let ledger = during("filling the ledger", || ledger_rows().map_err(|e| e.to_string()));
-    let winder = FirstStage::of_the_scene().map_err(|error| error.to_string());
+    let winder = during("walking winders", || winder_walk::Study::new(with_times));
     let fields = has_fields.then(|| during("cutting fields", fields::Study::new));
     let work_precision =
         if with_times { during("timing the methods", measure_all)? } else { Vec::new() };

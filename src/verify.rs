@@ -28,6 +28,7 @@ mod shaft_step_torque;
 mod shaft_with_rotors;
 mod stick_slip;
 mod two_mass;
+mod winder_full;
 pub(crate) mod winder_linear;
 mod winder_linkage;
 mod winder_nonlinear;
@@ -135,6 +136,7 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "motor_stationary_axes" => motor_stationary_axes::CHECKS,
         "winder_linear" => winder_linear::CHECKS,
         "winder_nonlinear" => winder_nonlinear::CHECKS,
+        "winder_full" => winder_full::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
         "pendulum_constrained" => linkages::PENDULUM_CHECKS,
         "slider_crank" => linkages::SLIDER_CRANK_CHECKS,

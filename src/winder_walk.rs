@@ -1,22 +1,118 @@
-//! Which model of a winder is enough: the walk through three stages, its first stage.
+//! Which model of a winder is enough: the walk through three stages, and the map of where
+//! winding is stable.
 //!
-//! 1. Linear: if every operating frequency is at least a factor of two from every
-//!    resonance while the package grows, stop.
-//! 2. Stiffening layer: enough if they stay at least 40 % away.
-//! 3. Full, with loss of contact, friction and growth.
+//! 1. Linear ([`spectrum`]): if every operating frequency is at least a factor of two from
+//!    every resonance while the package grows, stop.
+//! 2. Stiffening layer ([`layer`]): its resonances at the amplitude at which the winder
+//!    really runs; enough if operating frequencies stay at least 40 % away.
+//! 3. Full ([`full`]), with loss of contact, friction and growth.
 //!
-//! Here the first stage is walked, and it is said what it leaves to the second.
+//! A walk stops at the first stage that is enough. The others are run all the same, to say
+//! what they would have cost and changed.
+//!
 //! Source: winder study.
 
-use crate::verify::CheckFailure;
-use crate::verify::machine::{Machine, winder_linear};
+pub mod balance;
+pub mod full;
+pub mod layer;
+pub mod map;
+pub mod spectrum;
 
-/// How far operating frequencies must stay from resonances for the first stage to be
-/// enough.
-pub const ENOUGH: f64 = 2.0;
+use std::time::Instant;
+
+use serde::Serialize;
+
+use crate::verify::CheckFailure;
+use crate::verify::machine::winder_full;
+
+/// A winder to be judged; all else is as in the scenes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Winder {
+    /// Speed of the drum's surface \[m/s\].
+    pub speed: f64,
+    /// Radius of the package, least and largest \[m\].
+    pub radii: (f64, f64),
+    /// Force once a turn of the drum \[N\].
+    pub force: f64,
+    /// Amplitude of the drum's shape twice a turn \[m\].
+    pub shape: f64,
+    /// Pressure at rest \[N\].
+    pub preload: f64,
+    /// Tension of the thread \[N\].
+    pub tension: f64,
+    /// \[Nmax\], pressure that the yarn bears \[N\]; only the map asks for it.
+    pub largest: f64,
+}
+
+/// Three winders, each of which another stage decides.
+pub const SPEEDS: [f64; 3] = [1.5, 2.2, 5.5];
+
+impl Winder {
+    /// The bench winder at another speed: its unbalance, 25 N at 5.5 m/s, goes with the
+    /// square of the speed.
+    ///
+    /// # Errors
+    /// [`CheckFailure`] if a scene lacks what is asked for.
+    pub fn at_speed(speed: f64) -> Result<Self, CheckFailure> {
+        let machine = winder_full();
+        let share = speed / machine.value("winding_speed")?;
+        Ok(Self {
+            speed,
+            radii: (machine.value("pair.bobbin_radius")?, 0.06),
+            force: machine.value("force_amplitude")? * share * share,
+            shape: machine.value("ovality")?,
+            preload: machine.value("holder.preload")?,
+            tension: machine.value("pair.tension")?,
+            largest: map::LARGEST,
+        })
+    }
+
+    /// What is wrong with it, if anything.
+    #[must_use]
+    pub fn mistake(&self) -> Option<String> {
+        let positive = [
+            ("speed", self.speed),
+            ("least radius", self.radii.0),
+            ("largest radius", self.radii.1),
+            ("pressure at rest", self.preload),
+            ("largest pressure", self.largest),
+        ];
+        let others = [("force", self.force), ("shape", self.shape), ("tension", self.tension)];
+        let bad = positive.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0));
+        if let Some((name, value)) = bad {
+            return Some(format!("the {name} is {value}, but must be above zero"));
+        }
+        let bad = others.iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0));
+        if let Some((name, value)) = bad {
+            return Some(format!("the {name} is {value}, but must not be below zero"));
+        }
+        let (least, most) = self.radii;
+        (least >= most).then(|| format!("the least radius {least} m is not below {most} m"))
+    }
+
+    /// So many radii from the least to the largest \[m\].
+    fn radii(&self, count: u32) -> impl Iterator<Item = f64> + use<> {
+        let (from, to) = self.radii;
+        (0..count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count - 1))
+    }
+
+    /// Every operating frequency \[rad/s\] at a radius of the package.
+    fn frequencies(&self, drum_radius: f64) -> [Operating; 3] {
+        let speed = self.speed;
+        let drum = speed / drum_radius;
+        [
+            ("the drum's unbalance, once a turn", Box::new(move |_| drum)),
+            ("the drum's shape, twice a turn", Box::new(move |_| 2.0 * drum)),
+            ("the package, once a turn", Box::new(move |radius| speed / radius)),
+        ]
+    }
+}
+
+/// What turns, and its frequency \[rad/s\] by radius of the package.
+type Operating = (&'static str, Box<dyn Fn(f64) -> f64>);
 
 /// An operating frequency against the resonance, while the package grows.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Clearance {
     /// What turns at this frequency.
     pub name: &'static str,
@@ -26,72 +122,206 @@ pub struct Clearance {
     pub ratio: f64,
 }
 
-/// What the spectrum says.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FirstStage {
-    /// Radius of the package, least and largest \[m\].
-    pub radii: (f64, f64),
-    /// Resonance at these \[rad/s\].
-    pub resonance: (f64, f64),
-    /// Every operating frequency.
-    pub clearances: Vec<Clearance>,
+/// How a winder runs by one of the models: the worst over the radii.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Running {
+    /// Largest deflection of the bobbin \[m\].
+    pub amplitude: f64,
+    /// Least pressure \[N\]; below zero the model lets the drum pull, which it cannot.
+    pub least_pressure: f64,
+    /// Share of time without contact; or in which the drum pulls.
+    pub open: f64,
+    /// Share of time in which the package slips.
+    pub slipping: f64,
+    /// Largest slip, over the drum's speed.
+    pub slip: f64,
 }
 
-impl FirstStage {
-    /// Walks the scene `winder_linear` from the empty bobbin to a package of 60 mm.
-    ///
-    /// # Errors
-    /// [`CheckFailure`] if the scene lacks what is asked for.
-    pub fn of_the_scene() -> Result<Self, CheckFailure> {
-        let machine = winder_linear();
-        let empty = machine.value("holder.bobbin_radius")?;
-        Self::walk(&machine, (empty, 0.06))
-    }
+impl Running {
+    /// Before anything has been seen.
+    const NOTHING: Self =
+        Self { amplitude: 0.0, least_pressure: f64::INFINITY, open: 0.0, slipping: 0.0, slip: 0.0 };
 
-    fn walk(machine: &Machine, radii: (f64, f64)) -> Result<Self, CheckFailure> {
-        const STEPS: u32 = 60;
-        let speed = machine.value("winding_speed")?;
-        let drum = speed / machine.value("drum_radius")?;
-        let mut spectrum = Vec::new();
-        for step in 0..=STEPS {
-            let radius = radii.0 + (radii.1 - radii.0) * f64::from(step) / f64::from(STEPS);
-            spectrum.push((radius, resonance(machine, radius)?));
+    /// By deflections and pressures at even times, of a model that knows no slip.
+    fn of(deflections: &[f64], pressures: &[f64]) -> Self {
+        let pulling = pressures.iter().filter(|pressure| **pressure <= 0.0).count();
+        Self {
+            amplitude: deflections.iter().fold(0.0, |most, value| value.abs().max(most)),
+            least_pressure: pressures.iter().copied().fold(f64::INFINITY, f64::min),
+            open: pulling as f64 / pressures.len() as f64,
+            ..Self::NOTHING
         }
-        let clearance = |name, frequency: &dyn Fn(f64) -> f64| Clearance {
-            name,
-            frequency: (frequency(radii.0), frequency(radii.1)),
-            ratio: smallest_ratio(spectrum.iter().map(|(radius, w)| frequency(*radius) / w)),
-        };
-        Ok(Self {
-            radii,
-            resonance: (spectrum[0].1, spectrum[STEPS as usize].1),
-            clearances: vec![
-                clearance("the drum's unbalance, once a turn", &|_| drum),
-                clearance("the drum's shape, twice a turn", &|_| 2.0 * drum),
-                clearance("the package, once a turn", &|radius| speed / radius),
-            ],
-        })
     }
 
+    fn worse(self, other: Self) -> Self {
+        Self {
+            amplitude: self.amplitude.max(other.amplitude),
+            least_pressure: self.least_pressure.min(other.least_pressure),
+            open: self.open.max(other.open),
+            slipping: self.slipping.max(other.slipping),
+            slip: self.slip.max(other.slip),
+        }
+    }
+}
+
+/// What a stage of the walk has to say.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stage {
+    /// Its number, 1 to 3.
+    pub number: usize,
+    /// The model.
+    pub name: &'static str,
+    /// By how much frequencies must stay away for it to be enough; none of the last.
+    pub enough: Option<f64>,
+    /// Resonance with the empty bobbin and with the full package \[rad/s\]; the last stage
+    /// runs without asking for it.
+    pub resonance: Option<(f64, f64)>,
+    /// Every operating frequency against it.
+    pub clearances: Vec<Clearance>,
+    /// How the winder runs by it.
+    pub running: Running,
+    /// What it took \[s\].
+    pub seconds: f64,
+}
+
+impl Stage {
     /// The frequency that comes nearest to the resonance.
     #[must_use]
     pub fn nearest(&self) -> Option<&Clearance> {
         self.clearances.iter().min_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 
-    /// Whether the linear model is enough.
+    /// Whether it is enough.
     #[must_use]
     pub fn decides(&self) -> bool {
-        self.clearances.iter().all(|clearance| clearance.ratio >= ENOUGH)
+        self.enough
+            .is_none_or(|enough| self.clearances.iter().all(|clearance| clearance.ratio >= enough))
     }
 }
 
-/// Undamped resonance of the emitted scene, sqrt(-dv'/dx) \[rad/s\].
-fn resonance(machine: &Machine, radius: f64) -> Result<f64, CheckFailure> {
-    let point = machine.point(&[("holder.package_radius", radius)], &[])?;
-    let jacobian = machine.rate_jacobian(&point);
-    let (x, v) = (machine.state_index("holder.x")?, machine.state_index("holder.v")?);
-    Ok((-jacobian[(v, x)]).sqrt())
+/// A winder, walked.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Walk {
+    /// The winder.
+    pub winder: Winder,
+    /// All three stages.
+    pub stages: [Stage; 3],
+}
+
+impl Walk {
+    /// Walks a winder through all three stages.
+    ///
+    /// # Errors
+    /// [`CheckFailure`] if a scene lacks what is asked for or a run stops.
+    pub fn of(winder: &Winder) -> Result<Self, CheckFailure> {
+        let timed = |stage: fn(&Winder) -> Result<Stage, CheckFailure>| {
+            let start = Instant::now();
+            let stage = stage(winder)?;
+            Ok::<_, CheckFailure>(Stage { seconds: start.elapsed().as_secs_f64(), ..stage })
+        };
+        let stages = [timed(spectrum::stage)?, timed(layer::stage)?, timed(full::stage)?];
+        Ok(Self { winder: *winder, stages })
+    }
+
+    /// The first stage that is enough.
+    #[must_use]
+    pub fn decided(&self) -> &Stage {
+        let [_, _, last] = &self.stages;
+        self.stages.iter().find(|stage| stage.decides()).unwrap_or(last)
+    }
+
+    /// Why that stage decided: what each stage before it left open, and what it found.
+    #[must_use]
+    pub fn why(&self) -> Vec<String> {
+        let decided = self.decided().number;
+        let asked = self.stages.iter().take_while(|stage| stage.number <= decided);
+        asked.map(Self::verdict).collect()
+    }
+
+    fn verdict(stage: &Stage) -> String {
+        let (number, name) = (stage.number, stage.name);
+        let (Some(enough), Some(nearest)) = (stage.enough, stage.nearest()) else {
+            let running = &stage.running;
+            let contact = if running.open > 0.0 {
+                format!("contact is lost {:.1} % of the time", 100.0 * running.open)
+            } else {
+                format!("contact is kept, with {:.2} N at least", running.least_pressure)
+            };
+            let slip = if running.slipping > 0.0 {
+                format!(
+                    "the package slips {:.1} % of the time, by {:.2} % at most",
+                    100.0 * running.slipping,
+                    100.0 * running.slip
+                )
+            } else {
+                "the package does not slip".to_owned()
+            };
+            return format!("Stage {number}, {name}: {contact}, and {slip}.");
+        };
+        let (what, ratio) = (nearest.name, nearest.ratio);
+        if stage.decides() {
+            return format!(
+                "Stage {number}, {name}, is enough: {what}, comes nearest to the resonance, to a \
+                 ratio of {ratio:.2}, and {enough} is asked for."
+            );
+        }
+        let near = if ratio > 1.0 {
+            format!("comes to a ratio of {ratio:.2} of the resonance")
+        } else {
+            "passes through the resonance".to_owned()
+        };
+        format!("Stage {number}, {name}, is not enough: {what}, {near}, and {enough} is asked for.")
+    }
+
+    /// What a later stage would have cost, as a multiple of the time that the stage which
+    /// decided took.
+    #[must_use]
+    pub fn cost(&self, stage: &Stage) -> f64 {
+        stage.seconds / self.decided().seconds
+    }
+
+    /// What a later stage changes, against the one that decided.
+    #[must_use]
+    pub fn change(&self, stage: &Stage) -> String {
+        let (by, then) = (&self.decided().running, &stage.running);
+        let share = 100.0 * (then.amplitude / by.amplitude - 1.0);
+        let change = format!(
+            "amplitude {:.4} mm instead of {:.4} mm ({share:+.3} %), least pressure {:.3} N instead \
+             of {:.3} N",
+            1e3 * then.amplitude,
+            1e3 * by.amplitude,
+            then.least_pressure,
+            by.least_pressure
+        );
+        if stage.number < 3 {
+            return change;
+        }
+        format!(
+            "{change}, without contact {:.1} % of the time, slipping {:.1} % of it by {:.2} % at most",
+            100.0 * then.open,
+            100.0 * then.slipping,
+            100.0 * then.slip
+        )
+    }
+
+    /// The stages after the one that decided.
+    #[must_use]
+    pub fn later(&self) -> &[Stage] {
+        &self.stages[self.decided().number..]
+    }
+}
+
+/// The operating frequencies against resonances by radius.
+fn clearances(frequencies: &[Operating; 3], spectrum: &[(f64, f64)]) -> Vec<Clearance> {
+    let at = |end: Option<&(f64, f64)>, frequency: &dyn Fn(f64) -> f64| {
+        end.map_or(f64::NAN, |(radius, _)| frequency(*radius))
+    };
+    let clearance = |(name, frequency): &Operating| Clearance {
+        name,
+        frequency: (at(spectrum.first(), frequency), at(spectrum.last(), frequency)),
+        ratio: smallest_ratio(spectrum.iter().map(|(radius, w)| frequency(*radius) / w)),
+    };
+    frequencies.iter().map(clearance).collect()
 }
 
 /// The smallest of larger over smaller, 1 if the ratios pass through 1.
@@ -103,39 +333,11 @@ fn smallest_ratio(ratios: impl Iterator<Item = f64> + Clone) -> f64 {
     ratios.map(|ratio| ratio.max(1.0 / ratio)).fold(f64::INFINITY, f64::min)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::closed_form::winder::{BENCH_M5, BobbinOscillator, MASS_M5};
-
-    fn machine(speed: f64) -> Machine {
-        let mut machine = winder_linear();
-        machine.override_parameter("winding_speed", speed).expect("the scene has it");
-        machine
-    }
-
-    #[test]
-    fn resonances_are_those_of_the_growing_mass() {
-        let stage = FirstStage::of_the_scene().expect("the scene has what it needs");
-        let full = BobbinOscillator { mass: MASS_M5.at(0.06), ..BENCH_M5 };
-        assert!((stage.resonance.0 / BENCH_M5.natural_frequency() - 1.0).abs() < 1e-14);
-        assert!((stage.resonance.1 / full.natural_frequency() - 1.0).abs() < 1e-14);
-    }
-
-    #[test]
-    fn the_bench_speed_needs_more_than_the_linear_model() {
-        let stage = FirstStage::of_the_scene().expect("the scene has what it needs");
-        assert!(!stage.decides());
-        // 5.5 m/s over 30 to 60 mm: from 183 to 92 rad/s, through 148 to 139 rad/s.
-        let nearest = stage.nearest().expect("there are frequencies");
-        assert_eq!((nearest.name, nearest.ratio), ("the package, once a turn", 1.0));
-    }
-
-    #[test]
-    fn a_slow_winder_needs_no_more_than_the_linear_model() {
-        let stage = FirstStage::walk(&machine(1.5), (0.03, 0.06)).expect("it has what it needs");
-        assert!(stage.decides());
-        // Twice 30 rad/s against the full package's resonance.
-        assert!((stage.clearances[1].ratio - stage.resonance.1 / 60.0).abs() < 1e-12);
-    }
+/// First and last.
+fn ends(spectrum: &[(f64, f64)]) -> Option<(f64, f64)> {
+    Some((spectrum.first()?.1, spectrum.last()?.1))
 }
+
+#[cfg(test)]
+#[path = "winder_walk/tests.rs"]
+mod tests;

@@ -3,6 +3,9 @@
 
 use machinist::constraints::{mobility, start};
 use machinist::interpreted::InterpretedSimulator;
+use machinist::linear_analysis::{
+    LinearError, Linearization, Mode, ModeKind, Place, Point, equilibrium, operating_point,
+};
 use machinist::{Method, SimulateError, Simulation};
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
@@ -25,6 +28,10 @@ fn scene(more: &str) -> InterpretedSimulator {
         {more}
         "#
     );
+    of_text(&text)
+}
+
+fn of_text(text: &str) -> InterpretedSimulator {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).expect("written");
@@ -207,4 +214,93 @@ fn an_event_is_followed_by_the_impulse_of_constraints() {
     assert!((v_x + v_y).abs() < 1e-12);
     let expected = 9.81_f64.sqrt() / 2.0 + 9.81 / 2.0 * (0.6387 - hit);
     assert!((v_x - expected).abs() < 1e-8, "{v_x} for {expected}");
+}
+
+/// Natural motions about the equilibrium near the start.
+fn modes_near_the_start(scene: &InterpretedSimulator) -> (Vec<f64>, Vec<Mode>) {
+    use machinist_scenes::Describe as _;
+    let count = scene.shape().parameters;
+    let parameters = (0..count).map(|index| scene.parameter_default(index)).collect();
+    let state = start_of(scene).expect("it starts");
+    let point = equilibrium(scene, &Point { time: 0.0, state, parameters }).expect("it rests");
+    let linearization = Linearization::at(scene, point).expect("it is regular");
+    (linearization.point().state.clone(), linearization.modes().expect("eigenvalues"))
+}
+
+/// Frequencies of those that oscillate.
+fn swings(modes: &[Mode]) -> Vec<f64> {
+    let swings = modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation);
+    swings.map(Mode::natural_frequency).collect()
+}
+
+#[test]
+fn masses_on_rods_swing_as_pendulums_of_their_lengths() {
+    let near = RODS.replace("= 0.6", "= 0.1").replace("= 0.3", "= 0").replace("= 1.5", "= -0.2");
+    let (_, modes) = modes_near_the_start(&scene(&near));
+    assert_eq!(modes.len(), 2, "nothing else moves: {modes:?}");
+    let found = swings(&modes);
+    for (found, length) in found.iter().zip([2.0, 1.0]) {
+        assert!((found / (9.81_f64 / length).sqrt() - 1.0).abs() < 1e-12, "{found}");
+    }
+    assert!(modes.iter().all(|mode| mode.residual < 1e-12));
+}
+
+#[test]
+fn a_rod_by_its_velocity_swings_likewise_and_has_any_length() {
+    let text = r#"
+        [constraints]
+        rod = { expression = "a.x*a.v_x + a.y*a.v_y" }
+        shelf = { expression = "b.y" }
+        stop = { expression = "b.x" }
+        [initial]
+        "a.x" = 0.1
+        "a.y" = -1.0
+    "#;
+    let (state, modes) = modes_near_the_start(&scene(text));
+    let found = swings(&modes);
+    // It hangs at the length that it has on the way there.
+    let length = -state[1];
+    assert!(state[0].abs() < 1e-12 && (length - 1.0).abs() < 0.05, "{state:?}");
+    assert_eq!((found.len(), modes.len()), (1, 2), "{modes:?}");
+    assert!((found[0] / (9.81 / length).sqrt() - 1.0).abs() < 1e-12, "{found:?}");
+    assert!(modes.iter().any(|mode| mode.kind == ModeKind::Free), "its length is free");
+}
+
+/// The scene `slider_crank` let go, its crank near the lowest place.
+fn slider_crank_let_go() -> InterpretedSimulator {
+    let text = include_str!("../specs/scenes/slider_crank.toml");
+    let (head, rest) = text.split_once("[constraints.drive]").expect("it is driven");
+    let (_, outputs) = rest.split_once("[outputs]").expect("it has outputs");
+    let outputs = outputs.lines().filter(|line| !line.contains("drive"));
+    let start = "[initial]\n\"crank.phi\" = -1.4\n\"crank.omega\" = 0\n[guess]\n\"rod.x\" = 0.1\n\
+                 \"rod.phi\" = 0.25\n\"slider.x\" = 0.19\n[outputs]";
+    let unused = ["[parameters.speed]", "[parameters.start]"];
+    assert!(unused.iter().all(|section| head.contains(section)));
+    of_text(&format!("{head}{start}{}", outputs.collect::<Vec<_>>().join("\n")))
+}
+
+#[test]
+fn a_slider_crank_swings_about_its_lowest_place_as_by_hand() {
+    let found = swings(&modes_near_the_start(&slider_crank_let_go()).1);
+    // There the rod moves as a whole with the crank's end: with l = 0.05 m,
+    // w^2 = g l (m_crank + m_rod)/2/(J + m_crank l^2/4 + (m_rod + m_slider) l^2).
+    let inertia = 2e-4 + 0.8 * 0.05 * 0.05 / 4.0 + (0.6 + 1.1) * 0.05 * 0.05;
+    let exact = (9.81_f64 * 0.05 * (0.8 + 0.6) / 2.0 / inertia).sqrt();
+    assert_eq!(found.len(), 1);
+    assert!((found[0] / exact - 1.0).abs() < 1e-11, "{found:?} for {exact}");
+}
+
+#[test]
+fn what_a_constraint_drives_is_in_no_equilibrium_and_the_constraint_is_named() {
+    let text = include_str!("../specs/scenes/slider_crank.toml");
+    let driven = of_text(text);
+    let run = Simulation::new(&driven).until(0.1);
+    let refused = operating_point(&run, Place::Equilibrium).expect_err("it turns");
+    assert!(matches!(refused, LinearError::NoEquilibrium { .. }), "{refused}");
+    assert!(refused.to_string().contains("`drive` changes by"), "{refused}");
+    let point = operating_point(&run, Place::Initial).expect("it starts");
+    let linearization = Linearization::at(&driven, point).expect("it is regular");
+    assert!(linearization.modes().expect("eigenvalues").is_empty());
+    let refused = linearization.response("speed", "angle", &[1.0]).expect_err("not analysed");
+    assert!(matches!(refused, LinearError::Constraints(_)), "{refused}");
 }

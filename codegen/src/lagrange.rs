@@ -3,13 +3,13 @@
 //! ```text
 //! L = T - V
 //! M = d2L/dq'2
-//! f = dL/dq - (d2L/dq' dq) q' - d2L/dq' dt - dD/dq' + Q
+//! f = dL/dq - (d2L/dq' dq) q' - (d2L/dq' dz) h - d2L/dq' dt - dD/dq' + Q
 //! M q'' = f + G^T lambda            z' = h
 //! ```
 
 use crate::cas::{Cas, Form};
 use crate::constraint::Constraints;
-use crate::expr::{CoordinateId, Expr, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::reduce::Reduction;
 use crate::state::Layout;
 use crate::system::{Event, LagrangianSystem};
@@ -75,6 +75,7 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
             let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(*other)));
             f = &f - &(&coupling * &velocity);
         }
+        f = &f - &by_first_order(cas, system, &momenta[row]);
         f = &f - &cas.derivative(&momenta[row], Symbol::Time);
         f = &f - &cas.derivative(&dissipation, Symbol::Velocity(*id));
         f = &f + &cas.form(&system.generalized_force[row].total);
@@ -102,6 +103,19 @@ pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> EquationsOfMotion {
         reduction: Reduction::default(),
         system: system.clone(),
     }
+}
+
+/// (dX/dz) h: how X changes with first-order states, such as the mass of a package that
+/// grows. Modes stay between events.
+fn by_first_order(cas: &mut Cas, system: &LagrangianSystem, of: &Form) -> Form {
+    let mut total = cas.form(&Expr::integer(0));
+    for (id, state) in (0..).map(FirstOrderId).zip(&system.first_order) {
+        if !state.is_mode {
+            let slope = cas.derivative(of, Symbol::FirstOrder(id));
+            total = &total + &(&slope * &cas.form(&state.rate));
+        }
+    }
+    total
 }
 
 fn normal_forms<'a>(cas: &mut Cas, exprs: impl Iterator<Item = &'a Expr>) -> Vec<Expr> {
@@ -146,8 +160,8 @@ struct Power {
     time_momentum: Expr,
 }
 
-/// d(T + V)/dt = Q q' - q' dD/dq' - dL/dt + d(2 T - q' dT/dq')/dt along a motion, and
-/// the power of moving constraints.
+/// d(T + V)/dt = Q q' - q' dD/dq' - (dL/dz) h - dL/dt + d(2 T - q' dT/dq')/dt along a motion,
+/// and the power of moving constraints.
 fn power(
     cas: &mut Cas,
     system: &LagrangianSystem,
@@ -173,6 +187,7 @@ fn power(
         time_momentum = &time_momentum - &(&momenta[row] * &velocity);
     }
     let lagrangian = kinetic - &potential;
+    supplied = &supplied - &by_first_order(cas, system, &lagrangian);
     supplied = &supplied - &cas.derivative(&lagrangian, Symbol::Time);
     let time_momentum = cas.expand(&time_momentum);
     Power {

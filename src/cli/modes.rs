@@ -72,7 +72,12 @@ impl Modes {
             simulator.title(),
             self.at.described(&linearization)
         );
-        text.push_str(&columns(&table(&linearization, &modes), 2));
+        if modes.is_empty() {
+            text.push_str(NO_MOTION);
+            text.push('\n');
+        } else {
+            text.push_str(&columns(&table(&linearization, &modes), 2));
+        }
         if let Some(file) = &self.plot {
             text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
         }
@@ -103,6 +108,9 @@ impl Modes {
 fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
+
+/// What is said where there are no motions.
+pub const NO_MOTION: &str = "The constraints leave no motion.";
 
 /// Heading of [`table`].
 pub const HEADING: [&str; 7] = [

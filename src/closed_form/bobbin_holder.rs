@@ -65,8 +65,7 @@ impl BobbinHolder {
         let along_post = [self.stop[0] / distance_t, self.stop[1] / distance_t];
         let c = along_post.map(|part| self.post * part);
         let a = self.axle_place(c);
-        let turned = (a[1] - c[1]).atan2(a[0] - c[0]) - (-self.axle[1]).atan2(self.axle[0]);
-        let (sin, cos) = turned.sin_cos();
+        let (sin, cos) = self.working_angles()[1].sin_cos();
         let d = [c[0] + self.plate * cos, c[1] + self.plate * sin];
         let of_strut = self.strut_on_plate(d, cylinder_mass, rod_mass);
         let reach = self.radii[0] + self.radii[1];
@@ -82,6 +81,16 @@ impl BobbinHolder {
             + self.winding_force * moment(o, k, t)
             + normal * moment(o, k, n);
         [normal, -about_o / distance_t]
+    }
+
+    /// Angles of post and plate \[rad\] where the post is on its stop and the package on the
+    /// drum, neither giving.
+    #[must_use]
+    pub fn working_angles(&self) -> [f64; 2] {
+        let post = self.stop[1].atan2(self.stop[0]);
+        let c = [self.post * post.cos(), self.post * post.sin()];
+        let a = self.axle_place(c);
+        [post, (a[1] - c[1]).atan2(a[0] - c[0]) - (-self.axle[1]).atan2(self.axle[0])]
     }
 
     /// A, where the circles about C and B meet, to the left of the way from C to B.

@@ -9,6 +9,8 @@
 //! I(th) th'^2/2 + V(th) = E
 //! ```
 //!
+//! At rest where V' = 0, by the balance of virtual works, it swings with w^2 = V''/I.
+//!
 //! Source: F. Freudenstein, Trans. ASME 76 (1954) 483-492; the rest is a textbook's.
 
 /// A bar, its centre of mass in the middle.
@@ -74,6 +76,49 @@ impl FourBar {
         (2.0 * (energy - self.potential(crank)) / self.inertia(crank)).sqrt()
     }
 
+    /// Angle of the crank \[rad\] at which the linkage rests, near a guess, by Newton's
+    /// method, and w \[rad/s\] of small oscillations about it; NaN if it would fall.
+    #[must_use]
+    pub fn small_oscillation(&self, guess: f64) -> (f64, f64) {
+        let mut angle = guess;
+        for _ in 0..50 {
+            let (slope, curvature) = self.slopes(angle);
+            angle -= slope / curvature;
+        }
+        (angle, (self.slopes(angle).1 / self.inertia(angle)).sqrt())
+    }
+
+    /// V' \[N m\] and V'' \[N m/rad\].
+    fn slopes(&self, crank: f64) -> (f64, f64) {
+        let (coupler, rocker) = self.angles(crank);
+        let (by_coupler, by_rocker) = self.ratios(crank);
+        let [a, b, c] = [self.crank, self.coupler, self.rocker].map(|bar| bar.length);
+        // Ratios are a sin(th - p)/(b s) and a sin(th - f)/(c s), s = sin(p - f).
+        let (sine, cosine) = (rocker - coupler).sin_cos();
+        let widening = cosine * (by_rocker - by_coupler) / sine;
+        let bent = |other: f64, ratio: f64, own: f64, length: f64| {
+            a * (crank - other).cos() * (1.0 - ratio) / (length * sine) - own * widening
+        };
+        let coupler_bent = bent(rocker, by_rocker, by_coupler, b);
+        let rocker_bent = bent(coupler, by_coupler, by_rocker, c);
+        // Height of a bar's middle over its start: l sin(angle)/2.
+        let height = |bar: Bar, angle: f64, ratio: f64, bent: f64| {
+            let half = 0.5 * bar.length;
+            let slope = half * angle.cos() * ratio;
+            (slope, half * (angle.cos() * bent - angle.sin() * ratio * ratio))
+        };
+        let bars = [
+            (self.crank.mass, height(self.crank, crank, 1.0, 0.0)),
+            (self.coupler.mass, (a * crank.cos(), -a * crank.sin())),
+            (self.coupler.mass, height(self.coupler, coupler, by_coupler, coupler_bent)),
+            (self.rocker.mass, height(self.rocker, rocker, by_rocker, rocker_bent)),
+        ];
+        let sum = |of: fn((f64, f64)) -> f64| {
+            self.gravity * bars.iter().map(|(mass, slopes)| mass * of(*slopes)).sum::<f64>()
+        };
+        (sum(|slopes| slopes.0), sum(|slopes| slopes.1))
+    }
+
     /// I \[kg m^2\].
     fn inertia(&self, crank: f64) -> f64 {
         let (coupler, _) = self.angles(crank);
@@ -133,5 +178,24 @@ mod tests {
             assert!(((after.0 - before.0) / (2.0 * step) - coupler).abs() < 1e-8);
             assert!(((after.1 - before.1) / (2.0 * step) - rocker).abs() < 1e-8);
         }
+    }
+    #[test]
+    fn slopes_are_differences_of_the_potential() {
+        for angle in [0.2, 1.5, 3.0, 5.0] {
+            let step = 1e-5;
+            let around =
+                |of: &dyn Fn(f64) -> f64| (of(angle + step) - of(angle - step)) / (2.0 * step);
+            let (slope, curvature) = FOUR_BAR.slopes(angle);
+            assert!((around(&|angle| FOUR_BAR.potential(angle)) - slope).abs() < 1e-8);
+            assert!((around(&|angle| FOUR_BAR.slopes(angle).0) - curvature).abs() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn it_rests_where_it_is_lowest() {
+        let (angle, frequency) = FOUR_BAR.small_oscillation(-1.5);
+        let here = FOUR_BAR.potential(angle);
+        assert!(frequency > 0.0);
+        assert!(here < FOUR_BAR.potential(angle - 0.1) && here < FOUR_BAR.potential(angle + 0.1));
     }
 }

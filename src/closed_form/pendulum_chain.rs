@@ -12,7 +12,7 @@
 //!
 //! Source: textbook.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
 /// Masses and links, from the top.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +47,20 @@ impl PendulumChain {
         solution.map_or([f64::NAN; 3], Into::into)
     }
 
+    /// Frequencies \[rad/s\] of small oscillations, ascending: with M_ij = m_ij l_i l_j and
+    /// K_i = m_ii g l_i, 1/w^2 are the eigenvalues of K^-1/2 M K^-1/2.
+    #[must_use]
+    pub fn frequencies(&self) -> [f64; 3] {
+        let stiffness = |i: usize| self.mass_below(i) * self.gravity * self.lengths[i];
+        let mass =
+            |i: usize, j: usize| self.mass_below(i.max(j)) * self.lengths[i] * self.lengths[j];
+        let weighed = Matrix3::from_fn(|i, j| mass(i, j) / (stiffness(i) * stiffness(j)).sqrt());
+        let squares = SymmetricEigen::new(weighed).eigenvalues;
+        let mut frequencies = [0, 1, 2].map(|index| 1.0 / squares[index].sqrt());
+        frequencies.sort_by(f64::total_cmp);
+        frequencies
+    }
+
     fn mass_below(&self, link: usize) -> f64 {
         self.masses[link..].iter().sum()
     }
@@ -71,6 +85,16 @@ mod tests {
         assert!((matrix.trace() - 9.0).abs() < 1e-9);
         assert!((minors - 18.0).abs() < 1e-8);
         assert!((matrix.determinant() - 6.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn frequencies_are_those_of_the_equal_chain() {
+        let equal = PendulumChain { masses: [1.0; 3], lengths: [1.0; 3], gravity: 1.0 };
+        for frequency in equal.frequencies() {
+            let square = frequency * frequency;
+            let left = ((square - 9.0) * square + 18.0) * square - 6.0;
+            assert!(left.abs() < 1e-12, "{frequency}");
+        }
     }
 
     #[test]

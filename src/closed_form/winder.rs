@@ -154,6 +154,27 @@ impl BobbinOscillator {
         to_forces.chain(to_shapes).sum()
     }
 
+    /// Compression Y - q \[m\] of the layer over a harmonic drum shape \[m\], steady:
+    /// Y (c_p - m p^2)/Z.
+    #[must_use]
+    pub fn compression_by_shape(&self, shape: &Harmonic) -> Harmonic {
+        let rest = self.spring_stiffness - self.mass * shape.frequency * shape.frequency;
+        self.answer(Complex64::from(rest), shape)
+    }
+
+    /// dN \[N\]: how far the pressure departs from that at rest at worst phases, the sum
+    /// over harmonics of the amplitude of compression times |c + j h p|. With a shaken drum it
+    /// is the compression that presses; the bobbin's own amplitude would miss the drum's.
+    #[must_use]
+    pub fn pressure_variation(&self, forces: &[Harmonic], shapes: &[Harmonic]) -> f64 {
+        let pressed = |compression: Harmonic| {
+            compression.amplitude.abs() * self.dynamic_layer_stiffness(compression.frequency)
+        };
+        let by_forces = forces.iter().map(|force| pressed(self.answer_to_force(force)));
+        let by_shapes = shapes.iter().map(|shape| pressed(self.compression_by_shape(shape)));
+        by_forces.chain(by_shapes).sum()
+    }
+
     /// |c + j h p|, stiffness of the layer at a frequency \[N/m\].
     #[must_use]
     pub fn dynamic_layer_stiffness(&self, frequency: f64) -> f64 {

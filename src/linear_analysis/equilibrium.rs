@@ -6,14 +6,14 @@ use nalgebra::{DMatrix, DVector};
 use super::motions::{Motions, Places};
 use super::{LinearError, Point, Residual, jacobian, rate};
 
-const MAX_ITERATIONS: usize = 100;
-const MAX_HALVINGS: usize = 40;
+pub(super) const MAX_ITERATIONS: usize = 100;
+pub(super) const MAX_HALVINGS: usize = 40;
 /// Relative to the size of its row, a rate below this is zero.
-const ACCEPTED: f64 = 1e-9;
+pub(super) const ACCEPTED: f64 = 1e-9;
 /// Below this nothing is left to gain.
-const ROUNDING: f64 = 1e-15;
+pub(super) const ROUNDING: f64 = 1e-15;
 /// Singular values below this, of matrices with rows of length 1, count as zero.
-const RANK: f64 = 1e-10;
+pub(super) const RANK: f64 = 1e-10;
 
 /// The equilibrium near a guess, by Newton's method on the emitted rates and
 /// their emitted Jacobian; time and parameters are those of the guess.
@@ -32,10 +32,16 @@ const RANK: f64 = 1e-10;
 /// each step is the least one that solves the linearized equations, with states
 /// measured by their scales. A step is halved until the rates shrink.
 ///
+/// A machine with constraints moves as they allow, and is put back onto them after each
+/// step; one that a moving constraint drives is in no equilibrium.
+///
 /// # Errors
 /// [`LinearError::NoEquilibrium`] with the rates that remain, and the errors of
 /// [`super::Linearization::at`].
 pub fn equilibrium(simulator: &dyn Simulator<f64>, guess: &Point) -> Result<Point, LinearError> {
+    if simulator.constraints() > 0 {
+        return super::rest::equilibrium(simulator, guess);
+    }
     let solver = Solver::new(simulator, guess)?;
     let mut point = solver.with_drift_only(guess)?;
     for _ in 0..MAX_ITERATIONS {
@@ -223,7 +229,7 @@ impl<'a> Solver<'a> {
 
 /// Sizes of the rows of [q'', z']: what the rate changes by when every state moves
 /// by its scale; where nothing moves it, the scale of its state a second.
-fn row_sizes(motions: &Motions) -> DVector<f64> {
+pub(super) fn row_sizes(motions: &Motions) -> DVector<f64> {
     let Motions { matrix, scales, coordinates: from, .. } = motions;
     let size = |row: usize| {
         let moved = matrix.row(row).transpose().component_mul(scales).norm();
@@ -233,7 +239,7 @@ fn row_sizes(motions: &Motions) -> DVector<f64> {
 }
 
 /// Rows of [q'', z'] of A with motions measured by scales and rows by sizes.
-fn slopes(motions: &Motions) -> DMatrix<f64> {
+pub(super) fn slopes(motions: &Motions) -> DMatrix<f64> {
     let Motions { matrix, scales, coordinates: from, .. } = motions;
     let sizes = row_sizes(motions);
     DMatrix::from_fn(matrix.nrows() - from, matrix.ncols(), |row, column| {
@@ -248,7 +254,7 @@ pub(super) fn drift_and_rest(motions: &Motions) -> (DMatrix<f64>, DMatrix<f64>) 
 }
 
 /// The null space of a matrix and its orthogonal complement, as columns.
-fn split(matrix: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
+pub(super) fn split(matrix: DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
     let columns = matrix.ncols();
     if columns == 0 {
         return (DMatrix::zeros(0, 0), DMatrix::zeros(0, 0));

@@ -23,10 +23,10 @@ pub enum LinearError {
         /// Its number of states.
         states: usize,
     },
-    /// Small motions of a machine with constraints are not analysed.
+    /// Answers of a machine with constraints to disturbances are not analysed.
     #[error(
-        "scene `{0}` has constraints, and small motions within constraints are not analysed. \
-         Hint: write it in minimal coordinates, or run it"
+        "scene `{0}` has constraints, and how it answers to disturbances within constraints is \
+         not analysed. Hint: write it in minimal coordinates, or run it; its modes are analysed"
     )]
     Constraints(String),
     /// A list is as long as the scene does not ask for.
@@ -48,6 +48,14 @@ pub enum LinearError {
         what: String,
         /// What it is.
         value: f64,
+    },
+    /// It does not come back onto its constraints.
+    #[error("scene `{scene}` does not come back onto its constraint `{constraint}`")]
+    Lost {
+        /// The scene.
+        scene: String,
+        /// The constraint.
+        constraint: String,
     },
     /// No state at constant speed was found.
     #[error(
@@ -113,7 +121,8 @@ pub struct Residual {
 
 impl fmt::Display for Residual {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` changes by {:.3e} {} a second", self.state, self.rate, self.unit)
+        let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
+        write!(f, "`{}` changes by {:.3e}{unit} a second", self.state, self.rate)
     }
 }
 

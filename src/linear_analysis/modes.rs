@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::equilibrium::drift_and_rest;
 use super::motions::Motions;
+use super::within::Within;
 use super::{LinearError, Linearization};
 
 /// Beside the norm of the matrix, an eigenvalue below this is zero.
@@ -91,12 +92,15 @@ impl Linearization<'_> {
     /// with the whole matrix, and eigenvalues are improved by the quotient of left
     /// and right eigenvector, w A x/(w x).
     ///
+    /// Of a machine with constraints, all this is done with the motions that these
+    /// allow, in coordinates of their own; shapes are those of all coordinates again.
+    ///
     /// # Errors
     /// [`LinearError::Eigenvalues`] if the iteration does not converge.
     pub fn modes(&self) -> Result<Vec<Mode>, LinearError> {
         let motions = Motions::new(self.simulator, &self.matrix);
-        let (drift, rest) = drift_and_rest(&motions);
-        let problem = Problem::new(motions);
+        let problem = Problem::new(Within::of(self.simulator, &self.point, &motions), motions);
+        let (drift, rest) = drift_and_rest(&problem.solved);
         let mut modes: Vec<Mode> =
             (0..drift.ncols()).map(|column| problem.drift_mode(&drift, column)).collect();
         let mut values = problem.eigenvalues(&rest)?;
@@ -117,6 +121,11 @@ struct Problem {
     coordinates: usize,
     first_order: usize,
     scales: DVector<f64>,
+    /// Of all motions.
+    whole: DMatrix<Complex64>,
+    within: Option<Within>,
+    /// Of those whose modes are looked for: all, or those within constraints.
+    solved: Motions,
     matrix: DMatrix<f64>,
     complex: DMatrix<Complex64>,
     transposed: DMatrix<Complex64>,
@@ -124,27 +133,49 @@ struct Problem {
 }
 
 impl Problem {
-    fn new(motions: Motions) -> Self {
-        let Motions { coordinates, first_order, matrix, scales, .. } = motions;
-        let matrix = DMatrix::from_fn(scales.len(), scales.len(), |row, column| {
-            matrix[(row, column)] * scales[column] / scales[row]
-        });
+    fn new(within: Option<Within>, motions: Motions) -> Self {
+        let (coordinates, first_order) = (motions.coordinates, motions.first_order);
+        let (scales, whole) = (motions.scales.clone(), motions.scaled());
+        let solved = match &within {
+            Some(within) => within.motions(&motions),
+            None => motions,
+        };
+        let matrix = solved.scaled();
         let complex = matrix.map(Complex64::from);
         Self {
             coordinates,
             first_order,
+            scales,
+            whole: whole.map(Complex64::from),
+            within,
             norm: matrix.norm(),
             transposed: complex.transpose(),
-            scales,
+            solved,
             matrix,
             complex,
+        }
+    }
+
+    /// A right eigenvector as motions of all coordinates.
+    fn right(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
+        match &self.within {
+            Some(within) => within.basis().map(Complex64::from) * vector,
+            None => vector.clone(),
+        }
+    }
+
+    /// A left one likewise.
+    fn left(&self, vector: &DVector<Complex64>) -> DVector<Complex64> {
+        match &self.within {
+            Some(within) => within.dual().transpose().map(Complex64::from) * vector,
+            None => vector.clone(),
         }
     }
 
     /// Eigenvalues but those of drift: A between the states whose coordinates lie
     /// across the drift, `rest` being orthonormal columns.
     fn eigenvalues(&self, rest: &DMatrix<f64>) -> Result<Vec<Complex64>, LinearError> {
-        let (n, size) = (self.coordinates, self.matrix.nrows());
+        let (n, size) = (self.solved.coordinates, self.matrix.nrows());
         let kept = rest.ncols();
         let mut basis = DMatrix::zeros(size, kept + size - n);
         basis.view_mut((0, 0), (n, kept)).copy_from(rest);
@@ -165,9 +196,10 @@ impl Problem {
 
     fn drift_mode(&self, drift: &DMatrix<f64>, column: usize) -> Mode {
         let mut vector = DVector::zeros(self.matrix.nrows());
-        for index in 0..self.coordinates {
+        for index in 0..self.solved.coordinates {
             vector[index] = Complex64::from(drift[(index, column)]);
         }
+        let vector = self.right(&vector);
         let shares = self.shares(&vector, &vector.conjugate());
         self.described(Complex64::ZERO, &vector, shares)
     }
@@ -189,12 +221,14 @@ impl Problem {
         if is_simple {
             let better = left.dot(&(&self.complex * &right)) / overlap;
             let value = if value.im == 0.0 { Complex64::from(better.re) } else { better };
-            let shares = self.shares(&right, &left);
-            return (self.described(value, &right, shares), right);
+            let moved = self.right(&right);
+            let shares = self.shares(&moved, &self.left(&left));
+            return (self.described(value, &moved, shares), right);
         }
         // Of several motions with one eigenvalue, left vectors do not pair up.
-        let shares = self.shares(&right, &right.conjugate());
-        (self.described(value, &right, shares), right)
+        let moved = self.right(&right);
+        let shares = self.shares(&moved, &moved.conjugate());
+        (self.described(value, &moved, shares), right)
     }
 
     /// A vector of length 1 with matrix x = value x, by inverse iteration, across
@@ -247,8 +281,8 @@ impl Problem {
         } else {
             ModeKind::Oscillation
         };
-        let distance = &self.complex * vector - vector * value;
-        let size = self.norm * vector.norm();
+        let distance = &self.whole * vector - vector * value;
+        let size = self.whole.norm() * vector.norm();
         let residual = if size > 0.0 { distance.norm() / size } else { 0.0 };
         let in_units =
             DVector::from_fn(vector.len(), |index, _| vector[index] * self.scales[index]);

@@ -69,6 +69,23 @@ impl Motions {
         Self { coordinates: n, first_order: m, matrix, scales, positions_by_coordinates, places }
     }
 
+    /// dx' = A dx that belongs to no state, of scales 1: of motions within constraints.
+    pub fn alone(matrix: DMatrix<f64>, coordinates: usize, first_order: usize) -> Self {
+        let scales = DVector::from_element(matrix.nrows(), 1.0);
+        let none = || Vec::new();
+        let places = Places { positions: none(), velocities: none(), first_order: none() };
+        let positions_by_coordinates = DMatrix::zeros(0, coordinates);
+        Self { coordinates, first_order, matrix, scales, positions_by_coordinates, places }
+    }
+
+    /// A with x measured by its scales.
+    pub fn scaled(&self) -> DMatrix<f64> {
+        let size = self.scales.len();
+        DMatrix::from_fn(size, size, |row, column| {
+            self.matrix[(row, column)] * self.scales[column] / self.scales[row]
+        })
+    }
+
     /// Adds a change dx to a state.
     pub fn add(&self, state: &mut [f64], change: &DVector<f64>) {
         let n = self.coordinates;

@@ -46,9 +46,6 @@ impl FromStr for Place {
 /// [`LinearError`] if the run makes no sense or stops, or if there is no
 /// equilibrium.
 pub fn operating_point(run: &Simulation<'_>, place: Place) -> Result<Point, LinearError> {
-    if run.simulator().constraints() > 0 {
-        return Err(LinearError::Constraints(run.simulator().name().to_owned()));
-    }
     match place {
         Place::Initial => Ok(start(run)?),
         Place::Time(time) if time.to_bits() == run.start_time().to_bits() => Ok(start(run)?),

@@ -100,13 +100,17 @@ impl Linearization<'_> {
     ///
     /// # Errors
     /// [`LinearError::Unknown`] for names, [`LinearError::NotFinite`] for derivatives,
-    /// [`LinearError::Singular`] at an undamped resonance.
+    /// [`LinearError::Singular`] at an undamped resonance, [`LinearError::Constraints`] if
+    /// the machine has some.
     pub fn response(
         &self,
         from: &str,
         to: &str,
         frequencies: &[f64],
     ) -> Result<Response, LinearError> {
+        if self.simulator.constraints() > 0 {
+            return Err(LinearError::Constraints(self.simulator.name().to_owned()));
+        }
         let input = self.input(from)?;
         let output = self.output(to, &input)?;
         let values = self.transfer(&input, &output, frequencies)?;

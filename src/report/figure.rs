@@ -4,7 +4,8 @@
 use machinist::trajectory::Column;
 use maud::{Markup, PreEscaped, html};
 use plotly::common::{
-    Anchor, ColorScale, ColorScalePalette, DashType, Line, Marker, Mode, Orientation, Title,
+    Anchor, ColorScale, ColorScaleElement, ColorScalePalette, DashType, Line, Marker, Mode,
+    Orientation, Title,
 };
 use plotly::configuration::Configuration;
 use plotly::layout::{Axis, AxisType, HoverMode, Legend, Margin};
@@ -119,6 +120,43 @@ pub fn picture(
     plot.add_trace(map);
     let axis = |title: &str| Axis::new().title(Title::with_text(title));
     plot.set_layout(layout().x_axis(axis("time [s]")).y_axis(axis("x [m]")));
+    element(id, &plot, caption)
+}
+
+/// Where something is the case, in a colour of its own: a row of values for each place,
+/// NaN where it is not.
+pub struct Class {
+    pub name: &'static str,
+    pub colour: &'static str,
+    pub values: Vec<Vec<f64>>,
+}
+
+/// What is the case where.
+pub fn classes(
+    id: &str,
+    (across, up): (&[f64], &[f64]),
+    classes: &[Class],
+    [x_title, y_title]: [&str; 2],
+    hover: &str,
+    caption: &Markup,
+) -> Markup {
+    let round = |values: &[f64]| values.iter().copied().map(rounded).collect::<Vec<f64>>();
+    let mut plot = Plot::new();
+    for Class { name, colour, values } in classes {
+        let scale = [0.0, 1.0].map(|end| ColorScaleElement(end, (*colour).to_owned()));
+        let rows: Vec<Vec<f64>> = values.iter().map(|row| round(row)).collect();
+        let map = HeatMap::new(round(across), round(up), rows)
+            .name(name)
+            .color_scale(ColorScale::Vector(scale.to_vec()))
+            .show_scale(false)
+            .show_legend(true)
+            .hover_on_gaps(false)
+            .hover_template(hover);
+        plot.add_trace(map);
+    }
+    let axis = |title: &str| Axis::new().title(Title::with_text(title));
+    let layout = layout().x_axis(axis(x_title)).y_axis(axis(y_title));
+    plot.set_layout(layout.hover_mode(HoverMode::Closest));
     element(id, &plot, caption)
 }
 

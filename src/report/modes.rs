@@ -5,7 +5,7 @@ use machinist::linear_analysis::{LinearError, Linearization, Place, operating_po
 use machinist_scenes::Simulator;
 use maud::{Markup, html};
 
-use crate::cli::modes::{HEADING, row};
+use crate::cli::modes::{HEADING, NO_MOTION, row};
 
 /// Scenes with more states are left to the command.
 const MAX_STATES: usize = 200;
@@ -49,6 +49,7 @@ pub fn section(scene: &str, modes: Option<&Result<Modes, LinearError>>) -> Marku
         @match modes {
             None => p { "The scene is large; see " code { (command) } },
             Some(Err(error)) => p.warning { "There is no linear analysis: " (error) },
+            Some(Ok(modes)) if modes.rows.is_empty() => p { (NO_MOTION) },
             Some(Ok(modes)) => (table(modes, &command)),
         }
     }

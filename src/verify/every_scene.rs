@@ -7,7 +7,6 @@ use nalgebra::{DMatrix, DVector};
 use super::machine::Point;
 use super::{Check, CheckFailure, Machine, Measured, worse};
 use crate::complex_step::{self, ComplexStep};
-use crate::constraints::{Constraints, Level};
 
 /// See [`matrix_error`].
 const ENTRY: &str =
@@ -53,6 +52,11 @@ pub(super) const CHECKS: &[Check] = &[
     },
 ];
 
+/// Rows and columns of a matrix with constraints that are smaller than this, beside its
+/// largest entry, are rounding.
+const NOTHING: f64 = 1e-12;
+/// Entries of such a matrix that are smaller than this, likewise, are held to it.
+const LEAST: f64 = 1e-3;
 const POINTS: usize = 20;
 
 fn rate_jacobian(machine: &Machine) -> Result<Measured, CheckFailure> {
@@ -109,9 +113,10 @@ fn over_points(
 /// the stator's, solved along with them, by some tens that such numbers leave. An entry
 /// outside a pattern is zero in A.
 ///
-/// Constraints solve all coordinates together, and may leave nothing but rounding in
-/// whole rows and columns, as masses do of a machine that is driven. There the floor is
-/// the largest of all of B, or of the rates by their sizes if these are larger.
+/// Constraints solve all coordinates together: what one row needs, others leave their
+/// rounding in. The floor is at least [`LEAST`] of the largest of all of B, or of the rates
+/// by their sizes if these are larger; and all of that where nothing but rounding is in a
+/// row or column, as in those of the masses of a machine that is driven.
 fn matrix_error(
     (machine, p): (&Machine, &Point),
     ours: &DMatrix<f64>,
@@ -135,7 +140,14 @@ fn matrix_error(
     for (i, row) in rows.iter().enumerate() {
         for (j, column) in columns.iter().enumerate() {
             let (a, b) = (ours[(i, j)], exact[(i, j)]);
-            let size = if is_constrained { of_all } else { 1e-2 * worse(by_row[i], by_column[j]) };
+            let is_nothing = by_row[i].min(by_column[j]) <= NOTHING * of_all;
+            let size = if is_constrained && is_nothing {
+                of_all
+            } else if is_constrained {
+                worse(1e-2 * worse(by_row[i], by_column[j]), LEAST * of_all)
+            } else {
+                1e-2 * worse(by_row[i], by_column[j])
+            };
             let floor = size * row / column;
             // Both zero, as where a load is saturated, is no error over no scale.
             let distance = (a - b).abs();
@@ -150,7 +162,6 @@ fn matrix_error(
 /// complex step.
 fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
     over_points(machine, |p| {
-        let p = &on_constraints(machine, p);
         let power = machine.real.power_balance(p.time, &p.state, &p.parameters);
         let rate = machine.rate(p);
         let gradient = energy_gradient(machine, p).into_iter();
@@ -166,17 +177,6 @@ fn power_balance(machine: &Machine) -> Result<Measured, CheckFailure> {
         let error = worse(power.residual().abs(), (power.stored_rate - sum).abs());
         if error == 0.0 { 0.0 } else { error / size }
     })
-}
-
-/// The point with velocities that the constraints allow; others would do work on them.
-fn on_constraints(machine: &Machine, p: &Point) -> Point {
-    let Point { time, mut state, parameters } = p.clone();
-    if let Some(constraints) = Constraints::of(machine.real, &parameters)
-        && constraints.put_back(Level::Velocities, time, &mut state).is_err()
-    {
-        state.fill(f64::NAN);
-    }
-    Point { time, state, parameters }
 }
 
 /// dE/dt with the state held: a spring whose foot is moved by something.

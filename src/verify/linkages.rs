@@ -6,12 +6,15 @@ use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::four_bar::FOUR_BAR;
 use crate::closed_form::pendulum_chain::CHAIN;
 use crate::closed_form::slider_crank::{SLIDER_CRANK, SliderCrankState};
+use crate::constraints::start;
+use crate::linear_analysis::{Linearization, Mode, ModeKind, Place, Point, equilibrium};
 use crate::trajectory::ColumnKind;
 use crate::{Method, Trajectory};
 
 const CLOSURE: &str = "loop closure along the run at rtol 1e-10, largest over the shortest link";
 const PUT_BACK: &str = "every state is put back onto the constraints";
 const ZERO: &str = "zero";
+const EIGENVALUES: &str = "both are algebra; rounding, grown by eight coordinates solved together";
 
 pub(super) const PENDULUM_CHECKS: &[Check] = &[
     Check {
@@ -34,6 +37,13 @@ pub(super) const PENDULUM_CHECKS: &[Check] = &[
         tolerance: 1e-10,
         reason: PUT_BACK,
         measure: |machine| closure(machine, 0.4),
+    },
+    Check {
+        name: "frequencies of small oscillations about hanging at rest",
+        reference: "three eigenvalues in minimal coordinates by hand, relative",
+        tolerance: 1e-11,
+        reason: EIGENVALUES,
+        measure: hanging,
     },
 ];
 
@@ -59,6 +69,16 @@ pub(super) const SLIDER_CRANK_CHECKS: &[Check] = &[
         reason: PUT_BACK,
         measure: |machine| closure(machine, 0.05),
     },
+    Check {
+        name: "motions that the constraints leave at the start",
+        reference: "none: the drive prescribes all",
+        tolerance: 0.0,
+        reason: "a count",
+        measure: |machine| {
+            let modes = machine.linearization(&[], Place::Initial)?.modes()?;
+            Ok(super::counted(modes.len() as u64, 0))
+        },
+    },
 ];
 
 pub(super) const FOUR_BAR_CHECKS: &[Check] = &[
@@ -82,6 +102,24 @@ pub(super) const FOUR_BAR_CHECKS: &[Check] = &[
         tolerance: 1e-10,
         reason: PUT_BACK,
         measure: |machine| closure(machine, 0.1),
+    },
+    Check {
+        name: "frequency of small oscillations about its lowest position",
+        reference: "V''/I in the crank's angle by virtual work, relative",
+        tolerance: 1e-11,
+        reason: EIGENVALUES,
+        measure: |machine| {
+            let (_, frequency) = FOUR_BAR.small_oscillation(-1.5);
+            let found = swings(machine, &[("angle", -1.3), ("speed", 0.0)])?;
+            Ok(found_is(&found, &[frequency]))
+        },
+    },
+    Check {
+        name: "angles of crank, coupler and rocker at rest there",
+        reference: "V' = 0 by virtual work, and Freudenstein's equation; rad",
+        tolerance: 1e-12,
+        reason: "both are solved to rounding",
+        measure: lowest,
     },
 ];
 
@@ -185,4 +223,53 @@ fn speed(machine: &Machine) -> Result<Measured, CheckFailure> {
     let crank = machine.column(&run, "crank_angle")?;
     let exact: Vec<f64> = crank.iter().map(|angle| FOUR_BAR.speed(*angle, (1.5, 25.0))).collect();
     Ok(Measured::error(relative_distance(machine.column(&run, "crank_speed")?, &exact)))
+}
+
+/// The equilibrium near a start with other parameters.
+fn rest<'m>(
+    machine: &'m Machine,
+    settings: &[(&str, f64)],
+) -> Result<Linearization<'m>, CheckFailure> {
+    let parameters = machine.parameters(settings)?;
+    let state = start(machine.real, &parameters, 0.0)?;
+    let point = equilibrium(machine.real, &Point { time: 0.0, state, parameters })?;
+    Ok(Linearization::at(machine.real, point)?)
+}
+
+/// Frequencies \[rad/s\] of the oscillations about that, ascending; two ways, of which the
+/// worse counts: eigenvalues of the rate, and of stiffness and mass.
+fn swings(machine: &Machine, settings: &[(&str, f64)]) -> Result<[Vec<f64>; 2], CheckFailure> {
+    let linearization = rest(machine, settings)?;
+    let modes = linearization.modes()?;
+    let is_swing = |mode: &&Mode| mode.kind == ModeKind::Oscillation;
+    let of_rate = modes.iter().filter(is_swing).map(Mode::natural_frequency).collect();
+    Ok([of_rate, linearization.second_order().undamped_frequencies()?])
+}
+
+fn found_is(found: &[Vec<f64>; 2], exact: &[f64]) -> Measured {
+    let error = |found: &Vec<f64>| {
+        let is_complete = found.len() == exact.len();
+        let off = found.iter().zip(exact).map(|(found, exact)| (found / exact - 1.0).abs());
+        if is_complete { off.fold(0.0, worse) } else { f64::NAN }
+    };
+    Measured::error(found.iter().map(error).fold(0.0, worse))
+}
+
+/// From a start a little off hanging straight down.
+fn hanging(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let near = [("th_1", 0.1), ("th_2", -0.05), ("th_3", 0.15)];
+    let found = swings(machine, &near)?;
+    Ok(found_is(&found, &CHAIN.frequencies()))
+}
+
+fn lowest(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let linearization = rest(machine, &[("angle", -1.3), ("speed", 0.0)])?;
+    let state = &linearization.point().state;
+    let (crank, _) = FOUR_BAR.small_oscillation(-1.5);
+    let (coupler, rocker) = FOUR_BAR.angles(crank);
+    let mut error = 0.0;
+    for (name, exact) in [("crank.phi", crank), ("coupler.phi", coupler), ("rocker.phi", rocker)] {
+        error = worse(error, (state[machine.state_index(name)?] - exact).abs());
+    }
+    Ok(Measured::error(error))
 }

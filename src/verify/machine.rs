@@ -24,6 +24,7 @@ use machinist_scenes::scenes::slider_crank::SliderCrank;
 use machinist_scenes::scenes::stick_slip::StickSlip;
 use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
 use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::scenes::winder_full::WinderFull;
 use machinist_scenes::scenes::winder_holder_drop::WinderHolderDrop;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
 use machinist_scenes::scenes::winder_linkage::WinderLinkage;
@@ -33,9 +34,10 @@ use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
 use crate::complex_step::{self, ComplexStep};
-use crate::constraints::start;
+use crate::constraints::{Constraints, Level};
 use crate::field::{Discretisation, FieldSimulator};
 use crate::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
+use crate::trajectory::ColumnKind;
 use crate::{Method, Simulation, Trajectory};
 
 /// A verified scene, with overridden parameters if any.
@@ -67,6 +69,7 @@ pub(crate) fn all() -> Vec<Machine> {
         motor_stationary_axes(),
         winder_linear(),
         winder_nonlinear(),
+        winder_full(),
         pendulum_chain(),
         pendulum_constrained(),
         slider_crank(),
@@ -120,6 +123,11 @@ pub(crate) fn winder_linear() -> Machine {
 /// The bobbin on a stiffening layer.
 pub(crate) fn winder_nonlinear() -> Machine {
     Machine::new("winder_nonlinear", &WinderNonlinear, &WinderNonlinear)
+}
+
+/// The bobbin with all nonlinearities.
+pub(crate) fn winder_full() -> Machine {
+    Machine::new("winder_full", &WinderFull, &WinderFull)
 }
 
 /// Three pendulums hanging on one another.
@@ -431,26 +439,56 @@ impl Machine {
 
     /// Points drawn evenly from the times of the scene's run and from states within
     /// their scales, the same ones every time. Every fourth state is a hundredth as
-    /// large, so that loads are seen near standstill too. Of a machine with constraints,
-    /// states about its start, off it by a tenth of their scales: elsewhere it may be near
-    /// a dead point.
+    /// large, so that loads are seen near standstill too.
+    ///
+    /// Of a machine with constraints, states of its run, moved by a tenth of their scales and
+    /// put back onto the constraints: elsewhere it may be near a dead point.
     pub(crate) fn random_points(&self, count: usize) -> Result<Vec<Point>, CheckFailure> {
         let defaults = self.real.run_defaults();
         let parameters = self.parameters(&[])?;
         let mut random = SplitMix(0x5eed);
         let is_constrained = self.real.constraints() > 0;
-        let start = start(self.real, &parameters, defaults.from)?;
-        let points = (0..count).map(|number| {
+        let visited = if is_constrained { self.visited(count)? } else { Vec::new() };
+        let mut points = Vec::with_capacity(count);
+        for number in 0..count {
             let size = if number % 4 == 3 { 0.01 } else { 1.0 };
-            let time = defaults.from + (defaults.until - defaults.from) * random.unit();
             let states = 0..self.real.shape().states();
-            let state = states.map(|index| {
-                let value = size * self.real.state_scale(index) * random.signed();
-                if is_constrained { start[index] + 0.1 * value } else { value }
-            });
-            Point { time, state: state.collect(), parameters: parameters.clone() }
-        });
-        Ok(points.collect())
+            let share = random.unit();
+            let drawn = states.map(|index| size * self.real.state_scale(index) * random.signed());
+            let mut state: Vec<f64> = drawn.collect();
+            let mut time = defaults.from + (defaults.until - defaults.from) * share;
+            if let Some((at, there)) = visited.get(number) {
+                time = *at;
+                for (index, (value, there)) in state.iter_mut().zip(there).enumerate() {
+                    let shift = if self.real.is_mode(index) { 0.0 } else { 0.1 * *value };
+                    *value = there + shift;
+                }
+            }
+            let point = Point { time, state, parameters: parameters.clone() };
+            points.push(self.on_constraints(&point));
+        }
+        Ok(points)
+    }
+
+    /// States at even times of the run.
+    fn visited(&self, count: usize) -> Result<Vec<(f64, Vec<f64>)>, CheckFailure> {
+        let run = self.simulation(&[])?.points(count.max(2)).run()?;
+        let columns: Vec<&[f64]> =
+            run.of_kind(ColumnKind::State).map(|column| column.values.as_slice()).collect();
+        let state = |sample: usize| columns.iter().map(|column| column[sample]).collect();
+        Ok(run.times.iter().enumerate().map(|(sample, time)| (*time, state(sample))).collect())
+    }
+
+    /// The point put back onto the constraints, if there are any: of NaN if that fails.
+    pub(crate) fn on_constraints(&self, point: &Point) -> Point {
+        let Point { time, mut state, parameters } = point.clone();
+        if let Some(constraints) = Constraints::of(self.real, &parameters) {
+            let put = |level| constraints.put_back(level, time, &mut state);
+            if [Level::Positions, Level::Velocities].into_iter().try_for_each(put).is_err() {
+                state.fill(f64::NAN);
+            }
+        }
+        Point { time, state, parameters }
     }
 }
 

@@ -6,8 +6,10 @@ use super::linkages::closure;
 use super::{Check, CheckFailure, Machine, Measured, worse};
 use crate::Method;
 use crate::closed_form::bobbin_holder::{BobbinHolder, HOLDER};
+use crate::closed_form::holder_oscillation::SWINGING_HOLDER;
 use crate::closed_form::winding_pair::HOLDER_POSITIONS;
 use crate::constraints::start;
+use crate::linear_analysis::{Mode, ModeKind, Place};
 
 pub(super) const CHECKS: &[Check] = &[
     Check {
@@ -40,6 +42,13 @@ pub(super) const DROP_CHECKS: &[Check] = &[
         tolerance: 1e-6,
         reason: "what is left of its swinging after 3 s, and second orders of contacts that give",
         measure: settled,
+    },
+    Check {
+        name: "frequencies and dampings of small oscillations at work, on both contacts",
+        reference: "M, D and V'' in the angles of post and plate by hand, relative",
+        tolerance: 1e-9,
+        reason: "both are algebra; rounding, grown by twelve constraints and stiff contacts",
+        measure: oscillations,
     },
     Check {
         name: "loop closure along the run at rtol 1e-10, largest over the shortest link",
@@ -123,4 +132,17 @@ fn settled(machine: &Machine) -> Result<Measured, CheckFailure> {
         error = worse(error, (found - exact).abs() / worse(forces[0], forces[1]));
     }
     Ok(Measured::error(error))
+}
+
+/// Eigenvalues at the equilibrium near the end of the run.
+fn oscillations(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let modes = machine.linearization(&[], Place::Equilibrium)?.modes()?;
+    let found = modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation);
+    let found: Vec<_> = found.map(Mode::eigenvalue).collect();
+    let exact = SWINGING_HOLDER.eigenvalues();
+    if found.len() != exact.len() {
+        return Ok(Measured::error(f64::NAN));
+    }
+    let off = found.iter().zip(&exact).map(|(found, exact)| (found - exact).norm() / exact.norm());
+    Ok(Measured::error(off.fold(0.0, worse)))
 }

@@ -1,9 +1,12 @@
 //! Checks of the bobbin on a stiffening layer: free of viscosity and disturbances it is
 //! the Duffing oscillator, without its cubic term the linear bobbin.
 
+use std::f64::consts::TAU;
+
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
 use crate::closed_form::duffing::Duffing;
 use crate::closed_form::winder::{BENCH_M5, Deflection, FORCE_M5, SHAPE_M5};
+use crate::winder_walk::balance;
 
 const HELD: &str = "the run is held to 1e-12 a step; some thousand steps add up";
 
@@ -28,6 +31,13 @@ pub(super) const CHECKS: &[Check] = &[
         tolerance: 1e-9,
         reason: HELD,
         measure: linear_limit,
+    },
+    Check {
+        name: "steady motion at the bench speed",
+        reference: "harmonic balance with sixteen harmonics, relative to the largest",
+        tolerance: 1e-9,
+        reason: HELD,
+        measure: balanced,
     },
 ];
 
@@ -61,4 +71,16 @@ fn distance(
     let deflection = relative_distance(machine.column(&run, "holder.x")?, &values);
     let velocity = relative_distance(machine.column(&run, "holder.v")?, &rates);
     Ok(Measured::error(worse(deflection, velocity)))
+}
+
+/// Over the thirtieth turn of the drum, when the transient has faded to e^-38.
+fn balanced(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let turning = FORCE_M5.frequency;
+    let both = (&FORCE_M5, &SHAPE_M5);
+    let exact = balance::steady(&BENCH_M5, LAYER.cubic_stiffness, turning, both);
+    let exact = exact.ok_or(CheckFailure::Singular)?;
+    let time = |k: usize| TAU / turning * (30.0 + k as f64 / balance::SAMPLES as f64);
+    let times: Vec<f64> = (0..balance::SAMPLES).map(time).collect();
+    let run = machine.simulation(&[])?.until(1.8).times(&times).rtol(1e-12).run()?;
+    Ok(Measured::error(relative_distance(machine.column(&run, "holder.x")?, &exact)))
 }

@@ -31,6 +31,7 @@ const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("one_sided_contact"),
     builtin!("planar_body"),
     builtin!("point_mass"),
+    builtin!("pressed_bobbin"),
     builtin!("reed"),
     builtin!("rotor"),
     builtin!("saw_shaft"),
@@ -41,8 +42,10 @@ const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("stop_smooth"),
     builtin!("technological_load"),
     builtin!("three_pendulums"),
+    builtin!("winding_pair"),
     builtin!("yarn_layer"),
     builtin!("yarn_layer_cubic"),
+    builtin!("yarn_layer_one_sided"),
 ];
 
 pub(super) fn load(path: &Path) -> Result<SceneSpec, Diagnostics> {

@@ -245,6 +245,18 @@ pub mod stick_slip_smooth;
 )]
 pub mod two_mass;
 
+/// Bobbin on a winding drum, all nonlinearities
+#[cfg(feature = "winder_full")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod winder_full;
+
 /// Four-link bobbin holder, let go
 #[cfg(feature = "winder_holder_drop")]
 #[rustfmt::skip]
@@ -326,6 +338,8 @@ pub const NAMES: &[&str] = &[
     "stick_slip_smooth",
     #[cfg(feature = "two_mass")]
     "two_mass",
+    #[cfg(feature = "winder_full")]
+    "winder_full",
     #[cfg(feature = "winder_holder_drop")]
     "winder_holder_drop",
     #[cfg(feature = "winder_linear")]
@@ -374,6 +388,8 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "stick_slip_smooth" => Some(&stick_slip_smooth::StickSlipSmooth),
         #[cfg(feature = "two_mass")]
         "two_mass" => Some(&two_mass::TwoMass),
+        #[cfg(feature = "winder_full")]
+        "winder_full" => Some(&winder_full::WinderFull),
         #[cfg(feature = "winder_holder_drop")]
         "winder_holder_drop" => Some(&winder_holder_drop::WinderHolderDrop),
         #[cfg(feature = "winder_linear")]

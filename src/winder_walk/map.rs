@@ -1,0 +1,187 @@
+//! Where winding is stable, over radius of the package and winding speed.
+//!
+//! ```text
+//! dN = (1 + delta) sum B c~                        over harmonics of force and shape
+//! N > dN                                           contact
+//! Pn <= (N - dN) (f - (fa r + k)/R)                adhesion
+//! Pn <= 0.9 f (N - dN)                             the rule of practice
+//! N + dN <= [Nmax]                                 the yarn
+//! ```
+//!
+//! Together they are the pressure band \[Nmin\] + dN <= N <= \[Nmax\] - dN, \[Nmin\] from
+//! adhesion and practice. B is the amplitude by which a harmonic compresses the layer, c~ its
+//! dynamic stiffness |c + j h p|; phases are the worst, and the layer is linear, so that what
+//! is stable here is so in any case.
+//!
+//! Source: winder study.
+
+use serde::Serialize;
+
+use super::Winder;
+use super::spectrum::{bobbin, disturbances};
+use crate::closed_form::WindingPair;
+use crate::closed_form::winder::BobbinOscillator;
+use crate::closed_form::winding_pair::DESIGN_SHARE;
+use crate::verify::CheckFailure;
+use crate::verify::machine::{winder_full, winder_linear};
+
+/// What fails first, in this order, if anything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Condition {
+    /// Nothing: winding is stable.
+    Stable,
+    /// The pressure may fall to zero.
+    Contact,
+    /// Friction may not suffice to turn the package.
+    Adhesion,
+    /// It may, but the rule of practice is broken.
+    Practice,
+    /// The yarn may be pressed too hard.
+    Yarn,
+}
+
+impl Condition {
+    /// All, in the order in which they are asked for.
+    pub const ALL: [Self; 5] =
+        [Self::Stable, Self::Contact, Self::Adhesion, Self::Practice, Self::Yarn];
+
+    /// In a few words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Contact => "contact may be lost",
+            Self::Adhesion => "the package may slip",
+            Self::Practice => "against the rule of practice",
+            Self::Yarn => "the yarn may be pressed too hard",
+        }
+    }
+}
+
+/// One point of the map.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Cell {
+    /// dN \[N\].
+    pub variation: f64,
+    /// (N - dN) (f - (fa r + k)/R) - Pn \[N\]; below zero the package may slip.
+    pub margin: f64,
+    /// What fails first.
+    pub condition: Condition,
+}
+
+/// What the conditions ask.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Limits {
+    /// f, fa r and k.
+    #[serde(skip)]
+    pub pair: WindingPair,
+    /// N \[N\].
+    pub pressure: f64,
+    /// Pn \[N\].
+    pub tension: f64,
+    /// \[Nmax\], what the yarn bears \[N\].
+    pub largest: f64,
+    /// delta, the share to which the dynamic stiffness is known.
+    pub spread: f64,
+}
+
+impl Limits {
+    /// Judges a radius \[m\] at which the pressure varies by dN \[N\].
+    #[must_use]
+    pub fn judge(&self, radius: f64, variation: f64) -> Cell {
+        let Self { pair, pressure, tension, largest, .. } = *self;
+        let left = pressure - variation;
+        let grip = pair.friction - (pair.support_arm + pair.rolling_arm) / radius;
+        let margin = left * grip - tension;
+        let condition = if left <= 0.0 {
+            Condition::Contact
+        } else if margin < 0.0 {
+            Condition::Adhesion
+        } else if tension > DESIGN_SHARE * pair.friction * left {
+            Condition::Practice
+        } else if pressure + variation > largest {
+            Condition::Yarn
+        } else {
+            Condition::Stable
+        };
+        Cell { variation, margin, condition }
+    }
+
+    /// dN \[N\] of a winder with the bobbin of some radius, its drum turning with `drum`
+    /// rad/s.
+    #[must_use]
+    pub fn variation(&self, bobbin: &BobbinOscillator, winder: &Winder, drum: f64) -> f64 {
+        let [force, shape] = disturbances(winder, drum);
+        (1.0 + self.spread) * bobbin.pressure_variation(&[force], &[shape])
+    }
+}
+
+/// The map.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StabilityMap {
+    /// What is asked.
+    pub limits: Limits,
+    /// Radii of the package \[m\].
+    pub radii: Vec<f64>,
+    /// Winding speeds \[m/s\].
+    pub speeds: Vec<f64>,
+    /// A row for each speed, a cell for each radius.
+    pub cells: Vec<Vec<Cell>>,
+}
+
+/// Speed up to which maps go, where the winder is no faster \[m/s\].
+pub const FASTEST: f64 = 14.0;
+/// Radii and speeds of a map.
+pub const SIZE: (u32, u32) = (61, 141);
+/// \[Nmax\] unless told otherwise \[N\].
+pub const LARGEST: f64 = 190.0;
+/// delta, likewise.
+pub const SPREAD: f64 = 0.1;
+
+impl StabilityMap {
+    /// The map of a winder up to a speed \[m/s\]. Its unbalance goes with
+    /// the square of the speed, and is the winder's at the winder's own.
+    ///
+    /// # Errors
+    /// [`CheckFailure`] if a scene lacks what is asked for.
+    pub fn of(winder: &Winder, fastest: f64) -> Result<Self, CheckFailure> {
+        let (linear, full) = (winder_linear(), winder_full());
+        let pair = WindingPair {
+            friction: full.value("pair.friction")?,
+            support_arm: full.value("pair.support_arm")?,
+            rolling_arm: full.value("pair.rolling_arm")?,
+        };
+        let limits = Limits {
+            pair,
+            pressure: winder.preload,
+            tension: winder.tension,
+            largest: winder.largest,
+            spread: SPREAD,
+        };
+        let drum_radius = linear.value("drum_radius")?;
+        let radii: Vec<f64> = winder.radii(SIZE.0).collect();
+        let bobbins: Vec<BobbinOscillator> =
+            radii.iter().map(|radius| bobbin(&linear, *radius)).collect::<Result<_, _>>()?;
+        let share = |k: u32| f64::from(k + 1) / f64::from(SIZE.1);
+        let speeds: Vec<f64> = (0..SIZE.1).map(|k| fastest * share(k)).collect();
+        let row = |speed: &f64| {
+            let force = winder.force * (speed / winder.speed).powi(2);
+            let there = Winder { speed: *speed, force, ..*winder };
+            let cell = |(radius, bobbin): (&f64, &BobbinOscillator)| {
+                limits.judge(*radius, limits.variation(bobbin, &there, speed / drum_radius))
+            };
+            radii.iter().zip(&bobbins).map(cell).collect()
+        };
+        let cells = speeds.iter().map(row).collect();
+        Ok(Self { limits, radii, speeds, cells })
+    }
+
+    /// How many points a condition has, of all.
+    #[must_use]
+    pub fn share(&self, condition: Condition) -> f64 {
+        let cells = self.cells.iter().flatten();
+        let count = cells.filter(|cell| cell.condition == condition).count();
+        count as f64 / (self.radii.len() * self.speeds.len()) as f64
+    }
+}

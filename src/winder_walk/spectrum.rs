@@ -1,0 +1,87 @@
+//! First stage: the spectrum of the linear winder.
+
+use std::f64::consts::TAU;
+
+use super::{Operating, Running, Stage, Winder, clearances, ends};
+use crate::closed_form::winder::{BobbinOscillator, Harmonic};
+use crate::verify::CheckFailure;
+use crate::verify::machine::{Machine, winder_linear};
+
+/// How far operating frequencies must stay from resonances for this stage to be enough.
+pub const ENOUGH: f64 = 2.0;
+
+const RADII: u32 = 61;
+/// Samples over a turn of the drum, which is the period of the steady motion.
+const SAMPLES: u32 = 720;
+
+/// Resonances by the emitted scene `winder_linear`, and how the winder runs by the closed
+/// form.
+///
+/// # Errors
+/// [`CheckFailure`] if the scene lacks what is asked for.
+pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
+    let machine = winder_linear();
+    let drum_radius = machine.value("drum_radius")?;
+    let mut spectrum = Vec::new();
+    let mut running = Running::NOTHING;
+    for radius in winder.radii(RADII) {
+        spectrum.push((radius, resonance(&machine, radius)?));
+        let bobbin = bobbin(&machine, radius)?;
+        running = running.worse(steady(winder, &bobbin, winder.speed / drum_radius));
+    }
+    let frequencies: [Operating; 3] = winder.frequencies(drum_radius);
+    Ok(Stage {
+        number: 1,
+        name: "linear",
+        enough: Some(ENOUGH),
+        resonance: ends(&spectrum),
+        clearances: clearances(&frequencies, &spectrum),
+        running,
+        seconds: 0.0,
+    })
+}
+
+/// Undamped resonance of the emitted scene, sqrt(-dv'/dx) \[rad/s\].
+fn resonance(machine: &Machine, radius: f64) -> Result<f64, CheckFailure> {
+    let point = machine.point(&[("holder.package_radius", radius)], &[])?;
+    let jacobian = machine.rate_jacobian(&point);
+    let (x, v) = (machine.state_index("holder.x")?, machine.state_index("holder.v")?);
+    Ok((-jacobian[(v, x)]).sqrt())
+}
+
+/// The linear bobbin of the scene at a radius of its package \[m\].
+pub(super) fn bobbin(machine: &Machine, radius: f64) -> Result<BobbinOscillator, CheckFailure> {
+    let point = machine.point(&[("holder.package_radius", radius)], &[])?;
+    Ok(BobbinOscillator {
+        mass: machine.output(&point, "mass")?,
+        viscosity: machine.value("layer.viscosity")?,
+        layer_stiffness: machine.value("layer.stiffness")?,
+        spring_stiffness: machine.value("holder.stiffness")?,
+    })
+}
+
+/// Force and shape of a drum that turns with `drum` rad/s.
+pub(super) fn disturbances(winder: &Winder, drum: f64) -> [Harmonic; 2] {
+    [
+        Harmonic { amplitude: winder.force, frequency: drum, phase: 0.0 },
+        Harmonic { amplitude: winder.shape, frequency: 2.0 * drum, phase: 0.0 },
+    ]
+}
+
+/// The steady motion over a turn of the drum.
+fn steady(winder: &Winder, bobbin: &BobbinOscillator, drum: f64) -> Running {
+    let [force, shape] = disturbances(winder, drum);
+    let answers = [bobbin.answer_to_force(&force), bobbin.answer_to_shape(&shape)];
+    let times = (0..SAMPLES).map(|k| TAU / drum * f64::from(k) / f64::from(SAMPLES));
+    let motion = times.map(|time| {
+        let [by_force, by_shape] = answers.map(|answer| answer.at(time));
+        let (value, rate) = (by_force.value + by_shape.value, by_force.rate + by_shape.rate);
+        let drum = shape.at(time);
+        let pressure = winder.preload
+            + bobbin.layer_stiffness * (drum.value - value)
+            + bobbin.viscosity * (drum.rate - rate);
+        (value, pressure)
+    });
+    let (deflections, pressures): (Vec<f64>, Vec<f64>) = motion.unzip();
+    Running::of(&deflections, &pressures)
+}

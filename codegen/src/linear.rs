@@ -55,6 +55,25 @@ impl Excitation {
     }
 }
 
+/// Whether the results of a tape are linear in the state, without anything else, with
+/// coefficients that parameters and one entry of the state, `place`, decide.
+#[must_use]
+pub fn is_homogeneous(tape: &Tape, place: u32) -> bool {
+    let parameters = tape.nodes.iter().filter_map(|node| match node.op {
+        Op::Parameter(index) => Some(index + 1),
+        _ => None,
+    });
+    let as_parameter = parameters.max().unwrap_or(0);
+    let mut tape = tape.clone();
+    for node in &mut tape.nodes {
+        if node.op == Op::State(place) {
+            node.op = Op::Parameter(as_parameter);
+        }
+    }
+    let mut algebra = Algebra::new();
+    follow(&mut algebra, &tape).is_some_and(|sums| sums.iter().all(Sum::is_of_states))
+}
+
 /// The results of a tape as sums of terms.
 fn follow(algebra: &mut Algebra, tape: &Tape) -> Option<Vec<Sum>> {
     let mut sums: Vec<Sum> = Vec::with_capacity(tape.nodes.len());

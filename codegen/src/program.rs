@@ -140,6 +140,12 @@ pub struct FieldProgram {
     pub inertia_gradient: Tape,
     /// Forces.
     pub force: Tape,
+    /// Whether forces are linear in u, u_x, u_t and u_xt, without anything else, and
+    /// the same at all times.
+    pub is_linear: bool,
+    /// Whether f_0 depends on neither u_x nor u_xt, and f_1 on nothing but these and
+    /// parameters.
+    pub is_local: bool,
     /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
     pub force_jacobian: Tape,
     /// Twos of their derivatives with respect to x, t, and `parameters`.

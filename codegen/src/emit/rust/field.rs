@@ -267,6 +267,8 @@ fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
         copied("places", &quote!(), &quote!()),
         copied("places_gradient", &quote!(), &quote!()),
     ];
+    let structure = structure(fields);
+    let many = many_points(&numbers, modules, fields);
     let inertia = arms(&quote!(inertia(x, &p)));
     let initial = arms(&quote!(initial(x, &p)));
     quote! {
@@ -289,12 +291,138 @@ fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
             }
             #(#motions)*
             #(#copied)*
+            #structure
+            #many
         }
         #[cold]
         fn no_field(index: usize) -> ! {
             panic!("there is no field of number {index}")
         }
         #(#statics)*
+    }
+}
+
+/// What is known of the forms of the densities, where it is more than nothing.
+fn structure(fields: &[FieldProgram]) -> TokenStream {
+    let known = |name: &str, holds: &dyn Fn(&FieldProgram) -> bool| {
+        let numbers = (0..fields.len()).filter(|index| holds(&fields[*index]));
+        let numbers: Vec<Literal> = numbers.map(Literal::usize_unsuffixed).collect();
+        let name = format_ident!("field_is_{name}");
+        (!numbers.is_empty()).then(|| {
+            quote! {
+                fn #name(&self, index: usize) -> bool {
+                    matches!(index, #(#numbers)|*)
+                }
+            }
+        })
+    };
+    let linear = known("linear", &|field| field.is_linear);
+    let local = known("local", &|field| field.is_local);
+    quote!(#linear #local)
+}
+
+/// The functions for many points at once of fields whose forces are local: loops over
+/// the point functions, out of which goes what no point decides.
+fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) -> TokenStream {
+    let arms = |body: &dyn Fn(&Ident) -> TokenStream| {
+        let arms = numbers.iter().zip(modules).zip(fields);
+        let arms = arms.filter(|(_, field)| field.is_local).map(|((number, module), _)| {
+            let body = body(module);
+            quote!(#number => #body)
+        });
+        let arms: Vec<TokenStream> = arms.collect();
+        quote! {
+            let p = parameters_of(parameters);
+            match index {
+                #(#arms)*
+                _ => no_field(index),
+            }
+        }
+    };
+    if !fields.iter().any(|field| field.is_local) {
+        return TokenStream::new();
+    }
+    let inertias = arms(&|module| {
+        quote! {
+            for (inertia, x) in inertias.iter_mut().zip(x) {
+                [*inertia] = #module::inertia(*x, &p);
+            }
+        }
+    });
+    let zero = quote!(R::literal(0.0));
+    let values = arms(&|module| {
+        quote! {
+            for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
+                let point = [*u, #zero, *u_t, #zero];
+                [*force, _] = #module::force(time, *x, &point, &p);
+            }
+        }
+    });
+    let values_jacobian = arms(&|module| {
+        quote! {
+            for (((x, u), u_t), by) in x.iter().zip(u).zip(u_t).zip(by_u.iter_mut().zip(by_u_t)) {
+                let point = [*u, #zero, *u_t, #zero];
+                [*by.0, _, *by.1, ..] = #module::force_jacobian(time, *x, &point, &p);
+            }
+        }
+    });
+    let values_by_time = arms(&|module| {
+        quote! {
+            for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t) {
+                let point = [*u, #zero, *u_t, #zero];
+                [_, _, *by_time, ..] = #module::force_gradient(time, *x, &point, &p);
+            }
+        }
+    });
+    let slopes = arms(&|module| {
+        quote! {
+            for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
+                let point = [#zero, *u_x, #zero, *u_xt];
+                [_, *force] = #module::force(#zero, #zero, &point, &p);
+            }
+        }
+    });
+    let slopes_jacobian = arms(&|module| {
+        quote! {
+            for ((u_x, u_xt), by) in u_x.iter().zip(u_xt).zip(by_u_x.iter_mut().zip(by_u_xt)) {
+                let point = [#zero, *u_x, #zero, *u_xt];
+                [.., *by.0, _, *by.1] = #module::force_jacobian(#zero, #zero, &point, &p);
+            }
+        }
+    });
+    quote! {
+        fn field_inertias(&self, index: usize, x: &[R], parameters: &[R], inertias: &mut [R]) {
+            #inertias
+        }
+        fn field_forces_on_values(
+            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
+            forces: &mut [R],
+        ) {
+            #values
+        }
+        fn field_forces_on_values_jacobian(
+            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
+            [by_u, by_u_t]: [&mut [R]; 2],
+        ) {
+            #values_jacobian
+        }
+        fn field_forces_on_values_by_time(
+            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
+            (_, by_time): (&mut [R], &mut [R]),
+        ) {
+            #values_by_time
+        }
+        fn field_forces_on_slopes(
+            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R], forces: &mut [R],
+        ) {
+            #slopes
+        }
+        fn field_forces_on_slopes_jacobian(
+            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R],
+            [by_u_x, by_u_xt]: [&mut [R]; 2],
+        ) {
+            #slopes_jacobian
+        }
     }
 }
 

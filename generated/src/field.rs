@@ -418,6 +418,17 @@ impl<R: Real> Elements<'_, R> {
         at[1] + R::select_less(zero, by_slope.abs(), change, zero)
     }
 
+    /// The part of the length that is a node's, one entry a node.
+    pub fn lengths(&self, lengths: &mut [R]) {
+        lengths.fill(R::literal(0.0));
+        for element in self.iter() {
+            for (point, weight) in self.rule.weights.iter().enumerate() {
+                let node = &mut lengths[element.first_node + point];
+                *node = *node + element.length * R::literal(*weight);
+            }
+        }
+    }
+
     /// M, one entry a node.
     pub fn inertia<S: FieldScene<R> + ?Sized>(&self, scene: &S, p: &[R], inertia: &mut [R]) {
         inertia.fill(R::literal(0.0));

@@ -9,8 +9,10 @@
 //! a chain of masses, springs and proportional dampers its modes are carried on
 //! each in closed form ([`modal`]); any other by [`exponential`].
 
+mod chain;
 mod exponential;
 mod flows;
+mod forms;
 mod modal;
 mod piece;
 mod response;

@@ -114,7 +114,7 @@ fn waves(piece: &Piece, s: f64) -> Vec<f64> {
 fn augmented(piece: &Piece, size: usize) -> DMatrix<f64> {
     let n = piece.states();
     let mut matrix = DMatrix::zeros(size, size);
-    matrix.view_mut((0, 0), (n, n)).copy_from(&piece.matrix);
+    matrix.view_mut((0, 0), (n, n)).copy_from(&piece.matrix());
     let mut first = n;
     for wave in &piece.waves {
         let Complex { re: growth, im: frequency } = wave.mu;

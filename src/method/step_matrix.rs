@@ -21,6 +21,8 @@ pub(super) struct StepMatrix<'a, S> {
     /// this form.
     coordinates: usize,
     entries: &'a [(u32, u32)],
+    /// Entries of J_vq: (number of the entry, row below q, column).
+    by_position: Vec<[u32; 3]>,
     shift: S,
     factors: Factors<S>,
 }
@@ -47,11 +49,18 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
                     let (row, column) = (row as usize, column as usize);
                     (row - coordinates, column.checked_sub(coordinates).unwrap_or(column))
                 });
-                Factors::Bordered(Box::new(Bordered::new(size, &border, lower)))
+                let lower: Vec<(usize, usize)> = lower.collect();
+                Factors::Bordered(Box::new(Bordered::new(size, &border, &lower)))
             }
             _ => Factors::Full(Lu::new(size)),
         };
-        Self { coordinates, entries, shift: S::one(), factors }
+        let first = coordinates as u32;
+        let by_position = (0..).zip(entries).filter(|(_, (row, column))| {
+            *row >= first && *column < first
+        });
+        let by_position = by_position.map(|(index, (row, column))| [index, row - first, *column]);
+        let by_position = by_position.collect();
+        Self { coordinates, entries, by_position, shift: S::one(), factors }
     }
 
     /// Factors shift I - J, J from its nonzeros in pattern order.
@@ -60,22 +69,30 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
     /// [`Singular`] if that cannot be done.
     pub(super) fn factor(&mut self, shift: S, jacobian: &[f64]) -> Result<(), Singular> {
         self.shift = shift;
-        let (n, entries) = (self.coordinates, self.entries);
+        let (n, entries) = (self.coordinates, &self.entries[self.coordinates..]);
+        let inverse = shift.recip();
+        let value = |column: usize, value: f64| {
+            if column < n { -inverse.scale(value) } else { -S::from_real(value) }
+        };
+        let lower = entries.iter().zip(&jacobian[n..]);
         match &mut self.factors {
             Factors::Full(lu) => {
                 lu.clear();
-                let size = lu.size();
-                fill(n, entries, (shift, size), jacobian, |row, column, value| {
-                    lu.add(row, column, value);
-                });
+                for index in 0..lu.size() {
+                    lu.add(index, index, shift);
+                }
+                for (&(row, column), entry) in lower {
+                    let (row, column) = (row as usize - n, column as usize);
+                    let place = column.checked_sub(n).unwrap_or(column);
+                    lu.add(row, place, value(column, *entry));
+                }
                 lu.factor()
             }
             Factors::Bordered(bordered) => {
-                bordered.clear();
-                let size = bordered.size();
-                fill(n, entries, (shift, size), jacobian, |row, column, value| {
-                    bordered.add(row, column, value);
-                });
+                let (values, targets) = bordered.start(shift);
+                for ((&(_, column), entry), target) in lower.zip(targets) {
+                    values[*target as usize] += value(column as usize, *entry);
+                }
                 bordered.factor()
             }
         }
@@ -86,15 +103,11 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         let n = self.coordinates;
         let inverse = self.shift.recip();
         let (upper, lower) = r.split_at_mut(n);
-        if n > 0 {
-            for value in upper.iter_mut() {
-                *value *= inverse;
-            }
-            for ((row, column), value) in lower_entries(n, self.entries, jacobian) {
-                if column < n {
-                    lower[row - n] += upper[column].scale(value);
-                }
-            }
+        for value in upper.iter_mut() {
+            *value *= inverse;
+        }
+        for [entry, row, column] in &self.by_position {
+            lower[*row as usize] += upper[*column as usize].scale(jacobian[*entry as usize]);
         }
         match &mut self.factors {
             Factors::Full(lu) => lu.solve(lower),
@@ -104,35 +117,4 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
             *upper += *lower * inverse;
         }
     }
-}
-
-/// Adds the entries of the matrix that is factored.
-fn fill<S: ComplexField<RealField = f64> + Copy>(
-    n: usize,
-    entries: &[(u32, u32)],
-    (shift, size): (S, usize),
-    jacobian: &[f64],
-    mut add: impl FnMut(usize, usize, S),
-) {
-    let inverse = shift.recip();
-    for index in 0..size {
-        add(index, index, shift);
-    }
-    for ((row, column), value) in lower_entries(n, entries, jacobian) {
-        if column < n {
-            add(row - n, column, -inverse.scale(value));
-        } else {
-            add(row - n, column - n, -S::from_real(value));
-        }
-    }
-}
-
-/// The nonzeros of J below the eliminated rows.
-fn lower_entries<'b>(
-    n: usize,
-    entries: &'b [(u32, u32)],
-    jacobian: &'b [f64],
-) -> impl Iterator<Item = ((usize, usize), f64)> + 'b {
-    let places = entries[n..].iter().map(|&(row, column)| (row as usize, column as usize));
-    places.zip(jacobian[n..].iter().copied())
 }

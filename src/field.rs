@@ -25,8 +25,8 @@ use std::cell::RefCell;
 use machinist_scenes::field::{FieldScene, HANDED, MAX_ORDER};
 use machinist_scenes::{Real, Shape};
 
-pub use lobatto::Lobatto;
 use chain::{Chain, columns_beside};
+pub use lobatto::Lobatto;
 use mesh::{Mesh, Owner};
 #[cfg(feature = "linear")]
 pub use modal::{ModalError, ModalSimulator};
@@ -91,7 +91,9 @@ pub struct FieldSimulator<'a, R> {
     element_entries: Vec<Vec<[u32; 2]>>,
     /// Fields that are chains.
     chains: Vec<Option<Chain>>,
-    /// Rows that the force on each port reaches.
+    /// Every port: node among those of all fields, and first of the parameters handed
+    /// over; and rows that the force on it reaches.
+    ports: Vec<(usize, usize)>,
     port_rows: Vec<Vec<PortRow>>,
     mass_is_diagonal: bool,
     excitation_terms: Option<Vec<(u32, u32)>>,
@@ -182,6 +184,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             machine_entries: Vec::new(),
             element_entries: Vec::new(),
             chains: Vec::new(),
+            ports: Vec::new(),
             port_rows: Vec::new(),
             mass_is_diagonal: scene.mass_matrix_pattern().entries.iter().all(|(i, j)| i == j),
             excitation_terms: None,
@@ -312,9 +315,9 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         for (index, mesh) in self.meshes.iter().enumerate() {
             let is_chain = mesh.order == 1 && self.scene.field_is_local(index);
             let place = |row, column| find((row, column));
-            chains.push(is_chain.then(|| {
-                Chain::new(index, mesh, |owner| self.columns(owner), place)
-            }));
+            chains.push(
+                is_chain.then(|| Chain::new(index, mesh, |owner| self.columns(owner), place)),
+            );
             element_entries.push(if is_chain { Vec::new() } else { self.entries_of(mesh, &find) });
         }
         (self.element_entries, self.chains) = (element_entries, chains);
@@ -344,6 +347,11 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     fn lay_out_ports(&mut self) {
         let mut port_rows = Vec::new();
         for mesh in &self.meshes {
+            for node in &mesh.ports {
+                if let Owner::Port { handed, .. } = mesh.owners[*node] {
+                    self.ports.push((mesh.first_node + node, handed as usize));
+                }
+            }
             port_rows.extend(mesh.ports.iter().map(|node| self.rows_reached(mesh, *node)));
         }
         self.port_rows = port_rows;

@@ -23,7 +23,7 @@ use crate::lagrange::{self, EquationsOfMotion};
 use crate::linear::is_homogeneous;
 use crate::linearize::{Linearization, Partials, linearize};
 use crate::lower::Graph;
-use crate::program::FieldProgram;
+use crate::program::{FieldProgram, LocalForces};
 use crate::system::{
     Coordinate, Field, FirstOrderState, GeneralizedForce, LagrangianSystem, Quantity,
 };
@@ -137,12 +137,22 @@ pub fn lower(field: &Field, equations: &FieldEquations) -> FieldProgram {
     let slopes = build.nodes(equations.places.iter().flat_map(|(_, slopes)| slopes));
     let initial = build.nodes(&field.initial);
     let tape = |nodes: &[NodeId]| -> Tape { build.graph.tape(nodes) };
-    let [on_value, on_slope] = [0, 1].map(|row| tape(&force[row..=row]));
+    // The derivative by time stands behind that by x.
+    let by_time = force_gradient[if place.is_some() { 2 } else { 0 }];
+    let [u, u_x, u_t, u_xt] = [U, U_X, U_T, U_XT].map(|entry| entry as usize);
+    let local = LocalForces {
+        on_value: tape(&force[..1]),
+        on_value_jacobian: tape(&[force_jacobian[u], force_jacobian[u_t]]),
+        on_value_by_time: tape(&[by_time]),
+        on_slope: tape(&force[1..]),
+        on_slope_jacobian: tape(&[force_jacobian[4 + u_x], force_jacobian[4 + u_xt]]),
+    };
+    let is_local = reads_only(&local.on_value, &[U, U_T, X], true)
+        && reads_only(&local.on_slope, &[U_X, U_XT], false);
     let force = tape(&force);
     FieldProgram {
         is_linear: is_homogeneous(&force, X),
-        is_local: reads_only(&on_value, &[U, U_T, X], true)
-            && reads_only(&on_slope, &[U_X, U_XT], false),
+        local: is_local.then_some(local),
         field: field.clone(),
         layout: motion.layout.clone(),
         parameters: equations.parameters.clone(),

@@ -124,6 +124,21 @@ impl Program {
     }
 }
 
+/// f_0 and f_1 of a field where they have nothing in common.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LocalForces {
+    /// f_0.
+    pub on_value: Tape,
+    /// df_0/du and df_0/du_t.
+    pub on_value_jacobian: Tape,
+    /// df_0/dt.
+    pub on_value_by_time: Tape,
+    /// f_1.
+    pub on_slope: Tape,
+    /// df_1/du_x and df_1/du_xt.
+    pub on_slope_jacobian: Tape,
+}
+
 /// What is computed at a point of a field. The state of the tapes is \[u, u_x, u_t,
 /// u_xt, x\]; forces come in twos, on u and on u_x.
 #[derive(Debug, Clone, PartialEq)]
@@ -143,9 +158,9 @@ pub struct FieldProgram {
     /// Whether forces are linear in u, u_x, u_t and u_xt, without anything else, and
     /// the same at all times.
     pub is_linear: bool,
-    /// Whether f_0 depends on neither u_x nor u_xt, and f_1 on nothing but these and
-    /// parameters.
-    pub is_local: bool,
+    /// Forces one by one, if f_0 depends on neither u_x nor u_xt, and f_1 on nothing but
+    /// these and parameters.
+    pub local: Option<LocalForces>,
     /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
     pub force_jacobian: Tape,
     /// Twos of their derivatives with respect to x, t, and `parameters`.

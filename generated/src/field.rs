@@ -229,7 +229,9 @@ pub trait FieldScene<R: Real>: Simulator<R> {
         [by_u_x, by_u_xt]: [&mut [R]; 2],
     ) {
         let zero = R::literal(0.0);
-        for ((u_x, u_xt), (by_u_x, by_u_xt)) in u_x.iter().zip(u_xt).zip(by_u_x.iter_mut().zip(by_u_xt)) {
+        for ((u_x, u_xt), (by_u_x, by_u_xt)) in
+            u_x.iter().zip(u_xt).zip(by_u_x.iter_mut().zip(by_u_xt))
+        {
             let by = self.field_force_jacobian(index, zero, zero, &[zero, *u_x, zero, *u_xt], p);
             (*by_u_x, *by_u_xt) = (by[5], by[7]);
         }

@@ -65,7 +65,8 @@ impl Chain {
                 return Row::None;
             };
             let beside = columns_beside(mesh, node, &columns);
-            let places = beside.map(|column| if column == NOWHERE { NOWHERE } else { find(row, column) });
+            let places =
+                beside.map(|column| if column == NOWHERE { NOWHERE } else { find(row, column) });
             let first = places[0];
             if first != NOWHERE && (0..6).all(|k| places[k] == first + k as u32) {
                 Row::Together(first)
@@ -102,8 +103,7 @@ impl Chain {
     ) {
         self.slopes((mesh, constants), work);
         let (nodes, elements) = (mesh.nodes(), mesh.owners.len() - 1);
-        let values =
-            [&constants.x[nodes.clone()], &work.u[nodes.clone()], &work.v[nodes.clone()]];
+        let values = [&constants.x[nodes.clone()], &work.u[nodes.clone()], &work.v[nodes.clone()]];
         let force = &mut work.force[nodes.clone()];
         scene.field_forces_on_values(self.field, time, values, &work.p, force);
         let slopes = [&work.u_x[..elements], &work.v_x[..elements]];
@@ -115,7 +115,9 @@ impl Chain {
             *force = *force * *length + (before - *after);
             before = *after;
         }
-        if let (Some(force), Some(length)) = (force.last_mut(), constants.lengths[mesh.nodes()].last()) {
+        if let (Some(force), Some(length)) =
+            (force.last_mut(), constants.lengths[mesh.nodes()].last())
+        {
             *force = *force * *length + before;
         }
     }
@@ -129,8 +131,7 @@ impl Chain {
         work: &mut Work<R>,
     ) {
         let nodes = mesh.nodes();
-        let values =
-            [&constants.x[nodes.clone()], &work.u[nodes.clone()], &work.v[nodes.clone()]];
+        let values = [&constants.x[nodes.clone()], &work.u[nodes.clone()], &work.v[nodes.clone()]];
         let count = scene.field(self.field).parameters.len();
         let change = &mut work.force_change[nodes.clone()];
         let into = (&mut work.gradient[..2 * (2 + count)], &mut *change);
@@ -193,12 +194,7 @@ impl Chain {
     }
 
     /// Derivatives by slopes to those by differences.
-    fn over_lengths<R: Real>(
-        &self,
-        mesh: &Mesh,
-        constants: &Constants<'_, R>,
-        by: [&mut [R]; 2],
-    ) {
+    fn over_lengths<R: Real>(&self, mesh: &Mesh, constants: &Constants<'_, R>, by: [&mut [R]; 2]) {
         let bounds = constants.bounds(mesh.bounds(self.field));
         for by in by {
             for (segment, ends) in mesh.segments.iter().zip(bounds.windows(2)) {

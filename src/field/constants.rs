@@ -82,7 +82,7 @@ impl<R: Real> FieldSimulator<'_, R> {
 
     /// Puts inertias of ports among the parameters of the machine.
     pub(super) fn hand_over_inertias(&self, inertia: &[R], work: &mut Work<R>) {
-        for (node, handed) in self.ports() {
+        for (node, handed) in self.ports.iter().copied() {
             work.p[handed] = inertia[node];
         }
     }
@@ -148,7 +148,7 @@ impl<R: Real> FieldSimulator<'_, R> {
                 }
             }
         }
-        for (node, handed) in self.ports() {
+        for (node, handed) in self.ports.iter().copied() {
             work.p[handed + 1] = work.force[node];
         }
     }

@@ -9,10 +9,7 @@ use super::FieldSimulator;
 
 /// Terms of the excitation of a scene whose machine and fields are linear, `border` being
 /// where the machine's entries are in the state.
-pub(super) fn terms<R: Real>(
-    scene: &dyn FieldScene<R>,
-    border: &[u32],
-) -> Option<Vec<(u32, u32)>> {
+pub(super) fn terms<R: Real>(scene: &dyn FieldScene<R>, border: &[u32]) -> Option<Vec<(u32, u32)>> {
     let linear = scene.linear()?;
     let is_linear = (0..scene.fields()).all(|index| scene.field_is_linear(index));
     let terms = linear.excitation_terms().iter();
@@ -31,7 +28,7 @@ impl<R: Real> LinearEquations<R> for FieldSimulator<'_, R> {
         self.compute_constants(parameters, work, &mut constants);
         work.constants = constants;
         // Without motion there is no force of a field.
-        for (_, handed) in self.ports() {
+        for (_, handed) in self.ports.iter().copied() {
             work.p[handed + 1] = R::literal(0.0);
         }
         linear.excitation(time, &work.p, values);

@@ -164,7 +164,18 @@ fn mesh<R: Real>(
     let runs = runs(&owners);
     let is_port = |node: &usize| matches!(owners[*node], Owner::Port { .. });
     let ports = (0..nodes).filter(is_port).collect();
-    Ok(Mesh { rule, order, segments, owners, attached, first_node, first_segment, own_nodes, runs, ports })
+    Ok(Mesh {
+        rule,
+        order,
+        segments,
+        owners,
+        attached,
+        first_node,
+        first_segment,
+        own_nodes,
+        runs,
+        ports,
+    })
 }
 
 fn runs(owners: &[Owner]) -> Vec<Run> {

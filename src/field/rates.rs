@@ -68,7 +68,7 @@ impl<R: Real> FieldSimulator<'_, R> {
             elements.force_by_time(self.scene, (time, &work.p), motion, changes);
         }
         self.weigh_ports(time, work);
-        for (port, (node, _)) in self.ports().enumerate() {
+        for (port, (node, _)) in self.ports.iter().copied().enumerate() {
             for (row, weight) in self.port_rows[port].iter().zip(&work.port_weights[port]) {
                 let change = &mut derivative[row.row as usize];
                 *change = *change + *weight * work.force_change[node];
@@ -154,21 +154,26 @@ impl<R: Real> FieldSimulator<'_, R> {
         let mut places = self.element_entries[index].iter();
         let at_ports = &mut work.at_ports;
         at_ports.clear();
-        elements.force_jacobian(self.scene, (time, &work.p), motion, |element, i, j, by_u, by_v| {
-            let row = element * mesh.order + i;
-            let place = places.next().map_or([NOWHERE; 2], |place| *place);
-            if place[0] != NOWHERE {
-                for (place, by) in place.into_iter().zip([by_u, by_v]) {
-                    let value = &mut values[place as usize];
-                    *value = *value + by * inverse[row];
+        elements.force_jacobian(
+            self.scene,
+            (time, &work.p),
+            motion,
+            |element, i, j, by_u, by_v| {
+                let row = element * mesh.order + i;
+                let place = places.next().map_or([NOWHERE; 2], |place| *place);
+                if place[0] != NOWHERE {
+                    for (place, by) in place.into_iter().zip([by_u, by_v]) {
+                        let value = &mut values[place as usize];
+                        *value = *value + by * inverse[row];
+                    }
+                } else if mesh.ports.contains(&row) {
+                    let columns = self.columns(mesh.owners[element * mesh.order + j]);
+                    for (column, by) in columns.into_iter().flatten().zip([by_u, by_v]) {
+                        at_ports.push((row, column, by));
+                    }
                 }
-            } else if mesh.ports.contains(&row) {
-                let columns = self.columns(mesh.owners[element * mesh.order + j]);
-                for (column, by) in columns.into_iter().flatten().zip([by_u, by_v]) {
-                    at_ports.push((row, column, by));
-                }
-            }
-        });
+            },
+        );
         for node in &mesh.ports {
             for (row, weight) in self.port_rows[*port].iter().zip(&work.port_weights[*port]) {
                 for (_, column, by) in at_ports.iter().filter(|(at, ..)| at == node) {

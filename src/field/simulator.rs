@@ -155,16 +155,6 @@ impl<R: Real> FieldSimulator<'_, R> {
             })
         })
     }
-
-    /// Every port: node among those of all, and first of the parameters handed over.
-    pub(super) fn ports(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.meshes.iter().flat_map(|mesh| {
-            mesh.owners.iter().zip(mesh.nodes()).filter_map(|(owner, node)| match owner {
-                Owner::Port { handed, .. } => Some((node, *handed as usize)),
-                _ => None,
-            })
-        })
-    }
 }
 
 impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
@@ -371,7 +361,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             energy.potential = energy.potential + potential;
         }
         // The machine has counted its nodes of the fields already.
-        for (node, _) in self.ports() {
+        for (node, _) in self.ports.iter().copied() {
             let v = work.v[node];
             energy.kinetic = energy.kinetic - R::literal(0.5) * work.inertia[node] * v * v;
         }
@@ -396,7 +386,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             balance.stored_rate = balance.stored_rate + work.v[node] * work.force[node];
         }
         // What a field does to its node of the machine comes from nowhere else.
-        for (node, _) in self.ports() {
+        for (node, _) in self.ports.iter().copied() {
             balance.supplied = balance.supplied - work.v[node] * work.force[node];
         }
         balance

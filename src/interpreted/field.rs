@@ -104,7 +104,7 @@ impl FieldScene<f64> for InterpretedSimulator {
         self.program.fields[index].is_linear
     }
     fn field_is_local(&self, index: usize) -> bool {
-        self.program.fields[index].is_local
+        self.program.fields[index].local.is_some()
     }
     fn field_inertia(&self, index: usize, x: f64, p: &[f64]) -> f64 {
         let mut inertia = [0.0];

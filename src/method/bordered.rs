@@ -83,9 +83,9 @@ impl<S: ComplexField<RealField = f64> + Copy> Bordered<S> {
         };
         let mut targets: Vec<u32> = spots.iter().map(|spot| target(spot) as u32).collect();
         let diagonal = targets.split_off(entries.len());
-        let below = (0..).zip(&below).map(|(index, [row, column])| {
-            [*row, *column, (below_at + index) as u32]
-        });
+        let below = (0..)
+            .zip(&below)
+            .map(|(index, [row, column])| [*row, *column, (below_at + index) as u32]);
         Self {
             values: vec![S::zero(); corner_at + border.len() * border.len()],
             targets,
@@ -264,15 +264,13 @@ mod tests {
     }
 
     fn check<S: ComplexField<RealField = f64> + Copy>(of: impl Fn(f64, f64) -> S) {
-        for (size, width, border) in
-            [
-                (1, 0, vec![]),
-                (9, 1, vec![0, 4]),
-                (30, 1, vec![]),
-                (40, 3, vec![0, 1, 20, 39]),
-                (12, 2, vec![]),
-            ]
-        {
+        for (size, width, border) in [
+            (1, 0, vec![]),
+            (9, 1, vec![0, 4]),
+            (30, 1, vec![]),
+            (40, 3, vec![0, 1, 20, 39]),
+            (12, 2, vec![]),
+        ] {
             let is_border = |index: usize| border.contains(&index);
             let inner = |index: usize| index - border.iter().filter(|b| **b < index).count();
             let value = |row: usize, column: usize| {

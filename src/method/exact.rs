@@ -73,7 +73,7 @@ fn solution<'a>(
         stretch.system.note(format!("solved by its {} modes", modal.modes()));
         return Ok(Box::new(modal));
     }
-    let exponential = Exponential::new(piece, states, stretch.rtol)?;
+    let exponential = Exponential::new(piece, stretch, states)?;
     stretch.system.note("solved by the exponential of its matrix".to_owned());
     Ok(Box::new(exponential))
 }

@@ -1246,7 +1246,7 @@ pub mod shaft_u {
     ///
     /// 4 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         [
@@ -1447,6 +1447,83 @@ pub mod shaft_u {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
+    /// f_0 alone.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 2] {
+        [R::literal(0.0), R::literal(0.0)]
+    }
+    /// df_0/dt.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// f_1 alone.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, u_x, _, u_x_dot] = *point;
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        [
+            -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+                * (shaft_radius_squared * shaft_radius_squared)
+                * (u_x + p.shaft_damping_time * u_x_dot)),
+        ]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
+        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
+        [
+            -(t0 * shaft_radius_squared_squared),
+            -(t0 * p.shaft_damping_time * shaft_radius_squared_squared),
+        ]
+    }
 }
 
 impl<R: Real> FieldScene<R> for ReedBeatUp {
@@ -1610,8 +1687,12 @@ impl<R: Real> FieldScene<R> for ReedBeatUp {
         match index {
             0 => {
                 for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*force, _] = shaft_u::force(time, *x, &point, &p);
+                    [*force] = shaft_u::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
                 }
             }
             _ => no_field(index),
@@ -1640,12 +1721,7 @@ impl<R: Real> FieldScene<R> for ReedBeatUp {
                     .zip(by_u.iter_mut().zip(by_u_t))
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, _, *by.1, ..] = shaft_u::force_jacobian(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by.0, *by.1] = shaft_u::on_value_jacobian(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -1668,7 +1744,7 @@ impl<R: Real> FieldScene<R> for ReedBeatUp {
                 for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [_, _, *by_time, ..] = shaft_u::force_gradient(time, *x, &point, &p);
+                    [*by_time] = shaft_u::on_value_by_time(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -1688,7 +1764,7 @@ impl<R: Real> FieldScene<R> for ReedBeatUp {
             0 => {
                 for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [_, *force] = shaft_u::force(
+                    [*force] = shaft_u::on_slope(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,
@@ -1719,7 +1795,7 @@ impl<R: Real> FieldScene<R> for ReedBeatUp {
                     .zip(by_u_x.iter_mut().zip(by_u_xt))
                 {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [.., *by.0, _, *by.1] = shaft_u::force_jacobian(
+                    [*by.0, *by.1] = shaft_u::on_slope_jacobian(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,

@@ -1605,7 +1605,7 @@ pub mod saws_phi {
     ///
     /// 1 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         [p.saws_inertia / p.saws_length]
     }
@@ -1893,6 +1893,127 @@ pub mod saws_phi {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
+    /// f_0 alone.
+    ///
+    /// 26 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, _, phi_dot, _] = *point;
+        let t0 = (p.saws_mean
+            + p.saws_amplitude
+                * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
+                    .sin())
+            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
+                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x)
+            * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
+        [
+            -(t0
+                / (R::literal(1.0)
+                    + (-(R::literal(1.0) / p.saws_engagement_width
+                        * (time - p.saws_engagement_time)))
+                        .exp())),
+        ]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 29 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let [_, _, phi_dot, _] = *point;
+        let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
+        let t0 = (inverse_saws_standstill_band * phi_dot).tanh();
+        let t1 = inverse_saws_standstill_band * (R::literal(1.0) - t0 * t0)
+            * (p.saws_mean
+                + p.saws_amplitude
+                    * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                        * time)
+                        .sin())
+            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
+                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length)
+                    * x);
+        [
+            R::literal(0.0),
+            -(t1
+                / (R::literal(1.0)
+                    + (-(R::literal(1.0) / p.saws_engagement_width
+                        * (time - p.saws_engagement_time)))
+                        .exp())),
+        ]
+    }
+    /// df_0/dt.
+    ///
+    /// 38 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, _, phi_dot, _] = *point;
+        let t0 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
+        let t1 = (R::literal(1.0) - p.saws_growing) / p.saws_length
+            + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x;
+        let inverse_saws_engagement_width = R::literal(1.0) / p.saws_engagement_width;
+        let t2 = (-(inverse_saws_engagement_width * (time - p.saws_engagement_time)))
+            .exp();
+        let t3 = R::literal(1.0) + t2;
+        let t4 = (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
+        [
+            -(inverse_saws_engagement_width * (p.saws_mean + p.saws_amplitude * t0.sin())
+                * t1 * t2 * t4 / (t3 * t3))
+                - R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * t1
+                    * t0.cos() * t4 / t3,
+        ]
+    }
+    /// f_1 alone.
+    ///
+    /// 5 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, phi_x, _, phi_x_dot] = *point;
+        [
+            -(p.saws_shear_modulus * p.saws_polar_moment
+                * (phi_x + p.saws_damping_time * phi_x_dot)),
+        ]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 4 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let t0 = p.saws_shear_modulus * p.saws_polar_moment;
+        [-t0, -(t0 * p.saws_damping_time)]
+    }
 }
 
 impl<R: Real> FieldScene<R> for SawGinShaft {
@@ -2053,8 +2174,12 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
         match index {
             0 => {
                 for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*force, _] = saws_phi::force(time, *x, &point, &p);
+                    [*force] = saws_phi::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
                 }
             }
             _ => no_field(index),
@@ -2083,12 +2208,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
                     .zip(by_u.iter_mut().zip(by_u_t))
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, _, *by.1, ..] = saws_phi::force_jacobian(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by.0, *by.1] = saws_phi::on_value_jacobian(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -2111,12 +2231,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
                 for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [_, _, *by_time, ..] = saws_phi::force_gradient(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by_time] = saws_phi::on_value_by_time(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -2136,7 +2251,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
             0 => {
                 for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [_, *force] = saws_phi::force(
+                    [*force] = saws_phi::on_slope(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,
@@ -2167,7 +2282,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
                     .zip(by_u_x.iter_mut().zip(by_u_xt))
                 {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [.., *by.0, _, *by.1] = saws_phi::force_jacobian(
+                    [*by.0, *by.1] = saws_phi::on_slope_jacobian(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,

@@ -780,7 +780,7 @@ pub mod shaft_phi {
     ///
     /// 0 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         [p.shaft_density]
     }
@@ -935,6 +935,72 @@ pub mod shaft_phi {
     #[inline]
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
+    }
+    /// f_0 alone.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 2] {
+        [R::literal(0.0), R::literal(0.0)]
+    }
+    /// df_0/dt.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// f_1 alone.
+    ///
+    /// 4 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, phi_x, _, phi_x_dot] = *point;
+        [-(p.shaft_stiffness * (phi_x + p.shaft_damping_time * phi_x_dot))]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 3 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        [-p.shaft_stiffness, -(p.shaft_stiffness * p.shaft_damping_time)]
     }
 }
 
@@ -1099,8 +1165,12 @@ impl<R: Real> FieldScene<R> for ShaftStepTorque {
         match index {
             0 => {
                 for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*force, _] = shaft_phi::force(time, *x, &point, &p);
+                    [*force] = shaft_phi::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
                 }
             }
             _ => no_field(index),
@@ -1129,12 +1199,7 @@ impl<R: Real> FieldScene<R> for ShaftStepTorque {
                     .zip(by_u.iter_mut().zip(by_u_t))
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, _, *by.1, ..] = shaft_phi::force_jacobian(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by.0, *by.1] = shaft_phi::on_value_jacobian(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -1157,12 +1222,7 @@ impl<R: Real> FieldScene<R> for ShaftStepTorque {
                 for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [_, _, *by_time, ..] = shaft_phi::force_gradient(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by_time] = shaft_phi::on_value_by_time(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -1182,7 +1242,7 @@ impl<R: Real> FieldScene<R> for ShaftStepTorque {
             0 => {
                 for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [_, *force] = shaft_phi::force(
+                    [*force] = shaft_phi::on_slope(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,
@@ -1213,7 +1273,7 @@ impl<R: Real> FieldScene<R> for ShaftStepTorque {
                     .zip(by_u_x.iter_mut().zip(by_u_xt))
                 {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [.., *by.0, _, *by.1] = shaft_phi::force_jacobian(
+                    [*by.0, *by.1] = shaft_phi::on_slope_jacobian(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,

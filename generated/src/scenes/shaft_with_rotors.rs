@@ -843,7 +843,7 @@ pub mod shaft_phi {
     ///
     /// 0 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         [p.shaft_density]
     }
@@ -1001,6 +1001,72 @@ pub mod shaft_phi {
             p.twist * (R::literal(core::f64::consts::PI) / p.shaft_length * x).cos(),
             R::literal(0.0),
         ]
+    }
+    /// f_0 alone.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 2] {
+        [R::literal(0.0), R::literal(0.0)]
+    }
+    /// df_0/dt.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// f_1 alone.
+    ///
+    /// 4 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, phi_x, _, phi_x_dot] = *point;
+        [-(p.shaft_stiffness * (phi_x + p.shaft_damping_time * phi_x_dot))]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 3 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        [-p.shaft_stiffness, -(p.shaft_stiffness * p.shaft_damping_time)]
     }
 }
 
@@ -1165,8 +1231,12 @@ impl<R: Real> FieldScene<R> for ShaftWithRotors {
         match index {
             0 => {
                 for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*force, _] = shaft_phi::force(time, *x, &point, &p);
+                    [*force] = shaft_phi::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
                 }
             }
             _ => no_field(index),
@@ -1195,12 +1265,7 @@ impl<R: Real> FieldScene<R> for ShaftWithRotors {
                     .zip(by_u.iter_mut().zip(by_u_t))
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, _, *by.1, ..] = shaft_phi::force_jacobian(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by.0, *by.1] = shaft_phi::on_value_jacobian(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -1223,12 +1288,7 @@ impl<R: Real> FieldScene<R> for ShaftWithRotors {
                 for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [_, _, *by_time, ..] = shaft_phi::force_gradient(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by_time] = shaft_phi::on_value_by_time(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -1248,7 +1308,7 @@ impl<R: Real> FieldScene<R> for ShaftWithRotors {
             0 => {
                 for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [_, *force] = shaft_phi::force(
+                    [*force] = shaft_phi::on_slope(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,
@@ -1279,7 +1339,7 @@ impl<R: Real> FieldScene<R> for ShaftWithRotors {
                     .zip(by_u_x.iter_mut().zip(by_u_xt))
                 {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [.., *by.0, _, *by.1] = shaft_phi::force_jacobian(
+                    [*by.0, *by.1] = shaft_phi::on_slope_jacobian(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,

@@ -212,7 +212,8 @@ impl Factored {
             let (mut at_low, mut at_high) = ([0; LANES], [n as u32; LANES]);
             for _ in 0..HALVINGS {
                 let is_open = |lane: usize| {
-                    let is_alone = at_low[lane] == number(lane) && at_high[lane] == number(lane) + 1;
+                    let is_alone =
+                        at_low[lane] == number(lane) && at_high[lane] == number(lane) + 1;
                     let width = high[lane] - low[lane];
                     let rounding = 2.0 * f64::EPSILON * high[lane];
                     width > rounding.max(f64::MIN_POSITIVE)
@@ -241,11 +242,8 @@ impl Factored {
     /// The eigenvalue between two numbers, to rounding; its mode, of length one, is left
     /// in the room. Nothing if it does not settle.
     fn refine(&self, [mut low, mut high]: [f64; 2], room: &mut Room) -> Option<f64> {
-        let mut eigenvalue = if low == 0.0 && high <= f64::MIN_POSITIVE * 4.0 {
-            0.0
-        } else {
-            0.5 * (low + high)
-        };
+        let mut eigenvalue =
+            if low == 0.0 && high <= f64::MIN_POSITIVE * 4.0 { 0.0 } else { 0.5 * (low + high) };
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
             let correction = self.twisted(eigenvalue, room);

@@ -95,7 +95,9 @@ impl Forms {
         let by_mass = on_diagonal / mass[0];
         let by_mass = if (by_mass * mass[0]).abs() <= ROUNDING * size { 0.0 } else { by_mass };
         let mut rest: Vec<(usize, usize, f64)> = self.damping.clone();
-        rest.extend(self.stiffness.iter().map(|&(row, column, k)| (row, column, -by_stiffness * k)));
+        rest.extend(
+            self.stiffness.iter().map(|&(row, column, k)| (row, column, -by_stiffness * k)),
+        );
         rest.extend(mass.iter().enumerate().map(|(index, m)| (index, index, -by_mass * m)));
         rest.sort_by_key(|entry| (entry.0, entry.1));
         let sums = rest.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
@@ -175,11 +177,7 @@ impl Mass {
     }
 
     /// M times a matrix of these entries, likewise.
-    fn times_entries(
-        &self,
-        n: usize,
-        entries: &[(usize, usize, f64)],
-    ) -> Vec<(usize, usize, f64)> {
+    fn times_entries(&self, n: usize, entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
         match self {
             Mass::Diagonal(mass) => {
                 entries.iter().map(|&(row, column, v)| (row, column, mass[row] * v)).collect()

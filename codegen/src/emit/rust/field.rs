@@ -12,7 +12,7 @@ use super::names::{Namer, distinct};
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
 use crate::emit::{EmitError, tape_operations};
-use crate::program::FieldProgram;
+use crate::program::{FieldProgram, LocalForces};
 use crate::system::{Place, Quantity};
 use crate::tape::Tape;
 
@@ -115,6 +115,17 @@ fn functions(field: &FieldProgram) -> [(Manner, &Tape); 9] {
     ]
 }
 
+fn local_functions(local: &LocalForces) -> [(Manner, &Tape); 5] {
+    let manner = |name, doc| Manner { name, doc, of: Of::Motion, results: &[] };
+    [
+        (manner("on_value", "f_0 alone."), &local.on_value),
+        (manner("on_value_jacobian", "df_0/du and df_0/du_t."), &local.on_value_jacobian),
+        (manner("on_value_by_time", "df_0/dt."), &local.on_value_by_time),
+        (manner("on_slope", "f_1 alone."), &local.on_slope),
+        (manner("on_slope_jacobian", "df_1/du_x and df_1/du_xt."), &local.on_slope_jacobian),
+    ]
+}
+
 fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<TokenStream, EmitError> {
     let mut locals = Namer::for_locals();
     for reserved in ["x", "point", "R", "PARAMETERS", "places"] {
@@ -149,6 +160,7 @@ fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<Token
         results: &["value", "rate"],
     };
     let functions = functions(field).into_iter().chain([(initial, &field.initial)]);
+    let functions = functions.chain(field.local.as_ref().into_iter().flat_map(local_functions));
     let functions = functions.map(|(manner, tape)| function(scene, &manner, tape, &scope));
     let functions = functions.collect::<Result<Vec<_>, _>>()?;
     let count = Literal::usize_unsuffixed(field.parameters.len());
@@ -205,10 +217,13 @@ fn function(
     let operations = format!("{} operations.", tape_operations(tape));
     let docs = doc([manner.doc, "", operations.as_str()]);
     let (length, ident) = (Literal::usize_unsuffixed(results.len()), format_ident!("{name}"));
+    // Loops over points move out what no point decides, if they see it.
+    let is_looped_over = name == "inertia" || name.starts_with("on_");
+    let inline = if is_looped_over { quote!(#[inline(always)]) } else { quote!(#[inline]) };
     Ok(quote! {
         #docs
         #[must_use]
-        #[inline]
+        #inline
         pub fn #ident<R: Real>(#arguments #p: &Parameters<R>) -> [R; #length] {
             #destructured
             #(#statements)*
@@ -317,7 +332,7 @@ fn structure(fields: &[FieldProgram]) -> TokenStream {
         })
     };
     let linear = known("linear", &|field| field.is_linear);
-    let local = known("local", &|field| field.is_local);
+    let local = known("local", &|field| field.local.is_some());
     quote!(#linear #local)
 }
 
@@ -326,7 +341,7 @@ fn structure(fields: &[FieldProgram]) -> TokenStream {
 fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) -> TokenStream {
     let arms = |body: &dyn Fn(&Ident) -> TokenStream| {
         let arms = numbers.iter().zip(modules).zip(fields);
-        let arms = arms.filter(|(_, field)| field.is_local).map(|((number, module), _)| {
+        let arms = arms.filter(|(_, field)| field.local.is_some()).map(|((number, module), _)| {
             let body = body(module);
             quote!(#number => #body)
         });
@@ -339,7 +354,7 @@ fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) 
             }
         }
     };
-    if !fields.iter().any(|field| field.is_local) {
+    if !fields.iter().any(|field| field.local.is_some()) {
         return TokenStream::new();
     }
     let inertias = arms(&|module| {
@@ -353,8 +368,7 @@ fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) 
     let values = arms(&|module| {
         quote! {
             for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                let point = [*u, #zero, *u_t, #zero];
-                [*force, _] = #module::force(time, *x, &point, &p);
+                [*force] = #module::on_value(time, *x, &[*u, #zero, *u_t, #zero], &p);
             }
         }
     });
@@ -362,7 +376,7 @@ fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) 
         quote! {
             for (((x, u), u_t), by) in x.iter().zip(u).zip(u_t).zip(by_u.iter_mut().zip(by_u_t)) {
                 let point = [*u, #zero, *u_t, #zero];
-                [*by.0, _, *by.1, ..] = #module::force_jacobian(time, *x, &point, &p);
+                [*by.0, *by.1] = #module::on_value_jacobian(time, *x, &point, &p);
             }
         }
     });
@@ -370,7 +384,7 @@ fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) 
         quote! {
             for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t) {
                 let point = [*u, #zero, *u_t, #zero];
-                [_, _, *by_time, ..] = #module::force_gradient(time, *x, &point, &p);
+                [*by_time] = #module::on_value_by_time(time, *x, &point, &p);
             }
         }
     });
@@ -378,7 +392,7 @@ fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) 
         quote! {
             for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
                 let point = [#zero, *u_x, #zero, *u_xt];
-                [_, *force] = #module::force(#zero, #zero, &point, &p);
+                [*force] = #module::on_slope(#zero, #zero, &point, &p);
             }
         }
     });
@@ -386,7 +400,7 @@ fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) 
         quote! {
             for ((u_x, u_xt), by) in u_x.iter().zip(u_xt).zip(by_u_x.iter_mut().zip(by_u_xt)) {
                 let point = [#zero, *u_x, #zero, *u_xt];
-                [.., *by.0, _, *by.1] = #module::force_jacobian(#zero, #zero, &point, &p);
+                [*by.0, *by.1] = #module::on_slope_jacobian(#zero, #zero, &point, &p);
             }
         }
     });

@@ -1756,7 +1756,7 @@ pub mod shaft_phi {
     ///
     /// 4 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         [
             p.shaft_inertia * (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
@@ -2047,6 +2047,125 @@ pub mod shaft_phi {
                 / p.motor_pole_pairs,
         ]
     }
+    /// f_0 alone.
+    ///
+    /// 22 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, _, phi_dot, _] = *point;
+        [
+            -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
+                * (p.shaft_mean
+                    + p.shaft_amplitude
+                        * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                            * time)
+                            .sin())
+                * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
+                / (R::literal(1.0)
+                    + (-(R::literal(1.0) / p.shaft_engagement_width
+                        * (time - p.shaft_engagement_time)))
+                        .exp())),
+        ]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 25 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let [_, _, phi_dot, _] = *point;
+        let t0 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
+        [
+            R::literal(0.0),
+            -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
+                / (p.shaft_length * p.shaft_standstill_band)
+                * (R::literal(1.0) - t0 * t0)
+                * (p.shaft_mean
+                    + p.shaft_amplitude
+                        * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                            * time)
+                            .sin())
+                / (R::literal(1.0)
+                    + (-(R::literal(1.0) / p.shaft_engagement_width
+                        * (time - p.shaft_engagement_time)))
+                        .exp())),
+        ]
+    }
+    /// df_0/dt.
+    ///
+    /// 35 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, _, phi_dot, _] = *point;
+        let t0 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
+        let t1 = R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
+        let t2 = (-(R::literal(1.0) / p.shaft_engagement_width
+            * (time - p.shaft_engagement_time)))
+            .exp();
+        let t3 = R::literal(1.0) + t2;
+        let t4 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
+        [
+            -(t0 / (p.shaft_length * p.shaft_engagement_width)
+                * (p.shaft_mean + p.shaft_amplitude * t1.sin()) * t2 * t4 / (t3 * t3))
+                - R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude
+                    * p.shaft_speed * t0
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                    / p.shaft_length * t1.cos() * t4 / t3,
+        ]
+    }
+    /// f_1 alone.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, phi_x, _, phi_x_dot] = *point;
+        [
+            -(p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment
+                / (p.shaft_pieces - R::literal(1.0))
+                * (phi_x + p.shaft_loss_time * phi_x_dot)),
+        ]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let t0 = p.shaft_pieces - R::literal(1.0);
+        let t1 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
+        [-(t1 / t0), -(t1 * p.shaft_loss_time / t0)]
+    }
 }
 
 impl<R: Real> FieldScene<R> for M3 {
@@ -2207,8 +2326,12 @@ impl<R: Real> FieldScene<R> for M3 {
         match index {
             0 => {
                 for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*force, _] = shaft_phi::force(time, *x, &point, &p);
+                    [*force] = shaft_phi::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
                 }
             }
             _ => no_field(index),
@@ -2237,12 +2360,7 @@ impl<R: Real> FieldScene<R> for M3 {
                     .zip(by_u.iter_mut().zip(by_u_t))
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, _, *by.1, ..] = shaft_phi::force_jacobian(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by.0, *by.1] = shaft_phi::on_value_jacobian(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -2265,12 +2383,7 @@ impl<R: Real> FieldScene<R> for M3 {
                 for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [_, _, *by_time, ..] = shaft_phi::force_gradient(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by_time] = shaft_phi::on_value_by_time(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -2290,7 +2403,7 @@ impl<R: Real> FieldScene<R> for M3 {
             0 => {
                 for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [_, *force] = shaft_phi::force(
+                    [*force] = shaft_phi::on_slope(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,
@@ -2321,7 +2434,7 @@ impl<R: Real> FieldScene<R> for M3 {
                     .zip(by_u_x.iter_mut().zip(by_u_xt))
                 {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [.., *by.0, _, *by.1] = shaft_phi::force_jacobian(
+                    [*by.0, *by.1] = shaft_phi::on_slope_jacobian(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,

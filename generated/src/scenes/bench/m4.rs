@@ -961,7 +961,7 @@ pub mod shaft_theta {
     ///
     /// 4 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         [
@@ -1154,6 +1154,83 @@ pub mod shaft_theta {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
+    /// f_0 alone.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 2] {
+        [R::literal(0.0), R::literal(0.0)]
+    }
+    /// df_0/dt.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// f_1 alone.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, theta_x, _, _] = *point;
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        [
+            -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
+                * (shaft_radius_squared * shaft_radius_squared)
+                / (R::literal(1.0) + p.shaft_poisson) * theta_x),
+        ]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 7 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        [
+            -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
+                * (shaft_radius_squared * shaft_radius_squared)
+                / (R::literal(1.0) + p.shaft_poisson)),
+            R::literal(0.0),
+        ]
+    }
 }
 
 impl<R: Real> FieldScene<R> for M4 {
@@ -1317,8 +1394,12 @@ impl<R: Real> FieldScene<R> for M4 {
         match index {
             0 => {
                 for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*force, _] = shaft_theta::force(time, *x, &point, &p);
+                    [*force] = shaft_theta::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
                 }
             }
             _ => no_field(index),
@@ -1347,7 +1428,7 @@ impl<R: Real> FieldScene<R> for M4 {
                     .zip(by_u.iter_mut().zip(by_u_t))
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, _, *by.1, ..] = shaft_theta::force_jacobian(
+                    [*by.0, *by.1] = shaft_theta::on_value_jacobian(
                         time,
                         *x,
                         &point,
@@ -1375,12 +1456,7 @@ impl<R: Real> FieldScene<R> for M4 {
                 for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
                 {
                     let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [_, _, *by_time, ..] = shaft_theta::force_gradient(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
+                    [*by_time] = shaft_theta::on_value_by_time(time, *x, &point, &p);
                 }
             }
             _ => no_field(index),
@@ -1400,7 +1476,7 @@ impl<R: Real> FieldScene<R> for M4 {
             0 => {
                 for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [_, *force] = shaft_theta::force(
+                    [*force] = shaft_theta::on_slope(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,
@@ -1431,7 +1507,7 @@ impl<R: Real> FieldScene<R> for M4 {
                     .zip(by_u_x.iter_mut().zip(by_u_xt))
                 {
                     let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [.., *by.0, _, *by.1] = shaft_theta::force_jacobian(
+                    [*by.0, *by.1] = shaft_theta::on_slope_jacobian(
                         R::literal(0.0),
                         R::literal(0.0),
                         &point,

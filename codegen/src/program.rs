@@ -5,7 +5,7 @@ use crate::linear::Excitation;
 use crate::reduce::Reduction;
 use crate::state::{Layout, Motion};
 use crate::system::{Direction, Field, LagrangianSystem, Name};
-use crate::tape::Tape;
+use crate::tape::{Op, Tape};
 
 /// Structural nonzeros, sorted by row, then by column.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -110,6 +110,19 @@ pub struct Program {
 }
 
 impl Program {
+    /// Whether dy'/dy or the time derivative depends on the forces of fields.
+    #[must_use]
+    pub fn jacobian_reads_forces(&self) -> bool {
+        let attachments = self.fields.iter().flat_map(|field| &field.field.attachments);
+        // Behind the inertia of the node.
+        let forces: Vec<u32> = attachments.map(|at| at.handed.0 + 1).collect();
+        let tapes = [&self.rate_jacobian.tape, &self.time_derivative];
+        tapes
+            .into_iter()
+            .flat_map(|tape| &tape.nodes)
+            .any(|node| matches!(node.op, Op::Parameter(index) if forces.contains(&index)))
+    }
+
     /// Of each entry of the state, whether the spec gives its initial value, so that
     /// constraints may not move it.
     #[must_use]

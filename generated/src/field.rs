@@ -145,6 +145,11 @@ pub trait FieldScene<R: Real>: Simulator<R> {
     /// u and u_t at the start.
     fn field_initial(&self, index: usize, x: R, p: &[R]) -> [R; 2];
 
+    /// Whether the machine's Jacobian or time derivative depends on forces that fields hand
+    /// over, as where inertia moves.
+    fn jacobian_reads_forces(&self) -> bool {
+        true
+    }
     /// Whether f_0 and f_1 are linear in u, u_x, u_t and u_xt, without anything else, and
     /// the same at all times.
     fn field_is_linear(&self, _index: usize) -> bool {

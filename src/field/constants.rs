@@ -116,6 +116,31 @@ impl<R: Real> FieldSimulator<'_, R> {
         constants: &Constants<'_, R>,
         work: &mut Work<R>,
     ) {
+        self.load_motion(state, parameters, constants, work);
+        self.load_forces(time, constants, work);
+    }
+
+    /// As [`FieldSimulator::load`], without forces where derivatives do not need them.
+    pub(super) fn load_for_derivatives(
+        &self,
+        (time, state): (R, &[R]),
+        parameters: &[R],
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+    ) {
+        self.load_motion(state, parameters, constants, work);
+        if self.derivatives_read_forces {
+            self.load_forces(time, constants, work);
+        }
+    }
+
+    fn load_motion(
+        &self,
+        state: &[R],
+        parameters: &[R],
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+    ) {
         assert_eq!(state.len(), self.border_and_own(), "length of the state");
         assert_eq!(parameters.len(), self.parameters, "number of parameters");
         work.p[..self.parameters].copy_from_slice(parameters);
@@ -124,7 +149,7 @@ impl<R: Real> FieldSimulator<'_, R> {
             *value = state[*place as usize];
         }
         let (first, all) = (self.machine.coordinates, self.coordinates());
-        for (index, mesh) in self.meshes.iter().enumerate() {
+        for mesh in &self.meshes {
             let nodes = mesh.nodes();
             for run in &mesh.runs {
                 let (into, from) = (nodes.start + run.nodes.start, first + run.own);
@@ -138,9 +163,15 @@ impl<R: Real> FieldSimulator<'_, R> {
                 work.u[nodes.start + port] = state[coordinate as usize];
                 work.v[nodes.start + port] = state[coordinate as usize + all];
             }
+        }
+    }
+
+    fn load_forces(&self, time: R, constants: &Constants<'_, R>, work: &mut Work<R>) {
+        for (index, mesh) in self.meshes.iter().enumerate() {
             match &self.chains[index] {
                 Some(chain) => chain.force(self.scene, time, (mesh, constants), work),
                 None => {
+                    let nodes = mesh.nodes();
                     let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
                     let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
                     let force = &mut work.force[nodes];

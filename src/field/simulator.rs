@@ -233,7 +233,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         values: &mut [R],
     ) {
         let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
-        self.load((time, state), parameters, &constants, work);
+        self.load_for_derivatives((time, state), parameters, &constants, work);
         self.loaded_jacobian(time, &constants, work, values);
     }
 
@@ -317,7 +317,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         derivative: &mut [R],
     ) {
         let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
-        self.load((time, state), parameters, &constants, work);
+        self.load_for_derivatives((time, state), parameters, &constants, work);
         self.loaded_time_derivative(time, &constants, work, derivative);
     }
 

@@ -100,6 +100,9 @@ impl FieldScene<f64> for InterpretedSimulator {
             order: field.order,
         }
     }
+    fn jacobian_reads_forces(&self) -> bool {
+        self.program.jacobian_reads_forces()
+    }
     fn field_is_linear(&self, index: usize) -> bool {
         self.program.fields[index].is_linear
     }

@@ -263,7 +263,7 @@ mod tests {
         value - value.floor() - 0.5
     }
 
-    fn check<S: ComplexField<RealField = f64> + Copy>(of: impl Fn(f64, f64) -> S) {
+    fn check<S: ComplexField<RealField = f64> + Copy>(of: impl Fn(f64, f64) -> S, diagonal: f64) {
         for (size, width, border) in [
             (1, 0, vec![]),
             (9, 1, vec![0, 4]),
@@ -276,8 +276,7 @@ mod tests {
             let value = |row: usize, column: usize| {
                 let near = inner(row).abs_diff(inner(column)) <= width;
                 let used = is_border(row) || is_border(column) || near;
-                // Small on the diagonal, so that rows are exchanged.
-                let scale = if row == column { 0.01 } else { 1.0 };
+                let scale = if row == column { diagonal } else { 1.0 };
                 used.then(|| of(scale * number(row, column), scale * number(column, row)))
             };
             let places = || (0..size).flat_map(|row| (0..size).map(move |column| (row, column)));
@@ -306,8 +305,11 @@ mod tests {
 
     #[test]
     fn a_solution_satisfies_its_equations_with_band_and_border() {
-        check::<f64>(|real, _| real);
-        check::<Complex64>(Complex64::new);
+        // Small on the diagonal, so that rows are exchanged, and large, so that none are.
+        for diagonal in [0.01, 300.0] {
+            check::<f64>(|real, _| real, diagonal);
+            check::<Complex64>(Complex64::new, diagonal);
+        }
     }
 
     #[test]

@@ -69,7 +69,7 @@ fn solution<'a>(
 ) -> Result<Box<dyn Solution + 'a>, String> {
     let states = &state[..piece.states()];
     stretch.system.count(|work| work.factorizations += 1);
-    if let Some(modal) = Modal::new(piece, stretch, states) {
+    if let Some(modal) = Modal::new(piece, stretch, states)? {
         stretch.system.note(format!("solved by its {} modes", modal.modes()));
         return Ok(Box::new(modal));
     }

@@ -2370,6 +2370,9 @@ impl<R: Real> FieldScene<R> for LoomDrive {
             _ => no_field(index),
         }
     }
+    fn jacobian_reads_forces(&self) -> bool {
+        false
+    }
     fn field_is_linear(&self, index: usize) -> bool {
         matches!(index, 0)
     }

@@ -28,12 +28,18 @@ const STUCK: f64 = 16.0;
 /// A ground spring below the rounding of the springs beside it is none.
 const NO_SPRING: f64 = 4.0 * f64::EPSILON;
 
-/// Eigenvalues of M^-1 K, and its modes by columns, of length one by mass; nothing if K
-/// is no such chain. `stiffness` has each entry of K once.
-pub(super) fn modes(
-    mass: &[f64],
-    stiffness: &[(usize, usize, f64)],
-) -> Option<(Vec<f64>, DMatrix<f64>)> {
+/// Eigenvalues of M^-1 K, and its modes.
+pub(super) struct ChainModes {
+    pub(super) eigenvalues: Vec<f64>,
+    /// Modes by columns, of length one by mass.
+    pub(super) shapes: DMatrix<f64>,
+    /// Largest product of neighbouring modes by mass, which would be zero: how far
+    /// rounding has mixed modes that lie close.
+    pub(super) mixing: f64,
+}
+
+/// Nothing if K is no such chain. `stiffness` has each entry of K once.
+pub(super) fn modes(mass: &[f64], stiffness: &[(usize, usize, f64)]) -> Option<ChainModes> {
     let n = mass.len();
     if mass.iter().any(|mass| !(*mass > 0.0 && mass.is_finite())) {
         return None;
@@ -41,21 +47,26 @@ pub(super) fn modes(
     let matrix = Tridiagonal::of(n, stiffness)?;
     let mut eigenvalues = Vec::with_capacity(n);
     let mut shapes = DMatrix::zeros(n, n);
+    let mut mixing: f64 = 0.0;
     for line in &matrix.lines {
         let chain = Factored::new(mass, &matrix, line)?;
         let first = eigenvalues.len();
         let mut room = Room::new(line.len());
         let enclosed = chain.enclosures();
+        let mut before = vec![0.0; line.len()];
         for (index, ends) in enclosed.iter().enumerate() {
             let eigenvalue = chain.refine(*ends, &mut room)?;
             let mut shape = shapes.column_mut(first + index);
             for (place, value) in line.iter().zip(&room.mode) {
                 shape[*place] = *value / mass[*place].sqrt();
             }
+            let product: f64 = room.mode.iter().zip(&before).map(|(a, b)| a * b).sum();
+            mixing = mixing.max(product.abs());
+            before.copy_from_slice(&room.mode);
             eigenvalues.push(eigenvalue);
         }
     }
-    Some((eigenvalues, shapes))
+    Some(ChainModes { eigenvalues, shapes, mixing })
 }
 
 /// A matrix whose graph is lines that do not touch.
@@ -352,7 +363,9 @@ mod tests {
     fn a_uniform_chain_has_the_modes_of_the_textbook() {
         for n in [2, 3, 10, 150] {
             for is_held in [true, false] {
-                let (found, shapes) = modes(&vec![1.0; n], &uniform(n, is_held)).unwrap();
+                let chain = modes(&vec![1.0; n], &uniform(n, is_held)).unwrap();
+                let (found, shapes) = (chain.eigenvalues, chain.shapes);
+                assert!(chain.mixing < 1e-10, "{n}: {}", chain.mixing);
                 for (index, found) in found.iter().enumerate() {
                     let angle = if is_held {
                         PI * (index + 1) as f64 / (n + 1) as f64
@@ -384,7 +397,7 @@ mod tests {
         // Two halves of a rigid body, on a soft spring: w^2 = g/(m + m) (1 + O(g/k)).
         let (k, g) = (1e15, 1.0);
         let entries = [(0, 0, k + g), (0, 1, -k), (1, 0, -k), (1, 1, k)];
-        let (found, _) = modes(&[1.0, 1.0], &entries).unwrap();
+        let found = modes(&[1.0, 1.0], &entries).unwrap().eigenvalues;
         // k + g is rounded to a multiple of 1/8.
         assert!((found[0] - 0.5).abs() < 1e-14, "{found:?}");
         assert!((found[1] / (2.0 * k) - 1.0).abs() < 1e-14, "{found:?}");
@@ -403,7 +416,7 @@ mod tests {
             (0, 2, -1.0),
             (2, 0, -1.0),
         ];
-        let (mut found, _) = modes(&[1.0; 4], &line).unwrap();
+        let mut found = modes(&[1.0; 4], &line).unwrap().eigenvalues;
         found.sort_by(f64::total_cmp);
         for (found, exact) in found.iter().zip([0.0, 1.0, 3.0, 7.0]) {
             assert!((found - exact).abs() < 1e-14, "{found} is not {exact}");

@@ -29,6 +29,8 @@ pub(super) struct Modes {
     pub(super) stiffnesses: Vec<f64>,
     pub(super) dampings: Vec<f64>,
     pub(super) shapes: DMatrix<f64>,
+    /// How far rounding has mixed them, where that is known.
+    pub(super) mixing: f64,
 }
 
 impl Forms {
@@ -67,9 +69,10 @@ impl Forms {
     fn modes_of_chain(&self) -> Option<Modes> {
         let Mass::Diagonal(mass) = &self.mass else { return None };
         let [by_mass, by_stiffness] = self.rayleigh(mass)?;
-        let (stiffnesses, shapes) = chain::modes(mass, &self.stiffness)?;
+        let chain = chain::modes(mass, &self.stiffness)?;
+        let (stiffnesses, shapes, mixing) = (chain.eigenvalues, chain.shapes, chain.mixing);
         let dampings = stiffnesses.iter().map(|k| by_mass + by_stiffness * k).collect();
-        Some(Modes { stiffnesses, dampings, shapes })
+        Some(Modes { stiffnesses, dampings, shapes, mixing })
     }
 
     /// a and b of D = a M + b K; nothing if D is another.
@@ -124,7 +127,7 @@ impl Forms {
         let mut shapes = modes_of(&stiffness, &inverse)?;
         let stiffnesses = stiffnesses(&stiffness, &mass, &mut shapes);
         let dampings = dampings(&damping, &shapes)?;
-        Some(Modes { stiffnesses, dampings, shapes })
+        Some(Modes { stiffnesses, dampings, shapes, mixing: 0.0 })
     }
 }
 

@@ -38,10 +38,30 @@ struct Mode {
 
 impl<'a> Modal<'a> {
     /// Nothing if the machine has no such modes, or not to the last digits.
-    pub(super) fn new(piece: &'a Piece, stretch: &Stretch<'_>, state: &[f64]) -> Option<Self> {
-        let forms = Forms::of(piece, stretch)?;
+    ///
+    /// # Errors
+    /// Why they would miss the tolerance.
+    pub(super) fn new(
+        piece: &'a Piece,
+        stretch: &Stretch<'_>,
+        state: &[f64],
+    ) -> Result<Option<Self>, String> {
+        let Some(forms) = Forms::of(piece, stretch) else { return Ok(None) };
+        let Some(modes) = forms.modes() else { return Ok(None) };
+        if modes.mixing > stretch.rtol {
+            return Err(format!(
+                "its modes lie so close that rounding mixes them by {:.0e}, more than the \
+                 tolerance; try the method `auto`",
+                modes.mixing
+            ));
+        }
+        Ok(Self::of(piece, &forms, modes, state))
+    }
+
+    /// Nothing if eigenvalues cannot be told apart without loss.
+    fn of(piece: &'a Piece, forms: &Forms, modes: Modes, state: &[f64]) -> Option<Self> {
         let n = forms.mass.len();
-        let Modes { stiffnesses, dampings, shapes } = forms.modes()?;
+        let Modes { stiffnesses, dampings, shapes, .. } = modes;
         let [position, velocity] = [&state[..n], &state[n..]].map(|vector| {
             let is_moved = vector.iter().any(|value| *value != 0.0);
             is_moved.then(|| shapes.tr_mul(&forms.mass.times(vector)))

@@ -12,7 +12,7 @@ use super::names::{Namer, distinct};
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
 use crate::emit::{EmitError, tape_operations};
-use crate::program::{FieldProgram, LocalForces};
+use crate::program::{FieldProgram, LocalForces, Program};
 use crate::system::{Place, Quantity};
 use crate::tape::Tape;
 
@@ -282,7 +282,7 @@ fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
         copied("places", &quote!(), &quote!()),
         copied("places_gradient", &quote!(), &quote!()),
     ];
-    let structure = structure(fields);
+    let structure = structure(scene.program);
     let many = many_points(&numbers, modules, fields);
     let inertia = arms(&quote!(inertia(x, &p)));
     let initial = arms(&quote!(initial(x, &p)));
@@ -318,7 +318,8 @@ fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
 }
 
 /// What is known of the forms of the densities, where it is more than nothing.
-fn structure(fields: &[FieldProgram]) -> TokenStream {
+fn structure(program: &Program) -> TokenStream {
+    let fields = &program.fields;
     let known = |name: &str, holds: &dyn Fn(&FieldProgram) -> bool| {
         let numbers = (0..fields.len()).filter(|index| holds(&fields[*index]));
         let numbers: Vec<Literal> = numbers.map(Literal::usize_unsuffixed).collect();
@@ -333,7 +334,12 @@ fn structure(fields: &[FieldProgram]) -> TokenStream {
     };
     let linear = known("linear", &|field| field.is_linear);
     let local = known("local", &|field| field.local.is_some());
-    quote!(#linear #local)
+    let reads_no_forces = (!program.jacobian_reads_forces()).then(|| {
+        quote! {
+            fn jacobian_reads_forces(&self) -> bool { false }
+        }
+    });
+    quote!(#reads_no_forces #linear #local)
 }
 
 /// The functions for many points at once of fields whose forces are local: loops over

@@ -2291,6 +2291,9 @@ impl<R: Real> FieldScene<R> for M3 {
             _ => no_field(index),
         }
     }
+    fn jacobian_reads_forces(&self) -> bool {
+        false
+    }
     fn field_is_local(&self, index: usize) -> bool {
         matches!(index, 0)
     }

@@ -1356,6 +1356,9 @@ impl<R: Real> FieldScene<R> for M4 {
             _ => no_field(index),
         }
     }
+    fn jacobian_reads_forces(&self) -> bool {
+        false
+    }
     fn field_is_linear(&self, index: usize) -> bool {
         matches!(index, 0)
     }

@@ -109,3 +109,30 @@ fn follow(algebra: &mut Algebra, tape: &Tape) -> Option<Vec<Sum>> {
     }
     Some(tape.results.iter().map(|id| sums[id.0 as usize].clone()).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_homogeneous;
+    use crate::tape::{Node, NodeId, Op, Tape};
+
+    fn tape(ops: &[Op]) -> Tape {
+        let nodes = ops.iter().map(|&op| Node { op, name: None }).collect();
+        Tape { nodes, results: vec![NodeId(ops.len() as u32 - 1)] }
+    }
+
+    #[test]
+    fn forces_are_linear_if_only_parameters_and_the_place_multiply_the_state() {
+        let (u, x, p) = (Op::State(0), Op::State(4), Op::Parameter(2));
+        let of = |op: fn(NodeId, NodeId) -> Op| op(NodeId(0), NodeId(1));
+        let product = |a, b| tape(&[a, b, of(Op::Mul)]);
+        assert!(is_homogeneous(&product(u, p), 4));
+        assert!(is_homogeneous(&product(x, u), 4));
+        assert!(is_homogeneous(&tape(&[u, Op::State(1), of(Op::Sub)]), 4));
+        assert!(is_homogeneous(&tape(&[Op::Literal(0.0)]), 4));
+        // A square, the place alone, an excitation, and a stiffness that moves with time.
+        assert!(!is_homogeneous(&product(u, u), 4));
+        assert!(!is_homogeneous(&product(x, p), 4));
+        assert!(!is_homogeneous(&tape(&[u, p, of(Op::Add)]), 4));
+        assert!(!is_homogeneous(&product(u, Op::Time), 4));
+    }
+}

@@ -168,16 +168,14 @@ impl<R: Real> FieldSimulator<'_, R> {
 
     fn load_forces(&self, time: R, constants: &Constants<'_, R>, work: &mut Work<R>) {
         for (index, mesh) in self.meshes.iter().enumerate() {
-            match &self.chains[index] {
-                Some(chain) => chain.force(self.scene, time, (mesh, constants), work),
-                None => {
-                    let nodes = mesh.nodes();
-                    let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
-                    let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-                    let force = &mut work.force[nodes];
-                    elements.force(self.scene, (time, &work.p), motion, force);
-                }
+            if let Some(chain) = &self.chains[index] {
+                chain.force(self.scene, time, (mesh, constants), work);
+                continue;
             }
+            let nodes = mesh.nodes();
+            let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
+            let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
+            elements.force(self.scene, (time, &work.p), motion, &mut work.force[nodes]);
         }
         for (node, handed) in self.ports.iter().copied() {
             work.p[handed + 1] = work.force[node];

@@ -240,12 +240,10 @@ fn columns<S: ComplexField<RealField = f64> + Copy>(
     let mut columns: Vec<Column<S>> = Vec::new();
     for (index, [column, row]) in entries.iter().enumerate() {
         let (number, entry) = (*column as usize, [*row, (first + index) as u32]);
-        match columns.iter_mut().find(|known| known.number == number) {
-            Some(known) => known.entries.push(entry),
-            None => {
-                let solved = vec![S::zero(); size];
-                columns.push(Column { number, entries: vec![entry], solved });
-            }
+        if let Some(known) = columns.iter_mut().find(|known| known.number == number) {
+            known.entries.push(entry);
+        } else {
+            columns.push(Column { number, entries: vec![entry], solved: vec![S::zero(); size] });
         }
     }
     columns

@@ -45,7 +45,9 @@ impl Forms {
         let (upper, lower): (Vec<_>, Vec<_>) =
             piece.entries.iter().copied().filter(|entry| entry.2 != 0.0).partition(|e| e.0 < n);
         let is_kinematic = upper.len() == n
-            && upper.iter().all(|&(row, column, value)| column == row + n && value == 1.0);
+            && upper.iter().all(|&(row, column, value)| {
+                column == row + n && value.to_bits() == 1.0_f64.to_bits()
+            });
         let mut forces = piece.waves.iter().flat_map(|wave| &wave.amplitudes);
         if !is_kinematic || forces.any(|(entry, _)| *entry < n) {
             return None;
@@ -90,7 +92,7 @@ impl Forms {
         };
         // Any spring tells b, then any inertia a.
         let is_coupling = |entry: &&(usize, usize, f64)| entry.0 != entry.1;
-        let by_stiffness = match self.stiffness.iter().filter(is_coupling).next() {
+        let by_stiffness = match self.stiffness.iter().find(is_coupling) {
             Some(&(row, column, spring)) => known(&self.damping, row, column) / spring,
             None => 0.0,
         };

@@ -10,10 +10,14 @@
 //! is computed a node costs the same for any number of them: rate, Jacobian and an
 //! implicit step are linear in the number of nodes.
 
+mod chain;
+mod constants;
+mod excitation;
 mod lobatto;
 mod mesh;
 #[cfg(feature = "linear")]
 mod modal;
+mod rates;
 mod simulator;
 
 use std::cell::RefCell;
@@ -21,6 +25,7 @@ use std::cell::RefCell;
 use machinist_scenes::field::{FieldScene, HANDED, MAX_ORDER};
 use machinist_scenes::{Real, Shape};
 
+use chain::{Chain, columns_beside};
 pub use lobatto::Lobatto;
 use mesh::{Mesh, Owner};
 #[cfg(feature = "linear")]
@@ -28,6 +33,9 @@ pub use modal::{ModalError, ModalSimulator};
 
 /// Elements that all fields of a scene may have together.
 pub const MAX_ELEMENTS: usize = 1_000_000;
+
+/// No place in a pattern.
+const NOWHERE: u32 = u32::MAX;
 
 /// How fields are cut into elements; what is not given is as the scene's spec says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -78,12 +86,34 @@ pub struct FieldSimulator<'a, R> {
     rate_jacobian: Vec<(u32, u32)>,
     /// Where the machine's entries of the Jacobian are.
     machine_entries: Vec<u32>,
-    /// Where the entries of every element are, by u and by u'.
-    element_entries: Vec<[u32; 2]>,
+    /// Of every field where the entries of its elements are, by u and by u'; of none
+    /// that is a chain.
+    element_entries: Vec<Vec<[u32; 2]>>,
+    /// Fields that are chains.
+    chains: Vec<Option<Chain>>,
+    /// Every port: node among those of all fields, and first of the parameters handed
+    /// over; and rows that the force on it reaches.
+    ports: Vec<(usize, usize)>,
+    port_rows: Vec<Vec<PortRow>>,
+    mass_is_diagonal: bool,
+    derivatives_read_forces: bool,
+    excitation_terms: Option<Vec<(u32, u32)>>,
     parameter_jacobian: Vec<(u32, u32)>,
     mass_matrix: Vec<(u32, u32)>,
     machine_parameter_jacobian: Vec<(u32, u32)>,
     work: RefCell<Work<R>>,
+}
+
+/// A row of the Jacobian that the force on a port reaches.
+struct PortRow {
+    row: u32,
+    /// Coordinate of the machine whose acceleration it is.
+    coordinate: u32,
+    /// Entry of the machine's derivatives by parameters.
+    by_force: u32,
+    /// Places of the derivatives by u, then by u', of the nodes before the port, at it
+    /// and after it.
+    places: [u32; 6],
 }
 
 /// Values between calls.
@@ -95,21 +125,35 @@ struct Work<R> {
     /// Its rate, or another result.
     result: Vec<R>,
     parameter_jacobian: Vec<R>,
-    /// Bounds of the segments of every field.
-    bounds: Vec<Vec<R>>,
+    /// Bounds of the segments of all fields.
+    bounds: Vec<R>,
+    /// What parameters decide, for calls that are not given it.
+    constants: Vec<R>,
     places: Vec<R>,
     /// u, u', M and F at every node of every field.
     u: Vec<R>,
     v: Vec<R>,
     inertia: Vec<R>,
     force: Vec<R>,
+    /// Of every element of a chain u_x and u_xt, f_1, and its derivatives; of every node
+    /// those of f_0.
+    u_x: Vec<R>,
+    v_x: Vec<R>,
+    on_slopes: Vec<R>,
+    by_slope: [Vec<R>; 2],
+    by_value: [Vec<R>; 2],
+    /// Of every port of a chain dF, as in [`PortRow::places`].
+    of_ports: Vec<[R; 6]>,
+    /// The machine's mass matrix, and what a force on each port does to each of its rows.
+    mass: Vec<R>,
+    port_weights: Vec<Vec<R>>,
     /// Derivatives of M and F.
     inertia_change: Vec<R>,
     force_change: Vec<R>,
     gradient: Vec<R>,
     slopes: Vec<R>,
     bound_changes: Vec<R>,
-    /// dF at ports: port, column, value.
+    /// dF at ports: node, column, value.
     at_ports: Vec<(usize, u32, R)>,
 }
 
@@ -140,6 +184,12 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             rate_jacobian: Vec::new(),
             machine_entries: Vec::new(),
             element_entries: Vec::new(),
+            chains: Vec::new(),
+            ports: Vec::new(),
+            port_rows: Vec::new(),
+            mass_is_diagonal: scene.mass_matrix_pattern().entries.iter().all(|(i, j)| i == j),
+            derivatives_read_forces: scene.jacobian_reads_forces(),
+            excitation_terms: None,
             parameter_jacobian: Vec::new(),
             mass_matrix: Vec::new(),
             machine_parameter_jacobian: scene.parameter_jacobian_pattern().entries.to_vec(),
@@ -149,7 +199,15 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         simulator.name_nodes();
         simulator.border = (0..machine.states()).map(|index| simulator.entry(index)).collect();
         simulator.lay_out_rate_jacobian();
+        simulator.lay_out_ports();
         simulator.lay_out_others();
+        simulator.excitation_terms = excitation::terms(scene, &simulator.border);
+        let constants = simulator.count_constants();
+        let weights = simulator.port_rows.iter().map(|rows| vec![R::literal(0.0); rows.len()]);
+        let weights = weights.collect();
+        let work = simulator.work.get_mut();
+        work.constants = vec![R::literal(0.0); constants];
+        work.port_weights = weights;
         Ok(simulator)
     }
 
@@ -186,7 +244,7 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
         self.place(parameters, &mut work);
         let mesh = &self.meshes[field];
         let mut x = vec![R::literal(0.0); mesh.owners.len()];
-        mesh.elements(field, &work.bounds[field]).places(&mut x);
+        mesh.elements(field, &work.bounds[mesh.bounds(field)]).places(&mut x);
         x
     }
 
@@ -255,25 +313,70 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
             entries.binary_search(&entry).map_or(u32::MAX, |index| index as u32)
         };
         self.machine_entries = machine.into_iter().map(find).collect();
-        let mut element_entries = Vec::new();
-        for mesh in &self.meshes {
-            for nodes in mesh.elements_of_nodes() {
-                for row in nodes.clone() {
-                    for column in nodes.clone() {
-                        let place = match (mesh.owners[row], self.columns(mesh.owners[column])) {
-                            (Owner::Field(own), Some(columns)) => {
-                                let row = n + self.machine.coordinates as u32 + own;
-                                columns.map(|column| find((row, column)))
-                            }
-                            _ => [u32::MAX; 2],
-                        };
-                        element_entries.push(place);
-                    }
+        let (mut element_entries, mut chains) = (Vec::new(), Vec::new());
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let is_chain = mesh.order == 1 && self.scene.field_is_local(index);
+            let place = |row, column| find((row, column));
+            chains.push(
+                is_chain.then(|| Chain::new(index, mesh, |owner| self.columns(owner), place)),
+            );
+            element_entries.push(if is_chain { Vec::new() } else { self.entries_of(mesh, &find) });
+        }
+        (self.element_entries, self.chains) = (element_entries, chains);
+        self.rate_jacobian = entries;
+    }
+
+    /// Places of the entries of every element, by u and by u'.
+    fn entries_of(&self, mesh: &Mesh, find: &dyn Fn((u32, u32)) -> u32) -> Vec<[u32; 2]> {
+        let first = (self.coordinates() + self.machine.coordinates) as u32;
+        let mut places = Vec::new();
+        for nodes in mesh.elements_of_nodes() {
+            for row in nodes.clone() {
+                for column in nodes.clone() {
+                    let place = match (mesh.owners[row], self.columns(mesh.owners[column])) {
+                        (Owner::Field(own), Some(columns)) => {
+                            columns.map(|column| find((first + own, column)))
+                        }
+                        _ => [NOWHERE; 2],
+                    };
+                    places.push(place);
                 }
             }
         }
-        self.element_entries = element_entries;
-        self.rate_jacobian = entries;
+        places
+    }
+
+    fn lay_out_ports(&mut self) {
+        let mut port_rows = Vec::new();
+        for mesh in &self.meshes {
+            for node in &mesh.ports {
+                if let Owner::Port { handed, .. } = mesh.owners[*node] {
+                    self.ports.push((mesh.first_node + node, handed as usize));
+                }
+            }
+            port_rows.extend(mesh.ports.iter().map(|node| self.rows_reached(mesh, *node)));
+        }
+        self.port_rows = port_rows;
+    }
+
+    /// Rows that the force on a port reaches, and where in them.
+    fn rows_reached(&self, mesh: &Mesh, node: usize) -> Vec<PortRow> {
+        let Owner::Port { handed, .. } = mesh.owners[node] else { return Vec::new() };
+        let beside = columns_beside(mesh, node, |owner| self.columns(owner));
+        let rows = self.rows_of_port(handed).map(|(by_force, row)| {
+            let entry = self.entry(row as usize);
+            let place = |column: u32| {
+                let place = self.rate_jacobian.binary_search(&(entry, column));
+                place.map_or(NOWHERE, |place| place as u32)
+            };
+            PortRow {
+                row: entry,
+                coordinate: row.saturating_sub(self.machine.positions as u32),
+                by_force: by_force as u32,
+                places: beside.map(place),
+            }
+        });
+        rows.collect()
     }
 
     /// Calls `see` with the owner of a row and the columns of every pair of nodes of
@@ -330,11 +433,17 @@ impl<'a, R: Real> FieldSimulator<'a, R> {
     }
 }
 
+/// Entry of a pattern.
+fn find(entries: &[(u32, u32)], row: u32, column: u32) -> usize {
+    entries.binary_search(&(row, column)).expect("the pattern was made of these entries")
+}
+
 impl<R: Real> Work<R> {
     fn new(scene: &dyn FieldScene<R>, meshes: &[Mesh]) -> Self {
         let zeros = |count: usize| vec![R::literal(0.0); count];
         let shape = scene.shape();
         let nodes: usize = meshes.iter().map(|mesh| mesh.owners.len()).sum();
+        let most_nodes = meshes.iter().map(|mesh| mesh.owners.len()).max().unwrap_or_default();
         let most = |count: &dyn Fn(usize) -> usize| {
             (0..scene.fields()).map(count).max().unwrap_or_default()
         };
@@ -345,12 +454,21 @@ impl<R: Real> Work<R> {
             state: zeros(shape.states()),
             result: zeros(shape.states().max(scene.rate_jacobian_pattern().entries.len())),
             parameter_jacobian: zeros(scene.parameter_jacobian_pattern().entries.len()),
-            bounds: meshes.iter().map(|mesh| zeros(mesh.segments.len() + 1)).collect(),
+            bounds: zeros(meshes.iter().map(|mesh| mesh.segments.len() + 1).sum()),
+            constants: Vec::new(),
             places: zeros(places),
             u: zeros(nodes),
             v: zeros(nodes),
             inertia: zeros(nodes),
             force: zeros(nodes),
+            u_x: zeros(most_nodes),
+            v_x: zeros(most_nodes),
+            on_slopes: zeros(most_nodes),
+            by_slope: [zeros(most_nodes), zeros(most_nodes)],
+            by_value: [zeros(most_nodes), zeros(most_nodes)],
+            of_ports: Vec::new(),
+            mass: zeros(scene.mass_matrix_pattern().entries.len()),
+            port_weights: Vec::new(),
             inertia_change: zeros(nodes),
             force_change: zeros(nodes),
             gradient: zeros(2 * (2 + parameters)),

@@ -7,6 +7,7 @@ mod model;
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use machinist::complex_step::ComplexStep;
+use machinist::{Method, Simulation};
 use machinist_scenes::{Real as _, bench};
 use model::Model;
 use nalgebra::{DMatrix, DVector};
@@ -30,10 +31,13 @@ fn model(key: &str) -> Model {
 
 /// Rates of the model's states: derivatives of the outputs along the rate.
 fn rates(model: &Model, time: f64, state: &[f64]) -> Vec<f64> {
-    let simulator = bench::find::<ComplexStep>(&model.scene).expect("an emitted scene");
     let parameters = model.parameters();
     let mut rate = vec![f64::NAN; state.len()];
     model.simulator.rate(time, state, &parameters, &mut rate);
+    if model.is_field() {
+        return model.states(time, &rate, &parameters);
+    }
+    let simulator = bench::find::<ComplexStep>(&model.scene).expect("an emitted scene");
     let parameters: Vec<ComplexStep> = parameters.into_iter().map(ComplexStep::literal).collect();
     // Outputs are linear in the states, so one state at a time adds up.
     let mut rates = vec![0.0; simulator.shape().outputs];
@@ -57,7 +61,11 @@ fn rates(model: &Model, time: f64, state: &[f64]) -> Vec<f64> {
 
 /// Compares rates at many states within the run.
 fn assert_rates(key: &str, by_hand: &Rate) {
-    let model = model(key);
+    assert_rates_of(&model(key), by_hand);
+}
+
+fn assert_rates_of(model: &Model, by_hand: &Rate) {
+    let key = &model.key;
     let until = model.simulator.run_defaults().until;
     let scales = model.scales();
     for point in 0..POINTS {
@@ -65,7 +73,7 @@ fn assert_rates(key: &str, by_hand: &Rate) {
         let state: Vec<f64> =
             scales.iter().enumerate().map(|(i, scale)| scale * angle(i).sin()).collect();
         let time = until * point as f64 / POINTS as f64;
-        let ours = rates(&model, time, &state);
+        let ours = rates(model, time, &state);
         let exact = by_hand(time, &model.states(time, &state, &model.parameters()));
         assert_eq!(ours.len(), exact.len(), "{}", model.key);
         let largest = exact.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
@@ -232,6 +240,45 @@ fn m4_is_the_reed_on_a_shaft() {
     assert_rates("M4:7", &m4(7));
     assert_starts_from("M4:7", &[0.0; 16]);
     assert_runs_until("M4:7", 0.5);
+}
+
+#[test]
+fn models_of_any_size_are_fields_of_elements_of_order_one() {
+    for pieces in [2, 10, 100] {
+        let key = format!("M3:{pieces}");
+        assert_rates_of(&Model::of_field(&key).expect("a field"), &m3(pieces));
+    }
+    for pieces in [7, 70] {
+        let key = format!("M4:{pieces}");
+        assert_rates_of(&Model::of_field(&key).expect("a field"), &m4(pieces));
+    }
+    let (field, written_out) = (Model::of_field("M3:10").expect("a field"), model("M3:10"));
+    let start = |model: &Model| {
+        let mut state = vec![f64::NAN; model.scales().len()];
+        model.simulator.initial_state(&model.parameters(), &mut state);
+        model.states(0.0, &state, &model.parameters())
+    };
+    for (ours, exact) in start(&field).iter().zip(start(&written_out)) {
+        assert!((ours - exact).abs() <= 1e-14 * exact.abs(), "{ours} is not {exact}");
+    }
+    assert_runs_until("M3:100", 0.5);
+    assert_runs_until("M4:70", 0.5);
+}
+
+#[test]
+fn a_field_and_the_same_chain_written_out_have_one_exact_solution() {
+    let ends = [Model::of_field("M4:7").expect("a field"), model("M4:7")].map(|model| {
+        let run = Simulation::new(model.simulator).method(Method::Exact).points(2);
+        let end = run.run().expect("a linear machine");
+        let count = model.simulator.shape().states();
+        let state: Vec<f64> = end.columns[..count].iter().map(|column| column.values[1]).collect();
+        model.states(0.5, &state, &model.parameters())
+    });
+    for (index, (field, written_out)) in ends[0].iter().zip(&ends[1]).enumerate() {
+        let size = [0.12, 3.0][index % 2];
+        let error = (field - written_out).abs() / size;
+        assert!(error < 1e-11, "state {index}: {field} is not {written_out}");
+    }
 }
 
 #[test]

@@ -20,13 +20,14 @@ use std::collections::BTreeSet;
 use crate::cas::Cas;
 use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
 use crate::lagrange::{self, EquationsOfMotion};
+use crate::linear::is_homogeneous;
 use crate::linearize::{Linearization, Partials, linearize};
 use crate::lower::Graph;
-use crate::program::FieldProgram;
+use crate::program::{FieldProgram, LocalForces};
 use crate::system::{
     Coordinate, Field, FirstOrderState, GeneralizedForce, LagrangianSystem, Quantity,
 };
-use crate::tape::{NodeId, Tape};
+use crate::tape::{NodeId, Op, Tape};
 
 /// A field with the derivatives of its densities.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,13 +137,28 @@ pub fn lower(field: &Field, equations: &FieldEquations) -> FieldProgram {
     let slopes = build.nodes(equations.places.iter().flat_map(|(_, slopes)| slopes));
     let initial = build.nodes(&field.initial);
     let tape = |nodes: &[NodeId]| -> Tape { build.graph.tape(nodes) };
+    // The derivative by time stands behind that by x.
+    let by_time = force_gradient[if place.is_some() { 2 } else { 0 }];
+    let [u, u_x, u_t, u_xt] = [U, U_X, U_T, U_XT].map(|entry| entry as usize);
+    let local = LocalForces {
+        on_value: tape(&force[..1]),
+        on_value_jacobian: tape(&[force_jacobian[u], force_jacobian[u_t]]),
+        on_value_by_time: tape(&[by_time]),
+        on_slope: tape(&force[1..]),
+        on_slope_jacobian: tape(&[force_jacobian[4 + u_x], force_jacobian[4 + u_xt]]),
+    };
+    let is_local = reads_only(&local.on_value, &[U, U_T, X], true)
+        && reads_only(&local.on_slope, &[U_X, U_XT], false);
+    let force = tape(&force);
     FieldProgram {
+        is_linear: is_homogeneous(&force, X),
+        local: is_local.then_some(local),
         field: field.clone(),
         layout: motion.layout.clone(),
         parameters: equations.parameters.clone(),
         inertia: tape(&inertia),
         inertia_gradient: tape(&inertia_gradient),
-        force: tape(&force),
+        force,
         force_jacobian: tape(&force_jacobian),
         force_gradient: tape(&force_gradient),
         energy: tape(&energy),
@@ -151,6 +167,22 @@ pub fn lower(field: &Field, equations: &FieldEquations) -> FieldProgram {
         places_gradient: tape(&slopes),
         initial: tape(&initial),
     }
+}
+
+/// Entries of the state of a field's tapes.
+const U: u32 = 0;
+const U_X: u32 = 1;
+const U_T: u32 = 2;
+const U_XT: u32 = 3;
+const X: u32 = 4;
+
+/// Whether a tape reads nothing of the state but these entries, and no time unless told.
+fn reads_only(tape: &Tape, entries: &[u32], time: bool) -> bool {
+    tape.nodes.iter().all(|node| match node.op {
+        Op::State(entry) => entries.contains(&entry),
+        Op::Time => time,
+        _ => true,
+    })
 }
 
 /// x among the symbols of a density.

@@ -6,6 +6,7 @@
 use crate::emit::{needed_nodes, tape_operations};
 use crate::program::Program;
 use crate::prune::reachable;
+use crate::scene::HANDED;
 use crate::structure::Dependence;
 use crate::tape::{Node, NodeId, Op, Tape};
 
@@ -25,8 +26,13 @@ impl Hoisted {
     /// on the same operands as before, so no result changes by a bit.
     #[must_use]
     pub fn new(program: &Program) -> Self {
-        let mut constants =
-            Constants { tape: Tape::default(), first: program.system.parameters.len() };
+        let fields = program.fields.iter().flat_map(|field| &field.field.attachments);
+        let mut constants = Constants {
+            tape: Tape::default(),
+            first: program.system.parameters.len(),
+            // All that a field hands over but the inertia of its node.
+            varying: fields.flat_map(|at| (1..HANDED as u32).map(|k| at.handed.0 + k)).collect(),
+        };
         let rate = constants.hoist(&program.rate);
         let rate_jacobian = constants.hoist(&program.rate_jacobian.tape);
         Self { constants: constants.tape, rate, rate_jacobian }
@@ -44,12 +50,14 @@ struct Constants {
     tape: Tape,
     /// Where constants begin among what tapes read as parameters.
     first: usize,
+    /// Parameters that are another at every rate.
+    varying: Vec<u32>,
 }
 
 impl Constants {
     /// The tape with constants in place of what is done once a run.
     fn hoist(&mut self, tape: &Tape) -> Tape {
-        let dependence = Dependence::of(tape);
+        let dependence = Dependence::with_varying(tape, &self.varying);
         let needed = needed_nodes(tape);
         let is_constant: Vec<bool> = (0..tape.nodes.len())
             .map(|index| {
@@ -132,7 +140,7 @@ mod tests {
         let first = tape(&[p, Op::State(0), product(0, 0), product(2, 1)], &[3]);
         let root = Op::Call(crate::expr::Function::Sqrt, NodeId(1));
         let second = tape(&[p, product(0, 0), root], &[1, 2]);
-        let mut constants = Constants { tape: Tape::default(), first: 1 };
+        let mut constants = Constants { tape: Tape::default(), first: 1, varying: Vec::new() };
         let (first, second) = (constants.hoist(&first), constants.hoist(&second));
         assert_eq!(first, tape(&[Op::State(0), Op::Parameter(1), product(1, 0)], &[2]));
         // The parameter itself is read by nothing any more.

@@ -55,6 +55,25 @@ impl Excitation {
     }
 }
 
+/// Whether the results of a tape are linear in the state, without anything else, with
+/// coefficients that parameters and one entry of the state, `place`, decide.
+#[must_use]
+pub fn is_homogeneous(tape: &Tape, place: u32) -> bool {
+    let parameters = tape.nodes.iter().filter_map(|node| match node.op {
+        Op::Parameter(index) => Some(index + 1),
+        _ => None,
+    });
+    let as_parameter = parameters.max().unwrap_or(0);
+    let mut tape = tape.clone();
+    for node in &mut tape.nodes {
+        if node.op == Op::State(place) {
+            node.op = Op::Parameter(as_parameter);
+        }
+    }
+    let mut algebra = Algebra::new();
+    follow(&mut algebra, &tape).is_some_and(|sums| sums.iter().all(Sum::is_of_states))
+}
+
 /// The results of a tape as sums of terms.
 fn follow(algebra: &mut Algebra, tape: &Tape) -> Option<Vec<Sum>> {
     let mut sums: Vec<Sum> = Vec::with_capacity(tape.nodes.len());
@@ -89,4 +108,31 @@ fn follow(algebra: &mut Algebra, tape: &Tape) -> Option<Vec<Sum>> {
         sums.push(sum);
     }
     Some(tape.results.iter().map(|id| sums[id.0 as usize].clone()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_homogeneous;
+    use crate::tape::{Node, NodeId, Op, Tape};
+
+    fn tape(ops: &[Op]) -> Tape {
+        let nodes = ops.iter().map(|&op| Node { op, name: None }).collect();
+        Tape { nodes, results: vec![NodeId(ops.len() as u32 - 1)] }
+    }
+
+    #[test]
+    fn forces_are_linear_if_only_parameters_and_the_place_multiply_the_state() {
+        let (u, x, p) = (Op::State(0), Op::State(4), Op::Parameter(2));
+        let of = |op: fn(NodeId, NodeId) -> Op| op(NodeId(0), NodeId(1));
+        let product = |a, b| tape(&[a, b, of(Op::Mul)]);
+        assert!(is_homogeneous(&product(u, p), 4));
+        assert!(is_homogeneous(&product(x, u), 4));
+        assert!(is_homogeneous(&tape(&[u, Op::State(1), of(Op::Sub)]), 4));
+        assert!(is_homogeneous(&tape(&[Op::Literal(0.0)]), 4));
+        // A square, the place alone, an excitation, and a stiffness that moves with time.
+        assert!(!is_homogeneous(&product(u, u), 4));
+        assert!(!is_homogeneous(&product(x, p), 4));
+        assert!(!is_homogeneous(&tape(&[u, p, of(Op::Add)]), 4));
+        assert!(!is_homogeneous(&product(u, Op::Time), 4));
+    }
 }

@@ -5,7 +5,7 @@ use crate::linear::Excitation;
 use crate::reduce::Reduction;
 use crate::state::{Layout, Motion};
 use crate::system::{Direction, Field, LagrangianSystem, Name};
-use crate::tape::Tape;
+use crate::tape::{Op, Tape};
 
 /// Structural nonzeros, sorted by row, then by column.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -110,6 +110,19 @@ pub struct Program {
 }
 
 impl Program {
+    /// Whether dy'/dy or the time derivative depends on the forces of fields.
+    #[must_use]
+    pub fn jacobian_reads_forces(&self) -> bool {
+        let attachments = self.fields.iter().flat_map(|field| &field.field.attachments);
+        // Behind the inertia of the node.
+        let forces: Vec<u32> = attachments.map(|at| at.handed.0 + 1).collect();
+        let tapes = [&self.rate_jacobian.tape, &self.time_derivative];
+        tapes
+            .into_iter()
+            .flat_map(|tape| &tape.nodes)
+            .any(|node| matches!(node.op, Op::Parameter(index) if forces.contains(&index)))
+    }
+
     /// Of each entry of the state, whether the spec gives its initial value, so that
     /// constraints may not move it.
     #[must_use]
@@ -122,6 +135,21 @@ impl Program {
         });
         given.collect()
     }
+}
+
+/// f_0 and f_1 of a field where they have nothing in common.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LocalForces {
+    /// f_0.
+    pub on_value: Tape,
+    /// df_0/du and df_0/du_t.
+    pub on_value_jacobian: Tape,
+    /// df_0/dt.
+    pub on_value_by_time: Tape,
+    /// f_1.
+    pub on_slope: Tape,
+    /// df_1/du_x and df_1/du_xt.
+    pub on_slope_jacobian: Tape,
 }
 
 /// What is computed at a point of a field. The state of the tapes is \[u, u_x, u_t,
@@ -140,6 +168,12 @@ pub struct FieldProgram {
     pub inertia_gradient: Tape,
     /// Forces.
     pub force: Tape,
+    /// Whether forces are linear in u, u_x, u_t and u_xt, without anything else, and
+    /// the same at all times.
+    pub is_linear: bool,
+    /// Forces one by one, if f_0 depends on neither u_x nor u_xt, and f_1 on nothing but
+    /// these and parameters.
+    pub local: Option<LocalForces>,
     /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
     pub force_jacobian: Tape,
     /// Twos of their derivatives with respect to x, t, and `parameters`.

@@ -17,6 +17,7 @@ mod spline;
 mod typed;
 
 pub(crate) use evaluate::evaluate;
+pub(crate) use layout::HANDED;
 pub use layout::Place;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Mistake};

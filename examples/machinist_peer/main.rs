@@ -26,7 +26,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use machinist::lanes::{F64x8, Lanes};
-use machinist::method::{Problem, Stopped, System};
+use machinist::method::{Problem, Stopped, System, Work};
 use machinist::{Method, Sweep};
 use machinist_scenes::{Describe, bench};
 use serde_json::{Value, json};
@@ -106,7 +106,12 @@ impl Arguments {
 }
 
 /// The state of a model at the end of its run, in the model's order.
-fn run(model: &Model, method: Method, rtol: f64, parameters: &[f64]) -> Result<Vec<f64>, Stopped> {
+fn run(
+    model: &Model,
+    method: Method,
+    rtol: f64,
+    parameters: &[f64],
+) -> Result<(Vec<f64>, Work), Stopped> {
     let simulator = model.simulator;
     let shape = simulator.shape();
     let mut initial = vec![0.0; shape.states()];
@@ -127,7 +132,7 @@ fn run(model: &Model, method: Method, rtol: f64, parameters: &[f64]) -> Result<V
         max_steps: MAX_STEPS,
     };
     let state = problem.integrate(method)?.rows;
-    Ok(model.states(span.until, &state, parameters))
+    Ok((model.states(span.until, &state, parameters), system.work()))
 }
 
 /// A function of time and state that writes numbers.
@@ -166,7 +171,8 @@ fn rhs(model: &Model) {
 
 /// Nanoseconds of one rate for each of eight states at once.
 fn rhs_in_lanes(model: &Model, states: &[Vec<f64>]) {
-    let Some(simulator) = bench::find::<F64x8>(&model.scene) else { return };
+    let written_out = bench::find::<F64x8>(&model.scene).filter(|_| !model.is_field());
+    let Some(simulator) = written_out else { return };
     let parameters: Vec<F64x8> = model.parameters().into_iter().map(F64x8::splat).collect();
     let mut constants = vec![F64x8::splat(0.0); simulator.constants()];
     simulator.prepare(&parameters, &mut constants);
@@ -223,9 +229,9 @@ fn simulate(model: &Model, arguments: &Arguments) -> Result<(), Box<dyn Error>> 
             let runs = times.len();
             let seconds = median(times);
             let line = match outcome {
-                Ok(state) => json!({
+                Ok((state, work)) => json!({
                     "solver": method.name(), "rtol": rtol, "seconds": seconds, "reps": runs,
-                    "final_state": state,
+                    "steps": work.steps, "rates": work.rate_evaluations, "final_state": state,
                 }),
                 Err(stopped) => json!({
                     "solver": method.name(), "rtol": rtol,

@@ -1,8 +1,10 @@
-//! Benchmark models M1 to M6, and the simulator that stands for each. Its outputs
-//! are the states of the model's definition, in their order; its own states are
-//! fewer or others, where less is enough.
+//! Benchmark models M1 to M6, and the simulator that stands for each. The outputs of a
+//! scene written out are the states of the model's definition, in their order; its own
+//! states are fewer or others, where less is enough. A field's states are the model's, in
+//! another order.
 
-use machinist_scenes::{Simulator, bench};
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist_scenes::{Describe as _, Simulator, bench};
 
 /// A benchmark model and the simulator that stands for it.
 pub struct Model {
@@ -10,22 +12,55 @@ pub struct Model {
     pub key: String,
     /// `m3_10`.
     pub scene: String,
-    /// The emitted simulator.
+    /// The simulator.
     pub simulator: &'static dyn Simulator<f64>,
+    /// Of a field, its states in the model's order.
+    order: Option<Vec<usize>>,
+    parameters: Vec<f64>,
 }
 
 impl Model {
-    /// The model of a key such as `M3:10`; nothing if there is no such scene.
+    /// The model of a key such as `M3:10`, written out or as a field; nothing if there is
+    /// no such scene.
     pub fn find(key: &str) -> Option<Self> {
         let scene = key.to_lowercase().replace(':', "_");
-        let simulator = bench::find::<f64>(&scene)?;
-        Some(Self { key: key.to_owned(), scene, simulator })
+        let Some(simulator) = bench::find::<f64>(&scene) else { return Self::of_field(key) };
+        let parameters = defaults(simulator);
+        Some(Self { key: key.to_owned(), scene, simulator, order: None, parameters })
     }
 
-    /// Values of the parameters in the spec.
+    /// The model of a key such as `M4:70` as a field, cut into as many elements.
+    pub fn of_field(key: &str) -> Option<Self> {
+        let (family, count) = key.split_once(':')?;
+        let count: usize = count.parse().ok()?;
+        let scene = family.to_lowercase();
+        let elements = match family {
+            "M3" => count.checked_sub(1)?,
+            "M4" if count % 7 == 0 => count,
+            _ => return None,
+        };
+        let discretisation = Discretisation { elements: Some(elements), order: None };
+        let simulator = FieldSimulator::new(bench::find_field(&scene)?, discretisation).ok()?;
+        // For as long as the program runs.
+        let simulator: &'static FieldSimulator<'static, f64> = Box::leak(Box::new(simulator));
+        let order = Some(order(simulator));
+        let mut parameters = defaults(simulator);
+        for (index, value) in parameters.iter_mut().enumerate() {
+            if simulator.parameter(index).name == "shaft.pieces" {
+                *value = count as f64;
+            }
+        }
+        Some(Self { key: key.to_owned(), scene, simulator, order, parameters })
+    }
+
+    /// Whether it is a field.
+    pub fn is_field(&self) -> bool {
+        self.order.is_some()
+    }
+
+    /// Values of the parameters.
     pub fn parameters(&self) -> Vec<f64> {
-        let count = self.simulator.shape().parameters;
-        (0..count).map(|index| self.simulator.parameter_default(index)).collect()
+        self.parameters.clone()
     }
 
     /// Typical sizes of the simulator's states.
@@ -36,8 +71,33 @@ impl Model {
 
     /// The model's states at a state of the simulator.
     pub fn states(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
+        if let Some(order) = &self.order {
+            return order.iter().map(|index| state[*index]).collect();
+        }
         let mut states = vec![f64::NAN; self.simulator.shape().outputs];
         self.simulator.outputs(time, state, parameters, &mut states);
         states
     }
+}
+
+fn defaults(simulator: &dyn Simulator<f64>) -> Vec<f64> {
+    let count = simulator.shape().parameters;
+    (0..count).map(|index| simulator.parameter_default(index)).collect()
+}
+
+/// Fluxes, then angle and speed of the rotor, then those of every node by x: what there is
+/// of these.
+fn order(simulator: &FieldSimulator<'_, f64>) -> Vec<usize> {
+    let shape = simulator.shape();
+    let n = shape.coordinates;
+    let mut order: Vec<usize> = (2 * n..shape.states()).collect();
+    let rotor = (0..n).find(|index| simulator.state(*index).name == "motor.phi");
+    let mut nodes = vec![0.0; shape.states()];
+    for (index, number) in nodes[..n].iter_mut().enumerate() {
+        *number = index as f64;
+    }
+    // The values at nodes of a state that is the number of each entry are their places.
+    let by_x = simulator.values(0, &nodes).into_iter().map(|number| number as usize);
+    order.extend(rotor.into_iter().chain(by_x).flat_map(|index| [index, index + n]));
+    order
 }

@@ -292,6 +292,17 @@ pub trait Simulator<R: Real>: Describe {
     ) {
         self.rate_jacobian(time, state, parameters, values);
     }
+    /// As [`Simulator::time_derivative`], by constants computed from the same parameters.
+    fn prepared_time_derivative(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        _constants: &[R],
+        derivative: &mut [R],
+    ) {
+        self.time_derivative(time, state, parameters, derivative);
+    }
     /// dy'/dp, values in the order of `parameter_jacobian_pattern`.
     fn parameter_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]);
     /// Partial derivative of y' with respect to time, `states` long.

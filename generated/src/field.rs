@@ -144,6 +144,103 @@ pub trait FieldScene<R: Real>: Simulator<R> {
     fn field_places_gradient(&self, index: usize, p: &[R], gradient: &mut [R]);
     /// u and u_t at the start.
     fn field_initial(&self, index: usize, x: R, p: &[R]) -> [R; 2];
+
+    /// Whether the machine's Jacobian or time derivative depends on forces that fields hand
+    /// over, as where inertia moves.
+    fn jacobian_reads_forces(&self) -> bool {
+        true
+    }
+    /// Whether f_0 and f_1 are linear in u, u_x, u_t and u_xt, without anything else, and
+    /// the same at all times.
+    fn field_is_linear(&self, _index: usize) -> bool {
+        false
+    }
+    /// Whether f_0 depends on u, u_t, x and t only and f_1 on u_x and u_xt only, so that
+    /// each may be asked for alone, at many points in one call: by the functions below,
+    /// which mean nothing for any other field. Slices are as long as there are points.
+    fn field_is_local(&self, _index: usize) -> bool {
+        false
+    }
+    /// m at many places.
+    fn field_inertias(&self, index: usize, x: &[R], p: &[R], inertias: &mut [R]) {
+        for (inertia, x) in inertias.iter_mut().zip(x) {
+            *inertia = self.field_inertia(index, *x, p);
+        }
+    }
+    /// f_0 where x, u and u_t are these.
+    fn field_forces_on_values(
+        &self,
+        index: usize,
+        time: R,
+        [x, u, u_t]: [&[R]; 3],
+        p: &[R],
+        forces: &mut [R],
+    ) {
+        let zero = R::literal(0.0);
+        for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
+            *force = self.field_force(index, time, *x, &[*u, zero, *u_t, zero], p)[0];
+        }
+    }
+    /// df_0/du and df_0/du_t.
+    fn field_forces_on_values_jacobian(
+        &self,
+        index: usize,
+        time: R,
+        [x, u, u_t]: [&[R]; 3],
+        p: &[R],
+        [by_u, by_u_t]: [&mut [R]; 2],
+    ) {
+        let zero = R::literal(0.0);
+        let points = x.iter().zip(u).zip(u_t);
+        for (((x, u), u_t), (by_u, by_u_t)) in points.zip(by_u.iter_mut().zip(by_u_t)) {
+            let by = self.field_force_jacobian(index, time, *x, &[*u, zero, *u_t, zero], p);
+            (*by_u, *by_u_t) = (by[0], by[2]);
+        }
+    }
+    /// df_0/dt; `gradient` is room for one of [`FieldScene::field_force_gradient`].
+    fn field_forces_on_values_by_time(
+        &self,
+        index: usize,
+        time: R,
+        [x, u, u_t]: [&[R]; 3],
+        p: &[R],
+        (gradient, by_time): (&mut [R], &mut [R]),
+    ) {
+        let zero = R::literal(0.0);
+        for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t) {
+            self.field_force_gradient(index, time, *x, &[*u, zero, *u_t, zero], p, gradient);
+            *by_time = gradient[2];
+        }
+    }
+    /// f_1 where u_x and u_xt are these.
+    fn field_forces_on_slopes(
+        &self,
+        index: usize,
+        [u_x, u_xt]: [&[R]; 2],
+        p: &[R],
+        forces: &mut [R],
+    ) {
+        let zero = R::literal(0.0);
+        for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
+            *force = self.field_force(index, zero, zero, &[zero, *u_x, zero, *u_xt], p)[1];
+        }
+    }
+    /// df_1/du_x and df_1/du_xt.
+    fn field_forces_on_slopes_jacobian(
+        &self,
+        index: usize,
+        [u_x, u_xt]: [&[R]; 2],
+        p: &[R],
+        [by_u_x, by_u_xt]: [&mut [R]; 2],
+    ) {
+        let zero = R::literal(0.0);
+        for ((u_x, u_xt), (by_u_x, by_u_xt)) in
+            u_x.iter().zip(u_xt).zip(by_u_x.iter_mut().zip(by_u_xt))
+        {
+            let by = self.field_force_jacobian(index, zero, zero, &[zero, *u_x, zero, *u_xt], p);
+            (*by_u_x, *by_u_xt) = (by[5], by[7]);
+        }
+    }
 }
 
 /// Gauss-Lobatto points of the unit interval and the shape functions on them.
@@ -326,6 +423,17 @@ impl<R: Real> Elements<'_, R> {
         let zero = R::literal(0.0);
         let change = (in_section - own) / by_slope;
         at[1] + R::select_less(zero, by_slope.abs(), change, zero)
+    }
+
+    /// The part of the length that is a node's, one entry a node.
+    pub fn lengths(&self, lengths: &mut [R]) {
+        lengths.fill(R::literal(0.0));
+        for element in self.iter() {
+            for (point, weight) in self.rule.weights.iter().enumerate() {
+                let node = &mut lengths[element.first_node + point];
+                *node = *node + element.length * R::literal(*weight);
+            }
+        }
     }
 
     /// M, one entry a node.

@@ -36,15 +36,36 @@ pub(super) struct Mesh {
     pub owners: Vec<Owner>,
     /// Attachment, its bound and its node.
     pub attached: Vec<[usize; 3]>,
-    /// First node among those of all fields.
+    /// First node and first segment among those of all fields.
     pub first_node: usize,
+    pub first_segment: usize,
     pub own_nodes: usize,
+    /// Stretches of nodes that are the field's own.
+    pub runs: Vec<Run>,
+    /// Nodes that are ports.
+    pub ports: Vec<usize>,
+}
+
+/// Neighbouring nodes that are the field's own, and so neighbours in the state.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Run {
+    /// Nodes of the field.
+    pub nodes: Range<usize>,
+    /// Number of the first among the own nodes of all fields.
+    pub own: usize,
 }
 
 impl Mesh {
     /// For the loops of the contract.
     pub fn elements<'a, R: Real>(&'a self, field: usize, bounds: &'a [R]) -> Elements<'a, R> {
         Elements { field, rule: self.rule.rule(), segments: &self.segments, bounds }
+    }
+
+    /// Where its bounds are among those of all fields, of which it is the `index`-th.
+    pub fn bounds(&self, index: usize) -> Range<usize> {
+        // Every field before it has one more bound than segments.
+        let first = self.first_segment + index;
+        first..first + self.segments.len() + 1
     }
 
     /// Its nodes among those of all fields.
@@ -67,11 +88,12 @@ pub(super) fn meshes<R: Real>(
     scene: &dyn FieldScene<R>,
     wanted: Discretisation,
 ) -> Result<Vec<Mesh>, FieldError> {
-    let (mut nodes, mut own) = (0, 0);
+    let (mut nodes, mut own, mut segments) = (0, 0, 0);
     let mut meshes = Vec::new();
     for index in 0..scene.fields() {
-        let mesh = mesh(scene, index, wanted, [nodes, own])?;
+        let mesh = mesh(scene, index, wanted, [nodes, own, segments])?;
         nodes += mesh.owners.len();
+        segments += mesh.segments.len();
         own += mesh.own_nodes;
         meshes.push(mesh);
     }
@@ -82,7 +104,7 @@ fn mesh<R: Real>(
     scene: &dyn FieldScene<R>,
     index: usize,
     wanted: Discretisation,
-    [first_node, first_own]: [usize; 2],
+    [first_node, first_own, first_segment]: [usize; 3],
 ) -> Result<Mesh, FieldError> {
     let description = scene.field(index);
     let order = wanted.order.unwrap_or(description.order);
@@ -139,7 +161,33 @@ fn mesh<R: Real>(
         .collect();
     let own_nodes = own as usize - first_own;
     let rule = Lobatto::new(order);
-    Ok(Mesh { rule, order, segments, owners, attached, first_node, own_nodes })
+    let runs = runs(&owners);
+    let is_port = |node: &usize| matches!(owners[*node], Owner::Port { .. });
+    let ports = (0..nodes).filter(is_port).collect();
+    Ok(Mesh {
+        rule,
+        order,
+        segments,
+        owners,
+        attached,
+        first_node,
+        first_segment,
+        own_nodes,
+        runs,
+        ports,
+    })
+}
+
+fn runs(owners: &[Owner]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (node, owner) in owners.iter().enumerate() {
+        let Owner::Field(own) = *owner else { continue };
+        match runs.last_mut().filter(|run| run.nodes.end == node) {
+            Some(run) => run.nodes.end = node + 1,
+            None => runs.push(Run { nodes: node..node + 1, own: own as usize }),
+        }
+    }
+    runs
 }
 
 /// Lengths of the stretches between places, as the spec has them \[m\].

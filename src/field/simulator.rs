@@ -1,13 +1,14 @@
 //! A [`FieldSimulator`] as a simulator like any other.
 
 use machinist_scenes::field::FieldPlace;
+use machinist_scenes::linear::LinearEquations;
 use machinist_scenes::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
     StateKind,
 };
 
 use super::mesh::Owner;
-use super::{FieldSimulator, Work};
+use super::{FieldSimulator, Work, find};
 
 impl<R: Real> Describe for FieldSimulator<'_, R> {
     fn name(&self) -> &str {
@@ -95,54 +96,24 @@ fn shorter<'s, R>(quantity: Quantity<'s>, _: &'s FieldSimulator<'_, R>) -> Quant
 }
 
 impl<R: Real> FieldSimulator<'_, R> {
-    /// Places of the fields at these parameters.
-    pub(super) fn place(&self, parameters: &[R], work: &mut Work<R>) {
-        assert_eq!(parameters.len(), self.parameters, "number of parameters");
-        work.p[..self.parameters].copy_from_slice(parameters);
-        for index in 0..self.meshes.len() {
-            let description = self.scene.field(index);
-            let places = &mut work.places[..=description.attachments.len()];
-            self.scene.field_places(index, &work.p, places);
-            let bounds = &mut work.bounds[index];
-            let inside = description.attachments.iter().zip(places.iter());
-            let inside = inside.filter(|(at, _)| at.place == FieldPlace::Inside);
-            let mut bound = 1;
-            for (_, place) in inside {
-                bounds[bound] = *place;
-                bound += 1;
-            }
-            bounds[0] = R::literal(0.0);
-            bounds[bound] = places[places.len() - 1];
-        }
+    /// As [`FieldSimulator::load`], with constants computed for once; these come along.
+    fn load_anew(&self, time: R, state: &[R], parameters: &[R], work: &mut Work<R>) -> Vec<R> {
+        let mut constants = std::mem::take(&mut work.constants);
+        self.compute_constants(parameters, work, &mut constants);
+        let parts = self.taken_apart(&constants);
+        work.inertia.copy_from_slice(parts.inertia);
+        self.load((time, state), parameters, &parts, work);
+        constants
     }
 
-    /// Nodes, state of the machine, inertia and force of the fields, and what they
-    /// hand over.
-    fn load(&self, time: R, state: &[R], parameters: &[R], work: &mut Work<R>) {
-        assert_eq!(state.len(), self.shape().states(), "length of the state");
-        self.place(parameters, work);
-        for (index, value) in work.state.iter_mut().enumerate() {
-            *value = state[self.border[index] as usize];
-        }
-        for (index, mesh) in self.meshes.iter().enumerate() {
-            let nodes = mesh.nodes();
-            for (owner, node) in mesh.owners.iter().zip(nodes.clone()) {
-                [work.u[node], work.v[node]] = match self.columns(*owner) {
-                    Some(columns) => columns.map(|column| state[column as usize]),
-                    None => [R::literal(0.0); 2],
-                };
-            }
-            let elements = mesh.elements(index, &work.bounds[index]);
-            elements.inertia(self.scene, &work.p, &mut work.inertia[nodes.clone()]);
-            let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-            elements.force(self.scene, (time, &work.p), motion, &mut work.force[nodes.clone()]);
-            for (owner, node) in mesh.owners.iter().zip(nodes) {
-                if let Owner::Port { handed, .. } = *owner {
-                    work.p[handed as usize] = work.inertia[node];
-                    work.p[handed as usize + 1] = work.force[node];
-                }
-            }
-        }
+    /// As [`FieldSimulator::load_anew`], where constants are not needed any more.
+    fn load_once(&self, time: R, state: &[R], parameters: &[R], work: &mut Work<R>) {
+        work.constants = self.load_anew(time, state, parameters, work);
+    }
+
+    /// Length of the state.
+    pub(super) fn border_and_own(&self) -> usize {
+        self.border.len() + 2 * self.own_nodes
     }
 
     /// Slopes on both sides of every port, handed over for outputs.
@@ -152,7 +123,7 @@ impl<R: Real> FieldSimulator<'_, R> {
         for (index, mesh) in self.meshes.iter().enumerate() {
             let nodes = mesh.nodes();
             let motion = (&work.u[nodes.clone()], &work.v[nodes]);
-            let elements = mesh.elements(index, &work.bounds[index]);
+            let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
             let attachments = self.scene.field(index).attachments;
             for [number, bound, _] in &mesh.attached {
                 let at = attachments[*number];
@@ -184,24 +155,13 @@ impl<R: Real> FieldSimulator<'_, R> {
             })
         })
     }
-
-    /// Every port: node among those of all, and first of the parameters handed over.
-    fn ports(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.meshes.iter().flat_map(|mesh| {
-            mesh.owners.iter().zip(mesh.nodes()).filter_map(|(owner, node)| match owner {
-                Owner::Port { handed, .. } => Some((node, *handed as usize)),
-                _ => None,
-            })
-        })
-    }
-
-    /// Entry of a pattern.
-    fn find(entries: &[(u32, u32)], row: u32, column: u32) -> usize {
-        entries.binary_search(&(row, column)).expect("the pattern was made of these entries")
-    }
 }
 
 impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
+        self.excitation_terms.is_some().then_some(self)
+    }
+
     fn initial_state(&self, parameters: &[R], state: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
         self.place(parameters, work);
@@ -211,7 +171,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
             let x = &mut work.force[mesh.nodes()];
-            mesh.elements(index, &work.bounds[index]).places(x);
+            mesh.elements(index, &work.bounds[mesh.bounds(index)]).places(x);
             for (owner, x) in mesh.owners.iter().zip(x) {
                 if let (Owner::Field(_), Some(columns)) = (owner, self.columns(*owner)) {
                     let initial = self.scene.field_initial(index, *x, &work.p);
@@ -229,77 +189,57 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         self.scene.discontinuities(&work.p, times);
     }
 
+    fn constants(&self) -> usize {
+        self.count_constants()
+    }
+
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        self.compute_constants(parameters, &mut self.work.borrow_mut(), constants);
+    }
+
     fn rate(&self, time: R, state: &[R], parameters: &[R], rate: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
-        let n = self.coordinates();
-        rate[..n].copy_from_slice(&state[n..2 * n]);
-        let result = &mut work.result[..work.state.len()];
-        self.scene.rate(time, &work.state, &work.p, result);
-        for (index, value) in result.iter().enumerate() {
-            rate[self.border[index] as usize] = *value;
-        }
-        let first = n + self.machine.coordinates;
-        for (node, own) in self.own() {
-            rate[first + own] = work.force[node] / work.inertia[node];
-        }
+        let constants = self.load_anew(time, state, parameters, work);
+        self.loaded_rate((time, state), &self.taken_apart(&constants), work, rate);
+        work.constants = constants;
+    }
+
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        rate: &mut [R],
+    ) {
+        let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
+        self.load((time, state), parameters, &constants, work);
+        self.loaded_rate((time, state), &constants, work, rate);
     }
 
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
-        let entries = &self.rate_jacobian;
-        assert_eq!(values.len(), entries.len(), "entries of the Jacobian");
-        let n = self.coordinates();
-        values.fill(R::literal(0.0));
-        values[..n].fill(R::literal(1.0));
-        let result = &mut work.result[..self.machine_entries.len()];
-        self.scene.rate_jacobian(time, &work.state, &work.p, result);
-        for (place, value) in self.machine_entries.iter().zip(&*result) {
-            values[*place as usize] = *value;
-        }
-        self.scene.parameter_jacobian(time, &work.state, &work.p, &mut work.parameter_jacobian);
+        let constants = self.load_anew(time, state, parameters, work);
+        self.loaded_jacobian(time, &self.taken_apart(&constants), work, values);
+        work.constants = constants;
+    }
 
-        work.at_ports.clear();
-        let at_ports = &mut work.at_ports;
-        let mut places = self.element_entries.iter();
-        for (index, mesh) in self.meshes.iter().enumerate() {
-            let nodes = mesh.nodes();
-            let inertia = &work.inertia[nodes.clone()];
-            let motion = (&work.u[nodes.clone()], &work.v[nodes]);
-            let elements = mesh.elements(index, &work.bounds[index]);
-            elements.force_jacobian(
-                self.scene,
-                (time, &work.p),
-                motion,
-                |element, i, j, by_u, by_v| {
-                    let row = element * mesh.order + i;
-                    let place = places.next().map_or([u32::MAX; 2], |place| *place);
-                    if place[0] != u32::MAX {
-                        for (place, by) in place.into_iter().zip([by_u, by_v]) {
-                            let value = &mut values[place as usize];
-                            *value = *value + by / inertia[row];
-                        }
-                    } else if let Owner::Port { handed, .. } = mesh.owners[row] {
-                        let columns = self.columns(mesh.owners[element * mesh.order + j]);
-                        for (column, by) in columns.into_iter().flatten().zip([by_u, by_v]) {
-                            at_ports.push((handed as usize, column, by));
-                        }
-                    }
-                },
-            );
-        }
-        for (handed, column, by) in &*at_ports {
-            for (index, row) in self.rows_of_port(*handed as u32) {
-                let place = Self::find(entries, self.entry(row as usize), *column);
-                values[place] = values[place] + work.parameter_jacobian[index] * *by;
-            }
-        }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
+        self.load_for_derivatives((time, state), parameters, &constants, work);
+        self.loaded_jacobian(time, &constants, work, values);
     }
 
     fn parameter_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
+        self.load_once(time, state, parameters, work);
         let entries = &self.parameter_jacobian;
         assert_eq!(values.len(), entries.len(), "entries of the Jacobian");
         values.fill(R::literal(0.0));
@@ -307,7 +247,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
         let machine = &self.machine_parameter_jacobian;
         for ((row, column), value) in machine.iter().zip(&work.parameter_jacobian) {
             if (*column as usize) < self.parameters {
-                values[Self::find(entries, self.entry(*row as usize), *column)] = *value;
+                values[find(entries, self.entry(*row as usize), *column)] = *value;
             }
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
@@ -317,7 +257,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             self.scene.field_places_gradient(index, &work.p, slopes);
             let nodes = mesh.nodes();
             let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-            let elements = mesh.elements(index, &work.bounds[index]);
+            let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
             let bounds = &mut work.bound_changes[..=mesh.segments.len()];
             bounds.fill(R::literal(0.0));
             for (k, parameter) in description.parameters.iter().enumerate() {
@@ -339,7 +279,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
                             let Some([_, row]) = self.columns(*owner) else { continue };
                             let m = work.inertia[nodes.start + node];
                             let acceleration = work.force[nodes.start + node] / m;
-                            let place = Self::find(entries, row, *parameter);
+                            let place = find(entries, row, *parameter);
                             values[place] = (force[node] - acceleration * inertia[node]) / m;
                         }
                         Owner::Port { handed, .. } => {
@@ -351,7 +291,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
                                     _ => continue,
                                 };
                                 let row = self.entry(*row as usize);
-                                let place = Self::find(entries, row, *parameter);
+                                let place = find(entries, row, *parameter);
                                 values[place] = values[place] + *value * change;
                             }
                         }
@@ -363,38 +303,27 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
 
     fn time_derivative(&self, time: R, state: &[R], parameters: &[R], derivative: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
-        derivative.fill(R::literal(0.0));
-        let result = &mut work.result[..work.state.len()];
-        self.scene.time_derivative(time, &work.state, &work.p, result);
-        for (index, value) in result.iter().enumerate() {
-            derivative[self.border[index] as usize] = *value;
-        }
-        self.scene.parameter_jacobian(time, &work.state, &work.p, &mut work.parameter_jacobian);
-        for (index, mesh) in self.meshes.iter().enumerate() {
-            let nodes = mesh.nodes();
-            let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
-            let count = self.scene.field(index).parameters.len();
-            let gradient = &mut work.gradient[..2 * (2 + count)];
-            let changes = (gradient, &mut work.force_change[nodes]);
-            let elements = mesh.elements(index, &work.bounds[index]);
-            elements.force_by_time(self.scene, (time, &work.p), motion, changes);
-        }
-        for (node, handed) in self.ports() {
-            for (index, row) in self.rows_of_port(handed as u32) {
-                let change = &mut derivative[self.entry(row as usize) as usize];
-                *change = *change + work.parameter_jacobian[index] * work.force_change[node];
-            }
-        }
-        let first = self.coordinates() + self.machine.coordinates;
-        for (node, own) in self.own() {
-            derivative[first + own] = work.force_change[node] / work.inertia[node];
-        }
+        let constants = self.load_anew(time, state, parameters, work);
+        self.loaded_time_derivative(time, &self.taken_apart(&constants), work, derivative);
+        work.constants = constants;
+    }
+
+    fn prepared_time_derivative(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        derivative: &mut [R],
+    ) {
+        let (work, constants) = (&mut *self.work.borrow_mut(), self.taken_apart(constants));
+        self.load_for_derivatives((time, state), parameters, &constants, work);
+        self.loaded_time_derivative(time, &constants, work, derivative);
     }
 
     fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
+        self.load_once(time, state, parameters, work);
         let (machine, own) = values.split_at_mut(self.mass_matrix.len() - self.own_nodes);
         self.scene.mass_matrix(time, &work.state, &work.p, machine);
         for (node, place) in self.own() {
@@ -404,7 +333,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
 
     fn forcing(&self, time: R, state: &[R], parameters: &[R], forcing: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
+        self.load_once(time, state, parameters, work);
         let (machine, own) = forcing.split_at_mut(self.machine.coordinates);
         self.scene.forcing(time, &work.state, &work.p, machine);
         for (node, place) in self.own() {
@@ -414,25 +343,25 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
 
     fn outputs(&self, time: R, state: &[R], parameters: &[R], outputs: &mut [R]) {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
+        self.load_once(time, state, parameters, work);
         self.hand_over_slopes(time, work);
         self.scene.outputs(time, &work.state, &work.p, outputs);
     }
 
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
+        self.load_once(time, state, parameters, work);
         let mut energy = self.scene.energy(time, &work.state, &work.p);
         for (index, mesh) in self.meshes.iter().enumerate() {
             let motion = (&work.u[mesh.nodes()], &work.v[mesh.nodes()]);
-            let elements = mesh.elements(index, &work.bounds[index]);
+            let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
             let [kinetic, potential, ..] =
                 elements.energy_and_power(self.scene, (time, &work.p), motion);
             energy.kinetic = energy.kinetic + kinetic;
             energy.potential = energy.potential + potential;
         }
         // The machine has counted its nodes of the fields already.
-        for (node, _) in self.ports() {
+        for (node, _) in self.ports.iter().copied() {
             let v = work.v[node];
             energy.kinetic = energy.kinetic - R::literal(0.5) * work.inertia[node] * v * v;
         }
@@ -441,11 +370,11 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
 
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         let work = &mut *self.work.borrow_mut();
-        self.load(time, state, parameters, work);
+        self.load_once(time, state, parameters, work);
         let mut balance = self.scene.power_balance(time, &work.state, &work.p);
         for (index, mesh) in self.meshes.iter().enumerate() {
             let motion = (&work.u[mesh.nodes()], &work.v[mesh.nodes()]);
-            let elements = mesh.elements(index, &work.bounds[index]);
+            let elements = mesh.elements(index, &work.bounds[mesh.bounds(index)]);
             let [_, _, stored, supplied, dissipated] =
                 elements.energy_and_power(self.scene, (time, &work.p), motion);
             balance.stored_rate = balance.stored_rate + stored;
@@ -457,7 +386,7 @@ impl<R: Real> Simulator<R> for FieldSimulator<'_, R> {
             balance.stored_rate = balance.stored_rate + work.v[node] * work.force[node];
         }
         // What a field does to its node of the machine comes from nowhere else.
-        for (node, _) in self.ports() {
+        for (node, _) in self.ports.iter().copied() {
             balance.supplied = balance.supplied - work.v[node] * work.force[node];
         }
         balance

@@ -100,6 +100,15 @@ impl FieldScene<f64> for InterpretedSimulator {
             order: field.order,
         }
     }
+    fn jacobian_reads_forces(&self) -> bool {
+        self.program.jacobian_reads_forces()
+    }
+    fn field_is_linear(&self, index: usize) -> bool {
+        self.program.fields[index].is_linear
+    }
+    fn field_is_local(&self, index: usize) -> bool {
+        self.program.fields[index].local.is_some()
+    }
     fn field_inertia(&self, index: usize, x: f64, p: &[f64]) -> f64 {
         let mut inertia = [0.0];
         self.at_place(&self.fields[index].inertia, x, p, &mut inertia);

@@ -1,9 +1,12 @@
 //! Factorization of a banded matrix with a border, real and complex: work and room
 //! grow with its size times its band.
 
+mod band;
+
 use nalgebra::ComplexField;
 
 use super::lu::{Lu, Singular};
+use band::Band;
 
 /// The matrix
 ///
@@ -12,24 +15,39 @@ use super::lu::{Lu, Singular};
 /// C D     S = D - C A^-1 B, factored as it is small
 /// ```
 ///
-/// with the rows and columns of the border wherever they are.
+/// with the rows and columns of the border wherever they are. Entries are written to
+/// places known from the pattern: A's, B's nonzeros, C's, then all of D's.
 ///
 /// Source: Golub, Van Loan, "Matrix computations", 4.3 on bands; block elimination.
 pub(super) struct Bordered<S> {
-    /// Where each row is: in the band, or in the border.
-    places: Vec<Place>,
+    values: Vec<S>,
+    /// Places of the entries of the pattern, and of the diagonal.
+    targets: Vec<u32>,
+    diagonal: Vec<u32>,
+    /// Neighbouring rows of the band: (first row, first row of the band, how many).
+    runs: Vec<[usize; 3]>,
+    /// Rows of the border.
+    border: Vec<usize>,
     band: Band<S>,
-    /// Nonzeros of B by columns, and of C: (border, band, value).
-    right: Vec<(u32, u32, S)>,
-    below: Vec<(u32, u32, S)>,
-    /// Columns of A^-1 B that are not zero, with their number.
-    solved: Vec<(usize, Vec<S>)>,
-    /// Columns of former factorizations, for their room.
-    spare: Vec<Vec<S>>,
+    /// Columns of B that are not zero.
+    right: Vec<Column<S>>,
+    /// Nonzeros of C: (border, band, place).
+    below: Vec<[u32; 3]>,
+    /// Where D starts.
+    corner_at: usize,
     corner: Lu<S>,
     /// Parts of a right-hand side.
     of_band: Vec<S>,
     of_border: Vec<S>,
+}
+
+/// A column of B.
+struct Column<S> {
+    number: usize,
+    /// Nonzeros: (row of the band, place).
+    entries: Vec<[u32; 2]>,
+    /// That of A^-1 B.
+    solved: Vec<S>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,66 +58,58 @@ enum Place {
 
 impl<S: ComplexField<RealField = f64> + Copy> Bordered<S> {
     /// Room for a matrix of `size` with this border, ascending, and these nonzeros.
-    pub(super) fn new(
-        size: usize,
-        border: &[usize],
-        entries: impl Iterator<Item = (usize, usize)>,
-    ) -> Self {
-        let mut places = Vec::with_capacity(size);
-        let mut of_border = border.iter().peekable();
-        let (mut band, mut edge) = (0, 0);
-        for index in 0..size {
-            if of_border.next_if(|border| **border == index).is_some() {
-                places.push(Place::Border(edge));
-                edge += 1;
-            } else {
-                places.push(Place::Band(band));
-                band += 1;
-            }
-        }
-        let distances = entries.map(|(row, column)| match (places[row], places[column]) {
+    pub(super) fn new(size: usize, border: &[usize], entries: &[(usize, usize)]) -> Self {
+        let (places, runs) = places(size, border);
+        let in_band = size - border.len();
+        let of = |(row, column): (usize, usize)| (places[row], places[column]);
+        let distances = entries.iter().map(|entry| match of(*entry) {
             (Place::Band(row), Place::Band(column)) => row.abs_diff(column) as usize,
             _ => 0,
         });
-        let width = distances.max().unwrap_or(0);
+        let band = Band::new(in_band, distances.max().unwrap_or(0));
+        let mut layout = Layout { band, right: Vec::new(), below: Vec::new() };
+        let diagonal = (0..size).map(|index| (index, index));
+        let all = entries.iter().copied().chain(diagonal);
+        let spots: Vec<Spot> = all.map(|entry| layout.spot(of(entry))).collect();
+        let Layout { band, right, below, .. } = layout;
+        let right_at = band.places();
+        let below_at = right_at + right.len();
+        let corner_at = below_at + below.len();
+        let target = |spot: &Spot| match *spot {
+            Spot::Band(place) => place,
+            Spot::Right(index) => right_at + index,
+            Spot::Below(index) => below_at + index,
+            Spot::Corner(row, column) => corner_at + row * border.len() + column,
+        };
+        let mut targets: Vec<u32> = spots.iter().map(|spot| target(spot) as u32).collect();
+        let diagonal = targets.split_off(entries.len());
+        let below = (0..)
+            .zip(&below)
+            .map(|(index, [row, column])| [*row, *column, (below_at + index) as u32]);
         Self {
-            band: Band::new(band as usize, width),
-            right: Vec::new(),
-            below: Vec::new(),
-            solved: Vec::new(),
-            spare: Vec::new(),
-            corner: Lu::new(edge as usize),
-            of_band: vec![S::zero(); band as usize],
-            of_border: vec![S::zero(); edge as usize],
-            places,
+            values: vec![S::zero(); corner_at + border.len() * border.len()],
+            targets,
+            diagonal,
+            runs,
+            border: border.to_vec(),
+            right: columns(&right, right_at, in_band),
+            below: below.collect(),
+            corner_at,
+            corner: Lu::new(border.len()),
+            of_band: vec![S::zero(); in_band],
+            of_border: vec![S::zero(); border.len()],
+            band,
         }
     }
 
-    /// Number of rows.
-    pub(super) fn size(&self) -> usize {
-        self.places.len()
-    }
-
-    /// Makes the matrix zero, for [`Bordered::add`].
-    pub(super) fn clear(&mut self) {
-        self.band.entries.fill(S::zero());
-        self.corner.clear();
-        self.right.clear();
-        self.below.clear();
-    }
-
-    /// Adds to an entry of a matrix that is not factored.
-    pub(super) fn add(&mut self, row: usize, column: usize, value: S) {
-        match (self.places[row], self.places[column]) {
-            (Place::Band(row), Place::Band(column)) => {
-                *self.band.entry(row as usize, column as usize) += value;
-            }
-            (Place::Band(row), Place::Border(column)) => self.right.push((column, row, value)),
-            (Place::Border(row), Place::Band(column)) => self.below.push((row, column, value)),
-            (Place::Border(row), Place::Border(column)) => {
-                self.corner.add(row as usize, column as usize, value);
-            }
+    /// Makes the matrix that many times the unit matrix; its entries, to add to, are at
+    /// these places in the order of the pattern.
+    pub(super) fn start(&mut self, diagonal: S) -> (&mut [S], &[u32]) {
+        self.values.fill(S::zero());
+        for place in &self.diagonal {
+            self.values[*place as usize] = diagonal;
         }
+        (&mut self.values, &self.targets)
     }
 
     /// Factors the matrix.
@@ -107,147 +117,136 @@ impl<S: ComplexField<RealField = f64> + Copy> Bordered<S> {
     /// # Errors
     /// [`Singular`], also where entries are not finite.
     pub(super) fn factor(&mut self) -> Result<(), Singular> {
-        self.band.factor()?;
-        self.spare.extend(self.solved.drain(..).map(|(_, column)| column));
-        self.right.sort_by_key(|(column, row, _)| (*column, *row));
-        for entries in self.right.chunk_by(|(a, ..), (b, ..)| a == b) {
-            let mut column = self.spare.pop().unwrap_or_default();
-            column.clear();
-            column.resize(self.band.size, S::zero());
-            for (_, row, value) in entries {
-                column[*row as usize] += *value;
+        self.band.factor(&mut self.values)?;
+        let size = self.border.len();
+        for column in &mut self.right {
+            column.solved.fill(S::zero());
+            for [row, place] in &column.entries {
+                column.solved[*row as usize] = self.values[*place as usize];
             }
-            self.band.solve(&mut column);
-            let number = entries[0].0 as usize;
-            for (row, inner, value) in &self.below {
-                self.corner.add(*row as usize, number, -*value * column[*inner as usize]);
+            self.band.solve(&self.values, &mut column.solved);
+            for [row, inner, place] in &self.below {
+                let product = self.values[*place as usize] * column.solved[*inner as usize];
+                self.values[self.corner_at + *row as usize * size + column.number] -= product;
             }
-            self.solved.push((number, column));
+        }
+        self.corner.clear();
+        for (index, value) in self.values[self.corner_at..].iter().enumerate() {
+            if !value.is_zero() {
+                self.corner.add(index / size, index % size, *value);
+            }
         }
         self.corner.factor()
     }
 
     /// Solves for x; b becomes x.
     pub(super) fn solve(&mut self, b: &mut [S]) {
-        for (place, value) in self.places.iter().zip(&*b) {
-            match place {
-                Place::Band(index) => self.of_band[*index as usize] = *value,
-                Place::Border(index) => self.of_border[*index as usize] = *value,
-            }
+        for [row, inner, count] in &self.runs {
+            self.of_band[*inner..inner + count].copy_from_slice(&b[*row..row + count]);
         }
-        self.band.solve(&mut self.of_band);
-        for (row, inner, value) in &self.below {
-            self.of_border[*row as usize] -= *value * self.of_band[*inner as usize];
+        for (value, row) in self.of_border.iter_mut().zip(&self.border) {
+            *value = b[*row];
+        }
+        self.band.solve(&self.values, &mut self.of_band);
+        for [row, inner, place] in &self.below {
+            self.of_border[*row as usize] -=
+                self.values[*place as usize] * self.of_band[*inner as usize];
         }
         self.corner.solve(&mut self.of_border);
-        for (number, column) in &self.solved {
-            let known = self.of_border[*number];
-            for (value, entry) in self.of_band.iter_mut().zip(column) {
+        for column in &self.right {
+            let known = self.of_border[column.number];
+            for (value, entry) in self.of_band.iter_mut().zip(&column.solved) {
                 *value -= *entry * known;
             }
         }
-        for (place, value) in self.places.iter().zip(b) {
-            *value = match place {
-                Place::Band(index) => self.of_band[*index as usize],
-                Place::Border(index) => self.of_border[*index as usize],
-            };
+        for [row, inner, count] in &self.runs {
+            b[*row..row + count].copy_from_slice(&self.of_band[*inner..inner + count]);
+        }
+        for (value, row) in self.of_border.iter().zip(&self.border) {
+            b[*row] = *value;
         }
     }
 }
 
-/// P A = L U of a matrix with `width` diagonals on each side, stored over A: row i
-/// holds the columns from i - width to i + 2 width, as far as exchanges fill it.
-struct Band<S> {
+/// Where each row is, and the stretches of rows in the band.
+fn places(size: usize, border: &[usize]) -> (Vec<Place>, Vec<[usize; 3]>) {
+    let mut places = Vec::with_capacity(size);
+    let mut runs: Vec<[usize; 3]> = Vec::new();
+    let mut of_border = border.iter().peekable();
+    let (mut band, mut edge) = (0, 0);
+    for index in 0..size {
+        if of_border.next_if(|border| **border == index).is_some() {
+            places.push(Place::Border(edge));
+            edge += 1;
+            continue;
+        }
+        match runs.last_mut().filter(|[row, _, count]| row + count == index) {
+            Some([_, _, count]) => *count += 1,
+            None => runs.push([index, band as usize, 1]),
+        }
+        places.push(Place::Band(band));
+        band += 1;
+    }
+    (places, runs)
+}
+
+/// Nonzeros as they are found, each once.
+struct Layout<S> {
+    band: Band<S>,
+    /// Of B: (column, row); of C: (row, column).
+    right: Vec<[u32; 2]>,
+    below: Vec<[u32; 2]>,
+}
+
+/// A nonzero, by its number among its like.
+enum Spot {
+    Band(usize),
+    Right(usize),
+    Below(usize),
+    Corner(usize, usize),
+}
+
+impl<S: ComplexField<RealField = f64> + Copy> Layout<S> {
+    fn spot(&mut self, entry: (Place, Place)) -> Spot {
+        let number = |list: &mut Vec<[u32; 2]>, entry: [u32; 2]| {
+            list.iter().position(|known| *known == entry).unwrap_or_else(|| {
+                list.push(entry);
+                list.len() - 1
+            })
+        };
+        match entry {
+            (Place::Band(row), Place::Band(column)) => {
+                Spot::Band(self.band.place(row as usize, column as usize))
+            }
+            (Place::Band(row), Place::Border(column)) => {
+                Spot::Right(number(&mut self.right, [column, row]))
+            }
+            (Place::Border(row), Place::Band(column)) => {
+                Spot::Below(number(&mut self.below, [row, column]))
+            }
+            (Place::Border(row), Place::Border(column)) => {
+                Spot::Corner(row as usize, column as usize)
+            }
+        }
+    }
+}
+
+/// The columns of B from its nonzeros.
+fn columns<S: ComplexField<RealField = f64> + Copy>(
+    entries: &[[u32; 2]],
+    first: usize,
     size: usize,
-    width: usize,
-    entries: Vec<S>,
-    pivots: Vec<usize>,
-}
-
-impl<S: ComplexField<RealField = f64> + Copy> Band<S> {
-    fn new(size: usize, width: usize) -> Self {
-        Self {
-            size,
-            width,
-            entries: vec![S::zero(); size * (3 * width + 1)],
-            pivots: vec![0; size],
+) -> Vec<Column<S>> {
+    let mut columns: Vec<Column<S>> = Vec::new();
+    for (index, [column, row]) in entries.iter().enumerate() {
+        let (number, entry) = (*column as usize, [*row, (first + index) as u32]);
+        if let Some(known) = columns.iter_mut().find(|known| known.number == number) {
+            known.entries.push(entry);
+        } else {
+            columns.push(Column { number, entries: vec![entry], solved: vec![S::zero(); size] });
         }
     }
-
-    fn place(&self, row: usize, column: usize) -> usize {
-        row * (3 * self.width + 1) + column + self.width - row
-    }
-
-    fn entry(&mut self, row: usize, column: usize) -> &mut S {
-        let place = self.place(row, column);
-        &mut self.entries[place]
-    }
-
-    fn factor(&mut self) -> Result<(), Singular> {
-        for k in 0..self.size {
-            let bottom = (k + self.width + 1).min(self.size);
-            let end = (k + 2 * self.width + 1).min(self.size);
-            let size_of = |row: usize| self.entries[self.place(row, k)].norm1();
-            let mut pivot = (k, size_of(k));
-            for row in k + 1..bottom {
-                let size = size_of(row);
-                if size > pivot.1 {
-                    pivot = (row, size);
-                }
-            }
-            if !(pivot.1 > 0.0 && pivot.1.is_finite()) {
-                return Err(Singular);
-            }
-            self.pivots[k] = pivot.0;
-            if pivot.0 != k {
-                for column in k..end {
-                    let (upper, lower) = (self.place(k, column), self.place(pivot.0, column));
-                    self.entries.swap(upper, lower);
-                }
-            }
-            let first = self.place(k, k);
-            let inverse = self.entries[first].recip();
-            for row in k + 1..bottom {
-                let start = self.place(row, k);
-                if self.entries[start].is_zero() {
-                    continue;
-                }
-                let factor = self.entries[start] * inverse;
-                self.entries[start] = factor;
-                let (above, below) = self.entries.split_at_mut(start);
-                let above = &above[first + 1..first + end - k];
-                for (entry, above) in below[1..].iter_mut().zip(above) {
-                    *entry -= factor * *above;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn solve(&self, b: &mut [S]) {
-        for k in 0..self.size {
-            b.swap(k, self.pivots[k]);
-            let known = b[k];
-            if known.is_zero() {
-                continue;
-            }
-            let bottom = (k + self.width + 1).min(self.size);
-            for (row, value) in (k + 1..bottom).zip(&mut b[k + 1..bottom]) {
-                *value -= self.entries[self.place(row, k)] * known;
-            }
-        }
-        for row in (0..self.size).rev() {
-            let end = (row + 2 * self.width + 1).min(self.size);
-            let first = self.place(row, row);
-            let entries = &self.entries[first..first + end - row];
-            let (unknown, known) = b[row..].split_at_mut(1);
-            let mut sum = unknown[0];
-            for (entry, value) in entries[1..].iter().zip(known) {
-                sum -= *entry * *value;
-            }
-            unknown[0] = sum / entries[0];
-        }
-    }
+    columns
 }
 
 #[cfg(test)]
@@ -262,29 +261,31 @@ mod tests {
         value - value.floor() - 0.5
     }
 
-    fn check<S: ComplexField<RealField = f64> + Copy>(of: impl Fn(f64, f64) -> S) {
-        for (size, width, border) in
-            [(1, 0, vec![]), (9, 1, vec![0, 4]), (40, 3, vec![0, 1, 20, 39]), (12, 2, vec![])]
-        {
+    fn check<S: ComplexField<RealField = f64> + Copy>(of: impl Fn(f64, f64) -> S, diagonal: f64) {
+        for (size, width, border) in [
+            (1, 0, vec![]),
+            (9, 1, vec![0, 4]),
+            (30, 1, vec![]),
+            (40, 3, vec![0, 1, 20, 39]),
+            (12, 2, vec![]),
+        ] {
             let is_border = |index: usize| border.contains(&index);
             let inner = |index: usize| index - border.iter().filter(|b| **b < index).count();
             let value = |row: usize, column: usize| {
                 let near = inner(row).abs_diff(inner(column)) <= width;
                 let used = is_border(row) || is_border(column) || near;
-                // Small on the diagonal, so that rows are exchanged.
-                let scale = if row == column { 0.01 } else { 1.0 };
+                let scale = if row == column { diagonal } else { 1.0 };
                 used.then(|| of(scale * number(row, column), scale * number(column, row)))
             };
             let places = || (0..size).flat_map(|row| (0..size).map(move |column| (row, column)));
             let nonzeros = places().filter(|(row, column)| value(*row, *column).is_some());
-            let mut matrix = Bordered::<S>::new(size, &border, nonzeros);
-            assert_eq!(matrix.band.width, width.min(size - border.len() - 1));
+            let nonzeros: Vec<(usize, usize)> = nonzeros.collect();
+            let mut matrix = Bordered::<S>::new(size, &border, &nonzeros);
+            assert_eq!(matrix.band.width(), width.min(size - border.len() - 1));
             for _ in 0..2 {
-                matrix.clear();
-                for (row, column) in places() {
-                    if let Some(value) = value(row, column) {
-                        matrix.add(row, column, value);
-                    }
+                let (values, targets) = matrix.start(S::zero());
+                for ((row, column), target) in nonzeros.iter().zip(targets) {
+                    values[*target as usize] += value(*row, *column).unwrap();
                 }
                 matrix.factor().unwrap();
             }
@@ -302,18 +303,19 @@ mod tests {
 
     #[test]
     fn a_solution_satisfies_its_equations_with_band_and_border() {
-        check::<f64>(|real, _| real);
-        check::<Complex64>(Complex64::new);
+        // Small on the diagonal, so that rows are exchanged, and large, so that none are.
+        for diagonal in [0.01, 300.0] {
+            check::<f64>(|real, _| real, diagonal);
+            check::<Complex64>(Complex64::new, diagonal);
+        }
     }
 
     #[test]
     fn a_matrix_without_pivot_is_singular() {
         for value in [0.0, f64::NAN] {
-            let mut matrix = Bordered::<f64>::new(3, &[1], [(0, 2)].into_iter());
-            matrix.clear();
-            matrix.add(0, 0, value);
-            matrix.add(1, 1, 1.0);
-            matrix.add(2, 2, 1.0);
+            let mut matrix = Bordered::<f64>::new(3, &[1], &[(0, 0), (0, 2)]);
+            let (values, targets) = matrix.start(1.0);
+            values[targets[0] as usize] = value;
             assert_eq!(matrix.factor(), Err(Singular));
         }
     }

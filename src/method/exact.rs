@@ -9,8 +9,10 @@
 //! a chain of masses, springs and proportional dampers its modes are carried on
 //! each in closed form ([`modal`]); any other by [`exponential`].
 
+mod chain;
 mod exponential;
 mod flows;
+mod forms;
 mod modal;
 mod piece;
 mod response;
@@ -67,11 +69,11 @@ fn solution<'a>(
 ) -> Result<Box<dyn Solution + 'a>, String> {
     let states = &state[..piece.states()];
     stretch.system.count(|work| work.factorizations += 1);
-    if let Some(modal) = Modal::new(piece, stretch, states) {
+    if let Some(modal) = Modal::new(piece, stretch, states)? {
         stretch.system.note(format!("solved by its {} modes", modal.modes()));
         return Ok(Box::new(modal));
     }
-    let exponential = Exponential::new(piece, states, stretch.rtol)?;
+    let exponential = Exponential::new(piece, stretch, states)?;
     stretch.system.note("solved by the exponential of its matrix".to_owned());
     Ok(Box::new(exponential))
 }

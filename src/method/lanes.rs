@@ -22,11 +22,30 @@ pub(super) fn combine(
     start: Option<&[f64]>,
     into: &mut [f64],
 ) {
-    for (block, into) in into.chunks_exact_mut(LANES).enumerate() {
-        let at = block * LANES;
-        let mut total = [0.0; LANES];
+    // Long states by wide blocks, so that a weight is fetched for many of them.
+    let wide = into.len() / WIDE * WIDE;
+    let (first, rest) = into.split_at_mut(wide);
+    blocks::<WIDE>(sum, stages, step, (start, 0), first);
+    blocks::<LANES>(sum, stages, step, (start, wide), rest);
+}
+
+/// States summed at once where there are many.
+const WIDE: usize = 4 * LANES;
+
+/// The sum over blocks of so many states, of which the first is the `first`-th.
+#[inline]
+fn blocks<const COUNT: usize>(
+    sum: &[(usize, f64)],
+    stages: &[f64],
+    step: f64,
+    (start, first): (Option<&[f64]>, usize),
+    into: &mut [f64],
+) {
+    for (block, into) in into.chunks_exact_mut(COUNT).enumerate() {
+        let at = first + block * COUNT;
+        let mut total = [0.0; COUNT];
         for &(offset, weight) in sum {
-            let stage = &stages[offset + at..][..LANES];
+            let stage = &stages[offset + at..][..COUNT];
             for (total, stage) in total.iter_mut().zip(stage) {
                 *total = Real::mul_add(weight, *stage, *total);
             }

@@ -427,7 +427,7 @@ pub(super) fn finite_jacobian(
     jacobian: &mut [f64],
 ) -> Result<(), Trial> {
     stretch.jacobian(time, state, jacobian);
-    match jacobian.iter().position(|value| !value.is_finite()) {
+    match first_not_finite(jacobian) {
         None => Ok(()),
         Some(entry) => {
             let (row, _) = stretch.system.jacobian_pattern().entries[entry];
@@ -443,10 +443,18 @@ pub(super) fn finite_jacobian(
 /// [`Trial::NotFinite`] with the first of them.
 #[cfg(feature = "implicit")]
 pub(super) fn require_finite(what: &'static str, values: &[f64]) -> Result<(), Trial> {
-    match values.iter().position(|value| !value.is_finite()) {
+    match first_not_finite(values) {
         None => Ok(()),
         Some(index) => Err(Trial::NotFinite { what, index }),
     }
+}
+
+/// The first of many values that is not finite: looked for only where there is one, for
+/// that can be told of all at once.
+#[cfg(feature = "implicit")]
+fn first_not_finite(values: &[f64]) -> Option<usize> {
+    let is_wrong = values.iter().fold(false, |wrong, value| wrong | !value.is_finite());
+    if is_wrong { values.iter().position(|value| !value.is_finite()) } else { None }
 }
 
 #[cfg(test)]

@@ -21,6 +21,8 @@ pub(super) struct StepMatrix<'a, S> {
     /// this form.
     coordinates: usize,
     entries: &'a [(u32, u32)],
+    /// J_vq.
+    by_position: Vec<Run>,
     shift: S,
     factors: Factors<S>,
 }
@@ -47,11 +49,13 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
                     let (row, column) = (row as usize, column as usize);
                     (row - coordinates, column.checked_sub(coordinates).unwrap_or(column))
                 });
-                Factors::Bordered(Box::new(Bordered::new(size, &border, lower)))
+                let lower: Vec<(usize, usize)> = lower.collect();
+                Factors::Bordered(Box::new(Bordered::new(size, &border, &lower)))
             }
             _ => Factors::Full(Lu::new(size)),
         };
-        Self { coordinates, entries, shift: S::one(), factors }
+        let by_position = runs(entries, coordinates);
+        Self { coordinates, entries, by_position, shift: S::one(), factors }
     }
 
     /// Factors shift I - J, J from its nonzeros in pattern order.
@@ -60,22 +64,30 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
     /// [`Singular`] if that cannot be done.
     pub(super) fn factor(&mut self, shift: S, jacobian: &[f64]) -> Result<(), Singular> {
         self.shift = shift;
-        let (n, entries) = (self.coordinates, self.entries);
+        let (n, entries) = (self.coordinates, &self.entries[self.coordinates..]);
+        let inverse = shift.recip();
+        let value = |column: usize, value: f64| {
+            if column < n { -inverse.scale(value) } else { -S::from_real(value) }
+        };
+        let lower = entries.iter().zip(&jacobian[n..]);
         match &mut self.factors {
             Factors::Full(lu) => {
                 lu.clear();
-                let size = lu.size();
-                fill(n, entries, (shift, size), jacobian, |row, column, value| {
-                    lu.add(row, column, value);
-                });
+                for index in 0..lu.size() {
+                    lu.add(index, index, shift);
+                }
+                for (&(row, column), entry) in lower {
+                    let (row, column) = (row as usize - n, column as usize);
+                    let place = column.checked_sub(n).unwrap_or(column);
+                    lu.add(row, place, value(column, *entry));
+                }
                 lu.factor()
             }
             Factors::Bordered(bordered) => {
-                bordered.clear();
-                let size = bordered.size();
-                fill(n, entries, (shift, size), jacobian, |row, column, value| {
-                    bordered.add(row, column, value);
-                });
+                let (values, targets) = bordered.start(shift);
+                for ((&(_, column), entry), target) in lower.zip(targets) {
+                    values[*target as usize] += value(column as usize, *entry);
+                }
                 bordered.factor()
             }
         }
@@ -86,15 +98,11 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         let n = self.coordinates;
         let inverse = self.shift.recip();
         let (upper, lower) = r.split_at_mut(n);
-        if n > 0 {
-            for value in upper.iter_mut() {
-                *value *= inverse;
-            }
-            for ((row, column), value) in lower_entries(n, self.entries, jacobian) {
-                if column < n {
-                    lower[row - n] += upper[column].scale(value);
-                }
-            }
+        for value in upper.iter_mut() {
+            *value *= inverse;
+        }
+        for run in &self.by_position {
+            run.add_product(jacobian, upper, lower);
         }
         match &mut self.factors {
             Factors::Full(lu) => lu.solve(lower),
@@ -106,33 +114,101 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
     }
 }
 
-/// Adds the entries of the matrix that is factored.
-fn fill<S: ComplexField<RealField = f64> + Copy>(
-    n: usize,
-    entries: &[(u32, u32)],
-    (shift, size): (S, usize),
-    jacobian: &[f64],
-    mut add: impl FnMut(usize, usize, S),
-) {
-    let inverse = shift.recip();
-    for index in 0..size {
-        add(index, index, shift);
+/// Rows one after another that have as many entries by positions, all of them one column
+/// further on than in the row before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Run {
+    /// The first row, below the positions, and its first column and entry.
+    row: usize,
+    column: usize,
+    entry: usize,
+    rows: usize,
+    /// Entries by positions in a row, and from one row to the next.
+    width: usize,
+    stride: usize,
+}
+
+/// The rows below the first `n` as runs, of their first `n` columns.
+fn runs(entries: &[(u32, u32)], n: usize) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let mut first = n;
+    for row in entries[n..].chunk_by(|a, b| a.0 == b.0) {
+        let mut entry = first;
+        first += row.len();
+        let by_position = row.iter().filter(|(_, column)| (*column as usize) < n);
+        let by_position: Vec<(u32, u32)> = by_position.copied().collect();
+        // Columns that follow each other.
+        for part in by_position.chunk_by(|a, b| a.1 + 1 == b.1) {
+            let (at, column) = (part[0].0 as usize - n, part[0].1 as usize);
+            let width = part.len();
+            let is_next = |run: &Run| {
+                let (last, after) = (run.rows - 1, run.rows);
+                let stride = if last == 0 { entry.wrapping_sub(run.entry) } else { run.stride };
+                run.width == width
+                    && (run.row + after, run.column + after) == (at, column)
+                    && run.entry + after * stride == entry
+                    && stride >= width
+            };
+            match runs.last_mut().filter(|run| is_next(run)) {
+                Some(run) => {
+                    run.stride = (entry - run.entry) / run.rows;
+                    run.rows += 1;
+                }
+                None => runs.push(Run { row: at, column, entry, rows: 1, width, stride: width }),
+            }
+            entry += width;
+        }
     }
-    for ((row, column), value) in lower_entries(n, entries, jacobian) {
-        if column < n {
-            add(row - n, column, -inverse.scale(value));
-        } else {
-            add(row - n, column - n, -S::from_real(value));
+    runs
+}
+
+impl Run {
+    /// lower += J_vq upper, in these rows.
+    fn add_product<S>(&self, jacobian: &[f64], upper: &[S], lower: &mut [S])
+    where
+        S: ComplexField<RealField = f64> + Copy,
+    {
+        let rows = &mut lower[self.row..self.row + self.rows];
+        let entries = jacobian[self.entry..].chunks(self.stride);
+        if self.width == 3 {
+            let columns = upper[self.column..].windows(3);
+            for ((sum, entries), columns) in rows.iter_mut().zip(entries).zip(columns) {
+                let [a, b, c] = [0, 1, 2].map(|k| columns[k].scale(entries[k]));
+                *sum += a + b + c;
+            }
+            return;
+        }
+        let columns = upper[self.column..].windows(self.width);
+        for ((sum, entries), columns) in rows.iter_mut().zip(entries).zip(columns) {
+            for (entry, column) in entries.iter().zip(columns) {
+                *sum += column.scale(*entry);
+            }
         }
     }
 }
 
-/// The nonzeros of J below the eliminated rows.
-fn lower_entries<'b>(
-    n: usize,
-    entries: &'b [(u32, u32)],
-    jacobian: &'b [f64],
-) -> impl Iterator<Item = ((usize, usize), f64)> + 'b {
-    let places = entries[n..].iter().map(|&(row, column)| (row as usize, column as usize));
-    places.zip(jacobian[n..].iter().copied())
+#[cfg(test)]
+mod tests {
+    use super::runs;
+
+    #[test]
+    fn products_by_runs_are_those_by_entries() {
+        // Two kinematic rows would be first; here n = 4 positions, 8 states.
+        let n = 4;
+        let mut entries: Vec<(u32, u32)> = (0..4).map(|row| (row, row + 4)).collect();
+        entries.extend([(4, 0), (4, 3), (4, 5), (5, 0), (5, 1), (5, 2), (5, 4), (5, 5), (5, 6)]);
+        entries.extend([(6, 1), (6, 2), (6, 3), (6, 5), (6, 6), (6, 7), (7, 2), (7, 3), (7, 7)]);
+        let jacobian: Vec<f64> = (0..entries.len()).map(|index| 1.0 + index as f64).collect();
+        let upper = [1.0, 10.0, 100.0, 1000.0];
+        let (mut by_runs, mut by_entries) = ([0.0; 4], [0.0; 4]);
+        let runs = runs(&entries, n);
+        assert!(runs.iter().any(|run| run.rows > 1), "{runs:?}");
+        runs.iter().for_each(|run| run.add_product(&jacobian, &upper, &mut by_runs));
+        for ((row, column), value) in entries.iter().zip(&jacobian).skip(n) {
+            if (*column as usize) < n {
+                by_entries[*row as usize - n] += value * upper[*column as usize];
+            }
+        }
+        assert_eq!(by_runs.map(f64::to_bits), by_entries.map(f64::to_bits));
+    }
 }

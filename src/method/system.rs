@@ -183,7 +183,8 @@ impl<'a> System<'a> {
     pub fn time_derivative(&self, time: f64, state: &[f64], derivative: &mut [f64]) {
         let states = self.states();
         let (state, derivative) = (&state[..states], &mut derivative[..states]);
-        self.simulator.time_derivative(time, state, self.parameters, derivative);
+        let (parameters, constants) = (self.parameters, &self.constants);
+        self.simulator.prepared_time_derivative(time, state, parameters, constants, derivative);
     }
 
     /// Tells the user something of how the run went; what has been said already,

@@ -60,6 +60,11 @@ impl Sum {
         self.0.iter().find(|(known, _)| *known == basis).map(|(_, coefficient)| *coefficient)
     }
 
+    /// Whether every term is one of the state.
+    pub(super) fn is_of_states(&self) -> bool {
+        self.0.iter().all(|(basis, _)| matches!(basis, Basis::State(_)))
+    }
+
     fn depends_on_state(&self) -> bool {
         self.0.iter().any(|(basis, _)| matches!(basis, Basis::State(_)))
     }

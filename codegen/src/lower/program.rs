@@ -32,9 +32,8 @@ pub fn lower(linearization: &Linearization) -> Program {
     let [constraint_values, constraint_rates] = build.constraints();
     let graph = &build.graph;
     let rate = graph.tape(&build.rate);
-    // What events, constraints and fields do is not in the rate.
-    let is_whole =
-        system.events.is_empty() && system.constraints.is_empty() && system.fields.is_empty();
+    // What events and constraints do is not in the rate. What fields do is, by parameters.
+    let is_whole = system.events.is_empty() && system.constraints.is_empty();
     Program {
         excitation: is_whole.then(|| Excitation::of(&rate)).flatten(),
         initial_state: graph.tape(&initial),

@@ -63,8 +63,8 @@
 //   energy                   75
 //   power_balance           187
 // With constants of the parameters, prepared once a run:
-//   prepare                  61
-//   prepared_rate            60
+//   prepare                  60
+//   prepared_rate            61
 //   prepared_rate_jacobian   29
 
 use crate::{
@@ -536,11 +536,11 @@ pub struct Constants<R> {
     pub inverse_crank_inertia: R,
     pub inverse_shaft_driven_field_inertia: R,
     pub inverse_shaft_reed_field_inertia: R,
+    pub inverse_shaft_middle_field_inertia: R,
     pub t3: R,
     pub t4: R,
     pub crank_ratio_times_crank_stiffness: R,
     pub t5: R,
-    pub shaft_middle_dot_dot: R,
     pub motor_alpha_s_times_motor_omega_0: R,
     pub motor_alpha_r_times_motor_omega_0: R,
     pub motor_omega_dot_by_motor_phi: R,
@@ -579,11 +579,11 @@ impl<R: Real> Constants<R> {
             inverse_crank_inertia: values[5],
             inverse_shaft_driven_field_inertia: values[6],
             inverse_shaft_reed_field_inertia: values[7],
-            t3: values[8],
-            t4: values[9],
-            crank_ratio_times_crank_stiffness: values[10],
-            t5: values[11],
-            shaft_middle_dot_dot: values[12],
+            inverse_shaft_middle_field_inertia: values[8],
+            t3: values[9],
+            t4: values[10],
+            crank_ratio_times_crank_stiffness: values[11],
+            t5: values[12],
             motor_alpha_s_times_motor_omega_0: values[13],
             motor_alpha_r_times_motor_omega_0: values[14],
             motor_omega_dot_by_motor_phi: values[15],
@@ -621,11 +621,11 @@ impl<R: Real> Constants<R> {
             self.inverse_crank_inertia,
             self.inverse_shaft_driven_field_inertia,
             self.inverse_shaft_reed_field_inertia,
+            self.inverse_shaft_middle_field_inertia,
             self.t3,
             self.t4,
             self.crank_ratio_times_crank_stiffness,
             self.t5,
-            self.shaft_middle_dot_dot,
             self.motor_alpha_s_times_motor_omega_0,
             self.motor_alpha_r_times_motor_omega_0,
             self.motor_omega_dot_by_motor_phi,
@@ -654,7 +654,7 @@ impl<R: Real> Constants<R> {
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run.
 ///
-/// 61 operations.
+/// 60 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -671,12 +671,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_shaft_driven_field_inertia = R::literal(1.0)
         / p.shaft_driven_field_inertia;
     let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
+    let inverse_shaft_middle_field_inertia = R::literal(1.0)
+        / p.shaft_middle_field_inertia;
     let t3 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
     let t4 = p.coupling_stiffness * p.coupling_ratio;
     let crank_ratio_times_crank_stiffness = p.crank_ratio * p.crank_stiffness;
     let t5 = p.coupling_damping * p.coupling_ratio;
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * (R::literal(1.0) / p.shaft_middle_field_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
@@ -711,11 +711,11 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         inverse_crank_inertia,
         inverse_shaft_driven_field_inertia,
         inverse_shaft_reed_field_inertia,
+        inverse_shaft_middle_field_inertia,
         t3,
         t4,
         crank_ratio_times_crank_stiffness,
         t5,
-        shaft_middle_dot_dot,
         motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0,
         motor_omega_dot_by_motor_phi,
@@ -785,7 +785,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 60 operations.
+/// 61 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -818,6 +818,8 @@ pub fn prepared_rate<R: Real>(
         * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
         * c.inverse_shaft_reed_field_inertia;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * c.inverse_shaft_middle_field_inertia;
     let reed_speed_dot = (t0 - fell_torque) * c.t3;
     let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
         - c.motor_alpha_s_times_motor_omega_0
@@ -841,7 +843,7 @@ pub fn prepared_rate<R: Real>(
         crank_turn_speed_dot,
         shaft_driven_dot_dot,
         shaft_reed_dot_dot,
-        c.shaft_middle_dot_dot,
+        shaft_middle_dot_dot,
         reed_speed_dot,
         motor_psi_sx_dot,
         motor_psi_sy_dot,
@@ -1965,7 +1967,7 @@ pub mod shaft_u {
     ///
     /// 4 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         [
@@ -2166,6 +2168,83 @@ pub mod shaft_u {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
+    /// f_0 alone.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 2] {
+        [R::literal(0.0), R::literal(0.0)]
+    }
+    /// df_0/dt.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// f_1 alone.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, u_x, _, u_x_dot] = *point;
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        [
+            -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+                * (shaft_radius_squared * shaft_radius_squared)
+                * (u_x + p.shaft_damping_time * u_x_dot)),
+        ]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
+        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
+        [
+            -(t0 * shaft_radius_squared_squared),
+            -(t0 * p.shaft_damping_time * shaft_radius_squared_squared),
+        ]
+    }
 }
 
 impl<R: Real> FieldScene<R> for LoomDrive {
@@ -2288,6 +2367,166 @@ impl<R: Real> FieldScene<R> for LoomDrive {
         let p = parameters_of(parameters);
         match index {
             0 => values.copy_from_slice(&shaft_u::places_gradient(&p)),
+            _ => no_field(index),
+        }
+    }
+    fn jacobian_reads_forces(&self) -> bool {
+        false
+    }
+    fn field_is_linear(&self, index: usize) -> bool {
+        matches!(index, 0)
+    }
+    fn field_is_local(&self, index: usize) -> bool {
+        matches!(index, 0)
+    }
+    fn field_inertias(
+        &self,
+        index: usize,
+        x: &[R],
+        parameters: &[R],
+        inertias: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (inertia, x) in inertias.iter_mut().zip(x) {
+                    [*inertia] = shaft_u::inertia(*x, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
+                    [*force] = shaft_u::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_jacobian(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        [by_u,
+        by_u_t,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((x, u), u_t), by) in x
+                    .iter()
+                    .zip(u)
+                    .zip(u_t)
+                    .zip(by_u.iter_mut().zip(by_u_t))
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by.0, *by.1] = shaft_u::on_value_jacobian(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_by_time(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        (_, by_time): (&mut [R], &mut [R]),
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by_time] = shaft_u::on_value_by_time(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*force] = shaft_u::on_slope(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes_jacobian(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        [by_u_x,
+        by_u_xt,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((u_x, u_xt), by) in u_x
+                    .iter()
+                    .zip(u_xt)
+                    .zip(by_u_x.iter_mut().zip(by_u_xt))
+                {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*by.0, *by.1] = shaft_u::on_slope_jacobian(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
             _ => no_field(index),
         }
     }

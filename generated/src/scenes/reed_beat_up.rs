@@ -54,13 +54,13 @@
 //   energy                   33
 //   power_balance            51
 // With constants of the parameters, prepared once a run:
-//   prepare                  15
-//   prepared_rate            14
+//   prepare                  14
+//   prepared_rate            15
 //   prepared_rate_jacobian    0
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern,
+    SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
 };
 
@@ -362,8 +362,8 @@ pub const CONSTANTS: usize = 9;
 pub struct Constants<R> {
     pub inverse_shaft_driven_field_inertia: R,
     pub inverse_shaft_reed_field_inertia: R,
+    pub inverse_shaft_middle_field_inertia: R,
     pub t0: R,
-    pub shaft_middle_dot_dot: R,
     pub shaft_driven_dot_dot_by_shaft_driven: R,
     pub t1: R,
     pub shaft_reed_dot_dot_by_shaft_reed: R,
@@ -379,8 +379,8 @@ impl<R: Real> Constants<R> {
         Self {
             inverse_shaft_driven_field_inertia: values[0],
             inverse_shaft_reed_field_inertia: values[1],
-            t0: values[2],
-            shaft_middle_dot_dot: values[3],
+            inverse_shaft_middle_field_inertia: values[2],
+            t0: values[3],
             shaft_driven_dot_dot_by_shaft_driven: values[4],
             t1: values[5],
             shaft_reed_dot_dot_by_shaft_reed: values[6],
@@ -395,8 +395,8 @@ impl<R: Real> Constants<R> {
         [
             self.inverse_shaft_driven_field_inertia,
             self.inverse_shaft_reed_field_inertia,
+            self.inverse_shaft_middle_field_inertia,
             self.t0,
-            self.shaft_middle_dot_dot,
             self.shaft_driven_dot_dot_by_shaft_driven,
             self.t1,
             self.shaft_reed_dot_dot_by_shaft_reed,
@@ -408,16 +408,16 @@ impl<R: Real> Constants<R> {
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run.
 ///
-/// 15 operations.
+/// 14 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_shaft_driven_field_inertia = R::literal(1.0)
         / p.shaft_driven_field_inertia;
     let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
+    let inverse_shaft_middle_field_inertia = R::literal(1.0)
+        / p.shaft_middle_field_inertia;
     let t0 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
-    let shaft_middle_dot_dot = p.shaft_middle_field_force
-        * (R::literal(1.0) / p.shaft_middle_field_inertia);
     let shaft_driven_dot_dot_by_shaft_driven = -(p.drive_stiffness
         * inverse_shaft_driven_field_inertia);
     let t1 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
@@ -427,8 +427,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     Constants {
         inverse_shaft_driven_field_inertia,
         inverse_shaft_reed_field_inertia,
+        inverse_shaft_middle_field_inertia,
         t0,
-        shaft_middle_dot_dot,
         shaft_driven_dot_dot_by_shaft_driven,
         t1,
         shaft_reed_dot_dot_by_shaft_reed,
@@ -473,7 +473,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 14 operations.
+/// 15 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -492,6 +492,8 @@ pub fn prepared_rate<R: Real>(
         * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
         * c.inverse_shaft_reed_field_inertia;
+    let shaft_middle_dot_dot = p.shaft_middle_field_force
+        * c.inverse_shaft_middle_field_inertia;
     let reed_speed_dot = (t0 - fell_torque) * c.t0;
     [
         shaft_driven_dot,
@@ -500,7 +502,7 @@ pub fn prepared_rate<R: Real>(
         reed_speed,
         shaft_driven_dot_dot,
         shaft_reed_dot_dot,
-        c.shaft_middle_dot_dot,
+        shaft_middle_dot_dot,
         reed_speed_dot,
     ]
 }
@@ -767,6 +769,62 @@ pub fn power_balance<R: Real>(
     }
 }
 
+/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+pub const EXCITATION_TERMS: [(u32, u32); 4] = [(4, 0), (4, 0), (5, 0), (6, 0)];
+
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, on the piece that holds `time`.
+///
+/// 8 operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 16] {
+    let inverse_shaft_driven_field_inertia = R::literal(1.0)
+        / p.shaft_driven_field_inertia;
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        p.shaft_driven_field_force * inverse_shaft_driven_field_inertia,
+        R::literal(0.0),
+        R::literal(0.0),
+        p.drive_frequency,
+        R::literal(0.0),
+        p.drive_amplitude * p.drive_stiffness * inverse_shaft_driven_field_inertia,
+        R::literal(0.0),
+        R::literal(0.0),
+        p.shaft_reed_field_force * (R::literal(1.0) / p.shaft_reed_field_inertia),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        p.shaft_middle_field_force * (R::literal(1.0) / p.shaft_middle_field_inertia),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none.
+///
+/// No operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
+}
+
+impl<R: Real> LinearEquations<R> for ReedBeatUp {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        &EXCITATION_TERMS
+    }
+    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&excitation(time, &parameters_of(parameters)));
+    }
+    fn switches(&self) -> usize {
+        SWITCHES
+    }
+    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+        times.copy_from_slice(&switches(&parameters_of(parameters)));
+    }
+}
+
 impl Describe for ReedBeatUp {
     fn name(&self) -> &'static str {
         "reed_beat_up"
@@ -892,6 +950,9 @@ impl<R: Real> Simulator<R> for ReedBeatUp {
     }
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
+        Some(self)
     }
 }
 
@@ -1185,7 +1246,7 @@ pub mod shaft_u {
     ///
     /// 4 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         [
@@ -1386,6 +1447,83 @@ pub mod shaft_u {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
+    /// f_0 alone.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 2] {
+        [R::literal(0.0), R::literal(0.0)]
+    }
+    /// df_0/dt.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// f_1 alone.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, u_x, _, u_x_dot] = *point;
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        [
+            -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+                * (shaft_radius_squared * shaft_radius_squared)
+                * (u_x + p.shaft_damping_time * u_x_dot)),
+        ]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 8 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
+        let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
+        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
+        [
+            -(t0 * shaft_radius_squared_squared),
+            -(t0 * p.shaft_damping_time * shaft_radius_squared_squared),
+        ]
+    }
 }
 
 impl<R: Real> FieldScene<R> for ReedBeatUp {
@@ -1508,6 +1646,166 @@ impl<R: Real> FieldScene<R> for ReedBeatUp {
         let p = parameters_of(parameters);
         match index {
             0 => values.copy_from_slice(&shaft_u::places_gradient(&p)),
+            _ => no_field(index),
+        }
+    }
+    fn jacobian_reads_forces(&self) -> bool {
+        false
+    }
+    fn field_is_linear(&self, index: usize) -> bool {
+        matches!(index, 0)
+    }
+    fn field_is_local(&self, index: usize) -> bool {
+        matches!(index, 0)
+    }
+    fn field_inertias(
+        &self,
+        index: usize,
+        x: &[R],
+        parameters: &[R],
+        inertias: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (inertia, x) in inertias.iter_mut().zip(x) {
+                    [*inertia] = shaft_u::inertia(*x, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
+                    [*force] = shaft_u::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_jacobian(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        [by_u,
+        by_u_t,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((x, u), u_t), by) in x
+                    .iter()
+                    .zip(u)
+                    .zip(u_t)
+                    .zip(by_u.iter_mut().zip(by_u_t))
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by.0, *by.1] = shaft_u::on_value_jacobian(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_by_time(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        (_, by_time): (&mut [R], &mut [R]),
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by_time] = shaft_u::on_value_by_time(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*force] = shaft_u::on_slope(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes_jacobian(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        [by_u_x,
+        by_u_xt,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((u_x, u_xt), by) in u_x
+                    .iter()
+                    .zip(u_xt)
+                    .zip(by_u_x.iter_mut().zip(by_u_xt))
+                {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*by.0, *by.1] = shaft_u::on_slope_jacobian(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
             _ => no_field(index),
         }
     }

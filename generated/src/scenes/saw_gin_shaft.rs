@@ -54,8 +54,8 @@
 //   energy                   45
 //   power_balance           144
 // With constants of the parameters, prepared once a run:
-//   prepare                  46
-//   prepared_rate            42
+//   prepare                  45
+//   prepared_rate            43
 //   prepared_rate_jacobian   14
 
 use crate::{
@@ -459,9 +459,9 @@ pub struct Constants<R> {
     pub t2: R,
     pub inverse_motor_inertia: R,
     pub inverse_saws_driven_field_inertia: R,
+    pub inverse_saws_end_field_inertia: R,
     pub t3: R,
     pub t4: R,
-    pub saws_end_dot_dot: R,
     pub motor_alpha_s_times_motor_omega_0: R,
     pub motor_alpha_r_times_motor_omega_0: R,
     pub motor_omega_dot_by_motor_phi: R,
@@ -492,9 +492,9 @@ impl<R: Real> Constants<R> {
             t2: values[3],
             inverse_motor_inertia: values[4],
             inverse_saws_driven_field_inertia: values[5],
-            t3: values[6],
-            t4: values[7],
-            saws_end_dot_dot: values[8],
+            inverse_saws_end_field_inertia: values[6],
+            t3: values[7],
+            t4: values[8],
             motor_alpha_s_times_motor_omega_0: values[9],
             motor_alpha_r_times_motor_omega_0: values[10],
             motor_omega_dot_by_motor_phi: values[11],
@@ -524,9 +524,9 @@ impl<R: Real> Constants<R> {
             self.t2,
             self.inverse_motor_inertia,
             self.inverse_saws_driven_field_inertia,
+            self.inverse_saws_end_field_inertia,
             self.t3,
             self.t4,
-            self.saws_end_dot_dot,
             self.motor_alpha_s_times_motor_omega_0,
             self.motor_alpha_r_times_motor_omega_0,
             self.motor_omega_dot_by_motor_phi,
@@ -549,7 +549,7 @@ impl<R: Real> Constants<R> {
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run.
 ///
-/// 46 operations.
+/// 45 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -564,10 +564,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_saws_driven_field_inertia = R::literal(1.0)
         / p.saws_driven_field_inertia;
+    let inverse_saws_end_field_inertia = R::literal(1.0) / p.saws_end_field_inertia;
     let t3 = p.coupling_stiffness * p.coupling_ratio;
     let t4 = p.coupling_damping * p.coupling_ratio;
-    let saws_end_dot_dot = p.saws_end_field_force
-        * (R::literal(1.0) / p.saws_end_field_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
@@ -594,9 +593,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         t2,
         inverse_motor_inertia,
         inverse_saws_driven_field_inertia,
+        inverse_saws_end_field_inertia,
         t3,
         t4,
-        saws_end_dot_dot,
         motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0,
         motor_omega_dot_by_motor_phi,
@@ -654,7 +653,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 42 operations.
+/// 43 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -675,6 +674,7 @@ pub fn prepared_rate<R: Real>(
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let saws_driven_dot_dot = (p.saws_driven_field_force + c.t3 * coupling_twist
         + c.t4 * coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
+    let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
     let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
         - c.motor_alpha_s_times_motor_omega_0
             * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
@@ -692,7 +692,7 @@ pub fn prepared_rate<R: Real>(
         saws_end_dot,
         motor_omega_dot,
         saws_driven_dot_dot,
-        c.saws_end_dot_dot,
+        saws_end_dot_dot,
         motor_psi_sx_dot,
         motor_psi_sy_dot,
         motor_psi_rx_dot,
@@ -1605,7 +1605,7 @@ pub mod saws_phi {
     ///
     /// 1 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         [p.saws_inertia / p.saws_length]
     }
@@ -1893,6 +1893,127 @@ pub mod saws_phi {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
+    /// f_0 alone.
+    ///
+    /// 26 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, _, phi_dot, _] = *point;
+        let t0 = (p.saws_mean
+            + p.saws_amplitude
+                * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
+                    .sin())
+            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
+                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x)
+            * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
+        [
+            -(t0
+                / (R::literal(1.0)
+                    + (-(R::literal(1.0) / p.saws_engagement_width
+                        * (time - p.saws_engagement_time)))
+                        .exp())),
+        ]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 29 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let [_, _, phi_dot, _] = *point;
+        let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
+        let t0 = (inverse_saws_standstill_band * phi_dot).tanh();
+        let t1 = inverse_saws_standstill_band * (R::literal(1.0) - t0 * t0)
+            * (p.saws_mean
+                + p.saws_amplitude
+                    * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                        * time)
+                        .sin())
+            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
+                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length)
+                    * x);
+        [
+            R::literal(0.0),
+            -(t1
+                / (R::literal(1.0)
+                    + (-(R::literal(1.0) / p.saws_engagement_width
+                        * (time - p.saws_engagement_time)))
+                        .exp())),
+        ]
+    }
+    /// df_0/dt.
+    ///
+    /// 38 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        time: R,
+        x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, _, phi_dot, _] = *point;
+        let t0 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
+        let t1 = (R::literal(1.0) - p.saws_growing) / p.saws_length
+            + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x;
+        let inverse_saws_engagement_width = R::literal(1.0) / p.saws_engagement_width;
+        let t2 = (-(inverse_saws_engagement_width * (time - p.saws_engagement_time)))
+            .exp();
+        let t3 = R::literal(1.0) + t2;
+        let t4 = (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
+        [
+            -(inverse_saws_engagement_width * (p.saws_mean + p.saws_amplitude * t0.sin())
+                * t1 * t2 * t4 / (t3 * t3))
+                - R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * t1
+                    * t0.cos() * t4 / t3,
+        ]
+    }
+    /// f_1 alone.
+    ///
+    /// 5 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, phi_x, _, phi_x_dot] = *point;
+        [
+            -(p.saws_shear_modulus * p.saws_polar_moment
+                * (phi_x + p.saws_damping_time * phi_x_dot)),
+        ]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 4 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        let t0 = p.saws_shear_modulus * p.saws_polar_moment;
+        [-t0, -(t0 * p.saws_damping_time)]
+    }
 }
 
 impl<R: Real> FieldScene<R> for SawGinShaft {
@@ -2015,6 +2136,163 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
         let p = parameters_of(parameters);
         match index {
             0 => values.copy_from_slice(&saws_phi::places_gradient(&p)),
+            _ => no_field(index),
+        }
+    }
+    fn jacobian_reads_forces(&self) -> bool {
+        false
+    }
+    fn field_is_local(&self, index: usize) -> bool {
+        matches!(index, 0)
+    }
+    fn field_inertias(
+        &self,
+        index: usize,
+        x: &[R],
+        parameters: &[R],
+        inertias: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (inertia, x) in inertias.iter_mut().zip(x) {
+                    [*inertia] = saws_phi::inertia(*x, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
+                    [*force] = saws_phi::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_jacobian(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        [by_u,
+        by_u_t,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((x, u), u_t), by) in x
+                    .iter()
+                    .zip(u)
+                    .zip(u_t)
+                    .zip(by_u.iter_mut().zip(by_u_t))
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by.0, *by.1] = saws_phi::on_value_jacobian(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_by_time(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        (_, by_time): (&mut [R], &mut [R]),
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by_time] = saws_phi::on_value_by_time(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*force] = saws_phi::on_slope(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes_jacobian(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        [by_u_x,
+        by_u_xt,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((u_x, u_xt), by) in u_x
+                    .iter()
+                    .zip(u_xt)
+                    .zip(by_u_x.iter_mut().zip(by_u_xt))
+                {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*by.0, *by.1] = saws_phi::on_slope_jacobian(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
             _ => no_field(index),
         }
     }

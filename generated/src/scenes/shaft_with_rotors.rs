@@ -48,13 +48,13 @@
 //   energy                   13
 //   power_balance            18
 // With constants of the parameters, prepared once a run:
-//   prepare                   6
-//   prepared_rate             0
+//   prepare                   4
+//   prepared_rate             2
 //   prepared_rate_jacobian    0
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern,
+    SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
 };
 
@@ -254,8 +254,8 @@ pub const CONSTANTS: usize = 2;
 /// What parameters alone decide; `prepare` says what each is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constants<R> {
-    pub shaft_start_dot_dot: R,
-    pub shaft_end_dot_dot: R,
+    pub t0: R,
+    pub t1: R,
 }
 
 impl<R: Real> Constants<R> {
@@ -264,32 +264,27 @@ impl<R: Real> Constants<R> {
     #[inline]
     pub fn from_array(values: [R; CONSTANTS]) -> Self {
         Self {
-            shaft_start_dot_dot: values[0],
-            shaft_end_dot_dot: values[1],
+            t0: values[0],
+            t1: values[1],
         }
     }
     /// The numbers in their order.
     #[must_use]
     #[inline]
     pub fn to_array(self) -> [R; CONSTANTS] {
-        [self.shaft_start_dot_dot, self.shaft_end_dot_dot]
+        [self.t0, self.t1]
     }
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run.
 ///
-/// 6 operations.
+/// 4 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let shaft_start_dot_dot = p.shaft_start_field_force
-        * (R::literal(1.0) / (p.driving_inertia + p.shaft_start_field_inertia));
-    let shaft_end_dot_dot = p.shaft_end_field_force
-        * (R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia));
-    Constants {
-        shaft_start_dot_dot,
-        shaft_end_dot_dot,
-    }
+    let t0 = R::literal(1.0) / (p.driving_inertia + p.shaft_start_field_inertia);
+    let t1 = R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia);
+    Constants { t0, t1 }
 }
 
 /// State at the start of the run, in the units of the states.
@@ -319,17 +314,19 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// No operations.
+/// 2 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
     _time: R,
     state: &[R; STATES],
-    _p: &Parameters<R>,
+    p: &Parameters<R>,
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [_, _, shaft_start_dot, shaft_end_dot] = *state;
-    [shaft_start_dot, shaft_end_dot, c.shaft_start_dot_dot, c.shaft_end_dot_dot]
+    let shaft_start_dot_dot = p.shaft_start_field_force * c.t0;
+    let shaft_end_dot_dot = p.shaft_end_field_force * c.t1;
+    [shaft_start_dot, shaft_end_dot, shaft_start_dot_dot, shaft_end_dot_dot]
 }
 
 /// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
@@ -487,6 +484,54 @@ pub fn power_balance<R: Real>(
     }
 }
 
+/// Entry of the state on whose rate a term `t^k e^(g t) (C cos(w t) + S sin(w t))` acts, and k.
+pub const EXCITATION_TERMS: [(u32, u32); 2] = [(2, 0), (3, 0)];
+
+/// Times at which pieces of the excitation end.
+pub const SWITCHES: usize = 0;
+
+/// g, w, C and S of every term of the excitation, on the piece that holds `time`.
+///
+/// 6 operations.
+#[must_use]
+pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 8] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        p.shaft_start_field_force
+            * (R::literal(1.0) / (p.driving_inertia + p.shaft_start_field_inertia)),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        p.shaft_end_field_force
+            * (R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia)),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which pieces of the excitation end \[s\]; not finite where there is none.
+///
+/// No operations.
+#[must_use]
+pub fn switches<R: Real>(_p: &Parameters<R>) -> [R; SWITCHES] {
+    []
+}
+
+impl<R: Real> LinearEquations<R> for ShaftWithRotors {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        &EXCITATION_TERMS
+    }
+    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&excitation(time, &parameters_of(parameters)));
+    }
+    fn switches(&self) -> usize {
+        SWITCHES
+    }
+    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+        times.copy_from_slice(&switches(&parameters_of(parameters)));
+    }
+}
+
 impl Describe for ShaftWithRotors {
     fn name(&self) -> &'static str {
         "shaft_with_rotors"
@@ -612,6 +657,9 @@ impl<R: Real> Simulator<R> for ShaftWithRotors {
     }
     fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
         power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
+        Some(self)
     }
 }
 
@@ -795,7 +843,7 @@ pub mod shaft_phi {
     ///
     /// 0 operations.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         [p.shaft_density]
     }
@@ -954,6 +1002,72 @@ pub mod shaft_phi {
             R::literal(0.0),
         ]
     }
+    /// f_0 alone.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// df_0/du and df_0/du_t.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 2] {
+        [R::literal(0.0), R::literal(0.0)]
+    }
+    /// df_0/dt.
+    ///
+    /// 0 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_value_by_time<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        _p: &Parameters<R>,
+    ) -> [R; 1] {
+        [R::literal(0.0)]
+    }
+    /// f_1 alone.
+    ///
+    /// 4 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope<R: Real>(
+        _time: R,
+        _x: R,
+        point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 1] {
+        let [_, phi_x, _, phi_x_dot] = *point;
+        [-(p.shaft_stiffness * (phi_x + p.shaft_damping_time * phi_x_dot))]
+    }
+    /// df_1/du_x and df_1/du_xt.
+    ///
+    /// 3 operations.
+    #[must_use]
+    #[inline(always)]
+    pub fn on_slope_jacobian<R: Real>(
+        _time: R,
+        _x: R,
+        _point: &FieldPoint<R>,
+        p: &Parameters<R>,
+    ) -> [R; 2] {
+        [-p.shaft_stiffness, -(p.shaft_stiffness * p.shaft_damping_time)]
+    }
 }
 
 impl<R: Real> FieldScene<R> for ShaftWithRotors {
@@ -1076,6 +1190,166 @@ impl<R: Real> FieldScene<R> for ShaftWithRotors {
         let p = parameters_of(parameters);
         match index {
             0 => values.copy_from_slice(&shaft_phi::places_gradient(&p)),
+            _ => no_field(index),
+        }
+    }
+    fn jacobian_reads_forces(&self) -> bool {
+        false
+    }
+    fn field_is_linear(&self, index: usize) -> bool {
+        matches!(index, 0)
+    }
+    fn field_is_local(&self, index: usize) -> bool {
+        matches!(index, 0)
+    }
+    fn field_inertias(
+        &self,
+        index: usize,
+        x: &[R],
+        parameters: &[R],
+        inertias: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (inertia, x) in inertias.iter_mut().zip(x) {
+                    [*inertia] = shaft_phi::inertia(*x, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
+                    [*force] = shaft_phi::on_value(
+                        time,
+                        *x,
+                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_jacobian(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        [by_u,
+        by_u_t,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((x, u), u_t), by) in x
+                    .iter()
+                    .zip(u)
+                    .zip(u_t)
+                    .zip(by_u.iter_mut().zip(by_u_t))
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by.0, *by.1] = shaft_phi::on_value_jacobian(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_values_by_time(
+        &self,
+        index: usize,
+        time: R,
+        [x,
+        u,
+        u_t,
+        ]: [&[R]; 3],
+        parameters: &[R],
+        (_, by_time): (&mut [R], &mut [R]),
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
+                {
+                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
+                    [*by_time] = shaft_phi::on_value_by_time(time, *x, &point, &p);
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        forces: &mut [R],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*force] = shaft_phi::on_slope(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
+            _ => no_field(index),
+        }
+    }
+    fn field_forces_on_slopes_jacobian(
+        &self,
+        index: usize,
+        [u_x,
+        u_xt,
+        ]: [&[R]; 2],
+        parameters: &[R],
+        [by_u_x,
+        by_u_xt,
+        ]: [&mut [R]; 2],
+    ) {
+        let p = parameters_of(parameters);
+        match index {
+            0 => {
+                for ((u_x, u_xt), by) in u_x
+                    .iter()
+                    .zip(u_xt)
+                    .zip(by_u_x.iter_mut().zip(by_u_xt))
+                {
+                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
+                    [*by.0, *by.1] = shaft_phi::on_slope_jacobian(
+                        R::literal(0.0),
+                        R::literal(0.0),
+                        &point,
+                        &p,
+                    );
+                }
+            }
             _ => no_field(index),
         }
     }

@@ -10,9 +10,12 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::Solution;
 use super::piece::{Piece, Wave};
+use crate::method::Stretch;
 
 /// Larger matrices are better stepped.
 const MOST_ROWS: usize = 600;
+/// Where steps cost no more than a few times the rows, that is earlier.
+const MOST_ROWS_OF_BANDED: usize = 120;
 /// Exponentials kept for spans that come again.
 const KEPT: usize = 128;
 /// Squaring doubles rounding errors as often as it is done: times the norm of the
@@ -31,12 +34,19 @@ pub(super) struct Exponential<'a> {
 
 impl<'a> Exponential<'a> {
     /// Refused with the reason if it would miss the tolerance.
-    pub(super) fn new(piece: &'a Piece, state: &[f64], rtol: f64) -> Result<Self, String> {
+    pub(super) fn new(
+        piece: &'a Piece,
+        stretch: &Stretch<'_>,
+        state: &[f64],
+    ) -> Result<Self, String> {
+        let rtol = stretch.rtol;
+        let is_banded = stretch.system.simulator().border().is_some();
+        let most = if is_banded { MOST_ROWS_OF_BANDED } else { MOST_ROWS };
         let waves: usize = piece.waves.iter().map(rows).sum();
         let size = piece.states() + waves;
-        if size > MOST_ROWS {
+        if size > most {
             return Err(format!(
-                "{size} rows are too many for the exponential of a matrix (at most {MOST_ROWS}); \
+                "{size} rows are too many for the exponential of a matrix (at most {most}); \
                  try the method `auto`"
             ));
         }
@@ -114,7 +124,7 @@ fn waves(piece: &Piece, s: f64) -> Vec<f64> {
 fn augmented(piece: &Piece, size: usize) -> DMatrix<f64> {
     let n = piece.states();
     let mut matrix = DMatrix::zeros(size, size);
-    matrix.view_mut((0, 0), (n, n)).copy_from(&piece.matrix);
+    matrix.view_mut((0, 0), (n, n)).copy_from(&piece.matrix());
     let mut first = n;
     for wave in &piece.waves {
         let Complex { re: growth, im: frequency } = wave.mu;

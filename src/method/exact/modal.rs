@@ -1,15 +1,14 @@
 //! By modes: M q'' + D q' + K q = f(t) with symmetric K and D that share the modes
 //! of K, as without damping or with Rayleigh's.
 
-use nalgebra::{Cholesky, Complex, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{Complex, DMatrix};
 
 use super::Solution;
+use super::forms::{Forms, Modes};
 use super::piece::Piece;
 use super::response::responses;
 use crate::method::Stretch;
 
-/// Deviations from symmetry and from common modes that rounding makes, relative.
-const ROUNDING: f64 = 1e-11;
 /// (eigenvalue distance times span) below which two eigenvalues count as one: what
 /// is neglected is of its square, what is avoided is a loss of its inverse in digits.
 const EQUAL: f64 = 1e-5;
@@ -39,31 +38,47 @@ struct Mode {
 
 impl<'a> Modal<'a> {
     /// Nothing if the machine has no such modes, or not to the last digits.
-    pub(super) fn new(piece: &'a Piece, stretch: &Stretch<'_>, state: &[f64]) -> Option<Self> {
-        let mass = mass_matrix(piece, stretch)?;
-        let n = mass.nrows();
-        let stiffness = symmetric(&-(&mass * piece.matrix.view((n, 0), (n, n))))?;
-        let damping = symmetric(&-(&mass * piece.matrix.view((n, n), (n, n))))?;
-        let factor = Cholesky::new(mass.clone())?.l();
-        let inverse = factor.try_inverse()?;
-        let mut shapes = modes_of(&stiffness, &inverse)?;
-        let stiffnesses = stiffnesses(&stiffness, &mass, &mut shapes);
-        let dampings = dampings(&damping, &shapes)?;
-        let (position, velocity) =
-            (DVector::from_column_slice(&state[..n]), DVector::from_column_slice(&state[n..]));
-        let [position, velocity] =
-            [position, velocity].map(|vector| shapes.tr_mul(&(&mass * vector)));
+    ///
+    /// # Errors
+    /// Why they would miss the tolerance.
+    pub(super) fn new(
+        piece: &'a Piece,
+        stretch: &Stretch<'_>,
+        state: &[f64],
+    ) -> Result<Option<Self>, String> {
+        let Some(forms) = Forms::of(piece, stretch) else { return Ok(None) };
+        let Some(modes) = forms.modes() else { return Ok(None) };
+        if modes.mixing > stretch.rtol {
+            return Err(format!(
+                "its modes lie so close that rounding mixes them by {:.0e}, more than the \
+                 tolerance; try the method `auto`",
+                modes.mixing
+            ));
+        }
+        Ok(Self::of(piece, &forms, modes, state))
+    }
+
+    /// Nothing if eigenvalues cannot be told apart without loss.
+    fn of(piece: &'a Piece, forms: &Forms, modes: Modes, state: &[f64]) -> Option<Self> {
+        let n = forms.mass.len();
+        let Modes { stiffnesses, dampings, shapes, .. } = modes;
+        let [position, velocity] = [&state[..n], &state[n..]].map(|vector| {
+            let is_moved = vector.iter().any(|value| *value != 0.0);
+            is_moved.then(|| shapes.tr_mul(&forms.mass.times(vector)))
+        });
         let mut modes = Vec::with_capacity(n);
         for index in 0..n {
             let (eigenvalues, is_double) =
                 eigenvalues(stiffnesses[index], dampings[index], piece.span())?;
             // f acts on accelerations as M^-1 f; so f is M times that.
+            let shape = shapes.column(index);
             let force = |(entry, amplitude): &(usize, Complex<f64>)| {
-                amplitude * mass.column(entry - n).dot(&shapes.column(index))
+                amplitude * forms.mass.row_times(entry - n, shape.as_slice())
             };
             let amplitudes =
                 piece.waves.iter().map(|wave| wave.amplitudes.iter().map(force).sum()).collect();
-            let start = [position[index], velocity[index]];
+            let start = [&position, &velocity];
+            let start = start.map(|vector| vector.as_ref().map_or(0.0, |vector| vector[index]));
             modes.push(Mode { eigenvalues, is_double, start, amplitudes });
         }
         let locals = piece.waves.iter().map(|wave| piece.local(wave)).collect();
@@ -149,106 +164,6 @@ impl Mode {
         let distance = a - b;
         [(of_a - of_b) / distance, (a * of_a - b * of_b) / distance]
     }
-}
-
-/// M, if the state is \[q, q'\] with every rate of a position its velocity and every
-/// wave acting on velocities.
-fn mass_matrix(piece: &Piece, stretch: &Stretch<'_>) -> Option<DMatrix<f64>> {
-    let system = stretch.system;
-    let shape = system.simulator().shape();
-    let n = shape.coordinates;
-    if n == 0 || shape.positions != n || shape.first_order != 0 || shape.quadratures != 0 {
-        return None;
-    }
-    let mut kinematic = DMatrix::zeros(n, 2 * n);
-    kinematic.view_mut((0, n), (n, n)).fill_with_identity();
-    let is_kinematic = piece.matrix.rows(0, n) == kinematic;
-    let mut forces = piece.waves.iter().flat_map(|wave| &wave.amplitudes);
-    if !is_kinematic || forces.any(|(entry, _)| *entry < n) {
-        return None;
-    }
-    let pattern = system.simulator().mass_matrix_pattern();
-    let mut values = vec![0.0; pattern.entries.len()];
-    let middle = 0.5 * (piece.from + piece.until);
-    let rest = vec![0.0; 2 * n];
-    system.simulator().mass_matrix(middle, &rest, system.parameters(), &mut values);
-    let mut mass = DMatrix::zeros(n, n);
-    for (&(row, column), value) in pattern.entries.iter().zip(values) {
-        mass[(row as usize, column as usize)] = value;
-    }
-    Some(mass)
-}
-
-/// The symmetric part of a matrix that is symmetric to rounding.
-fn symmetric(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let transposed = matrix.transpose();
-    let deviation = (matrix - &transposed).amax();
-    (deviation <= ROUNDING * matrix.amax()).then(|| (matrix + transposed) * 0.5)
-}
-
-/// Modes by columns, of length one by mass.
-fn modes_of(stiffness: &DMatrix<f64>, inverse: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let n = stiffness.nrows();
-    if n == 1 {
-        return Some(inverse.clone());
-    }
-    let reduced = inverse * stiffness * inverse.transpose();
-    let reduced = (&reduced + reduced.transpose()) * 0.5;
-    let most = 100 * n;
-    let eigen = SymmetricEigen::try_new(reduced, f64::EPSILON, most)?;
-    Some(inverse.tr_mul(&eigen.eigenvectors))
-}
-
-/// x^T K x of every mode; the modes get the length 1 by mass again.
-///
-/// An eigenvalue is found to the rounding of the largest one. Rayleigh's quotient
-/// squares the error of the mode, and written by differences,
-///
-/// ```text
-/// x^T K x = sum_i (sum_j K_ij) x_i^2 - sum_(i<j) K_ij (x_i - x_j)^2
-/// ```
-///
-/// it does not cancel for slow modes of stiff chains: they keep their digits.
-fn stiffnesses(
-    stiffness: &DMatrix<f64>,
-    mass: &DMatrix<f64>,
-    shapes: &mut DMatrix<f64>,
-) -> Vec<f64> {
-    let n = stiffness.nrows();
-    let to_ground: Vec<f64> = stiffness.row_iter().map(|row| row.sum()).collect();
-    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
-    let springs: Vec<(usize, usize, f64)> = pairs
-        .map(|(i, j)| (i, j, stiffness[(i, j)]))
-        .filter(|(_, _, spring)| *spring != 0.0)
-        .collect();
-    let mut quotients = Vec::with_capacity(n);
-    for mut shape in shapes.column_iter_mut() {
-        let length = shape.dot(&(mass * &shape)).sqrt();
-        shape /= length;
-        let ground: f64 = to_ground.iter().zip(shape.iter()).map(|(k, x)| k * x * x).sum();
-        let between: f64 =
-            springs.iter().map(|&(i, j, spring)| spring * (shape[i] - shape[j]).powi(2)).sum();
-        quotients.push(ground - between);
-    }
-    quotients
-}
-
-/// x^T D x of every mode, if the modes share no damper.
-fn dampings(damping: &DMatrix<f64>, shapes: &DMatrix<f64>) -> Option<Vec<f64>> {
-    if damping.iter().all(|value| *value == 0.0) {
-        return Some(vec![0.0; shapes.ncols()]);
-    }
-    let modal = shapes.tr_mul(&(damping * shapes));
-    let diagonal: Vec<f64> = modal.diagonal().iter().copied().collect();
-    // What is computed as zero is zero to the rounding of the largest.
-    let rounding = 4.0 * f64::EPSILON * modal.nrows() as f64 * modal.amax();
-    let shared = (0..modal.ncols()).any(|column| {
-        (0..modal.nrows()).any(|row| {
-            let size = (diagonal[row] * diagonal[column]).abs().sqrt();
-            row != column && modal[(row, column)].abs() > rounding.max(ROUNDING * size)
-        })
-    });
-    (!shared).then_some(diagonal)
 }
 
 /// Roots of l^2 + d l + k, and whether they count as one; nothing if they are too

@@ -9,8 +9,9 @@ use crate::method::{Stretch, cut};
 pub(super) struct Piece {
     pub(super) from: f64,
     pub(super) until: f64,
-    /// A, `states` by `states`.
-    pub(super) matrix: DMatrix<f64>,
+    /// Nonzeros of A, `states` by `states`.
+    pub(super) entries: Vec<(usize, usize, f64)>,
+    states: usize,
     /// Each kind once.
     pub(super) waves: Vec<Wave>,
 }
@@ -36,10 +37,9 @@ impl Piece {
         let pattern = system.jacobian_pattern();
         let mut values = vec![0.0; pattern.entries.len()];
         system.jacobian(middle, &vec![0.0; states], &mut values);
-        let mut matrix = DMatrix::zeros(states, states);
-        for (&(row, column), value) in pattern.entries.iter().zip(values) {
-            matrix[(row as usize, column as usize)] = value;
-        }
+        let entries = pattern.entries.iter().zip(values);
+        let entries = entries.map(|(&(row, column), v)| (row as usize, column as usize, v));
+        let entries = entries.collect();
         let terms = linear.excitation_terms();
         let mut numbers = vec![0.0; TERM_NUMBERS * terms.len()];
         linear.excitation(middle, system.parameters(), &mut numbers);
@@ -56,12 +56,21 @@ impl Piece {
                 None => waves.push(Wave { power, mu, amplitudes: vec![amplitude] }),
             }
         }
-        Piece { from, until, matrix, waves }
+        Piece { from, until, entries, states, waves }
     }
 
     /// Length of the state.
     pub(super) fn states(&self) -> usize {
-        self.matrix.nrows()
+        self.states
+    }
+
+    /// A.
+    pub(super) fn matrix(&self) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.states, self.states);
+        for &(row, column, value) in &self.entries {
+            matrix[(row, column)] += value;
+        }
+        matrix
     }
 
     /// Length of the piece \[s\].

@@ -302,11 +302,12 @@ impl<'a> Newton<'a> {
         }
         let count = method.stages() * size;
         let mut sum = 0.0;
-        for (index, (w, change)) in
-            self.transformed[..count].iter_mut().zip(&self.residual).enumerate()
-        {
-            *w += change;
-            sum += (change / scale[index % size]).powi(2);
+        let transformed = self.transformed[..count].chunks_exact_mut(size);
+        for (transformed, changes) in transformed.zip(self.residual.chunks_exact(size)) {
+            for ((w, change), scale) in transformed.iter_mut().zip(changes).zip(scale) {
+                *w += change;
+                sum += (change / scale).powi(2);
+            }
         }
         (sum / count as f64).sqrt()
     }

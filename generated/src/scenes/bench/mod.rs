@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module a scene.
-use crate::{Real, Simulator};
+use crate::{Real, Simulator, field::FieldScene};
 
 /// Benchmark M1: induction motor alone
 #[rustfmt::skip]
@@ -27,6 +27,17 @@ pub mod m1;
 )]
 pub mod m2;
 
+/// Benchmark M3: motor and torsional shaft of equal pieces
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m3;
+
 /// Benchmark M3: motor and torsional shaft of 10 pieces
 #[rustfmt::skip]
 #[allow(
@@ -37,6 +48,17 @@ pub mod m2;
     reason = "the spec's own names and numbers, in bodies as long as its equations"
 )]
 pub mod m3_10;
+
+/// Benchmark M4: reed as a torsional shaft
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod m4;
 
 /// Benchmark M4: reed as a torsional shaft of 7 pieces
 #[rustfmt::skip]
@@ -111,6 +133,21 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "m6_10" => Some(&m6_10::M610),
         "m6_2" => Some(&m6_2::M62),
         "m6_5" => Some(&m6_5::M65),
+        _ => None,
+    }
+}
+
+/// Names of all scenes with fields, sorted.
+#[rustfmt::skip]
+pub const FIELD_NAMES: &[&str] = &["m3", "m4"];
+
+/// The scene with fields of a name, not yet cut into elements.
+#[must_use]
+#[allow(clippy::match_single_binding, reason = "features may leave no scene")]
+pub fn find_field<R: Real>(name: &str) -> Option<&'static dyn FieldScene<R>> {
+    match name {
+        "m3" => Some(&m3::M3),
+        "m4" => Some(&m4::M4),
         _ => None,
     }
 }

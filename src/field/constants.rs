@@ -1,0 +1,184 @@
+//! What the parameters alone decide of a scene cut into elements, once a run.
+
+use std::ops::Range;
+
+use machinist_scenes::Real;
+use machinist_scenes::field::FieldPlace;
+
+use super::mesh::Owner;
+use super::{FieldSimulator, Work};
+
+/// Where everything is among the constants: those of the machine, then for every node of
+/// every field x, its part of the length, its inertia and the inverse of that, then the
+/// bounds of all segments.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Constants<'c, R> {
+    pub machine: &'c [R],
+    pub x: &'c [R],
+    pub lengths: &'c [R],
+    pub inertia: &'c [R],
+    pub inverse: &'c [R],
+    bounds: &'c [R],
+}
+
+impl<'c, R> Constants<'c, R> {
+    /// Bounds of the segments of a mesh.
+    pub fn bounds(&self, range: Range<usize>) -> &'c [R] {
+        &self.bounds[range]
+    }
+}
+
+impl<R: Real> FieldSimulator<'_, R> {
+    /// How many constants there are.
+    pub(super) fn count_constants(&self) -> usize {
+        let bounds: usize = self.meshes.iter().map(|mesh| mesh.segments.len() + 1).sum();
+        self.scene.constants() + 4 * self.nodes() + bounds
+    }
+
+    /// The constants by what they are.
+    pub(super) fn taken_apart<'c>(&self, constants: &'c [R]) -> Constants<'c, R> {
+        let nodes = self.nodes();
+        let (machine, rest) = constants.split_at(self.scene.constants());
+        let (x, rest) = rest.split_at(nodes);
+        let (lengths, rest) = rest.split_at(nodes);
+        let (inertia, rest) = rest.split_at(nodes);
+        let (inverse, bounds) = rest.split_at(nodes);
+        Constants { machine, x, lengths, inertia, inverse, bounds }
+    }
+
+    /// Computes the constants, and leaves the parameters with the inertias that fields
+    /// hand over in `work.p`.
+    pub(super) fn compute_constants(&self, parameters: &[R], work: &mut Work<R>, into: &mut [R]) {
+        assert_eq!(into.len(), self.count_constants(), "number of constants");
+        self.place(parameters, work);
+        let nodes = self.nodes();
+        let (machine, rest) = into.split_at_mut(self.scene.constants());
+        let (x, rest) = rest.split_at_mut(nodes);
+        let (lengths, rest) = rest.split_at_mut(nodes);
+        let (inertia, rest) = rest.split_at_mut(nodes);
+        let (inverse, bounds) = rest.split_at_mut(nodes);
+        bounds.copy_from_slice(&work.bounds);
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let elements = mesh.elements(index, &bounds[mesh.bounds(index)]);
+            let nodes = mesh.nodes();
+            elements.places(&mut x[nodes.clone()]);
+            elements.lengths(&mut lengths[nodes.clone()]);
+            let densities = &mut inertia[nodes.clone()];
+            if self.scene.field_is_local(index) {
+                self.scene.field_inertias(index, &x[nodes.clone()], &work.p, densities);
+                for (inertia, length) in densities.iter_mut().zip(&lengths[nodes]) {
+                    *inertia = *inertia * *length;
+                }
+            } else {
+                elements.inertia(self.scene, &work.p, densities);
+            }
+        }
+        for (inverse, inertia) in inverse.iter_mut().zip(&*inertia) {
+            *inverse = R::literal(1.0) / *inertia;
+        }
+        self.hand_over_inertias(inertia, work);
+        self.scene.prepare(&work.p, machine);
+    }
+
+    /// Puts inertias of ports among the parameters of the machine.
+    pub(super) fn hand_over_inertias(&self, inertia: &[R], work: &mut Work<R>) {
+        for (node, handed) in self.ports.iter().copied() {
+            work.p[handed] = inertia[node];
+        }
+    }
+
+    /// Places of the fields at these parameters.
+    pub(super) fn place(&self, parameters: &[R], work: &mut Work<R>) {
+        assert_eq!(parameters.len(), self.parameters, "number of parameters");
+        work.p[..self.parameters].copy_from_slice(parameters);
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let attachments = self.scene.field(index).attachments;
+            let places = &mut work.places[..=attachments.len()];
+            self.scene.field_places(index, &work.p, places);
+            let bounds = &mut work.bounds[mesh.bounds(index)];
+            let inside = attachments.iter().zip(places.iter());
+            let inside = inside.filter(|(at, _)| at.place == FieldPlace::Inside);
+            let mut bound = 1;
+            for (_, place) in inside {
+                bounds[bound] = *place;
+                bound += 1;
+            }
+            bounds[0] = R::literal(0.0);
+            bounds[bound] = places[places.len() - 1];
+        }
+    }
+
+    /// Nodes, state of the machine, forces of the fields, and what they hand over.
+    pub(super) fn load(
+        &self,
+        (time, state): (R, &[R]),
+        parameters: &[R],
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+    ) {
+        self.load_motion(state, parameters, constants, work);
+        self.load_forces(time, constants, work);
+    }
+
+    /// As [`FieldSimulator::load`], without forces where derivatives do not need them.
+    pub(super) fn load_for_derivatives(
+        &self,
+        (time, state): (R, &[R]),
+        parameters: &[R],
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+    ) {
+        self.load_motion(state, parameters, constants, work);
+        if self.derivatives_read_forces {
+            self.load_forces(time, constants, work);
+        }
+    }
+
+    fn load_motion(
+        &self,
+        state: &[R],
+        parameters: &[R],
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+    ) {
+        assert_eq!(state.len(), self.border_and_own(), "length of the state");
+        assert_eq!(parameters.len(), self.parameters, "number of parameters");
+        work.p[..self.parameters].copy_from_slice(parameters);
+        self.hand_over_inertias(constants.inertia, work);
+        for (value, place) in work.state.iter_mut().zip(&self.border) {
+            *value = state[*place as usize];
+        }
+        let (first, all) = (self.machine.coordinates, self.coordinates());
+        for mesh in &self.meshes {
+            let nodes = mesh.nodes();
+            for run in &mesh.runs {
+                let (into, from) = (nodes.start + run.nodes.start, first + run.own);
+                let len = run.nodes.len();
+                work.u[into..into + len].copy_from_slice(&state[from..from + len]);
+                let from = from + all;
+                work.v[into..into + len].copy_from_slice(&state[from..from + len]);
+            }
+            for port in &mesh.ports {
+                let Owner::Port { coordinate, .. } = mesh.owners[*port] else { continue };
+                work.u[nodes.start + port] = state[coordinate as usize];
+                work.v[nodes.start + port] = state[coordinate as usize + all];
+            }
+        }
+    }
+
+    fn load_forces(&self, time: R, constants: &Constants<'_, R>, work: &mut Work<R>) {
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            if let Some(chain) = &self.chains[index] {
+                chain.force(self.scene, time, (mesh, constants), work);
+                continue;
+            }
+            let nodes = mesh.nodes();
+            let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
+            let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
+            elements.force(self.scene, (time, &work.p), motion, &mut work.force[nodes]);
+        }
+        for (node, handed) in self.ports.iter().copied() {
+            work.p[handed + 1] = work.force[node];
+        }
+    }
+}

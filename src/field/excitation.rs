@@ -1,0 +1,48 @@
+//! What a linear machine with linear fields is excited by: what its machine is, for the
+//! fields themselves are not.
+
+use machinist_scenes::Real;
+use machinist_scenes::field::FieldScene;
+use machinist_scenes::linear::LinearEquations;
+
+use super::FieldSimulator;
+
+/// Terms of the excitation of a scene whose machine and fields are linear, `border` being
+/// where the machine's entries are in the state.
+pub(super) fn terms<R: Real>(scene: &dyn FieldScene<R>, border: &[u32]) -> Option<Vec<(u32, u32)>> {
+    let linear = scene.linear()?;
+    let is_linear = (0..scene.fields()).all(|index| scene.field_is_linear(index));
+    let terms = linear.excitation_terms().iter();
+    is_linear.then(|| terms.map(|(entry, power)| (border[*entry as usize], *power)).collect())
+}
+
+impl<R: Real> LinearEquations<R> for FieldSimulator<'_, R> {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        self.excitation_terms.as_deref().unwrap_or_default()
+    }
+
+    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+        let Some(linear) = self.scene.linear() else { return };
+        let work = &mut *self.work.borrow_mut();
+        let mut constants = std::mem::take(&mut work.constants);
+        self.compute_constants(parameters, work, &mut constants);
+        work.constants = constants;
+        // Without motion there is no force of a field.
+        for (_, handed) in self.ports.iter().copied() {
+            work.p[handed + 1] = R::literal(0.0);
+        }
+        linear.excitation(time, &work.p, values);
+    }
+
+    fn switches(&self) -> usize {
+        self.scene.linear().map_or(0, LinearEquations::switches)
+    }
+
+    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+        let work = &mut *self.work.borrow_mut();
+        self.place(parameters, work);
+        if let Some(linear) = self.scene.linear() {
+            linear.switch_times(&work.p, times);
+        }
+    }
+}

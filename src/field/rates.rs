@@ -1,0 +1,209 @@
+//! Rate, Jacobian and time derivative once everything is loaded.
+
+use machinist_scenes::Real;
+
+use super::constants::Constants;
+use super::mesh::Owner;
+use super::{FieldSimulator, NOWHERE, Work, find};
+
+impl<R: Real> FieldSimulator<'_, R> {
+    /// y'.
+    pub(super) fn loaded_rate(
+        &self,
+        (time, state): (R, &[R]),
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+        rate: &mut [R],
+    ) {
+        let n = self.coordinates();
+        rate[..n].copy_from_slice(&state[n..2 * n]);
+        let result = &mut work.result[..work.state.len()];
+        self.scene.prepared_rate(time, &work.state, &work.p, constants.machine, result);
+        for (value, place) in result.iter().zip(&self.border) {
+            rate[*place as usize] = *value;
+        }
+        self.of_own_nodes(&work.force, constants.inverse, rate);
+    }
+
+    /// Accelerations of own nodes, from forces.
+    fn of_own_nodes(&self, forces: &[R], inverse: &[R], rate: &mut [R]) {
+        let first = self.coordinates() + self.machine.coordinates;
+        for mesh in &self.meshes {
+            for run in &mesh.runs {
+                let nodes = mesh.first_node + run.nodes.start..mesh.first_node + run.nodes.end;
+                let into = &mut rate[first + run.own..][..nodes.len()];
+                let forces = forces[nodes.clone()].iter().zip(&inverse[nodes]);
+                for (rate, (force, inverse)) in into.iter_mut().zip(forces) {
+                    *rate = *force * *inverse;
+                }
+            }
+        }
+    }
+
+    /// Partial derivative of y' with respect to time.
+    pub(super) fn loaded_time_derivative(
+        &self,
+        time: R,
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+        derivative: &mut [R],
+    ) {
+        derivative.fill(R::literal(0.0));
+        let result = &mut work.result[..work.state.len()];
+        self.scene.time_derivative(time, &work.state, &work.p, result);
+        for (value, place) in result.iter().zip(&self.border) {
+            derivative[*place as usize] = *value;
+        }
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            if let Some(chain) = &self.chains[index] {
+                chain.force_by_time(self.scene, time, (mesh, constants), work);
+                continue;
+            }
+            let nodes = mesh.nodes();
+            let motion = (&work.u[nodes.clone()], &work.v[nodes.clone()]);
+            let count = self.scene.field(index).parameters.len();
+            let gradient = &mut work.gradient[..2 * (2 + count)];
+            let changes = (gradient, &mut work.force_change[nodes]);
+            let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
+            elements.force_by_time(self.scene, (time, &work.p), motion, changes);
+        }
+        self.weigh_ports(time, work);
+        for (port, (node, _)) in self.ports.iter().copied().enumerate() {
+            for (row, weight) in self.port_rows[port].iter().zip(&work.port_weights[port]) {
+                let change = &mut derivative[row.row as usize];
+                *change = *change + *weight * work.force_change[node];
+            }
+        }
+        self.of_own_nodes(&work.force_change, constants.inverse, derivative);
+    }
+
+    /// dy'/dy.
+    pub(super) fn loaded_jacobian(
+        &self,
+        time: R,
+        constants: &Constants<'_, R>,
+        work: &mut Work<R>,
+        values: &mut [R],
+    ) {
+        let entries = &self.rate_jacobian;
+        assert_eq!(values.len(), entries.len(), "entries of the Jacobian");
+        let n = self.coordinates();
+        values.fill(R::literal(0.0));
+        values[..n].fill(R::literal(1.0));
+        let result = &mut work.result[..self.machine_entries.len()];
+        self.scene.prepared_rate_jacobian(time, &work.state, &work.p, constants.machine, result);
+        for (place, value) in self.machine_entries.iter().zip(&*result) {
+            values[*place as usize] = *value;
+        }
+        self.weigh_ports(time, work);
+        let mut port = 0;
+        for index in 0..self.meshes.len() {
+            if self.chains[index].is_some() {
+                self.jacobian_of_chain(index, (time, constants), work, values, &mut port);
+            } else {
+                self.jacobian_of_elements(index, (time, constants), work, values, &mut port);
+            }
+        }
+    }
+
+    /// The part of a chain; ports are counted.
+    fn jacobian_of_chain(
+        &self,
+        index: usize,
+        (time, constants): (R, &Constants<'_, R>),
+        work: &mut Work<R>,
+        values: &mut [R],
+        port: &mut usize,
+    ) {
+        let (Some(chain), mesh) = (&self.chains[index], &self.meshes[index]) else { return };
+        let mut of_ports = std::mem::take(&mut work.of_ports);
+        of_ports.clear();
+        chain.jacobian(self.scene, time, (mesh, constants), work, values, |node, of_force| {
+            if let Owner::Port { .. } = mesh.owners[node] {
+                of_ports.push(of_force);
+            }
+        });
+        for of_force in &of_ports {
+            for (row, weight) in self.port_rows[*port].iter().zip(&work.port_weights[*port]) {
+                for (place, of_force) in row.places.iter().zip(of_force) {
+                    if *place != NOWHERE {
+                        let value = &mut values[*place as usize];
+                        *value = *value + *weight * *of_force;
+                    }
+                }
+            }
+            *port += 1;
+        }
+        work.of_ports = of_ports;
+    }
+
+    /// The part of elements of any order; ports are counted.
+    fn jacobian_of_elements(
+        &self,
+        index: usize,
+        (time, constants): (R, &Constants<'_, R>),
+        work: &mut Work<R>,
+        values: &mut [R],
+        port: &mut usize,
+    ) {
+        let mesh = &self.meshes[index];
+        let nodes = mesh.nodes();
+        let inverse = &constants.inverse[nodes.clone()];
+        let motion = (&work.u[nodes.clone()], &work.v[nodes]);
+        let elements = mesh.elements(index, constants.bounds(mesh.bounds(index)));
+        let mut places = self.element_entries[index].iter();
+        let at_ports = &mut work.at_ports;
+        at_ports.clear();
+        elements.force_jacobian(
+            self.scene,
+            (time, &work.p),
+            motion,
+            |element, i, j, by_u, by_v| {
+                let row = element * mesh.order + i;
+                let place = places.next().map_or([NOWHERE; 2], |place| *place);
+                if place[0] != NOWHERE {
+                    for (place, by) in place.into_iter().zip([by_u, by_v]) {
+                        let value = &mut values[place as usize];
+                        *value = *value + by * inverse[row];
+                    }
+                } else if mesh.ports.contains(&row) {
+                    let columns = self.columns(mesh.owners[element * mesh.order + j]);
+                    for (column, by) in columns.into_iter().flatten().zip([by_u, by_v]) {
+                        at_ports.push((row, column, by));
+                    }
+                }
+            },
+        );
+        for node in &mesh.ports {
+            for (row, weight) in self.port_rows[*port].iter().zip(&work.port_weights[*port]) {
+                for (_, column, by) in at_ports.iter().filter(|(at, ..)| at == node) {
+                    let place = find(&self.rate_jacobian, row.row, *column);
+                    values[place] = values[place] + *weight * *by;
+                }
+            }
+            *port += 1;
+        }
+    }
+
+    /// Derivatives of the machine's rates by forces on ports.
+    fn weigh_ports(&self, time: R, work: &mut Work<R>) {
+        if self.port_rows.is_empty() {
+            return;
+        }
+        if self.mass_is_diagonal {
+            self.scene.mass_matrix(time, &work.state, &work.p, &mut work.mass);
+        } else {
+            let values = &mut work.parameter_jacobian;
+            self.scene.parameter_jacobian(time, &work.state, &work.p, values);
+        }
+        for (rows, weights) in self.port_rows.iter().zip(&mut work.port_weights) {
+            for (row, weight) in rows.iter().zip(weights) {
+                *weight = if self.mass_is_diagonal {
+                    R::literal(1.0) / work.mass[row.coordinate as usize]
+                } else {
+                    work.parameter_jacobian[row.by_force as usize]
+                };
+            }
+        }
+    }
+}

@@ -229,6 +229,7 @@ fn word(error: &SimulateError, method: Method, simulator: &dyn Simulator<f64>) -
             StopCause::Zeno { .. } => "zeno",
             StopCause::OffConstraint { .. } => "drift",
             StopCause::TooLarge { .. } => "large",
+            StopCause::Unsuitable(_) => "unfit",
             StopCause::Solver(_) => "solver",
         },
         _ => "input",

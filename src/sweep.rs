@@ -6,6 +6,7 @@
 //! what a run of its own gives, whatever the number of threads.
 
 use machinist_scenes::Simulator;
+use machinist_scenes::taylor::Bends;
 use rayon::prelude::*;
 
 use crate::error::SimulateError;
@@ -128,9 +129,11 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
         let simulation = (self.each)(Simulation::new(self.machine));
         let machine: &dyn Simulator<F64x8> = self.machine;
         match (simulation.method_and_rtol(), machine.taylor()) {
-            // Single runs refuse what the method does not suit, such as events.
+            // Lanes do not watch for events, nor for corners.
             (Ok((Method::Taylor, rtol)), Some(series))
-                if rtol >= LEAST_RTOL && Method::Taylor.suits(self.machine) =>
+                if rtol >= LEAST_RTOL
+                    && machine.events() == 0
+                    && series.bends() != Bends::Corners =>
             {
                 self.run_in_lanes(chunk, rtol, series)
             }

@@ -1,5 +1,7 @@
-//! Chooses a method by the tolerance, and changes it when a machine turns out to
-//! be stiff, or not to be any more.
+//! Chooses a method by the machine and the tolerance, and changes it when a machine
+//! turns out to be stiff, or not to be any more.
+
+use machinist_scenes::taylor::{Bends, TaylorSeries};
 
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
@@ -7,6 +9,7 @@ use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
 use super::tableau::{DOP853, Pair, RODAS5P, TSIT5};
+use super::taylor::TaylorSteps;
 use super::{Integrator, Samples, Stopped, Stretch};
 
 /// So many steps of evidence change the method.
@@ -19,6 +22,9 @@ const MOST_CHANGES: usize = 20;
 /// An implicit step that is not this much longer than an explicit one could be
 /// does not pay for its factorization.
 const WORTH: f64 = 2.0;
+/// Taylor's method looks for stiffness every so many steps, each of which costs as much
+/// as this many rates and more, while a look costs a Jacobian.
+const LOOKS_EVERY: usize = 8;
 
 /// Solves linear machines without steps where that is exact enough. Otherwise starts
 /// with an explicit method; changes to an implicit one where steps are
@@ -41,64 +47,112 @@ impl Integrator for Auto {
                 &rest
             }
         };
-        let choice = Choice::new(stretch.rtol);
-        let mut explicit = ExplicitSteps::new(choice.explicit, stretch);
-        let system = stretch.system;
-        system.note(format!(
-            "starts with {}, for a relative tolerance of {:e}",
-            choice.explicit_name, stretch.rtol
+        let choice = Choice::new(stretch);
+        match choice.explicit {
+            Explicit::Taylor(series) => {
+                let mut strain = Strain::new(stretch, choice.limit);
+                let look = |method: &TaylorSteps<'_>, step: f64| strain.look(method, step);
+                let mut method = TaylorSteps::new(stretch, series).looking_within();
+                choice.alternate(&mut method, stretch, (state, samples), look)
+            }
+            Explicit::Pair(pair) => {
+                let look = |method: &ExplicitSteps<'_>, _| Some(method.stiffness());
+                let mut method = ExplicitSteps::new(pair, stretch);
+                choice.alternate(&mut method, stretch, (state, samples), look)
+            }
+        }
+    }
+}
+
+/// The methods for a machine and a tolerance. Another one, of any kind, is one more
+/// case here.
+struct Choice<'a> {
+    explicit: Explicit<'a>,
+    explicit_name: &'static str,
+    /// Where |h lambda| is larger, stability holds the explicit method's steps.
+    limit: f64,
+    implicit_name: &'static str,
+    is_tight: bool,
+}
+
+enum Explicit<'a> {
+    Taylor(&'a dyn TaylorSeries<f64>),
+    Pair(&'static Pair),
+}
+
+impl<'a> Choice<'a> {
+    fn new(stretch: &Stretch<'a>) -> Self {
+        let rtol = stretch.rtol;
+        let is_tight = rtol <= 1e-7;
+        let implicit_name = if is_tight { "radau" } else { "rodas5p" };
+        let of_pair = |name, pair: &'static Pair| Self {
+            explicit: Explicit::Pair(pair),
+            explicit_name: name,
+            limit: pair.stability,
+            implicit_name,
+            is_tight,
+        };
+        let pair = if rtol > 1e-3 { of_pair("tsit5", &TSIT5) } else { of_pair("dop853", &DOP853) };
+        let (series, why) = suitable_series(stretch);
+        let chosen = match series {
+            None => pair,
+            Some(series) => Self {
+                explicit: Explicit::Taylor(series),
+                explicit_name: "taylor",
+                limit: taylor_limit(TaylorSteps::order_for(rtol)),
+                ..pair
+            },
+        };
+        stretch.system.note(format!(
+            "starts with {}, for a relative tolerance of {rtol:e}{why}",
+            chosen.explicit_name
         ));
+        chosen
+    }
+
+    /// Goes on by an explicit method while nothing is stiff, and implicitly while
+    /// something is; `look` gives |h lambda| after a step of the explicit method, or
+    /// nothing if it has not looked.
+    fn alternate<M: OneStep>(
+        &self,
+        explicit: &mut M,
+        stretch: &Stretch<'_>,
+        (state, samples): (&mut [f64], &mut Samples<'_>),
+        mut look: impl FnMut(&M, f64) -> Option<f64>,
+    ) -> Result<(), Stopped> {
         explicit.begin(stretch.from, state);
         let mut at = Left { time: stretch.from, step: explicit.first_step() };
         let mut changes = 0;
         loop {
             let mut evidence = Evidence::default();
-            let limit = choice.explicit.stability;
-            let is_stiff =
-                |method: &ExplicitSteps<'_>, _| evidence.grows(method.stiffness() > limit);
-            let Some(left) = drive(&mut explicit, stretch, at, state, samples, is_stiff)? else {
+            let mut seen = 0.0;
+            let is_stiff = |method: &M, step| {
+                look(method, step).is_some_and(|strain| {
+                    seen = strain;
+                    evidence.grows(strain > self.limit)
+                })
+            };
+            let Some(left) = drive(explicit, stretch, at, state, samples, is_stiff)? else {
                 return Ok(());
             };
-            system.note(format!(
+            stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: steps were held by stability, \
-                 |h lambda| = {:.1}",
-                choice.implicit_name,
-                choice.explicit_name,
-                left.time,
-                explicit.stiffness()
+                 |h lambda| = {seen:.1}",
+                self.implicit_name, self.explicit_name, left.time,
             ));
             changes += 2;
             let may_return = changes < MOST_CHANGES;
-            let Some(left) = choice.implicit_stretch(stretch, left, state, samples, may_return)?
+            let Some(left) = self.implicit_stretch(stretch, left, state, samples, may_return)?
             else {
                 return Ok(());
             };
-            system.note(format!(
+            stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: no longer stiff",
-                choice.explicit_name, choice.implicit_name, left.time
+                self.explicit_name, self.implicit_name, left.time
             ));
             explicit.begin(left.time, state);
-            at = left;
+            at = Left { step: explicit.own_step().unwrap_or(left.step), ..left };
         }
-    }
-}
-
-/// The methods for a tolerance. Another one, of any kind, is one more field and
-/// one more case in `new`.
-struct Choice {
-    explicit: &'static Pair,
-    explicit_name: &'static str,
-    implicit_name: &'static str,
-    is_tight: bool,
-}
-
-impl Choice {
-    fn new(rtol: f64) -> Self {
-        let (explicit, explicit_name) =
-            if rtol > 1e-3 { (&TSIT5, "tsit5") } else { (&DOP853, "dop853") };
-        let is_tight = rtol <= 1e-7;
-        let implicit_name = if is_tight { "radau" } else { "rodas5p" };
-        Self { explicit, explicit_name, implicit_name, is_tight }
     }
 
     /// Goes on implicitly, until it would do explicitly.
@@ -113,7 +167,7 @@ impl Choice {
         let mut radius = SpectralRadius::new(stretch);
         let mut evidence = Evidence::default();
         let mut is_easy = |jacobian: &[f64], step: f64| {
-            let explicit_step = self.explicit.stability / radius.renew(jacobian);
+            let explicit_step = self.limit / radius.renew(jacobian);
             evidence.grows(step < WORTH * explicit_step) && may_return
         };
         if self.is_tight {
@@ -127,6 +181,68 @@ impl Choice {
             let leave = |method: &RosenbrockSteps<'_>, step| is_easy(method.jacobian(), step);
             drive(&mut method, stretch, from, state, samples, leave)
         }
+    }
+}
+
+/// The machine's series, if a run by it is likely to be right and the fastest; and why
+/// not, where it has one.
+fn suitable_series<'a>(stretch: &Stretch<'a>) -> (Option<&'a dyn TaylorSeries<f64>>, &'static str) {
+    let Some(series) = stretch.system.simulator().taylor() else { return (None, "") };
+    if series.bends() == Bends::Corners {
+        let why = "; not with taylor, whose long steps do not see branches and tables from afar";
+        return (None, why);
+    }
+    (Some(series), "")
+}
+
+/// |h lambda| up to which Taylor's method of an order is stable, less a fifth, for steps
+/// that are held by stability vary around it.
+///
+/// |1 + z + ... + z^p/p!| <= 1 on the negative real axis down to about
+/// -(0.368 p + 1.4), and in other directions to the left about as far: the region is
+/// that of |z e^(1 - z/p)| <= p, grown by a part that becomes small (G. Szegoe, 1924;
+/// R. Jeltsch, O. Nevanlinna, Numerische Mathematik 37, 1981). Steps held by accuracy
+/// end at less than half of it, for terms decay to the tolerance.
+fn taylor_limit(order: usize) -> f64 {
+    0.8 * (order as f64 / std::f64::consts::E + 1.4)
+}
+
+/// How near Taylor's method is to the limit of its stability.
+struct Strain<'a> {
+    stretch: &'a Stretch<'a>,
+    radius: SpectralRadius<'a>,
+    jacobian: Vec<f64>,
+    limit: f64,
+    steps: usize,
+    is_near: bool,
+}
+
+impl<'a> Strain<'a> {
+    fn new(stretch: &'a Stretch<'a>, limit: f64) -> Self {
+        let entries = stretch.system.jacobian_pattern().entries.len();
+        Self {
+            stretch,
+            radius: SpectralRadius::new(stretch),
+            jacobian: vec![0.0; entries],
+            limit,
+            steps: 0,
+            is_near: false,
+        }
+    }
+
+    /// |h lambda| after a step, now and then, and after every one where it is near the
+    /// limit.
+    fn look(&mut self, method: &TaylorSteps<'_>, step: f64) -> Option<f64> {
+        self.steps += 1;
+        if !self.is_near && !self.steps.is_multiple_of(LOOKS_EVERY) {
+            return None;
+        }
+        let (time, state) = method.start();
+        self.stretch.jacobian(time, state, &mut self.jacobian);
+        self.radius.renew(&self.jacobian);
+        let strain = step * self.radius.renew(&self.jacobian);
+        self.is_near = strain > 0.5 * self.limit;
+        Some(strain)
     }
 }
 

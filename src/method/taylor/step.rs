@@ -1,7 +1,9 @@
 //! Order, length and error of a step, and sums of its polynomial.
 
+use super::super::one_step::{Pace, Trial};
+
 /// Error of a step in units of the tolerance beyond which it is taken again.
-pub(super) const LARGEST_ERROR: f64 = 10.0;
+const LARGEST_ERROR: f64 = 10.0;
 
 /// Log2 of the factor by which a remainder guessed from earlier coefficients than
 /// the last two may be larger: the guess is for where those two vanish.
@@ -73,13 +75,24 @@ impl Tolerance {
 
     /// Error of a step in units of the tolerance: the defect y' - f at its end
     /// is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
-    pub(super) fn error(&self, slope: &[f64], rate: &[f64], step: f64, order: usize) -> f64 {
+    fn error(&self, slope: &[f64], rate: &[f64], step: f64, order: usize) -> f64 {
+        self.defect(slope, rate) * step / (order + 1) as f64
+    }
+
+    /// Error of a step over what is allowed, by a defect that lasts for a part of it.
+    pub(super) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
+        const PART: f64 = 0.25;
+        self.defect(slope, rate) * PART * step / LARGEST_ERROR
+    }
+
+    /// The largest of y' - f in units of the tolerance over time.
+    fn defect(&self, slope: &[f64], rate: &[f64]) -> f64 {
         let defects = slope.iter().zip(rate).map(|(slope, rate)| slope - rate);
         let mut largest = 0.0;
         for (defect, inverse) in defects.zip(&self.inverse_weights) {
             largest = larger(largest, (defect * inverse).abs());
         }
-        largest * step / (order + 1) as f64
+        largest
     }
 
     /// The largest value in units of its tolerance.
@@ -117,10 +130,35 @@ fn log2(value: f64) -> f64 {
     f64::from(exponent) + m + 0.344 * m * (1.0 - m)
 }
 
-/// Factor by which a rejected step is shortened.
-pub(super) fn shrink(error: f64, order: usize) -> f64 {
-    let factor = (1.0 / error).powf(1.0 / (order + 1) as f64);
-    if factor.is_nan() { 0.25 } else { factor.clamp(0.1, 0.7) }
+/// What came of a step of a length and order: `begin` is state and rate at its end,
+/// `slope` the derivative of its polynomial there.
+pub(super) fn trial(
+    tolerance: &Tolerance,
+    slope: &[f64],
+    begin: &[f64],
+    (step, order): (f64, usize),
+) -> Trial {
+    let states = slope.len();
+    let error = tolerance.error(slope, &begin[states..], step, order);
+    if (error <= LARGEST_ERROR || !error.is_finite()) && !all_finite(begin) {
+        let index = begin.iter().position(|value| !value.is_finite()).unwrap_or_default();
+        let what = if index < states { "the state" } else { "the rate of" };
+        return Trial::NotFinite { what, index: index % states };
+    }
+    Trial::Error(error / LARGEST_ERROR)
+}
+
+/// How steps shrink whose error is too large; how long the next one is, the series
+/// says.
+pub(super) fn pace(order: usize) -> Pace {
+    Pace {
+        exponent: 1.0 / (order + 1) as f64,
+        memory: 0.0,
+        safety: 0.8,
+        smallest: 0.1,
+        largest: GROWTH,
+        hold: 1.0,
+    }
 }
 
 /// Whether all values are finite.

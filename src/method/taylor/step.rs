@@ -2,7 +2,11 @@
 
 use super::super::one_step::{Pace, Trial};
 
-/// Error of a step in units of the tolerance beyond which it is taken again.
+/// Steps aim at this share of the tolerances: errors add up over a run, and those of
+/// long steps more than those of the many short ones of other methods.
+const AIM: f64 = 0.1;
+
+/// Error of a step in units of what it aims at beyond which it is taken again.
 const LARGEST_ERROR: f64 = 10.0;
 
 /// Log2 of the factor by which a remainder guessed from earlier coefficients than
@@ -16,14 +20,14 @@ pub(super) const GROWTH: f64 = 16.0;
 /// every other one vanishes, and in places three in a row do.
 pub(super) const JUDGED: usize = 5;
 
-/// The order for a relative tolerance: 0.85 ln(1/rtol) + 2.
+/// The order for a relative tolerance, of which a share is aimed at: 0.85 ln(1/rtol) + 2.
 ///
 /// The classical choice, ln(1/rtol)/2 with steps of rho/e^2 for a radius of
 /// convergence rho, is the cheapest where an order costs as much as all products
 /// within it. Here it costs the chain of operations through the machine, and
 /// higher orders with longer steps are cheaper: found by runs of the machines.
 pub(super) fn order_for(rtol: f64) -> usize {
-    ((2.0 - 0.85 * rtol.ln()).ceil() as usize).clamp(5, 32)
+    ((2.0 - 0.85 * (AIM * rtol).ln()).ceil() as usize).clamp(5, 32)
 }
 
 /// Tolerances of the states and what follows from them.
@@ -39,8 +43,10 @@ pub(super) struct Tolerance {
 
 impl Tolerance {
     pub(super) fn new(rtol: f64, atol: &[f64], order: usize) -> Self {
+        let rtol = AIM * rtol;
         let decay = rtol.log2() / (order + 1) as f64;
-        Self { rtol, atol: atol.to_vec(), inverse_weights: vec![0.0; atol.len()], decay }
+        let atol: Vec<f64> = atol.iter().map(|atol| AIM * atol).collect();
+        Self { rtol, inverse_weights: vec![0.0; atol.len()], atol, decay }
     }
 
     /// Weighs by the tolerance at a state from now on.

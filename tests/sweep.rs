@@ -18,9 +18,9 @@ fn one_by_one<'a, S: Sweepable>(
     each: impl Fn(Simulation<'a>) -> Simulation<'a>,
 ) -> Vec<Vec<f64>> {
     let runs = values.iter().map(|value| {
-        let simulation = each(Simulation::new(machine)).parameter(name, *value);
+        let simulation = each(Simulation::new(machine.single())).parameter(name, *value);
         let run = simulation.expect("a parameter").run().expect("a run");
-        let shape = <S as machinist_scenes::Describe>::shape(machine);
+        let shape = machine.single().shape();
         let columns = run.columns[..shape.states() + shape.outputs].iter();
         columns.flat_map(|column| column.values.clone()).collect()
     });

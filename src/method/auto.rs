@@ -1,6 +1,8 @@
 //! Chooses a method by the machine and the tolerance, and changes it when a machine
 //! turns out to be stiff, or not to be any more.
 
+mod ringing;
+
 use machinist_scenes::taylor::{Bends, TaylorSeries};
 
 use super::exact::Exact;
@@ -11,6 +13,7 @@ use super::rosenbrock::RosenbrockSteps;
 use super::tableau::{DOP853, Pair, RODAS5P, TSIT5};
 use super::taylor::TaylorSteps;
 use super::{Integrator, Samples, Stopped, Stretch};
+use ringing::{LENIENT, rings};
 
 /// So many steps of evidence change the method.
 const STIFF_STEPS: usize = 15;
@@ -38,15 +41,8 @@ impl Integrator for Auto {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let rest;
-        let stretch = match Exact.integrate(stretch, state, samples) {
-            Ok(()) => return Ok(()),
-            // Not for this machine, or not from here on.
-            Err(stopped) => {
-                rest = Stretch { from: stopped.time, ..*stretch };
-                &rest
-            }
-        };
+        let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
+        let stretch = &Stretch { from, ..*stretch };
         let choice = Choice::new(stretch);
         match choice.explicit {
             Explicit::Taylor(series) => {
@@ -62,6 +58,30 @@ impl Integrator for Auto {
             }
         }
     }
+}
+
+/// Solves a linear machine in closed form as far as that is exact enough, or more exact
+/// than steps would be; the time from which on it is not, if there is one.
+fn without_steps(
+    stretch: &Stretch<'_>,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Option<f64> {
+    let stopped = Exact.integrate(stretch, state, samples).err()?;
+    let rest = Stretch { from: stopped.time, ..*stretch };
+    if !rings(&rest) {
+        return Some(rest.from);
+    }
+    let lenient = Stretch { rtol: LENIENT * rest.rtol, ..rest };
+    let stopped = Exact.integrate(&lenient, state, samples);
+    if stopped.is_ok() {
+        stretch.system.note(format!(
+            "in closed form though rounding exceeds the relative tolerance of {:e}: it rings \
+             for so long that steps would add up to more",
+            stretch.rtol
+        ));
+    }
+    stopped.err().map(|stopped| stopped.time)
 }
 
 /// The methods for a machine and a tolerance. Another one, of any kind, is one more

@@ -179,7 +179,8 @@ fn auto_says_what_it_chose_and_why() {
     let run = |simulator: &dyn Simulator<f64>, rtol| {
         Simulation::new(simulator).method(Method::Auto).rtol(rtol).run().unwrap().notes
     };
-    assert_eq!(run(&HardSpring, 1e-2), ["starts with tsit5, for a relative tolerance of 1e-2"]);
+    // Looser steps would add up.
+    assert_eq!(run(&HardSpring, 1e-2), ["starts with dop853, for a relative tolerance of 1e-5"]);
     assert_eq!(run(&HardSpring, 1e-6), ["starts with dop853, for a relative tolerance of 1e-6"]);
     for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
         let notes = run(&VAN_DER_POL, rtol);

@@ -15,11 +15,9 @@ pub(super) trait OneStep {
     /// Tries a step from the start; it becomes the current step.
     fn attempt(&mut self, step: f64) -> Trial;
 
-    /// As [`OneStep::attempt`], where no step follows: after it the method may only be
-    /// asked for its end and what is before it, or to try another step.
-    fn attempt_last(&mut self, step: f64) -> Trial {
-        self.attempt(step)
-    }
+    /// Whether no step will follow those that are tried from now on: after them the
+    /// method may only be asked for their ends and what is before, or to try another.
+    fn is_last(&mut self, _is_last: bool) {}
 
     /// State at the end of the current step.
     fn end(&self) -> &[f64];
@@ -117,7 +115,8 @@ pub(super) fn drive<M: OneStep>(
     let mut kept = Kept::new(state.len());
     loop {
         let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
-        let mut trial = if arrives { method.attempt_last(tried) } else { method.attempt(tried) };
+        method.is_last(arrives);
+        let mut trial = method.attempt(tried);
         if let Trial::Error(error) = trial
             && error <= 1.0
             && (stretch.watch.is_some() || samples.next_until(now).is_some_and(|at| at < now))
@@ -199,8 +198,9 @@ fn end_at<M: OneStep>(
         return Ok(true);
     }
     let mut time = passing;
+    method.is_last(true);
     for round in 0..=CORRECTIONS {
-        if !matches!(method.attempt_last(time - from), Trial::Error(error) if error <= 1.0) {
+        if !matches!(method.attempt(time - from), Trial::Error(error) if error <= 1.0) {
             return Ok(false);
         }
         let correction = watch.correction(time, method.end());

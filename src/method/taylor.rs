@@ -58,6 +58,8 @@ pub(super) struct TaylorSteps<'a> {
     series: &'a dyn TaylorSeries<f64>,
     states: usize,
     order: usize,
+    /// Coefficients wanted of the ends of steps.
+    wanted: usize,
     time: f64,
     step: f64,
     /// Longest step to be tried next: one that is judged from coefficients which
@@ -95,6 +97,7 @@ impl<'a> TaylorSteps<'a> {
             series,
             states,
             order,
+            wanted: order,
             time: stretch.from,
             step: 0.0,
             longest: 0.0,
@@ -170,27 +173,6 @@ impl<'a> TaylorSteps<'a> {
         &self.current[..(self.finite + 1) * self.states]
     }
 
-    /// Tries a step, of whose end `order` coefficients are wanted.
-    fn attempt_of(&mut self, step: f64, order: usize) -> Trial {
-        self.step = step;
-        let used = &self.current[..(self.finite + 1) * self.states];
-        step::value_and_slope(used, step, &mut self.end[..self.states], &mut self.slope);
-        self.expand(self.time + step, At::End, order);
-        let begin = &self.following[..2 * self.states];
-        let mut trial = step::trial(&self.tolerance, &self.slope, begin, (step, self.finite));
-        if let Trial::Error(error) = trial
-            && error <= 1.0
-            && !self.probes.is_empty()
-        {
-            trial = Trial::Error(error.max(self.error_within()));
-        }
-        if matches!(trial, Trial::Error(error) if error <= 1.0) && self.flows.is_some() {
-            let flows = self.flows_until(self.time + step);
-            self.end[self.states..].copy_from_slice(&flows);
-        }
-        trial
-    }
-
     /// The error by a bend within the step, over what is allowed: behind it the rate
     /// differs from the polynomial's derivative, as it does nowhere but near the end of a
     /// step without.
@@ -248,13 +230,29 @@ impl OneStep for TaylorSteps<'_> {
         self.tolerance.step_length(&self.current, self.finite).min(self.longest)
     }
 
-    fn attempt(&mut self, step: f64) -> Trial {
-        self.attempt_of(step, self.order)
+    /// A last step needs the rate at its end, not a series.
+    fn is_last(&mut self, is_last: bool) {
+        self.wanted = if is_last { 1 } else { self.order };
     }
 
-    /// Needs the rate at its end, not a series.
-    fn attempt_last(&mut self, step: f64) -> Trial {
-        self.attempt_of(step, 1)
+    fn attempt(&mut self, step: f64) -> Trial {
+        self.step = step;
+        let used = &self.current[..(self.finite + 1) * self.states];
+        step::value_and_slope(used, step, &mut self.end[..self.states], &mut self.slope);
+        self.expand(self.time + step, At::End, self.wanted);
+        let begin = &self.following[..2 * self.states];
+        let mut trial = step::trial(&self.tolerance, &self.slope, begin, (step, self.finite));
+        if let Trial::Error(error) = trial
+            && error <= 1.0
+            && !self.probes.is_empty()
+        {
+            trial = Trial::Error(error.max(self.error_within()));
+        }
+        if matches!(trial, Trial::Error(error) if error <= 1.0) && self.flows.is_some() {
+            let flows = self.flows_until(self.time + step);
+            self.end[self.states..].copy_from_slice(&flows);
+        }
+        trial
     }
 
     fn end(&self) -> &[f64] {
@@ -272,7 +270,9 @@ impl OneStep for TaylorSteps<'_> {
         self.time += self.step;
         self.longest = step::GROWTH * self.step;
         std::mem::swap(&mut self.start, &mut self.end);
-        self.take_following();
+        if self.wanted == self.order {
+            self.take_following();
+        }
     }
 
     fn pace(&self) -> Pace {

@@ -2,9 +2,9 @@
 
 use super::super::one_step::{Pace, Trial};
 
-/// Steps aim at this share of the tolerances: errors add up over a run, and those of
-/// long steps more than those of the many short ones of other methods.
-const AIM: f64 = 0.1;
+/// Steps aim at this share of the tolerances: errors add up over a run, and a decade
+/// costs a series little.
+const AIM: f64 = 0.03;
 
 /// Error of a step in units of what it aims at beyond which it is taken again.
 const LARGEST_ERROR: f64 = 10.0;

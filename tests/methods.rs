@@ -65,6 +65,7 @@ fn methods_of_fixed_order_show_it_in_errors_against_steps() {
         (Method::Tsit45, 5.0, -11),
         (Method::Tsit5, 5.0, -11),
         (Method::Rodas5p, 5.0, -11),
+        (Method::Bdf, 5.0, -12),
     ] {
         let points: Vec<(u64, f64)> = (2 * tightest..=-8)
             .map(|half_power| {

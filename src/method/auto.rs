@@ -32,6 +32,10 @@ const LOOSEST: f64 = 1e-5;
 /// as this many rates and more, while a look costs a Jacobian.
 const LOOKS_EVERY: usize = 8;
 
+/// Taylor's method goes on where so many steps more would do, stiff or not: an implicit
+/// method first has to find its step.
+const FEW_STEPS: f64 = 150.0;
+
 /// Solves linear machines without steps where that is exact enough. Otherwise starts
 /// with an explicit method; changes to an implicit one where steps are
 /// held by stability instead of accuracy, and back where they are not.
@@ -256,18 +260,19 @@ impl<'a> Strain<'a> {
         }
     }
 
-    /// |h lambda| after a step, now and then, and after every one where it is near the
-    /// limit.
+    /// |h lambda| after a step: now and then, and after every one beyond the limit; not
+    /// where few steps are left.
     fn look(&mut self, method: &TaylorSteps<'_>, step: f64) -> Option<f64> {
         self.steps += 1;
-        if !self.is_near && !self.steps.is_multiple_of(LOOKS_EVERY) {
+        let (time, state) = method.start();
+        let is_due = self.is_near || self.steps.is_multiple_of(LOOKS_EVERY);
+        if !is_due || self.stretch.until - time < FEW_STEPS * step {
             return None;
         }
-        let (time, state) = method.start();
         self.stretch.jacobian(time, state, &mut self.jacobian);
         self.radius.renew(&self.jacobian);
         let strain = step * self.radius.renew(&self.jacobian);
-        self.is_near = strain > 0.5 * self.limit;
+        self.is_near = strain > self.limit;
         Some(strain)
     }
 }

@@ -32,6 +32,11 @@ const LOOSEST: f64 = 1e-5;
 /// as this many rates and more, while a look costs a Jacobian.
 const LOOKS_EVERY: usize = 8;
 
+/// At tolerances from this one on, series whose sums read more numbers than this, which
+/// is what the nearest cache holds and some, are no faster than Runge-Kutta steps. So it
+/// is measured on chains of pendulums: five of them read 2700 numbers and ten 10800.
+const LOOSE: f64 = 1e-6;
+const CACHED: usize = 8192;
 /// Taylor's method goes on where so many steps more would do, stiff or not: an implicit
 /// method first has to find its step.
 const FEW_STEPS: f64 = 150.0;
@@ -221,6 +226,10 @@ fn suitable_series<'a>(stretch: &Stretch<'a>) -> (Option<&'a dyn TaylorSeries<f6
     if series.bends() == Bends::Corners {
         let why = "; not with taylor, whose long steps do not see branches and tables from afar";
         return (None, why);
+    }
+    let workspace = series.series_workspace(TaylorSteps::order_for(stretch.rtol));
+    if stretch.rtol >= LOOSE && workspace > CACHED {
+        return (None, "; not with taylor, whose series are long for a tolerance so loose");
     }
     (Some(series), "")
 }

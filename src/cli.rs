@@ -22,6 +22,7 @@ mod run;
 mod scene;
 pub mod specs;
 mod stability;
+mod sweep;
 mod verify;
 pub mod walk;
 
@@ -51,6 +52,8 @@ enum Command {
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
+    /// Simulate many variants of a scene, to a table
+    Sweep(sweep::Sweep),
     /// Measure error against run time of all methods on a scene
     Bench(bench::Bench),
     /// Strain all methods by extreme cases: right, refused or wrong
@@ -77,6 +80,7 @@ pub fn main() -> ExitCode {
         Command::Derive(command) => command.execute(),
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
+        Command::Sweep(command) => command.execute(),
         Command::Bench(command) => command.execute(),
         Command::Stability(command) => command.execute(),
         Command::Modes(command) => command.execute(),

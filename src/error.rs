@@ -89,16 +89,9 @@ pub enum SimulateError {
         /// The scene.
         scene: String,
     },
-    /// The method does not watch for events.
-    #[error("scene `{scene}` has events, which `{method}` does not watch for; these do: {known}")]
-    Events {
-        /// The scene run.
-        scene: String,
-        /// The method's name.
-        method: &'static str,
-        /// The methods that do.
-        known: String,
-    },
+    /// The method is not made for a machine with events or constraints.
+    #[error(transparent)]
+    Unsuitable(#[from] Unsuitable),
     /// A guard can never pass zero.
     #[error(
         "{scene}: the guard of event `{event}` is zero whatever the state, so that it never passes \
@@ -109,18 +102,6 @@ pub enum SimulateError {
         scene: String,
         /// The event.
         event: String,
-    },
-    /// The method does not keep to constraints.
-    #[error(
-        "scene `{scene}` has constraints, which `{method}` does not keep to; these do: {known}"
-    )]
-    Constraints {
-        /// The scene run.
-        scene: String,
-        /// The method's name.
-        method: &'static str,
-        /// The methods that do.
-        known: String,
     },
     /// No start near the guesses fulfils the constraints.
     #[error(
@@ -239,6 +220,9 @@ pub enum StopCause {
         /// The most that full matrices are made for.
         most: usize,
     },
+    /// The method is not made for a machine with events or constraints.
+    #[error(transparent)]
+    Unsuitable(Unsuitable),
     /// Anything else the solver reports.
     #[error("{0}")]
     Solver(String),
@@ -254,6 +238,38 @@ pub struct UnknownMethod {
     pub hint: String,
     /// The names of all methods.
     pub known: String,
+}
+
+/// A method on a machine that it would run past what matters.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("scene `{scene}` has {lack}; these do: {known}", lack = .lack.told(.method))]
+pub struct Unsuitable {
+    /// The scene.
+    pub scene: String,
+    /// The method's name.
+    pub method: &'static str,
+    /// What the method does not do.
+    pub lack: Lack,
+    /// The names of the methods that do.
+    pub known: String,
+}
+
+/// What a method may not do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lack {
+    /// Watch for events.
+    Events,
+    /// Keep to constraints.
+    Constraints,
+}
+
+impl Lack {
+    fn told(self, method: &str) -> String {
+        match self {
+            Self::Events => format!("events, which `{method}` does not watch for"),
+            Self::Constraints => format!("constraints, which `{method}` does not keep to"),
+        }
+    }
 }
 
 /// A method of a family that this program was compiled without.

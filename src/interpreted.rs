@@ -8,9 +8,9 @@ use machinist_codegen::evaluate::Evaluator;
 use machinist_codegen::program::{Program, SparsityPattern as Pattern};
 use machinist_codegen::state::Motion;
 use machinist_codegen::system;
-use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
+use machinist_codegen::taylor::{self, SeriesEvaluator, recurrences};
 use machinist_scenes::linear::LinearEquations;
-use machinist_scenes::taylor::TaylorSeries;
+use machinist_scenes::taylor::{Bends, TaylorSeries};
 use machinist_scenes::{
     Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
     Simulator, SparsityPattern, StateKind,
@@ -43,6 +43,7 @@ pub struct InterpretedSimulator {
     constraint_matrix: RefCell<Evaluator>,
     is_given: Vec<bool>,
     series: RefCell<SeriesEvaluator>,
+    bends: Bends,
     linear: Option<[RefCell<Evaluator>; 2]>,
     fields: Vec<field::InterpretedField>,
 }
@@ -52,6 +53,7 @@ impl InterpretedSimulator {
     #[must_use]
     pub fn new(program: Program) -> Self {
         let prepared = |tape| RefCell::new(Evaluator::new(tape));
+        let series = recurrences(&program);
         Self {
             initial_state: prepared(&program.initial_state),
             discontinuities: prepared(&program.discontinuities),
@@ -71,7 +73,12 @@ impl InterpretedSimulator {
             constraint_rates: prepared(&program.constraint_rates),
             constraint_matrix: prepared(&program.constraint_matrix.tape),
             is_given: program.is_given(),
-            series: RefCell::new(SeriesEvaluator::new(recurrences(&program))),
+            bends: match series.bends(program.system.discontinuities.len()) {
+                taylor::Bends::Nowhere => Bends::Nowhere,
+                taylor::Bends::Saturates => Bends::Saturates,
+                taylor::Bends::Corners => Bends::Corners,
+            },
+            series: RefCell::new(SeriesEvaluator::new(series)),
             linear: program
                 .excitation
                 .as_ref()
@@ -330,6 +337,9 @@ impl TaylorSeries<f64> for InterpretedSimulator {
         assert_eq!(parameters.len(), system.parameters.len(), "number of parameters");
         let mut series = self.series.borrow_mut();
         series.evaluate(time, state, parameters, &system.tables, coefficients);
+    }
+    fn bends(&self) -> Bends {
+        self.bends
     }
 }
 

@@ -30,6 +30,7 @@ mod rosenbrock;
 #[cfg(feature = "implicit")]
 mod step_matrix;
 mod stretch;
+mod suitable;
 mod system;
 mod tableau;
 pub(crate) mod taylor;
@@ -38,7 +39,6 @@ mod watch;
 use std::fmt;
 use std::str::FromStr;
 
-use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
 use crate::error::{NotCompiledIn, StopCause, UnknownMethod, did_you_mean};
@@ -128,8 +128,13 @@ impl Problem<'_> {
     /// straddles one, so that a jump costs no order of accuracy. Likewise at events.
     ///
     /// # Errors
-    /// [`Stopped`] where the method cannot go on.
+    /// [`Stopped`] where the method cannot go on; at the start if it is not made for
+    /// such a machine or not compiled in.
     pub fn integrate(&self, method: Method) -> Result<Run, Stopped> {
+        method.check(self.system.simulator()).map_err(|unsuitable| Stopped {
+            time: self.from,
+            cause: StopCause::Unsuitable(unsuitable),
+        })?;
         let Some(integrator) = method.row().integrator else {
             let cause = StopCause::Solver(NotCompiledIn::of(method).to_string());
             return Err(Stopped { time: self.from, cause });
@@ -220,22 +225,6 @@ impl Method {
         self.row().implicit
     }
 
-    /// Whether the method can run this simulator: `taylor` needs the series that
-    /// emitted simulators have and simulators written by hand may lack, `exact`
-    /// linear equations with constant coefficients; events need a method that watches
-    /// them.
-    #[must_use]
-    pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
-        let has_what_it_needs = match self {
-            Self::Taylor => simulator.taylor().is_some(),
-            Self::Exact => simulator.linear().is_some(),
-            _ => true,
-        };
-        has_what_it_needs
-            && (self.watches_events() || simulator.events() == 0)
-            && (self.keeps_constraints() || simulator.constraints() == 0)
-    }
-
     /// Whether the Cargo feature of the method's family is on.
     #[must_use]
     pub fn is_compiled_in(self) -> bool {
@@ -251,20 +240,6 @@ impl Method {
     /// Every method that is compiled in, in the order of the table.
     pub fn compiled_in() -> impl Iterator<Item = Self> {
         Self::ALL.iter().copied().filter(|method| method.is_compiled_in())
-    }
-
-    /// Whether the method puts the state back onto constraints after each step: those
-    /// that watch events do.
-    #[must_use]
-    pub fn keeps_constraints(self) -> bool {
-        self.watches_events()
-    }
-
-    /// Whether the method stops where guards pass zero: those of our own that step from
-    /// one state to the next do.
-    #[must_use]
-    pub fn watches_events(self) -> bool {
-        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Rodas5p | Self::Radau | Self::Auto)
     }
 
     /// One line for people.

@@ -108,7 +108,11 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
     let fields = has_fields.then(|| during("cutting fields", fields::Study::new));
     let work_precision =
         if with_times { during("timing the methods", measure_all)? } else { Vec::new() };
-    let strain = || during("straining the methods", || study(&Strain::default()));
+    let strain = || {
+        during("straining the methods", || {
+            study(&Strain { drift_steps: 100_000, ..Strain::default() })
+        })
+    };
     let stability = with_times.then(strain).transpose()?;
     let all_passed = verdicts.iter().all(|verdict| verdict.pass);
     let report =

@@ -241,8 +241,8 @@ impl<'a> Simulation<'a> {
         }
         let times = self.checked_times()?;
         let system = System::new(self.simulator, self.checked_parameters()?, self.energy_balance);
-        self.check_events(method, &system)?;
-        self.check_constraints(method)?;
+        method.check(self.simulator)?;
+        self.check_guards(&system)?;
         let states = system.states();
         let mut initial = self.checked_initial_state()?;
         let mut atol = self.checked_atol(states)?;
@@ -302,34 +302,19 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Events need a method that watches them, and guards that can pass zero.
-    fn check_events(&self, method: Method, system: &System<'_>) -> Result<(), SimulateError> {
+    /// Guards can pass zero.
+    fn check_guards(&self, system: &System<'_>) -> Result<(), SimulateError> {
         if self.simulator.events() == 0 {
             return Ok(());
-        }
-        let scene = self.simulator.name().to_owned();
-        if !method.watches_events() {
-            let watching = Method::ALL.iter().filter(|method| method.watches_events());
-            let known = watching.map(|method| method.name()).collect::<Vec<_>>().join(", ");
-            return Err(SimulateError::Events { scene, method: method.name(), known });
         }
         match identically_zero(system, (self.from, self.until)) {
             None => Ok(()),
             Some(index) => {
+                let scene = self.simulator.name().to_owned();
                 let event = self.simulator.event(index).name.to_owned();
                 Err(SimulateError::GuardIsZero { scene, event })
             }
         }
-    }
-
-    fn check_constraints(&self, method: Method) -> Result<(), SimulateError> {
-        if self.simulator.constraints() == 0 || method.keeps_constraints() {
-            return Ok(());
-        }
-        let keeping = Method::ALL.iter().filter(|method| method.keeps_constraints());
-        let known = keeping.map(|method| method.name()).collect::<Vec<_>>().join(", ");
-        let scene = self.simulator.name().to_owned();
-        Err(SimulateError::Constraints { scene, method: method.name(), known })
     }
 
     fn checked_parameters(&self) -> Result<&[f64], SimulateError> {

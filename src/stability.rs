@@ -13,6 +13,7 @@
 //! energy. To add a case: one line in `src/stability/cases.rs`.
 
 mod cases;
+mod drift;
 pub mod machines;
 mod order;
 mod truth;
@@ -24,6 +25,7 @@ use crate::error::{SimulateError, StopCause};
 use crate::method::Method;
 use crate::simulate::Simulation;
 use crate::trajectory::{ColumnKind, Trajectory};
+pub use drift::{LongRun, constraint_drift};
 pub use order::{ObservedOrders, POWERS, observed_orders};
 use truth::{Known, Truth};
 
@@ -46,12 +48,14 @@ pub struct Plan {
     pub rtol: f64,
     /// Only cases whose `part: name` contains this text, if any is given.
     pub only: Option<String>,
+    /// Steps of the runs that show how far constraints are left; none if 0.
+    pub drift_steps: usize,
 }
 
 impl Default for Plan {
     /// All cases and methods, at 1e-6.
     fn default() -> Self {
-        Self { methods: Method::ALL.to_vec(), rtol: 1e-6, only: None }
+        Self { methods: Method::ALL.to_vec(), rtol: 1e-6, only: None, drift_steps: 0 }
     }
 }
 
@@ -66,6 +70,8 @@ pub struct Study {
     pub rows: Vec<Row>,
     /// Orders on the problem of Prothero and Robinson, if all cases were wanted.
     pub orders: Vec<ObservedOrders>,
+    /// Runs of very many steps under constraints.
+    pub long_runs: Vec<LongRun>,
 }
 
 /// One case.
@@ -162,7 +168,11 @@ pub fn study(plan: &Plan) -> Result<Study, SimulateError> {
     let rows = cases.iter().filter(|case| wanted(case)).map(|case| case.row(plan));
     let rows = rows.collect::<Result<_, _>>()?;
     let orders = if plan.only.is_none() { observed_orders() } else { Vec::new() };
-    Ok(Study { rtol: plan.rtol, methods: plan.methods.clone(), rows, orders })
+    let long_runs = match plan.drift_steps {
+        0 => Vec::new(),
+        steps => constraint_drift(plan.rtol, steps)?,
+    };
+    Ok(Study { rtol: plan.rtol, methods: plan.methods.clone(), rows, orders, long_runs })
 }
 
 /// A run that strains methods.
@@ -229,6 +239,7 @@ fn word(error: &SimulateError, method: Method, simulator: &dyn Simulator<f64>) -
             StopCause::Zeno { .. } => "zeno",
             StopCause::OffConstraint { .. } => "drift",
             StopCause::TooLarge { .. } => "large",
+            StopCause::Unsuitable(_) => "unfit",
             StopCause::Solver(_) => "solver",
         },
         _ => "input",

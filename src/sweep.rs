@@ -6,6 +6,7 @@
 //! what a run of its own gives, whatever the number of threads.
 
 use machinist_scenes::Simulator;
+use machinist_scenes::taylor::Bends;
 use rayon::prelude::*;
 
 use crate::error::SimulateError;
@@ -19,10 +20,23 @@ use crate::trajectory::ColumnKind;
 /// Variants that a thread takes at a time.
 const CHUNK: usize = 64;
 
-/// A machine that runs in lanes and on threads, as every emitted one does.
-pub trait Sweepable: Simulator<f64> + Simulator<F64x8> + Sync {}
+/// A machine that threads may share.
+pub trait Sweepable: Sync {
+    /// The machine, one at a time.
+    fn single(&self) -> &dyn Simulator<f64>;
+    /// The machine, eight at a time, if it runs so.
+    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>>;
+}
 
-impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {}
+/// Every emitted machine.
+impl<S: Simulator<f64> + Simulator<F64x8> + Sync> Sweepable for S {
+    fn single(&self) -> &dyn Simulator<f64> {
+        self
+    }
+    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
+        Some(self)
+    }
+}
 
 /// Runs of one machine with different parameters.
 ///
@@ -64,8 +78,9 @@ pub struct VariantRun {
 impl<'a, S: Sweepable> Sweep<'a, S> {
     /// A sweep of the machine as its spec says, with one variant.
     pub fn new(machine: &'a S) -> Self {
-        let shape = machine.shape();
-        let defaults = (0..shape.parameters).map(|index| machine.parameter_default(index));
+        let single = machine.single();
+        let parameters = 0..single.shape().parameters;
+        let defaults = parameters.map(|index| single.parameter_default(index));
         Self {
             machine,
             each: Box::new(|simulation| simulation),
@@ -86,7 +101,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
     /// # Errors
     /// [`SimulateError::UnknownParameter`], with the nearest known name.
     pub fn vary(mut self, name: &str, values: &[f64]) -> Result<Self, SimulateError> {
-        let index = Simulation::new(self.machine).parameter_index(name)?;
+        let index = Simulation::new(self.machine.single()).parameter_index(name)?;
         let varied = self.variants.iter().flat_map(|variant| {
             values.iter().map(move |value| {
                 let mut variant = variant.clone();
@@ -125,35 +140,26 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
     }
 
     fn run_chunk(&self, chunk: &[Vec<f64>]) -> Vec<Result<VariantRun, SimulateError>> {
-        let simulation = (self.each)(Simulation::new(self.machine));
-        let machine: &dyn Simulator<F64x8> = self.machine;
-        match (simulation.method_and_rtol(), machine.taylor()) {
-            // Single runs refuse what the method does not suit, such as events.
+        let simulation = (self.each)(Simulation::new(self.machine.single()));
+        let series = self.machine.in_lanes().and_then(Simulator::taylor);
+        match (simulation.method_and_rtol(), series) {
+            // Lanes do not watch for events, nor for corners.
             (Ok((Method::Taylor, rtol)), Some(series))
-                if rtol >= LEAST_RTOL && Method::Taylor.suits(self.machine) =>
+                if rtol >= LEAST_RTOL
+                    && self.machine.single().events() == 0
+                    && series.bends() != Bends::Corners =>
             {
                 self.run_in_lanes(chunk, rtol, series)
             }
-            _ => chunk.iter().map(|parameters| self.run_one(parameters)).collect(),
+            _ => {
+                let runs = chunk.iter().map(|parameters| one(&self.simulation(parameters)));
+                runs.collect()
+            }
         }
     }
 
     fn simulation(&self, parameters: &[f64]) -> Simulation<'a> {
-        (self.each)(Simulation::new(self.machine)).parameters(parameters)
-    }
-
-    fn run_one(&self, parameters: &[f64]) -> Result<VariantRun, SimulateError> {
-        let run = self.simulation(parameters).run()?;
-        let rows = |kind: ColumnKind| {
-            let columns: Vec<_> = run.of_kind(kind).collect();
-            let row = |index: usize| columns.iter().map(|column| column.values[index]).collect();
-            (0..run.times.len()).map(row).collect()
-        };
-        Ok(VariantRun {
-            states: rows(ColumnKind::State),
-            outputs: rows(ColumnKind::Output),
-            steps: run.work.steps,
-        })
+        (self.each)(Simulation::new(self.machine.single())).parameters(parameters)
     }
 
     fn run_in_lanes(
@@ -179,7 +185,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
             results[*index] = Some(match outcome {
                 Ok(outcome) => Ok(self.finished(&chunk[*index], times, &outcome)),
                 Err(stopped) => Err(SimulateError::Stopped {
-                    scene: self.machine.name().to_owned(),
+                    scene: self.machine.single().name().to_owned(),
                     method: Method::Taylor.name(),
                     time: stopped.time,
                     cause: stopped.cause,
@@ -190,7 +196,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
     }
 
     fn finished(&self, parameters: &[f64], times: &[f64], outcome: &Outcome) -> VariantRun {
-        let machine: &dyn Simulator<f64> = self.machine;
+        let machine = self.machine.single();
         let shape = machine.shape();
         let states: Vec<Vec<f64>> =
             outcome.rows.chunks_exact(shape.states().max(1)).map(<[f64]>::to_vec).collect();
@@ -201,4 +207,22 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
         });
         VariantRun { outputs: outputs.collect(), states, steps: outcome.work.steps }
     }
+}
+
+/// One run, as a variant.
+///
+/// # Errors
+/// As [`Simulation::run`].
+pub fn one(simulation: &Simulation<'_>) -> Result<VariantRun, SimulateError> {
+    let run = simulation.run()?;
+    let rows = |kind: ColumnKind| {
+        let columns: Vec<_> = run.of_kind(kind).collect();
+        let row = |index: usize| columns.iter().map(|column| column.values[index]).collect();
+        (0..run.times.len()).map(row).collect()
+    };
+    Ok(VariantRun {
+        states: rows(ColumnKind::State),
+        outputs: rows(ColumnKind::Output),
+        steps: run.work.steps,
+    })
 }

@@ -3,9 +3,11 @@
 
 use machinist::error::StopCause;
 use machinist::interpreted::InterpretedSimulator;
+use machinist::method::{Problem, System};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
+use machinist_scenes::Describe;
 
 /// A scene of one unit `ball` of coordinate `x`, mass 1 kg, with more of the unit.
 fn scene(more: &str) -> InterpretedSimulator {
@@ -213,6 +215,33 @@ fn a_method_that_does_not_watch_refuses_a_scene_with_events() {
         let refused = from_height(&ball, method).until(0.1).run().is_err();
         assert_eq!(refused, !method.suits(&ball), "{method}");
     }
+}
+
+#[test]
+fn a_problem_refuses_what_a_simulation_refuses() {
+    let ball = scene(FALLS);
+    let parameters: Vec<f64> =
+        (0..ball.shape().parameters).map(|index| ball.parameter_default(index)).collect();
+    let system = System::new(&ball, &parameters, false);
+    let problem = Problem {
+        system: &system,
+        from: 0.0,
+        until: 0.1,
+        times: &[0.1],
+        initial: vec![1.0, 0.0, 0.0, 0.0],
+        jumps: Vec::new(),
+        rtol: 1e-6,
+        atol: vec![1e-6; 4],
+        max_steps: 1000,
+    };
+    for &method in Method::ALL.iter().filter(|method| !method.watches_events()) {
+        let refused = from_height(&ball, method).run().expect_err("it does not watch");
+        let stopped = problem.integrate(method).expect_err("nor here");
+        let StopCause::Unsuitable(unsuitable) = stopped.cause else { panic!("{stopped:?}") };
+        assert_eq!(SimulateError::Unsuitable(unsuitable.clone()), refused);
+        assert!(unsuitable.known.contains("taylor"), "{}", unsuitable.known);
+    }
+    assert!(problem.integrate(Method::Taylor).is_ok());
 }
 
 #[test]

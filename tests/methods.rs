@@ -36,7 +36,10 @@ fn errors_keep_to_the_tolerance_from_loose_to_tight() {
             let found = error(&HardSpring, &run, &reference) / rtol;
             println!("{method} {rtol:.0e}: {found:.2} rtol, {} steps", run.work.steps);
             assert!(found < 15.0, "{method} at {rtol:e} errs by {found} times the tolerance");
-            (least, most) = (found.min(least), found.max(most));
+            // Steps of `auto` are never looser than 1e-5.
+            if method != Method::Auto || rtol < 2e-5 {
+                (least, most) = (found.min(least), found.max(most));
+            }
             rtol /= 10.0;
         }
         assert!(most < 10.0 * least, "{method} errs by {least} to {most} times the tolerance");
@@ -65,6 +68,7 @@ fn methods_of_fixed_order_show_it_in_errors_against_steps() {
         (Method::Tsit45, 5.0, -11),
         (Method::Tsit5, 5.0, -11),
         (Method::Rodas5p, 5.0, -11),
+        (Method::Bdf, 5.0, -12),
     ] {
         let points: Vec<(u64, f64)> = (2 * tightest..=-8)
             .map(|half_power| {
@@ -89,11 +93,12 @@ fn errors_of_taylor_keep_to_the_tolerance_from_loose_to_tight() {
         for power in 3..=12 {
             let rtol = 10f64.powi(-power);
             let run = base.clone().method(Method::Taylor).rtol(rtol).run().unwrap();
-            let found = error(simulator, &run, &reference) / rtol;
+            // Rounding adds up to so much, in this run and in the reference.
+            let found = (error(simulator, &run, &reference) - 5e-13).max(0.1 * rtol) / rtol;
             println!("{name} {rtol:.0e}: {found:.2} rtol, {} steps", run.work.steps);
             (least, most) = (found.min(least), found.max(most));
         }
-        assert!(most < 10.0 * least && most < 20.0, "{name}: {least} to {most} tolerances");
+        assert!(most < 10.0 * least && most < 2.0, "{name}: {least} to {most} tolerances");
     }
 }
 
@@ -179,7 +184,8 @@ fn auto_says_what_it_chose_and_why() {
     let run = |simulator: &dyn Simulator<f64>, rtol| {
         Simulation::new(simulator).method(Method::Auto).rtol(rtol).run().unwrap().notes
     };
-    assert_eq!(run(&HardSpring, 1e-2), ["starts with tsit5, for a relative tolerance of 1e-2"]);
+    // Looser steps would add up.
+    assert_eq!(run(&HardSpring, 1e-2), ["starts with dop853, for a relative tolerance of 1e-5"]);
     assert_eq!(run(&HardSpring, 1e-6), ["starts with dop853, for a relative tolerance of 1e-6"]);
     for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
         let notes = run(&VAN_DER_POL, rtol);
@@ -188,6 +194,40 @@ fn auto_says_what_it_chose_and_why() {
     }
     let plain = Simulation::new(&HardSpring).method(Method::Radau).run().unwrap();
     assert!(plain.notes.is_empty());
+}
+
+#[test]
+fn auto_starts_with_series_where_they_tell_what_is_ahead() {
+    let first = |name: &str, rtol| {
+        let simulator = scenes::find::<f64>(name).unwrap();
+        let base = Simulation::new(simulator).method(Method::Auto).rtol(rtol).points(2);
+        base.until(0.01).run().unwrap().notes[0].clone()
+    };
+    for name in ["pendulum_chain", "winder_nonlinear", "motor_run_up", "saw_gin"] {
+        assert_eq!(first(name, 1e-6), "starts with taylor, for a relative tolerance of 1e-6");
+    }
+    let note = first("stick_slip_smooth", 1e-6);
+    assert!(note.starts_with("starts with dop853") && note.contains("branches"), "{note}");
+}
+
+#[test]
+fn auto_leaves_series_where_they_are_held_by_stability() {
+    let simulator = scenes::find::<f64>("saw_gin").unwrap();
+    let base = Simulation::new(simulator).parameter("coupling.damping", 1e6).unwrap();
+    let base = base.parameter("coupling.stiffness", 1e5).unwrap().until(0.1).points(11);
+    let exact = base.clone().method(Method::Radau).rtol(1e-11).run().unwrap();
+    for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
+        let run = base.clone().method(Method::Auto).rtol(rtol).run().unwrap();
+        println!("{:?}, {:?}", run.notes, run.work);
+        assert!(
+            run.notes[1].starts_with(&format!("{implicit} instead of taylor")),
+            "{:?}",
+            run.notes
+        );
+        assert!(run.work.steps < 2000, "{:?}", run.work);
+        let found = error(simulator, &run, &exact);
+        assert!(found < 100.0 * rtol, "{found:e}");
+    }
 }
 
 #[test]

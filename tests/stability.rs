@@ -1,7 +1,9 @@
 //! Extreme cases: `auto` is never wrong, no method hangs, and what is right is known.
 #![cfg(feature = "verify")]
 
-use machinist::stability::{ALLOWED, MAX_STEPS, Outcome, Plan, observed_orders, study};
+use machinist::stability::{
+    ALLOWED, MAX_STEPS, Outcome, Plan, constraint_drift, observed_orders, study,
+};
 use machinist::{Method, SimulateError};
 
 #[test]
@@ -32,6 +34,7 @@ fn an_estimate_that_vanishes_by_chance_misleads_no_explicit_method() {
         methods: vec![Method::Dop853, Method::Auto],
         rtol: 1e-10,
         only: Some("saw gin: stiffness 1e9, damping 1e2".to_owned()),
+        ..Plan::default()
     };
     for cell in &study(&plan).unwrap().rows[0].cells {
         let right = matches!(cell.outcome, Outcome::Right { error, .. } if error < 100.0);
@@ -58,6 +61,32 @@ fn a_method_that_is_wrong_is_found_out() {
         }
         other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn constraints_stay_kept_over_many_steps() {
+    let runs = constraint_drift(1e-6, 3000).unwrap();
+    assert_eq!(runs.len(), 2);
+    for run in runs {
+        println!("{run:?}");
+        // What steps leave is mended to rounding, and does not grow.
+        assert!(run.steps >= 2500, "{run:?}");
+        assert!(run.before > run.after && run.before < 1e-4 && run.after < 1e-13, "{run:?}");
+    }
+}
+
+#[test]
+fn closed_forms_at_the_limit_of_rounding_beat_steps() {
+    // A million periods, and stiff couplings that ring: `exact` refuses, since rounding
+    // exceeds 1e-9, but the steps of any other method would add up to more.
+    let plan = |method| Plan {
+        methods: vec![method],
+        rtol: 1e-9,
+        only: Some("undamped oscillation: 1e6 periods".to_owned()),
+        ..Plan::default()
+    };
+    assert_eq!(study(&plan(Method::Exact)).unwrap().counts(Method::Exact), [0, 1, 0]);
+    assert_eq!(study(&plan(Method::Auto)).unwrap().counts(Method::Auto), [1, 0, 0]);
 }
 
 #[test]

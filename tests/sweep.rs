@@ -8,7 +8,7 @@ use machinist::{Method, SimulateError, Simulation, Sweep};
 use machinist_scenes::scenes::{
     bouncing_mass, pendulum_chain, saw_gin, two_mass, winder_nonlinear,
 };
-use machinist_scenes::{Real, Simulator};
+use machinist_scenes::{Describe, Real, Simulator};
 
 /// What one run after another gives.
 fn one_by_one<'a, S: Sweepable>(
@@ -18,9 +18,9 @@ fn one_by_one<'a, S: Sweepable>(
     each: impl Fn(Simulation<'a>) -> Simulation<'a>,
 ) -> Vec<Vec<f64>> {
     let runs = values.iter().map(|value| {
-        let simulation = each(Simulation::new(machine)).parameter(name, *value);
+        let simulation = each(Simulation::new(machine.single())).parameter(name, *value);
         let run = simulation.expect("a parameter").run().expect("a run");
-        let shape = <S as machinist_scenes::Describe>::shape(machine);
+        let shape = machine.single().shape();
         let columns = run.columns[..shape.states() + shape.outputs].iter();
         columns.flat_map(|column| column.values.clone()).collect()
     });
@@ -107,12 +107,15 @@ fn a_variant_that_cannot_be_run_leaves_the_others_alone() {
 }
 
 #[test]
-fn a_machine_with_events_is_refused_in_lanes_as_in_a_single_run() {
-    let each = |run: Simulation<'static>| run.until(0.5).points(2).method(Method::Taylor);
-    let alone = each(Simulation::new(&bouncing_mass::BouncingMass)).run();
-    assert!(matches!(alone, Err(SimulateError::Events { .. })), "{alone:?}");
-    let runs = Sweep::new(&bouncing_mass::BouncingMass).each(each).run();
-    assert_eq!(runs[0].as_ref().err(), alone.as_ref().err());
+fn machines_with_events_run_one_by_one() {
+    let machine = &bouncing_mass::BouncingMass;
+    let name = <_ as Describe>::parameter(machine, 0).name;
+    let default = <_ as Describe>::parameter_default(machine, 0);
+    assert_same(machine, name, &[default, 1.5 * default], |run| {
+        run.until(0.5).points(5).method(Method::Taylor)
+    });
+    let run = Simulation::new(machine).until(0.5).points(5).method(Method::Taylor).run();
+    assert!(!run.expect("a run").switches.is_empty());
 }
 
 #[test]

@@ -163,6 +163,18 @@ pub struct MassMatrix {
     pub accelerations: Vec<NodeId>,
 }
 
+/// Where a motion may bend so that no coefficient tells of it from afar.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Bends {
+    /// What is near shows in how coefficients grow.
+    Nowhere,
+    /// Where a function that is flat on both sides, such as tanh, turns from one to the
+    /// other: there it is analytic.
+    Saturates,
+    /// Also at branches that depend on the state and at knots of tables.
+    Corners,
+}
+
 /// `S(left, right)`, the left one perhaps with every coefficient times its order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Convolution {
@@ -203,6 +215,60 @@ impl TaylorTape {
     #[must_use]
     pub fn is_line(&self, id: NodeId) -> bool {
         self[id].extent == Extent::Line
+    }
+
+    /// Where the motion may bend so that no coefficient tells of it from afar, if runs
+    /// are cut at so many times at which the rate jumps.
+    ///
+    /// A comparison of time with a constant is one of these jumps; where there are more
+    /// of them than jumps, one is a kink. Functions that saturate (tanh, exp, atan and
+    /// their kin) lose all their coefficients to rounding where they are flat. Poles and
+    /// roots do not: what is near shows in how coefficients grow.
+    #[must_use]
+    pub fn bends(&self, jumps: usize) -> Bends {
+        let mut switches: Vec<(NodeId, NodeId)> = Vec::new();
+        let mut of_node = |node: &SeriesNode| match node.recurrence {
+            Recurrence::Select { lhs, rhs, .. } => {
+                let switches_once = [(lhs, rhs), (rhs, lhs)].into_iter().any(|(time, at)| {
+                    self[time].recurrence == Recurrence::Time && self.is_constant(at)
+                });
+                if switches_once && !switches.contains(&(lhs, rhs)) {
+                    switches.push((lhs, rhs));
+                }
+                let rests = self.rests(lhs) && self.rests(rhs);
+                if rests || switches_once { Bends::Nowhere } else { Bends::Corners }
+            }
+            Recurrence::Table { .. } => Bends::Corners,
+            Recurrence::Integral { function: Function::Exp, argument, .. }
+                if self.is_line(argument) =>
+            {
+                Bends::Nowhere
+            }
+            Recurrence::Integral { function, .. } | Recurrence::IntegralOver { function, .. } => {
+                let saturates = matches!(
+                    function,
+                    Function::Exp
+                        | Function::Tanh
+                        | Function::Sinh
+                        | Function::Cosh
+                        | Function::Atan
+                );
+                if saturates { Bends::Saturates } else { Bends::Nowhere }
+            }
+            _ => Bends::Nowhere,
+        };
+        let most = self.nodes.iter().map(&mut of_node).max().unwrap_or(Bends::Nowhere);
+        if switches.len() > jumps { Bends::Corners } else { most }
+    }
+
+    /// Whether a node stays as it is along a motion: a constant, or a mode.
+    fn rests(&self, id: NodeId) -> bool {
+        let is_zero =
+            |rate: &NodeId| self[*rate].recurrence == Recurrence::Constant(Op::Literal(0.0));
+        match self[id].recurrence {
+            Recurrence::State(entry) => self.rate.get(entry as usize).is_some_and(is_zero),
+            _ => self.is_constant(id),
+        }
     }
 
     /// The sums in a node's k-th coefficient. None where a factor is linear in

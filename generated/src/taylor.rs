@@ -39,6 +39,24 @@ pub trait TaylorSeries<R: Real> {
         coefficients: &mut [R],
         workspace: &mut [R],
     );
+
+    /// Where the motion may bend unforeseen.
+    fn bends(&self) -> Bends {
+        Bends::Nowhere
+    }
+}
+
+/// Where a motion may bend so that no coefficient tells of it from afar: a step by the
+/// series may then pass the place unseen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Bends {
+    /// What is near shows in how coefficients grow.
+    Nowhere,
+    /// Where a function that is flat on both sides, such as tanh, turns from one to the
+    /// other: there it is analytic.
+    Saturates,
+    /// Also at branches that depend on the state and at knots of tables.
+    Corners,
 }
 
 /// Sums of up to `N` products of series, side by side.

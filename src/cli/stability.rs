@@ -7,7 +7,7 @@ use machinist::stability::{self, ObservedOrders, Outcome, POWERS, Plan, Study};
 use super::Failure;
 use super::output::{print, print_with};
 use super::progress::during;
-use crate::report::stability::{ORDERS, cell, order, refusals, rule};
+use crate::report::stability::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
 
 #[derive(Debug, Args)]
 pub struct Stability {
@@ -20,6 +20,10 @@ pub struct Stability {
     /// Relative tolerance of every run
     #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-6, allow_hyphen_values = true)]
     rtol: f64,
+    /// Steps of the runs that show how far constraints are left: 1000000 with all cases,
+    /// else none
+    #[arg(long, value_name = "NUMBER")]
+    drift_steps: Option<usize>,
     /// Print JSON, with the reasons of all refusals
     #[arg(long)]
     json: bool,
@@ -27,7 +31,13 @@ pub struct Stability {
 
 impl Stability {
     pub fn execute(&self) -> Result<(), Failure> {
-        let mut plan = Plan { rtol: self.rtol, only: self.only.clone(), ..Plan::default() };
+        let drift_steps = if self.only.is_none() { 1_000_000 } else { 0 };
+        let mut plan = Plan {
+            rtol: self.rtol,
+            only: self.only.clone(),
+            drift_steps: self.drift_steps.unwrap_or(drift_steps),
+            ..Plan::default()
+        };
         if !self.method.is_empty() {
             let methods = self.method.iter().map(|name| Method::from_name(name));
             plan.methods =
@@ -80,7 +90,16 @@ fn table(study: &Study) -> String {
     if !study.orders.is_empty() {
         text.extend(["\n", ORDERS, "\n\n", &aligned(&order_lines(study))]);
     }
+    if !study.long_runs.is_empty() {
+        text.extend(["\n", DRIFT, "\n\n", &aligned(&drift_lines(study))]);
+    }
     text
+}
+
+fn drift_lines(study: &Study) -> Vec<Vec<String>> {
+    let header = ["", "method", "until", "steps", "before", "after"].map(str::to_owned);
+    let lines = study.long_runs.iter().map(|run| drift_cells(run).to_vec());
+    std::iter::once(header.to_vec()).chain(lines).collect()
 }
 
 fn order_lines(study: &Study) -> Vec<Vec<String>> {

@@ -1,13 +1,19 @@
-//! Chooses a method by the tolerance, and changes it when a machine turns out to
-//! be stiff, or not to be any more.
+//! Chooses a method by the machine and the tolerance, and changes it when a machine
+//! turns out to be stiff, or not to be any more.
+
+mod ringing;
+
+use machinist_scenes::taylor::{Bends, TaylorSeries};
 
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;
 use super::one_step::{Left, OneStep, drive};
 use super::radau::RadauSteps;
 use super::rosenbrock::RosenbrockSteps;
-use super::tableau::{DOP853, Pair, RODAS5P, TSIT5};
+use super::tableau::{DOP853, Pair, RODAS5P};
+use super::taylor::TaylorSteps;
 use super::{Integrator, Samples, Stopped, Stretch};
+use ringing::{LENIENT, rings};
 
 /// So many steps of evidence change the method.
 const STIFF_STEPS: usize = 15;
@@ -19,6 +25,21 @@ const MOST_CHANGES: usize = 20;
 /// An implicit step that is not this much longer than an explicit one could be
 /// does not pay for its factorization.
 const WORTH: f64 = 2.0;
+/// Steps are never looser than this, whatever the tolerance of the run: over thousands
+/// of periods their errors add up, and three digits less save less than half the time.
+const LOOSEST: f64 = 1e-5;
+/// Taylor's method looks for stiffness every so many steps, each of which costs as much
+/// as this many rates and more, while a look costs a Jacobian.
+const LOOKS_EVERY: usize = 8;
+
+/// At tolerances from this one on, series whose sums read more numbers than this, which
+/// is what the nearest cache holds and some, are no faster than Runge-Kutta steps. So it
+/// is measured on chains of pendulums: five of them read 2700 numbers and ten 10800.
+const LOOSE: f64 = 1e-6;
+const CACHED: usize = 8192;
+/// Taylor's method goes on where so many steps more would do, stiff or not: an implicit
+/// method first has to find its step.
+const FEW_STEPS: f64 = 150.0;
 
 /// Solves linear machines without steps where that is exact enough. Otherwise starts
 /// with an explicit method; changes to an implicit one where steps are
@@ -32,73 +53,141 @@ impl Integrator for Auto {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        let rest;
-        let stretch = match Exact.integrate(stretch, state, samples) {
-            Ok(()) => return Ok(()),
-            // Not for this machine, or not from here on.
-            Err(stopped) => {
-                rest = Stretch { from: stopped.time, ..*stretch };
-                &rest
+        let Some(from) = without_steps(stretch, state, samples) else { return Ok(()) };
+        let tighter = (LOOSEST / stretch.rtol).min(1.0);
+        let atol: Vec<f64> = stretch.atol.iter().map(|atol| tighter * atol).collect();
+        let rtol = stretch.rtol.min(LOOSEST);
+        let stretch = &Stretch { from, rtol, atol: &atol, ..*stretch };
+        let choice = Choice::new(stretch);
+        match choice.explicit {
+            Explicit::Taylor(series) => {
+                let mut strain = Strain::new(stretch, choice.limit);
+                let look = |method: &TaylorSteps<'_>, step: f64| strain.look(method, step);
+                let mut method = TaylorSteps::new(stretch, series).looking_within();
+                choice.alternate(&mut method, stretch, (state, samples), look)
             }
-        };
-        let choice = Choice::new(stretch.rtol);
-        let mut explicit = ExplicitSteps::new(choice.explicit, stretch);
-        let system = stretch.system;
-        system.note(format!(
-            "starts with {}, for a relative tolerance of {:e}",
-            choice.explicit_name, stretch.rtol
+            Explicit::Pair(pair) => {
+                let look = |method: &ExplicitSteps<'_>, _| Some(method.stiffness());
+                let mut method = ExplicitSteps::new(pair, stretch);
+                choice.alternate(&mut method, stretch, (state, samples), look)
+            }
+        }
+    }
+}
+
+/// Solves a linear machine in closed form as far as that is exact enough, or more exact
+/// than steps would be; the time from which on it is not, if there is one.
+fn without_steps(
+    stretch: &Stretch<'_>,
+    state: &mut [f64],
+    samples: &mut Samples<'_>,
+) -> Option<f64> {
+    let stopped = Exact.integrate(stretch, state, samples).err()?;
+    let rest = Stretch { from: stopped.time, ..*stretch };
+    if !rings(&rest) {
+        return Some(rest.from);
+    }
+    let lenient = Stretch { rtol: LENIENT * rest.rtol, ..rest };
+    let stopped = Exact.integrate(&lenient, state, samples);
+    if stopped.is_ok() {
+        stretch.system.note(format!(
+            "in closed form though rounding exceeds the relative tolerance of {:e}: it rings \
+             for so long that steps would add up to more",
+            stretch.rtol
         ));
+    }
+    stopped.err().map(|stopped| stopped.time)
+}
+
+/// The methods for a machine and a tolerance. Another one, of any kind, is one more
+/// case here.
+struct Choice<'a> {
+    explicit: Explicit<'a>,
+    explicit_name: &'static str,
+    /// Where |h lambda| is larger, stability holds the explicit method's steps.
+    limit: f64,
+    implicit_name: &'static str,
+    is_tight: bool,
+}
+
+enum Explicit<'a> {
+    Taylor(&'a dyn TaylorSeries<f64>),
+    Pair(&'static Pair),
+}
+
+impl<'a> Choice<'a> {
+    fn new(stretch: &Stretch<'a>) -> Self {
+        let rtol = stretch.rtol;
+        let is_tight = rtol <= 1e-7;
+        let implicit_name = if is_tight { "radau" } else { "rodas5p" };
+        let of_pair = |name, pair: &'static Pair| Self {
+            explicit: Explicit::Pair(pair),
+            explicit_name: name,
+            limit: pair.stability,
+            implicit_name,
+            is_tight,
+        };
+        let pair = of_pair("dop853", &DOP853);
+        let (series, why) = suitable_series(stretch);
+        let chosen = match series {
+            None => pair,
+            Some(series) => Self {
+                explicit: Explicit::Taylor(series),
+                explicit_name: "taylor",
+                limit: taylor_limit(TaylorSteps::order_for(rtol)),
+                ..pair
+            },
+        };
+        stretch.system.note(format!(
+            "starts with {}, for a relative tolerance of {rtol:e}{why}",
+            chosen.explicit_name
+        ));
+        chosen
+    }
+
+    /// Goes on by an explicit method while nothing is stiff, and implicitly while
+    /// something is; `look` gives |h lambda| after a step of the explicit method, or
+    /// nothing if it has not looked.
+    fn alternate<M: OneStep>(
+        &self,
+        explicit: &mut M,
+        stretch: &Stretch<'_>,
+        (state, samples): (&mut [f64], &mut Samples<'_>),
+        mut look: impl FnMut(&M, f64) -> Option<f64>,
+    ) -> Result<(), Stopped> {
         explicit.begin(stretch.from, state);
         let mut at = Left { time: stretch.from, step: explicit.first_step() };
         let mut changes = 0;
         loop {
             let mut evidence = Evidence::default();
-            let limit = choice.explicit.stability;
-            let is_stiff =
-                |method: &ExplicitSteps<'_>, _| evidence.grows(method.stiffness() > limit);
-            let Some(left) = drive(&mut explicit, stretch, at, state, samples, is_stiff)? else {
+            let mut seen = 0.0;
+            let is_stiff = |method: &M, step| {
+                look(method, step).is_some_and(|strain| {
+                    seen = strain;
+                    evidence.grows(strain > self.limit)
+                })
+            };
+            let Some(left) = drive(explicit, stretch, at, state, samples, is_stiff)? else {
                 return Ok(());
             };
-            system.note(format!(
+            stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: steps were held by stability, \
-                 |h lambda| = {:.1}",
-                choice.implicit_name,
-                choice.explicit_name,
-                left.time,
-                explicit.stiffness()
+                 |h lambda| = {seen:.1}",
+                self.implicit_name, self.explicit_name, left.time,
             ));
             changes += 2;
             let may_return = changes < MOST_CHANGES;
-            let Some(left) = choice.implicit_stretch(stretch, left, state, samples, may_return)?
+            let Some(left) = self.implicit_stretch(stretch, left, state, samples, may_return)?
             else {
                 return Ok(());
             };
-            system.note(format!(
+            stretch.system.note(format!(
                 "{} instead of {} from t = {:.6} s on: no longer stiff",
-                choice.explicit_name, choice.implicit_name, left.time
+                self.explicit_name, self.implicit_name, left.time
             ));
             explicit.begin(left.time, state);
-            at = left;
+            at = Left { step: explicit.own_step().unwrap_or(left.step), ..left };
         }
-    }
-}
-
-/// The methods for a tolerance. Another one, of any kind, is one more field and
-/// one more case in `new`.
-struct Choice {
-    explicit: &'static Pair,
-    explicit_name: &'static str,
-    implicit_name: &'static str,
-    is_tight: bool,
-}
-
-impl Choice {
-    fn new(rtol: f64) -> Self {
-        let (explicit, explicit_name) =
-            if rtol > 1e-3 { (&TSIT5, "tsit5") } else { (&DOP853, "dop853") };
-        let is_tight = rtol <= 1e-7;
-        let implicit_name = if is_tight { "radau" } else { "rodas5p" };
-        Self { explicit, explicit_name, implicit_name, is_tight }
     }
 
     /// Goes on implicitly, until it would do explicitly.
@@ -113,7 +202,7 @@ impl Choice {
         let mut radius = SpectralRadius::new(stretch);
         let mut evidence = Evidence::default();
         let mut is_easy = |jacobian: &[f64], step: f64| {
-            let explicit_step = self.explicit.stability / radius.renew(jacobian);
+            let explicit_step = self.limit / radius.renew(jacobian);
             evidence.grows(step < WORTH * explicit_step) && may_return
         };
         if self.is_tight {
@@ -127,6 +216,73 @@ impl Choice {
             let leave = |method: &RosenbrockSteps<'_>, step| is_easy(method.jacobian(), step);
             drive(&mut method, stretch, from, state, samples, leave)
         }
+    }
+}
+
+/// The machine's series, if a run by it is likely to be right and the fastest; and why
+/// not, where it has one.
+fn suitable_series<'a>(stretch: &Stretch<'a>) -> (Option<&'a dyn TaylorSeries<f64>>, &'static str) {
+    let Some(series) = stretch.system.simulator().taylor() else { return (None, "") };
+    if series.bends() == Bends::Corners {
+        let why = "; not with taylor, whose long steps do not see branches and tables from afar";
+        return (None, why);
+    }
+    let workspace = series.series_workspace(TaylorSteps::order_for(stretch.rtol));
+    if stretch.rtol >= LOOSE && workspace > CACHED {
+        return (None, "; not with taylor, whose series are long for a tolerance so loose");
+    }
+    (Some(series), "")
+}
+
+/// |h lambda| up to which Taylor's method of an order is stable, less a fifth, for steps
+/// that are held by stability vary around it.
+///
+/// |1 + z + ... + z^p/p!| <= 1 on the negative real axis down to about
+/// -(0.368 p + 1.4), and in other directions to the left about as far: the region is
+/// that of |z e^(1 - z/p)| <= p, grown by a part that becomes small (G. Szegoe, 1924;
+/// R. Jeltsch, O. Nevanlinna, Numerische Mathematik 37, 1981). Steps held by accuracy
+/// end at less than half of it, for terms decay to the tolerance.
+fn taylor_limit(order: usize) -> f64 {
+    0.8 * (order as f64 / std::f64::consts::E + 1.4)
+}
+
+/// How near Taylor's method is to the limit of its stability.
+struct Strain<'a> {
+    stretch: &'a Stretch<'a>,
+    radius: SpectralRadius<'a>,
+    jacobian: Vec<f64>,
+    limit: f64,
+    steps: usize,
+    is_near: bool,
+}
+
+impl<'a> Strain<'a> {
+    fn new(stretch: &'a Stretch<'a>, limit: f64) -> Self {
+        let entries = stretch.system.jacobian_pattern().entries.len();
+        Self {
+            stretch,
+            radius: SpectralRadius::new(stretch),
+            jacobian: vec![0.0; entries],
+            limit,
+            steps: 0,
+            is_near: false,
+        }
+    }
+
+    /// |h lambda| after a step: now and then, and after every one beyond the limit; not
+    /// where few steps are left.
+    fn look(&mut self, method: &TaylorSteps<'_>, step: f64) -> Option<f64> {
+        self.steps += 1;
+        let (time, state) = method.start();
+        let is_due = self.is_near || self.steps.is_multiple_of(LOOKS_EVERY);
+        if !is_due || self.stretch.until - time < FEW_STEPS * step {
+            return None;
+        }
+        self.stretch.jacobian(time, state, &mut self.jacobian);
+        self.radius.renew(&self.jacobian);
+        let strain = step * self.radius.renew(&self.jacobian);
+        self.is_near = strain > self.limit;
+        Some(strain)
     }
 }
 

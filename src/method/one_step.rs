@@ -15,6 +15,10 @@ pub(super) trait OneStep {
     /// Tries a step from the start; it becomes the current step.
     fn attempt(&mut self, step: f64) -> Trial;
 
+    /// Whether no step will follow those that are tried from now on: after them the
+    /// method may only be asked for their ends and what is before, or to try another.
+    fn is_last(&mut self, _is_last: bool) {}
+
     /// State at the end of the current step.
     fn end(&self) -> &[f64];
 
@@ -36,6 +40,17 @@ pub(super) trait OneStep {
 
     /// How the error grows with the step.
     fn pace(&self) -> Pace;
+
+    /// The next step after [`OneStep::accept`], of a method that can tell it from what
+    /// it knows of the solution and not from the last step's error.
+    fn own_step(&mut self) -> Option<f64> {
+        None
+    }
+
+    /// In so many parts of a step guards are looked at.
+    fn parts(&self) -> usize {
+        4
+    }
 }
 
 /// States between the ends of steps may err by so many tolerances.
@@ -99,9 +114,8 @@ pub(super) fn drive<M: OneStep>(
     let mut rejected = false;
     let mut kept = Kept::new(state.len());
     loop {
-        let remaining = stretch.until - time;
-        let (now, arrives) = end_of_step(time, step, stretch.until);
-        let tried = if arrives { remaining } else { now - time };
+        let End { now, tried, arrives } = end_of_step(time, step, stretch.until);
+        method.is_last(arrives);
         let mut trial = method.attempt(tried);
         if let Trial::Error(error) = trial
             && error <= 1.0
@@ -130,15 +144,15 @@ pub(super) fn drive<M: OneStep>(
             stretch.system.count(|work| work.steps += 1);
             let has_moved = kept.put_back(method, stretch, now)?;
             sample(method, stretch, (now, &kept.end), state, samples)?;
-            let mut factor = pace.factor(pace.believed(error, tried, before), last_error);
-            if rejected {
-                factor = factor.min(1.0);
-            }
+            method.accept();
+            step = method.own_step().unwrap_or_else(|| {
+                let factor = pace.factor(pace.believed(error, tried, before), last_error);
+                tried * if rejected { factor.min(1.0) } else { factor }
+            });
             last_error = error.max(1e-4);
             before = Some((tried, error));
             rejected = false;
-            method.accept();
-            (time, step) = (now, tried * factor);
+            time = now;
             let is_enough = leave(method, tried);
             if has_moved {
                 method.begin(now, &kept.end);
@@ -151,6 +165,9 @@ pub(super) fn drive<M: OneStep>(
             if stretch.system.work().steps >= stretch.max_steps as u64 {
                 let cause = StopCause::TooManySteps { limit: stretch.max_steps };
                 return Err(Stopped { time, cause });
+            }
+            if time + step <= time {
+                return Err(Stopped { time, cause: StopCause::StepTooSmall });
             }
         } else {
             stretch.system.count(|work| work.rejected += 1);
@@ -181,6 +198,7 @@ fn end_at<M: OneStep>(
         return Ok(true);
     }
     let mut time = passing;
+    method.is_last(true);
     for round in 0..=CORRECTIONS {
         if !matches!(method.attempt(time - from), Trial::Error(error) if error <= 1.0) {
             return Ok(false);
@@ -280,20 +298,28 @@ impl Pace {
     }
 }
 
-/// The end of a step from `time`, and whether that is `until`. What is left of
-/// the stretch is halved rather than cut into a step and a sliver.
-fn end_of_step(time: f64, step: f64, until: f64) -> (f64, bool) {
-    let remaining = until - time;
-    if step >= 0.99 * remaining {
-        (until, true)
-    } else if 2.0 * step > remaining {
-        (time + 0.5 * remaining, false)
-    } else {
-        (time + step, false)
-    }
+/// The end of a step.
+pub(super) struct End {
+    pub(super) now: f64,
+    pub(super) tried: f64,
+    /// Whether it is the end of the stretch.
+    pub(super) arrives: bool,
 }
 
-fn shrink(trial: Trial, pace: Pace) -> f64 {
+/// The end of a step from `time`. What is left of the stretch is halved rather than cut
+/// into a step and a sliver.
+pub(super) fn end_of_step(time: f64, step: f64, until: f64) -> End {
+    let remaining = until - time;
+    if step >= 0.99 * remaining {
+        return End { now: until, tried: remaining, arrives: true };
+    }
+    let now = time + if 2.0 * step > remaining { 0.5 * remaining } else { step };
+    // What the clock advances is what is stepped, to the last bit.
+    let tried = now - time;
+    End { now: time + tried, tried, arrives: false }
+}
+
+pub(super) fn shrink(trial: Trial, pace: Pace) -> f64 {
     match trial {
         Trial::Error(error) if error.is_finite() => {
             (pace.safety * error.powf(-pace.exponent)).clamp(pace.smallest, 0.9)
@@ -328,7 +354,7 @@ fn sample<M: OneStep>(
 }
 
 /// Whether time would hardly move, or the step is below all sense at time zero.
-fn is_too_small(step: f64, time: f64) -> bool {
+pub(super) fn is_too_small(step: f64, time: f64) -> bool {
     const ROUNDINGS: f64 = 10.0;
     step.is_nan() || step <= ROUNDINGS * f64::EPSILON * time.abs() || step < 1e-100
 }

@@ -3,7 +3,8 @@
 //! The coefficients come from recurrences that were derived with the machine
 //! (`machinist_scenes::taylor`), so an order costs about as much as one
 //! evaluation of the rate and orders of ten to twenty pay. Between its ends a
-//! step is its polynomial: dense output costs no order of accuracy.
+//! step is its polynomial: dense output costs no order of accuracy, and events are
+//! roots of guards on it.
 
 #[cfg(all(test, feature = "scenes"))]
 mod order;
@@ -12,8 +13,9 @@ mod step;
 #[cfg(feature = "sweep")]
 pub(crate) mod variants;
 
-use machinist_scenes::taylor::TaylorSeries;
+use machinist_scenes::taylor::{Bends, TaylorSeries};
 
+use super::one_step::{OneStep, Pace, Trial, drive_all};
 use super::system::FLOWS;
 use super::{Integrator, Samples, Stopped, Stretch};
 use crate::error::StopCause;
@@ -21,7 +23,11 @@ use quadrature::Gauss;
 use step::{Tolerance, order_for};
 
 /// Tighter tolerances are below rounding.
+#[cfg(feature = "sweep")]
 pub(crate) const LEAST_RTOL: f64 = 4.0 * f64::EPSILON;
+
+/// Where within a step is looked for corners.
+const PROBES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
 /// Taylor series of an order that follows the tolerance.
 pub(super) struct Taylor;
@@ -33,9 +39,6 @@ impl Integrator for Taylor {
         state: &mut [f64],
         samples: &mut Samples<'_>,
     ) -> Result<(), Stopped> {
-        if stretch.rtol < LEAST_RTOL {
-            return Err(Stopped { time: stretch.from, cause: StopCause::StepTooSmall });
-        }
         let series = stretch.system.simulator().taylor().ok_or_else(|| Stopped {
             time: stretch.from,
             cause: StopCause::Solver(
@@ -44,108 +47,103 @@ impl Integrator for Taylor {
                     .to_owned(),
             ),
         })?;
-        Run::new(stretch, series).integrate(state, samples)
+        drive_all(&mut TaylorSteps::new(stretch, series), stretch, state, samples)
     }
 }
 
-/// One stretch being integrated.
-struct Run<'a> {
+/// Steps by Taylor series. Their length follows from the coefficients at their start,
+/// before they are tried.
+pub(super) struct TaylorSteps<'a> {
     stretch: &'a Stretch<'a>,
     series: &'a dyn TaylorSeries<f64>,
     states: usize,
     order: usize,
+    /// Coefficients wanted of the ends of steps.
+    wanted: usize,
+    time: f64,
+    step: f64,
     /// Longest step to be tried next: one that is judged from coefficients which
     /// happen to vanish must not leap.
     longest: f64,
+    /// The highest order up to which the current coefficients are finite.
+    finite: usize,
     tolerance: Tolerance,
     /// Coefficients of the step that is being taken, order after order.
     current: Vec<f64>,
     /// Coefficients at its end.
     following: Vec<f64>,
     workspace: Vec<f64>,
-    /// The state at the step's end, and the derivative of the polynomial there.
+    /// All at the start of the step: of the states the coefficients know as much, but
+    /// not of the energy flows.
+    start: Vec<f64>,
+    /// All at the step's end.
     end: Vec<f64>,
+    /// The derivative of the polynomial there.
     slope: Vec<f64>,
     flows: Option<Gauss>,
+    /// Shares of a step at which the rate is compared with the polynomial's derivative.
+    probes: &'static [f64],
+    between: Vec<f64>,
+    rate: Vec<f64>,
 }
 
-impl<'a> Run<'a> {
-    fn new(stretch: &'a Stretch<'a>, series: &'a dyn TaylorSeries<f64>) -> Self {
-        let states = stretch.system.states();
+impl<'a> TaylorSteps<'a> {
+    pub(super) fn new(stretch: &'a Stretch<'a>, series: &'a dyn TaylorSeries<f64>) -> Self {
+        let (states, len) = (stretch.system.states(), stretch.system.len());
         let order = order_for(stretch.rtol);
         let room = || vec![0.0; (order + 1) * states];
-        let with_flows = stretch.system.len() > states;
         Self {
             stretch,
             series,
             states,
             order,
-            longest: (stretch.until - stretch.from) / step::GROWTH,
+            wanted: order,
+            time: stretch.from,
+            step: 0.0,
+            longest: 0.0,
+            finite: order,
             tolerance: Tolerance::new(stretch.rtol, &stretch.atol[..states], order),
             current: room(),
             following: room(),
             workspace: vec![0.0; series.series_workspace(order)],
-            end: vec![0.0; states],
+            start: vec![0.0; len],
+            end: vec![0.0; len],
             slope: vec![0.0; states],
-            flows: with_flows.then(|| Gauss::new(order / 2 + 2)),
+            flows: (len > states).then(|| Gauss::new(order / 2 + 2)),
+            probes: if series.bends() == Bends::Corners { &PROBES } else { &[] },
+            between: vec![0.0; states],
+            rate: vec![0.0; states],
         }
     }
 
-    fn integrate(mut self, state: &mut [f64], samples: &mut Samples<'_>) -> Result<(), Stopped> {
-        let stretch = self.stretch;
-        let mut time = stretch.from;
-        self.expand(time, &state[..self.states], self.order);
-        std::mem::swap(&mut self.current, &mut self.following);
-        loop {
-            let order = self.finite_orders(time)?;
-            let (step, arrived) = self.step(time, order)?;
-            let until = if arrived { stretch.until } else { time + step };
-            self.record(time, until, state, samples);
-            state[..self.states].copy_from_slice(&self.end);
-            stretch.system.count(|work| work.steps += 1);
-            if arrived {
-                return Ok(());
-            }
-            if stretch.system.work().steps >= stretch.max_steps as u64 {
-                let cause = StopCause::TooManySteps { limit: stretch.max_steps };
-                return Err(Stopped { time: until, cause });
-            }
-            std::mem::swap(&mut self.current, &mut self.following);
-            time = until;
+    /// Looks within each step too where a function saturates: a motion that turns to and
+    /// fro within a step would turn unseen.
+    #[cfg(feature = "implicit")]
+    pub(super) fn looking_within(mut self) -> Self {
+        if self.series.bends() == Bends::Saturates {
+            self.probes = &PROBES[2..3];
         }
+        self
     }
 
-    /// Tries steps until one passes; `end` and `following` are then those of its
-    /// end. Returns its length and whether it reaches the end of the stretch.
-    fn step(&mut self, time: f64, order: usize) -> Result<(f64, bool), Stopped> {
-        let remaining = self.stretch.until - time;
-        self.tolerance.weigh(&self.current[..self.states]);
-        let mut step = self.tolerance.step_length(&self.current, order).min(self.longest);
-        loop {
-            let arrived = step >= remaining;
-            step = step.min(remaining);
-            if !arrived && time + step <= time {
-                return Err(Stopped { time, cause: StopCause::StepTooSmall });
-            }
-            let used = &self.current[..(order + 1) * self.states];
-            step::value_and_slope(used, step, &mut self.end, &mut self.slope);
-            let end = std::mem::take(&mut self.end);
-            // The last step needs the rate at its end, not a series.
-            self.expand(time + step, &end, if arrived { 1 } else { self.order });
-            self.end = end;
-            let rate = &self.following[self.states..2 * self.states];
-            let error = self.tolerance.error(&self.slope, rate, step, order);
-            if error <= step::LARGEST_ERROR {
-                self.longest = step::GROWTH * step;
-                return Ok((step, arrived));
-            }
-            self.stretch.system.count(|work| work.rejected += 1);
-            step *= step::shrink(error, order);
-        }
+    /// The order of series for a relative tolerance.
+    #[cfg(feature = "implicit")]
+    pub(super) fn order_for(rtol: f64) -> usize {
+        order_for(rtol)
+    }
+
+    /// Time and states at the start of the next step.
+    #[cfg(feature = "implicit")]
+    pub(super) fn start(&self) -> (f64, &[f64]) {
+        (self.time, &self.start[..self.states])
     }
 
     /// Coefficients up to `order` of the solution through a state.
-    fn expand(&mut self, time: f64, state: &[f64], order: usize) {
+    fn expand(&mut self, time: f64, at: At, order: usize) {
+        let state = match at {
+            At::Start => &self.start[..self.states],
+            At::End => &self.end[..self.states],
+        };
         let coefficients = &mut self.following[..(order + 1) * self.states];
         let (time, parameters) = (self.stretch.within(time), self.stretch.system.parameters());
         self.series.series(time, state, parameters, coefficients, &mut self.workspace);
@@ -153,58 +151,140 @@ impl<'a> Run<'a> {
         self.stretch.system.count(|work| work.rate_evaluations += order as u64);
     }
 
+    /// Makes the coefficients that were computed last those of the next step.
+    fn take_following(&mut self) {
+        std::mem::swap(&mut self.current, &mut self.following);
+        self.finite = self.finite_orders();
+        self.tolerance.weigh(&self.current[..self.states]);
+    }
+
     /// The highest order up to which the current coefficients are finite.
-    fn finite_orders(&self, time: f64) -> Result<usize, Stopped> {
+    fn finite_orders(&self) -> usize {
         if step::all_finite(&self.current) {
-            return Ok(self.order);
+            return self.order;
         }
         let broken = self.current.iter().position(|value| !value.is_finite());
-        match broken {
-            None => Ok(self.order),
-            Some(index) if index >= 2 * self.states => Ok(index / self.states - 1),
-            Some(index) => {
-                let what = if index < self.states { "the state" } else { "the rate of" };
-                Err(self.stretch.not_finite(what, index % self.states, time))
-            }
-        }
+        // State and rate are finite: what is not has been refused as a step's end.
+        broken.map_or(self.order, |index| (index / self.states).max(2) - 1)
     }
 
-    /// Pushes the samples between the ends of a step and carries the flows on.
-    fn record(&mut self, from: f64, until: f64, state: &mut [f64], samples: &mut Samples<'_>) {
-        let mut reached = from;
-        let mut between = std::mem::take(&mut self.slope);
-        while let Some(time) = samples.next_until(until) {
-            self.carry_flows(from, reached, time, state);
-            reached = time;
-            if time >= until {
-                state[..self.states].copy_from_slice(&self.end);
-            } else {
-                step::value(&self.current, time - from, &mut between);
-                state[..self.states].copy_from_slice(&between);
-            }
-            samples.push(state);
-        }
-        self.slope = between;
-        self.carry_flows(from, reached, until, state);
+    /// The coefficients that count.
+    fn used(&self) -> &[f64] {
+        &self.current[..(self.finite + 1) * self.states]
     }
 
-    /// Integrates the flows from `reached` to `until` along the polynomial.
-    fn carry_flows(&self, from: f64, reached: f64, until: f64, state: &mut [f64]) {
-        let Some(gauss) = &self.flows else { return };
-        if until <= reached {
-            return;
+    /// The error by a bend within the step, over what is allowed: behind it the rate
+    /// differs from the polynomial's derivative, as it does nowhere but near the end of a
+    /// step without.
+    fn error_within(&mut self) -> f64 {
+        let mut largest = 0.0f64;
+        for share in self.probes {
+            let after = share * self.step;
+            let used = &self.current[..(self.finite + 1) * self.states];
+            step::value_and_slope(used, after, &mut self.between, &mut self.slope);
+            self.stretch.state_rate(self.time + after, &self.between, &mut self.rate);
+            let error = self.tolerance.lasting_error(&self.slope, &self.rate, self.step);
+            largest = largest.max(error);
+        }
+        largest
+    }
+
+    /// The energy flows at a time within the step, integrated along the polynomial.
+    fn flows_until(&self, until: f64) -> [f64; FLOWS] {
+        let mut total = [0.0; FLOWS];
+        let Some(gauss) = &self.flows else { return total };
+        total.copy_from_slice(&self.start[self.states..]);
+        if until <= self.time {
+            return total;
         }
         let mut between = vec![0.0; self.states];
-        let mut total = [0.0; FLOWS];
-        for (time, weight) in gauss.points(reached, until) {
-            step::value(&self.current, time - from, &mut between);
+        for (time, weight) in gauss.points(self.time, until) {
+            step::value(self.used(), time - self.time, &mut between);
             let rates = self.stretch.flow_rates(time, &between);
             for (total, rate) in total.iter_mut().zip(rates) {
                 *total += weight * rate;
             }
         }
-        for (flow, total) in state[self.states..].iter_mut().zip(total) {
-            *flow += total;
+        total
+    }
+}
+
+#[derive(Clone, Copy)]
+enum At {
+    Start,
+    End,
+}
+
+impl OneStep for TaylorSteps<'_> {
+    fn begin(&mut self, time: f64, state: &[f64]) {
+        self.time = time;
+        self.step = 0.0;
+        self.longest = (self.stretch.until - self.stretch.from) / step::GROWTH;
+        self.start.copy_from_slice(state);
+        self.end.copy_from_slice(state);
+        self.expand(time, At::Start, self.order);
+        self.take_following();
+    }
+
+    fn first_step(&mut self) -> f64 {
+        self.tolerance.step_length(&self.current, self.finite).min(self.longest)
+    }
+
+    /// A last step needs the rate at its end, not a series.
+    fn is_last(&mut self, is_last: bool) {
+        self.wanted = if is_last { 1 } else { self.order };
+    }
+
+    fn attempt(&mut self, step: f64) -> Trial {
+        self.step = step;
+        let used = &self.current[..(self.finite + 1) * self.states];
+        step::value_and_slope(used, step, &mut self.end[..self.states], &mut self.slope);
+        self.expand(self.time + step, At::End, self.wanted);
+        let begin = &self.following[..2 * self.states];
+        let mut trial = step::trial(&self.tolerance, &self.slope, begin, (step, self.finite));
+        if let Trial::Error(error) = trial
+            && error <= 1.0
+            && !self.probes.is_empty()
+        {
+            trial = Trial::Error(error.max(self.error_within()));
         }
+        if matches!(trial, Trial::Error(error) if error <= 1.0) && self.flows.is_some() {
+            let flows = self.flows_until(self.time + step);
+            self.end[self.states..].copy_from_slice(&flows);
+        }
+        trial
+    }
+
+    fn end(&self) -> &[f64] {
+        &self.end
+    }
+
+    fn interpolate(&mut self, time: f64, state: &mut [f64]) {
+        step::value(self.used(), time - self.time, &mut state[..self.states]);
+        if self.flows.is_some() {
+            state[self.states..].copy_from_slice(&self.flows_until(time));
+        }
+    }
+
+    fn accept(&mut self) {
+        self.time += self.step;
+        self.longest = step::GROWTH * self.step;
+        std::mem::swap(&mut self.start, &mut self.end);
+        if self.wanted == self.order {
+            self.take_following();
+        }
+    }
+
+    fn pace(&self) -> Pace {
+        step::pace(self.finite)
+    }
+
+    fn own_step(&mut self) -> Option<f64> {
+        Some(self.first_step())
+    }
+
+    fn parts(&self) -> usize {
+        // Steps are two to three times those of Runge-Kutta methods.
+        8
     }
 }

@@ -1,7 +1,7 @@
 //! Watches guards while a method steps, and does what events say where one passes
 //! zero.
 //!
-//! - A step is looked at in four parts: a guard that changes its sign over a part, or
+//! - A step is looked at in parts: a guard that changes its sign over a part, or
 //!   turns round beyond zero within it, has passed. The root is bracketed on the step's
 //!   dense output; then the step is taken anew, so that it ends there, and the root is
 //!   corrected by Newton's method: an event is as exact as a step.

@@ -1,7 +1,7 @@
 //! The table of extreme cases: what is right, what refuses, what is wrong.
 
 use machinist::stability::{
-    ALLOWED, LARGEST, MAX_STEPS, ObservedOrders, Outcome, POWERS, Row, Study,
+    ALLOWED, LARGEST, LongRun, MAX_STEPS, ObservedOrders, Outcome, POWERS, Row, Study,
 };
 use maud::{Markup, html};
 
@@ -38,7 +38,41 @@ pub fn section(study: &Study) -> Markup {
         p { (refusals(study)) }
         p { (ORDERS) }
         (orders(&study.orders))
+        @if !study.long_runs.is_empty() {
+            p { (DRIFT) }
+            (long_runs(&study.long_runs))
+        }
     }
+}
+
+fn long_runs(runs: &[LongRun]) -> Markup {
+    html! {
+        div.scroll {
+            table {
+                thead { tr {
+                    th { "Scene" } th { "Method" } th.number { "Until" } th.number { "Steps" }
+                    th.number { "Before" } th.number { "After" }
+                } }
+                tbody { @for run in runs { tr {
+                    @for (index, cell) in drift_cells(run).into_iter().enumerate() {
+                        td.number[index > 1] { (cell) }
+                    }
+                } } }
+            }
+        }
+    }
+}
+
+/// Scene, method, end, steps, and how far it was off before and after being put back.
+pub fn drift_cells(run: &LongRun) -> [String; 6] {
+    [
+        run.scene.to_owned(),
+        run.method.name().to_owned(),
+        format!("{:.0} s", run.until),
+        run.steps.to_string(),
+        format!("{:.1e}", run.before),
+        format!("{:.1e}", run.after),
+    ]
 }
 
 fn orders(rows: &[ObservedOrders]) -> Markup {
@@ -86,6 +120,11 @@ fn title(outcome: &Outcome) -> String {
         Outcome::Right { steps, .. } | Outcome::Wrong { steps, .. } => format!("{steps} steps"),
     }
 }
+
+/// What the long runs show.
+pub const DRIFT: &str = "How far machines come off their constraints at most over very many \
+    steps, relative to the size of their coordinates: at the ends of steps, and after being put \
+    back there.";
 
 /// What the orders are.
 pub const ORDERS: &str = "Orders of convergence that remain on the problem of Prothero and \

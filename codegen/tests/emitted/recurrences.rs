@@ -113,7 +113,7 @@
 
 use ::machinist_scenes::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
-    Simulator, SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+    Simulator, SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -1340,6 +1340,9 @@ impl<R: Real> TaylorSeries<R> for Recurrences {
         assert!(rest.is_empty(), "every order has STATES coefficients");
         let p = parameters_of(parameters);
         series(time, state_of(state), &p, coefficients, workspace);
+    }
+    fn bends(&self) -> Bends {
+        Bends::Corners
     }
 }
 

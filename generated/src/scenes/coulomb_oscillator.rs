@@ -55,7 +55,7 @@
 
 use crate::{
     Describe, Direction, Event, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
-    Simulator, SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+    Simulator, SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -750,6 +750,9 @@ impl<R: Real> TaylorSeries<R> for CoulombOscillator {
         assert!(rest.is_empty(), "every order has STATES coefficients");
         let p = parameters_of(parameters);
         series(time, state_of(state), &p, coefficients, workspace);
+    }
+    fn bends(&self) -> Bends {
+        Bends::Saturates
     }
 }
 

@@ -49,7 +49,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
+    SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -622,6 +622,9 @@ impl<R: Real> TaylorSeries<R> for StickSlipSmooth {
         assert!(rest.is_empty(), "every order has STATES coefficients");
         let p = parameters_of(parameters);
         series(time, state_of(state), &p, coefficients, workspace);
+    }
+    fn bends(&self) -> Bends {
+        Bends::Corners
     }
 }
 

@@ -2492,41 +2492,38 @@ pub fn series<R: Real>(
         pair_radius_k, ..] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
-        let t0_k = layer_surface_k * p.layer_stiffness;
-        let t1_k = sums[0] + layer_surface * layer_surface_k
-            + layer_surface_k * layer_surface;
-        let t2_k = sums[1] + t1 * layer_surface_k + t1_k * layer_surface;
-        let t3_k = t2_k * p.layer_cubic_stiffness;
-        let layer_swelling_k = t0_k + t3_k;
+        let t1_k = layer_surface_k
+            .mul_add(layer_surface, layer_surface.mul_add(layer_surface_k, sums[0]));
+        let t2_k = t1_k.mul_add(layer_surface, t1.mul_add(layer_surface_k, sums[1]));
+        let layer_swelling_k = t2_k
+            .mul_add(p.layer_cubic_stiffness, layer_surface_k * p.layer_stiffness);
         let pair_growth_k = pair_omega_k * t7;
-        let t9_k = sums[2] + pair_radius * pair_radius_k + pair_radius_k * pair_radius;
-        let pair_package_mass_k = t9_k * t11;
-        let t13_k = sums[3] + t9 * t9_k + t9_k * t9;
-        let t17_k = t13_k * t16;
+        let t9_k = pair_radius_k
+            .mul_add(pair_radius, pair_radius.mul_add(pair_radius_k, sums[2]));
+        let t13_k = t9_k.mul_add(t9, t9.mul_add(t9_k, sums[3]));
         let t20_k = inverse * drum_speed * t21_before;
         let t21_k = -inverse * drum_speed * t20_before;
-        let t22_k = t21_k * p.force_amplitude;
-        let t24_k = inverse * sums[4] + pair_phi_k * t25;
-        let t25_k = -(inverse * sums[5] + pair_phi_k * t24);
-        let t26_k = t25_k * p.package_force;
-        let force_k = t22_k + t26_k;
+        let t24_k = pair_phi_k.mul_add(t25, inverse * sums[4]);
+        let t25_k = -pair_phi_k.mul_add(t24, inverse * sums[5]);
+        let force_k = t25_k.mul_add(p.package_force, t21_k * p.force_amplitude);
         let t33_k = inverse * t30 * t34_before;
         let t34_k = -inverse * t30 * t33_before;
-        let t35_k = t34_k * p.ovality;
         let t36_k = inverse * drum_speed * t37_before;
         let t37_k = -inverse * drum_speed * t36_before;
-        let t38_k = t37_k * p.eccentricity;
-        let shape_k = t35_k + t38_k;
+        let shape_k = t37_k.mul_add(p.eccentricity, t34_k * p.ovality);
         let layer_compression_k = shape_k - holder_x_k;
         let t41_k = t33_k * t40;
-        let t43_k = t36_k * t42;
         let t44_k = -t41_k;
-        let shape_rate_k = t44_k - t43_k;
+        let shape_rate_k = (-t36_k).mul_add(t42, t44_k);
         let layer_compression_rate_k = shape_rate_k - holder_v_k;
         let t45_k = layer_compression_k * p.layer_stiffness;
-        let t46_k = sums[6] + layer_compression * layer_compression_k
-            + layer_compression_k * layer_compression;
-        let t47_k = sums[7] + t46 * layer_compression_k + t46_k * layer_compression;
+        let t46_k = layer_compression_k
+            .mul_add(
+                layer_compression,
+                layer_compression.mul_add(layer_compression_k, sums[6]),
+            );
+        let t47_k = t46_k
+            .mul_add(layer_compression, t46.mul_add(layer_compression_k, sums[7]));
         let t48_k = t47_k * p.layer_cubic_stiffness;
         let t49_k = layer_compression_rate_k * p.layer_viscosity;
         let t51_k = t45_k + t48_k;
@@ -2539,16 +2536,17 @@ pub fn series<R: Real>(
             t52_k,
         );
         let t54_k = layer_push_k * t53;
-        let t55_k = (t54_k - sums[8] - pair_radius_k * t55) * inverse_pair_radius;
+        let t55_k = (-pair_radius_k).mul_add(t55, t54_k - sums[8]) * inverse_pair_radius;
         let t56_k = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
             t55_k,
         );
-        let t57_k = sums[9] + pair_omega * pair_growth_k + pair_omega_k * pair_growth;
-        let t58_k = sums_1[0] + t57 * t17_k + t57_k * pair_inertia;
-        let t59_k = (t58_k - sums_1[1] - t9_k * t59) * inverse_t9;
+        let t57_k = pair_omega_k
+            .mul_add(pair_growth, pair_omega.mul_add(pair_growth_k, sums[9]));
+        let t58_k = t57_k.mul_add(pair_inertia, t57.mul_add(t13_k * t16, sums_1[0]));
+        let t59_k = (-t9_k).mul_add(t59, t58_k - sums_1[1]) * inverse_t9;
         let pair_held_k = t56_k - t59_k;
         let t60_k = -t52_k;
         let t61_k = R::select_less(
@@ -2564,12 +2562,11 @@ pub fn series<R: Real>(
             pair_limit_k,
             t62_k,
         );
-        let t63_k = -(sums_1[2] + pair_package_mass_k * t63) * inverse_holder_mass;
-        let t64_k = -(sums_1[3] + t17_k * t64) * inverse_pair_inertia;
+        let t63_k = -t9_k * t11.mul_add(t63, sums_1[2]) * inverse_holder_mass;
+        let t64_k = -t13_k * t16.mul_add(t64, sums_1[3]) * inverse_pair_inertia;
         let t66_k = holder_v_k * t65;
-        let t67_k = sums_1[4] + t66 * pair_omega_k + t66_k * pair_omega;
-        let t68_k = sums_1[5] + t67 * pair_radius_k + t67_k * pair_radius;
-        let t69_k = holder_x_k * p.holder_stiffness;
+        let t67_k = t66_k.mul_add(pair_omega, t66.mul_add(pair_omega_k, sums_1[4]));
+        let t68_k = t67_k.mul_add(pair_radius, t67.mul_add(pair_radius_k, sums_1[5]));
         let t71_k = -t45_k;
         let t72_k = t71_k - t48_k;
         let t73_k = R::select_less(
@@ -2578,7 +2575,7 @@ pub fn series<R: Real>(
             R::literal(0.0),
             t72_k,
         );
-        let t75_k = t69_k + t73_k;
+        let t75_k = holder_x_k * p.holder_stiffness + t73_k;
         let t76_k = R::select_less(
             layer_closed,
             R::literal(0.5),
@@ -2589,10 +2586,10 @@ pub fn series<R: Real>(
         let t78_k = t77_k - t68_k;
         let t79_k = t78_k - t75_k;
         let t80_k = pair_carried_k - t56_k;
-        let t81_k = sums_1[6] + pair_radius * t80_k + pair_radius_k * t80;
+        let t81_k = pair_radius_k.mul_add(t80, pair_radius.mul_add(t80_k, sums_1[6]));
         let t82_k = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81_k);
-        let holder_v_dot_k = sums_1[7] + t79 * t63_k + t79_k * t63;
-        let pair_omega_dot_k = sums_1[8] + t82 * t64_k + t82_k * t64;
+        let holder_v_dot_k = t79_k.mul_add(t63, t79.mul_add(t63_k, sums_1[7]));
+        let pair_omega_dot_k = t82_k.mul_add(t64, t82.mul_add(t64_k, sums_1[8]));
         let t84_k = layer_swelling_k * t83;
         let t85_k = -t84_k;
         let layer_surface_dot_k = R::select_less(
@@ -2633,10 +2630,10 @@ pub fn series<R: Real>(
             .set(
                 order,
                 [
-                    t17_k,
+                    t13_k * t16,
                     t9_k,
-                    pair_package_mass_k,
-                    t17_k,
+                    t9_k * t11,
+                    t13_k * t16,
                     pair_omega_k,
                     pair_radius_k,
                     pair_radius_k,

@@ -2,8 +2,14 @@
 
 use machinist_scenes::Real;
 
-/// Error of a step in units of the tolerance beyond which it is taken again.
-pub(super) const LARGEST_ERROR: f64 = 10.0;
+use super::super::one_step::{Pace, Trial};
+
+/// Steps aim at this share of the tolerances: errors add up over a run, and a decade
+/// costs a series little.
+const AIM: f64 = 0.03;
+
+/// Error of a step in units of what it aims at beyond which it is taken again.
+const LARGEST_ERROR: f64 = 10.0;
 
 /// Log2 of the factor by which a remainder guessed from earlier coefficients than
 /// the last two may be larger: the guess is for where those two vanish.
@@ -16,14 +22,14 @@ pub(super) const GROWTH: f64 = 16.0;
 /// every other one vanishes, and in places three in a row do.
 pub(super) const JUDGED: usize = 5;
 
-/// The order for a relative tolerance: 0.85 ln(1/rtol) + 2.
+/// The order for a relative tolerance, of which a share is aimed at: 0.85 ln(1/rtol) + 2.
 ///
 /// The classical choice, ln(1/rtol)/2 with steps of rho/e^2 for a radius of
 /// convergence rho, is the cheapest where an order costs as much as all products
 /// within it. Here it costs the chain of operations through the machine, and
 /// higher orders with longer steps are cheaper: found by runs of the machines.
 pub(super) fn order_for(rtol: f64) -> usize {
-    ((2.0 - 0.85 * rtol.ln()).ceil() as usize).clamp(5, 32)
+    ((2.0 - 0.85 * (AIM * rtol).ln()).ceil() as usize).clamp(5, 32)
 }
 
 /// Tolerances of the states and what follows from them.
@@ -39,8 +45,10 @@ pub(super) struct Tolerance {
 
 impl Tolerance {
     pub(super) fn new(rtol: f64, atol: &[f64], order: usize) -> Self {
+        let rtol = AIM * rtol;
         let decay = rtol.log2() / (order + 1) as f64;
-        Self { rtol, atol: atol.to_vec(), inverse_weights: vec![0.0; atol.len()], decay }
+        let atol: Vec<f64> = atol.iter().map(|atol| AIM * atol).collect();
+        Self { rtol, inverse_weights: vec![0.0; atol.len()], atol, decay }
     }
 
     /// Weighs by the tolerance at a state from now on.
@@ -75,13 +83,24 @@ impl Tolerance {
 
     /// Error of a step in units of the tolerance: the defect y' - f at its end
     /// is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
-    pub(super) fn error(&self, slope: &[f64], rate: &[f64], step: f64, order: usize) -> f64 {
+    fn error(&self, slope: &[f64], rate: &[f64], step: f64, order: usize) -> f64 {
+        self.defect(slope, rate) * step / (order + 1) as f64
+    }
+
+    /// Error of a step over what is allowed, by a defect that lasts for a part of it.
+    pub(super) fn lasting_error(&self, slope: &[f64], rate: &[f64], step: f64) -> f64 {
+        const PART: f64 = 0.25;
+        self.defect(slope, rate) * PART * step / LARGEST_ERROR
+    }
+
+    /// The largest of y' - f in units of the tolerance over time.
+    fn defect(&self, slope: &[f64], rate: &[f64]) -> f64 {
         let defects = slope.iter().zip(rate).map(|(slope, rate)| slope - rate);
         let mut largest = 0.0;
         for (defect, inverse) in defects.zip(&self.inverse_weights) {
             largest = larger(largest, (defect * inverse).abs());
         }
-        largest * step / (order + 1) as f64
+        largest
     }
 
     /// The largest value in units of its tolerance.
@@ -131,10 +150,35 @@ fn exp2(x: f64) -> f64 {
     power * (1.0 + f - 0.337 * f * (1.0 - f))
 }
 
-/// Factor by which a rejected step is shortened.
-pub(super) fn shrink(error: f64, order: usize) -> f64 {
-    let factor = (1.0 / error).powf(1.0 / (order + 1) as f64);
-    if factor.is_nan() { 0.25 } else { factor.clamp(0.1, 0.7) }
+/// What came of a step of a length and order: `begin` is state and rate at its end,
+/// `slope` the derivative of its polynomial there.
+pub(super) fn trial(
+    tolerance: &Tolerance,
+    slope: &[f64],
+    begin: &[f64],
+    (step, order): (f64, usize),
+) -> Trial {
+    let states = slope.len();
+    let error = tolerance.error(slope, &begin[states..], step, order);
+    if (error <= LARGEST_ERROR || !error.is_finite()) && !all_finite(begin) {
+        let index = begin.iter().position(|value| !value.is_finite()).unwrap_or_default();
+        let what = if index < states { "the state" } else { "the rate of" };
+        return Trial::NotFinite { what, index: index % states };
+    }
+    Trial::Error(error / LARGEST_ERROR)
+}
+
+/// How steps shrink whose error is too large; how long the next one is, the series
+/// says.
+pub(super) fn pace(order: usize) -> Pace {
+    Pace {
+        exponent: 1.0 / (order + 1) as f64,
+        memory: 0.0,
+        safety: 0.8,
+        smallest: 0.1,
+        largest: GROWTH,
+        hold: 1.0,
+    }
 }
 
 /// Whether all values are finite.

@@ -10,6 +10,7 @@ use machinist_scenes::taylor::TaylorSeries;
 use super::step::{self, Tolerance, order_for};
 use crate::error::StopCause;
 use crate::lanes::Lanes;
+use crate::method::one_step::{self, End, end_of_step, is_too_small};
 use crate::method::stretch::within;
 use crate::method::{Stopped, Work};
 
@@ -94,9 +95,9 @@ struct Lane {
 enum Trial {
     /// The start of a stretch.
     Start,
-    /// The end of a step, and whether that is the end of the stretch.
+    /// The end of a step.
     Step {
-        arrives: bool,
+        now: f64,
     },
     /// Nothing more was asked for.
     Accepted,
@@ -181,7 +182,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             end: zeros(states),
             slope: zeros(states),
             zeros: R::literal(0.0),
-            scratch: vec![0.0; step::JUDGED * states],
+            scratch: vec![0.0; step::JUDGED.max(3) * states],
         }
     }
 
@@ -231,19 +232,23 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for (index, lane) in lanes.iter_mut().enumerate() {
             let Some(lane) = lane else { continue };
             lane.work.rate_evaluations += self.order as u64;
-            let Trial::Step { arrives } = lane.trial else { continue };
-            let (slope, rate) = self.scratch.split_at_mut(self.states);
-            gather(&self.slope, index, slope);
-            gather(&self.following[self.states..2 * self.states], index, rate);
-            let rate = &rate[..self.states];
-            let error = lane.tolerance.error(slope, rate, lane.step, lane.order);
-            if error <= step::LARGEST_ERROR {
-                self.record(index, lane, arrives);
+            let Trial::Step { now } = lane.trial else { continue };
+            let trial = self.trial(index, lane);
+            if matches!(trial, one_step::Trial::Error(error) if error <= 1.0) {
+                self.record(index, lane, now);
                 lane.trial = Trial::Accepted;
             } else {
                 lane.trial = Trial::Rejected;
                 lane.work.rejected += 1;
-                lane.step *= step::shrink(error, lane.order);
+                lane.step *= one_step::shrink(trial, step::pace(lane.order));
+                if is_too_small(lane.step, lane.time) {
+                    lane.stop(match trial {
+                        one_step::Trial::NotFinite { what, index } => {
+                            StopCause::NotFinite { what: format!("{what} state number {index}") }
+                        }
+                        _ => StopCause::StepTooSmall,
+                    });
+                }
                 rejected.set_lane(index, 1.0);
                 is_any = true;
             }
@@ -258,6 +263,15 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
         let zero = R::literal(0.0);
         self.zeros = self.current.iter().fold(zero, |zeros, value| zeros + *value * zero);
+    }
+
+    /// What came of a lane's step.
+    fn trial(&mut self, index: usize, lane: &Lane) -> one_step::Trial {
+        let (slope, begin) = self.scratch.split_at_mut(self.states);
+        let begin = &mut begin[..2 * self.states];
+        gather(&self.slope, index, slope);
+        gather(&self.following[..2 * self.states], index, begin);
+        step::trial(&lane.tolerance, slope, begin, (lane.step, lane.order))
     }
 
     /// Decides what a lane tries next; gives its outcome if it is done.
@@ -277,19 +291,19 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         if lane.trial != Trial::Rejected {
             self.measure(index, lane);
         }
-        if lane.work.steps >= lane.variant.max_steps as u64 {
-            lane.stop(StopCause::TooManySteps { limit: lane.variant.max_steps });
-        }
-        let remaining = lane.until() - lane.time;
-        let arrives = lane.step >= remaining;
-        lane.step = lane.step.min(remaining);
-        if !arrives && lane.time + lane.step <= lane.time {
-            lane.stop(StopCause::StepTooSmall);
+        if lane.trial == Trial::Accepted {
+            if lane.work.steps >= lane.variant.max_steps as u64 {
+                lane.stop(StopCause::TooManySteps { limit: lane.variant.max_steps });
+            } else if lane.time + lane.step <= lane.time {
+                lane.stop(StopCause::StepTooSmall);
+            }
         }
         if let Some(stopped) = lane.stopped.take() {
             return Some(Err(stopped));
         }
-        lane.trial = Trial::Step { arrives };
+        let End { now, tried, .. } = end_of_step(lane.time, lane.step, lane.until());
+        lane.step = tried;
+        lane.trial = Trial::Step { now };
         None
     }
 
@@ -329,8 +343,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     }
 
     /// Takes the samples of a step that has passed, and goes to its end.
-    fn record(&mut self, index: usize, lane: &mut Lane, arrives: bool) {
-        let until = if arrives { lane.until() } else { lane.time + lane.step };
+    fn record(&mut self, index: usize, lane: &mut Lane, until: f64) {
         while let Some(time) = lane.next_sample_until(until) {
             for state in 0..self.states {
                 let value = if time >= until {

@@ -6,8 +6,6 @@ use super::super::System;
 use super::super::one_step::OneStep;
 use super::Side;
 
-/// Parts of a step.
-const PARTS: usize = 4;
 /// Below this share of its largest value over a step, a guard is zero but for rounding.
 const ROUNDING: f64 = 1e-12;
 /// A guard that would change by less than this share, at the rate it has, is at rest.
@@ -15,8 +13,8 @@ const AT_REST: f64 = 1e-9;
 
 /// Guards and their rates at the ends of the parts of a step.
 pub(super) struct Parts {
-    times: [f64; PARTS + 1],
-    /// One row for each end.
+    times: Vec<f64>,
+    /// One row for each time.
     guards: Vec<f64>,
     rates: Vec<f64>,
     count: usize,
@@ -44,10 +42,10 @@ impl Outcome {
 
 impl Parts {
     pub(super) fn new(count: usize, states: usize) -> Self {
-        let rows = || vec![0.0; (PARTS + 1) * count];
         let one = [vec![0.0; count], vec![0.0; count]];
-        let times = [0.0; PARTS + 1];
-        Self { times, guards: rows(), rates: rows(), count, state: vec![0.0; states], one }
+        let none = Vec::new;
+        let (times, guards, rates) = (none(), none(), none());
+        Self { times, guards, rates, count, state: vec![0.0; states], one }
     }
 
     /// Looks at a step of `method`.
@@ -58,12 +56,17 @@ impl Parts {
         (from, until): (f64, f64),
         start: &[f64],
     ) {
-        for part in 0..=PARTS {
-            let time = from + (until - from) * (part as f64 / PARTS as f64);
-            let time = if part == PARTS { until } else { time };
+        let parts = method.parts();
+        self.times.resize(parts + 1, 0.0);
+        for rows in [&mut self.guards, &mut self.rates] {
+            rows.resize((parts + 1) * self.count, 0.0);
+        }
+        for part in 0..=parts {
+            let time = from + (until - from) * (part as f64 / parts as f64);
+            let time = if part == parts { until } else { time };
             match part {
                 0 => self.state.copy_from_slice(start),
-                PARTS => self.state.copy_from_slice(method.end()),
+                _ if part == parts => self.state.copy_from_slice(method.end()),
                 _ => method.interpolate(time, &mut self.state),
             }
             self.times[part] = time;
@@ -105,6 +108,11 @@ impl Parts {
         found
     }
 
+    /// Number of parts.
+    fn parts(&self) -> usize {
+        self.times.len().saturating_sub(1)
+    }
+
     fn guard(&self, part: usize, event: usize) -> f64 {
         self.guards[part * self.count + event]
     }
@@ -135,7 +143,7 @@ impl Parts {
             Start::Leaves { from } => (-from, 0),
             Start::Unseen => return Outcome::Stays(side),
         };
-        for part in first_part..PARTS {
+        for part in first_part..self.parts() {
             let mut bracket = [self.times[part], self.times[part + 1]];
             let crosses = side * self.guard(part + 1, event) < 0.0;
             let turns =
@@ -167,7 +175,7 @@ impl Parts {
     }
 
     fn largest(&self, event: usize) -> f64 {
-        (0..=PARTS).fold(0.0, |most: f64, part| most.max(self.guard(part, event).abs()))
+        (0..=self.parts()).fold(0.0, |most: f64, part| most.max(self.guard(part, event).abs()))
     }
 
     /// The start of a step for a guard whose side is known: it is still there, unless
@@ -184,7 +192,7 @@ impl Parts {
     /// The start of a step for a guard whose side is not known.
     fn first_seen(&self, event: usize, direction: Direction, passed: bool, residual: f64) -> Start {
         let (guard, rate) = (self.guard(0, event), self.rate(0, event));
-        let (largest, span) = (self.largest(event), self.times[PARTS] - self.times[0]);
+        let (largest, span) = (self.largest(event), self.times[self.parts()] - self.times[0]);
         let by_time = 16.0 * f64::EPSILON * self.times[0].abs() * rate.abs();
         let zero = residual.max(ROUNDING * largest).max(by_time);
         if guard.abs() > zero {
@@ -194,7 +202,7 @@ impl Parts {
             (rate.signum(), 0)
         } else {
             let clear = |part: &usize| self.guard(*part, event).abs() > zero.max(AT_REST * largest);
-            let Some(part) = (1..=PARTS).find(clear) else { return Start::Unseen };
+            let Some(part) = (1..=self.parts()).find(clear) else { return Start::Unseen };
             (self.guard(part, event).signum(), part)
         };
         // What has just passed at a finite rate goes on; what then rests does not.

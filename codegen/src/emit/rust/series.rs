@@ -10,7 +10,7 @@ use quote::{format_ident, quote};
 use super::Scene;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::taylor::{Convolution, MassMatrix, TaylorTape, recurrences};
+use crate::taylor::{Bends, Convolution, MassMatrix, TaylorTape, recurrences};
 use coefficients::Writer;
 use needs::{Needs, needs};
 
@@ -25,6 +25,7 @@ const MOST_LANES: usize = 10;
 pub(super) struct Series {
     tape: TaylorTape,
     needs: Needs,
+    bends: Bends,
 }
 
 impl Series {
@@ -34,14 +35,25 @@ impl Series {
         // A series does not keep to constraints.
         let is_free = scene.program.constraints.is_empty();
         let is_wanted = is_free && !tape.rate.is_empty() && tape.nodes.len() <= MOST_NODES;
-        is_wanted.then(|| Self { needs: needs(&tape), tape })
+        let bends = tape.bends(scene.program.system.discontinuities.len());
+        is_wanted.then(|| Self { needs: needs(&tape), tape, bends })
     }
 
     /// Names to import from the contract's `taylor`.
     pub(super) fn imports(&self) -> TokenStream {
         let lanes = (!self.needs.convolutions.is_empty()).then(|| quote!(Lanes,));
         let factored = self.tape.mass_matrix.is_some().then(|| quote!(Factored,));
-        quote!(taylor::{#factored #lanes TaylorSeries, order_and_inverse},)
+        let bends = self.bends_name().map(|_| quote!(Bends,));
+        quote!(taylor::{#bends #factored #lanes TaylorSeries, order_and_inverse},)
+    }
+
+    /// The variant of `Bends`, unless it is the one that goes without saying.
+    fn bends_name(&self) -> Option<Ident> {
+        match self.bends {
+            Bends::Nowhere => None,
+            Bends::Saturates => Some(format_ident!("Saturates")),
+            Bends::Corners => Some(format_ident!("Corners")),
+        }
     }
 
     /// Sums in groups of about one size.
@@ -65,6 +77,13 @@ impl Series {
         let sizes = sizes.reduce(|sum, size| quote!(#sum + #size));
         let order = if sizes.is_some() { quote!(order) } else { quote!(_order) };
         let size = sizes.unwrap_or_else(|| quote!(0));
+        let bends = self.bends_name().map(|name| {
+            quote! {
+                fn bends(&self) -> Bends {
+                    Bends::#name
+                }
+            }
+        });
         quote! {
             impl<R: Real> TaylorSeries<R> for #machine {
                 fn series_workspace(&self, #order: usize) -> usize {
@@ -83,6 +102,7 @@ impl Series {
                     let p = parameters_of(parameters);
                     series(time, state_of(state), &p, coefficients, workspace);
                 }
+                #bends
             }
         }
     }

@@ -59,7 +59,7 @@
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
-    SparsityPattern, StateKind, taylor::{Lanes, TaylorSeries, order_and_inverse},
+    SparsityPattern, StateKind, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };
 
 /// Generalized coordinates, n.
@@ -876,6 +876,9 @@ impl<R: Real> TaylorSeries<R> for M2 {
         assert!(rest.is_empty(), "every order has STATES coefficients");
         let p = parameters_of(parameters);
         series(time, state_of(state), &p, coefficients, workspace);
+    }
+    fn bends(&self) -> Bends {
+        Bends::Saturates
     }
 }
 

@@ -1,0 +1,49 @@
+//! Linear machines that no method could step through as exactly as closed forms do.
+
+use nalgebra::DMatrix;
+use nalgebra::linalg::Schur;
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+
+use super::Stretch;
+
+/// By so many tolerances more a closed form may err by rounding, where steps would do
+/// as much and more.
+pub(super) const LENIENT: f64 = 100.0;
+/// Larger matrices are better stepped.
+const MOST_STATES: usize = 200;
+/// |h lambda| of the longest steps by which a motion that rings can be followed.
+const LONGEST: f64 = 8.0;
+/// Rounding of a closed form, for each radian of the motion.
+const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
+
+/// Whether every motion for whose rounding a closed form was refused rings on for so
+/// long that a method which steps would take more than [`LENIENT`] steps, each with an
+/// error of its own of about a tolerance.
+pub(super) fn rings(stretch: &Stretch<'_>) -> bool {
+    let system = stretch.system;
+    let states = system.states();
+    if system.simulator().linear().is_none() || states > MOST_STATES {
+        return false;
+    }
+    let mut matrix = DMatrix::zeros(states, states);
+    let pattern = system.jacobian_pattern();
+    let mut values = vec![0.0; pattern.entries.len()];
+    stretch.jacobian(stretch.from, &vec![0.0; states], &mut values);
+    for (&(row, column), value) in pattern.entries.iter().zip(values) {
+        matrix[(row as usize, column as usize)] = value;
+    }
+    if matrix.iter().any(|value| !value.is_finite()) {
+        return false;
+    }
+    balance_parlett_reinsch(&mut matrix);
+    let Some(schur) = Schur::try_new(matrix, f64::EPSILON, 10_000) else { return false };
+    let span = stretch.until - stretch.from;
+    schur.complex_eigenvalues().iter().all(|value| {
+        let radians = value.norm() * span;
+        if ROUNDINGS * radians <= stretch.rtol {
+            return true;
+        }
+        let decay = stretch.rtol.ln().abs() / value.re.abs();
+        value.norm() * span.min(decay) > LENIENT * LONGEST
+    })
+}

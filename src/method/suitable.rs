@@ -1,0 +1,56 @@
+//! Which methods are for which machines.
+
+use machinist_scenes::Simulator;
+
+use super::Method;
+use crate::error::{Lack, Unsuitable};
+
+impl Method {
+    /// Whether the method can run this simulator: `taylor` needs the series that
+    /// emitted simulators have and simulators written by hand may lack, `exact`
+    /// linear equations with constant coefficients; events need a method that watches
+    /// them, and constraints one that keeps to them.
+    #[must_use]
+    pub fn suits(self, simulator: &dyn Simulator<f64>) -> bool {
+        let has_what_it_needs = match self {
+            Self::Taylor => simulator.taylor().is_some(),
+            Self::Exact => simulator.linear().is_some(),
+            _ => true,
+        };
+        has_what_it_needs && self.check(simulator).is_ok()
+    }
+
+    /// Refuses machines with events or constraints that the method would pass over.
+    ///
+    /// # Errors
+    /// [`Unsuitable`], with the methods that are made for such machines.
+    pub fn check(self, simulator: &dyn Simulator<f64>) -> Result<(), Unsuitable> {
+        let needs: [(bool, Lack, fn(Self) -> bool); 2] = [
+            (simulator.events() > 0, Lack::Events, Self::watches_events),
+            (simulator.constraints() > 0, Lack::Constraints, Self::keeps_constraints),
+        ];
+        for (is_needed, lack, has) in needs {
+            if is_needed && !has(self) {
+                let known = Self::ALL.iter().filter(|method| has(**method));
+                let known = known.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+                let (scene, method) = (simulator.name().to_owned(), self.name());
+                return Err(Unsuitable { scene, method, lack, known });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the method stops where guards pass zero: those of our own that step from
+    /// one state to the next do.
+    #[must_use]
+    pub fn watches_events(self) -> bool {
+        self.keeps_constraints() || self == Self::Taylor
+    }
+
+    /// Whether the method puts the state back onto constraints after each step: those
+    /// that watch events do, but for series, which no machine with constraints has.
+    #[must_use]
+    pub fn keeps_constraints(self) -> bool {
+        matches!(self, Self::Tsit5 | Self::Dop853 | Self::Rodas5p | Self::Radau | Self::Auto)
+    }
+}

@@ -18,6 +18,8 @@
 //! Times are medians of several runs. A simulation includes setting up and freeing
 //! the method; states are handed over as the benchmark models define them.
 
+#[cfg(feature = "cli")]
+mod chain;
 mod model;
 
 use std::error::Error;
@@ -54,6 +56,9 @@ fn main() -> ExitCode {
 
 fn answer() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::read()?;
+    if arguments.call == "derive" {
+        return derive(&arguments.model);
+    }
     let Some(model) = Model::find(&arguments.model) else {
         print(&arguments.model, &json!({"skip": "no such scene in specs/scenes/bench"}));
         return Ok(());
@@ -63,7 +68,6 @@ fn answer() -> Result<(), Box<dyn Error>> {
         "sim" => simulate(&model, &arguments)?,
         "sweep" if model.key == "M2" => sweep(&model.key, &arguments)?,
         "sweep" => print(&model.key, &json!({"skip": "only M2 has a parameter to vary"})),
-        "derive" => derive(&model)?,
         call => print(&model.key, &json!({"skip": format!("no call `{call}`")})),
     }
     Ok(())
@@ -287,34 +291,56 @@ fn sweep(key: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Seconds from the spec's text to equations and tapes, and from these to Rust.
 #[cfg(feature = "cli")]
-fn derive(model: &Model) -> Result<(), Box<dyn Error>> {
+fn derive(key: &str) -> Result<(), Box<dyn Error>> {
     use machinist_codegen::emit::rust::emit;
     use machinist_codegen::emit::{EmitOptions, tape_operations};
     use machinist_codegen::pipeline;
     use machinist_codegen::reduce::Keep;
 
-    let spec = format!("{}/specs/scenes/bench/{}.toml", env!("CARGO_MANIFEST_DIR"), model.scene);
+    let folder = std::env::temp_dir().join(format!("machinist_peer_{}", std::process::id()));
+    let Some(spec) = spec(key, &folder)? else {
+        print(key, &json!({"skip": "no such scene in specs/scenes/bench"}));
+        return Ok(());
+    };
     let start = Instant::now();
-    let program = pipeline::generate(std::path::Path::new(&spec), Keep::Needed)?;
+    let program = pipeline::generate(&spec, Keep::Needed)?;
     let derived = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let text = emit(&program, &EmitOptions::within_contract())?;
     let emitted = start.elapsed().as_secs_f64();
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
     let line = json!({
         "variant": "all functions", "derive_s": derived, "codegen_s": emitted, "compile_s": 0.0,
         "ops_rhs": tape_operations(&program.rate),
         "ops_jac": tape_operations(&program.rate_jacobian.tape),
         "how": format!("{} lines of Rust, not compiled here", text.lines().count()),
     });
-    print(&model.key, &line);
+    print(key, &line);
     Ok(())
+}
+
+/// The spec of a model: a scene's file, or that of a chain, written into `folder`.
+#[cfg(feature = "cli")]
+fn spec(key: &str, folder: &std::path::Path) -> std::io::Result<Option<std::path::PathBuf>> {
+    if let Some(model) = Model::find(key) {
+        let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/specs/scenes/bench");
+        return Ok(Some(std::path::Path::new(scenes).join(format!("{}.toml", model.scene))));
+    }
+    let links = key.strip_prefix("M6:").and_then(|links| links.parse().ok());
+    let Some(links @ 2..=100) = links else { return Ok(None) };
+    std::fs::create_dir_all(folder)?;
+    let file = folder.join(format!("m6_{links}.toml"));
+    std::fs::write(&file, chain::spec(links))?;
+    Ok(Some(file))
 }
 
 /// As above, where Symbolica is not linked.
 #[cfg(not(feature = "cli"))]
 #[expect(clippy::unnecessary_wraps, reason = "alike with the feature `cli`")]
-fn derive(model: &Model) -> Result<(), Box<dyn Error>> {
-    print(&model.key, &json!({"skip": format!("`{}`: built without `cli`", model.scene)}));
+fn derive(key: &str) -> Result<(), Box<dyn Error>> {
+    print(key, &json!({"skip": "built without `cli`"}));
     Ok(())
 }
 

@@ -14,6 +14,7 @@ use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
 use machinist_scenes::scenes::pendulum_constrained::PendulumConstrained;
+use machinist_scenes::scenes::pendulum_relative::PendulumRelative;
 use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
@@ -71,6 +72,7 @@ pub(crate) fn all() -> Vec<Machine> {
         winder_nonlinear(),
         winder_full(),
         pendulum_chain(),
+        pendulum_relative(),
         pendulum_constrained(),
         slider_crank(),
         four_bar(),
@@ -133,6 +135,11 @@ pub(crate) fn winder_full() -> Machine {
 /// Three pendulums hanging on one another.
 pub(crate) fn pendulum_chain() -> Machine {
     Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
+}
+
+/// The same by relative angles.
+pub(crate) fn pendulum_relative() -> Machine {
+    Machine::new("pendulum_relative", &PendulumRelative, &PendulumRelative)
 }
 
 /// The same by constraints.

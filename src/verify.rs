@@ -19,6 +19,7 @@ pub(crate) mod machine;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
 mod pendulum_chain;
+mod random;
 mod reed_beat_up;
 mod reference;
 mod saw_gin;

@@ -19,6 +19,7 @@ pub(crate) mod machine;
 pub(crate) mod motor_run_up;
 mod motor_stationary_axes;
 mod pendulum_chain;
+mod random;
 mod reed_beat_up;
 mod reference;
 mod saw_gin;
@@ -138,6 +139,7 @@ fn own_checks(scene: &str) -> &'static [Check] {
         "winder_nonlinear" => winder_nonlinear::CHECKS,
         "winder_full" => winder_full::CHECKS,
         "pendulum_chain" => pendulum_chain::CHECKS,
+        "pendulum_relative" => linkages::RELATIVE_CHECKS,
         "pendulum_constrained" => linkages::PENDULUM_CHECKS,
         "slider_crank" => linkages::SLIDER_CRANK_CHECKS,
         "four_bar" => linkages::FOUR_BAR_CHECKS,

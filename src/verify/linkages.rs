@@ -16,6 +16,31 @@ const PUT_BACK: &str = "every state is put back onto the constraints";
 const ZERO: &str = "zero";
 const EIGENVALUES: &str = "both are algebra; rounding, grown by eight coordinates solved together";
 
+pub(super) const RELATIVE_CHECKS: &[Check] = &[
+    Check {
+        name: "motion over 5 s",
+        reference: "pendulum_chain, in absolute angles, relative to the largest",
+        tolerance: 1e-8,
+        reason: "both are held to 1e-12 a step, and errors grow a hundredfold over 5 s",
+        measure: minimal,
+    },
+    Check {
+        name: "frequencies of small oscillations about hanging at rest",
+        reference: "three eigenvalues in absolute angles by hand, relative",
+        tolerance: 1e-11,
+        reason: "both are algebra; rounding is left",
+        measure: |machine| {
+            let names = ["chain.th_1", "chain.th_2", "chain.th_3"];
+            let guess = machine.point(&[], &names.map(|name| (name, 0.05)))?;
+            let guess = Point { time: 0.0, state: guess.state, parameters: guess.parameters };
+            let point = equilibrium(machine.real, &guess)?;
+            let modes = Linearization::at(machine.real, point)?.modes()?;
+            let found: Vec<f64> = modes.iter().map(Mode::natural_frequency).collect();
+            Ok(found_is(&[found.clone(), found], &CHAIN.frequencies()))
+        },
+    },
+];
+
 pub(super) const PENDULUM_CHECKS: &[Check] = &[
     Check {
         name: "motion over 5 s",

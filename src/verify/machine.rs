@@ -14,6 +14,7 @@ use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
 use machinist_scenes::scenes::pendulum_chain::PendulumChain;
 use machinist_scenes::scenes::pendulum_constrained::PendulumConstrained;
+use machinist_scenes::scenes::pendulum_relative::PendulumRelative;
 use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
@@ -33,6 +34,7 @@ use machinist_scenes::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;
+pub(crate) use super::random::SplitMix;
 use crate::complex_step::{self, ComplexStep};
 use crate::constraints::{Constraints, Level};
 use crate::field::{Discretisation, FieldSimulator};
@@ -71,6 +73,7 @@ pub(crate) fn all() -> Vec<Machine> {
         winder_nonlinear(),
         winder_full(),
         pendulum_chain(),
+        pendulum_relative(),
         pendulum_constrained(),
         slider_crank(),
         four_bar(),
@@ -133,6 +136,11 @@ pub(crate) fn winder_full() -> Machine {
 /// Three pendulums hanging on one another.
 pub(crate) fn pendulum_chain() -> Machine {
     Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
+}
+
+/// The same by relative angles.
+pub(crate) fn pendulum_relative() -> Machine {
+    Machine::new("pendulum_relative", &PendulumRelative, &PendulumRelative)
 }
 
 /// The same by constraints.
@@ -489,29 +497,5 @@ impl Machine {
             }
         }
         Point { time, state, parameters }
-    }
-}
-
-/// The SplitMix64 generator (Steele, Lea and Flood 2014): a few lines, the same
-/// numbers on every machine.
-pub(crate) struct SplitMix(pub(crate) u64);
-
-impl SplitMix {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Evenly from 0 up to 1.
-    pub(crate) fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Evenly from -1 up to 1.
-    pub(crate) fn signed(&mut self) -> f64 {
-        2.0 * self.unit() - 1.0
     }
 }

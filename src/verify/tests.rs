@@ -32,7 +32,9 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
         ("motor_stationary_axes.motor.alpha_r", 0.0859),
         ("winder_linear.layer.viscosity", 95.01),
         ("winder_nonlinear.layer.cubic_stiffness", 2.0001e9),
+        ("winder_full.pair.friction", 0.18001),
         ("pendulum_chain.chain.m_3", 0.5001),
+        ("four_bar.coupler.mass", 0.9001),
     ]);
     assert_eq!(
         failed(&verdicts, "two_mass"),
@@ -88,7 +90,22 @@ fn a_broken_parameter_makes_the_rows_that_depend_on_it_fail() {
         "all motions see the viscosity, mass and mobility do not: {winder:?}"
     );
     // The override wins over what the linear limit sets.
-    assert_eq!(failed(&verdicts, "winder_nonlinear").len(), 3);
+    assert_eq!(failed(&verdicts, "winder_nonlinear").len(), 4);
+    assert_eq!(
+        failed(&verdicts, "winder_full"),
+        [
+            "least pressure that turns packages of 25 to 60 mm, to a millionth",
+            "package that lags behind, over 0.5 s, at half that pressure",
+        ]
+    );
+    assert_eq!(
+        failed(&verdicts, "four_bar"),
+        [
+            "speed of the crank over 2 s",
+            "frequency of small oscillations about its lowest position",
+            "angles of crank, coupler and rocker at rest there",
+        ]
+    );
     assert_eq!(failed(&verdicts, "pendulum_chain"), ["accelerations at 1000 random states"]);
 }
 

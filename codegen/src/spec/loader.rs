@@ -42,6 +42,7 @@ const BUILTIN_UNITS: &[(&str, &str)] = &[
     builtin!("stop_smooth"),
     builtin!("technological_load"),
     builtin!("three_pendulums"),
+    builtin!("three_pendulums_relative"),
     builtin!("winding_pair"),
     builtin!("yarn_layer"),
     builtin!("yarn_layer_cubic"),

@@ -125,6 +125,18 @@ pub mod pendulum_chain;
 )]
 pub mod pendulum_constrained;
 
+/// Chain of three pendulums, by relative angles
+#[cfg(feature = "pendulum_relative")]
+#[rustfmt::skip]
+#[allow(
+    non_snake_case,
+    clippy::approx_constant,
+    clippy::struct_field_names,
+    clippy::too_many_lines,
+    reason = "the spec's own names and numbers, in bodies as long as its equations"
+)]
+pub mod pendulum_relative;
+
 /// Beat-up of a reed by an elastic shaft
 #[cfg(feature = "reed_beat_up")]
 #[rustfmt::skip]
@@ -326,6 +338,8 @@ pub const NAMES: &[&str] = &[
     "pendulum_chain",
     #[cfg(feature = "pendulum_constrained")]
     "pendulum_constrained",
+    #[cfg(feature = "pendulum_relative")]
+    "pendulum_relative",
     #[cfg(feature = "saw_gin")]
     "saw_gin",
     #[cfg(feature = "saw_gin_as_printed")]
@@ -376,6 +390,8 @@ pub fn find<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
         "pendulum_chain" => Some(&pendulum_chain::PendulumChain),
         #[cfg(feature = "pendulum_constrained")]
         "pendulum_constrained" => Some(&pendulum_constrained::PendulumConstrained),
+        #[cfg(feature = "pendulum_relative")]
+        "pendulum_relative" => Some(&pendulum_relative::PendulumRelative),
         #[cfg(feature = "saw_gin")]
         "saw_gin" => Some(&saw_gin::SawGin),
         #[cfg(feature = "saw_gin_as_printed")]

@@ -1,0 +1,2251 @@
+// Emitted by Machinist 0.1.0; do not edit. To make it again:
+//
+//     cargo run --release -- gen
+//
+// Sources, with SHA-256:
+//   0ef43e66537a3898084c7eff67a00d42ce3331b678823244e9fb34c025087a6a  scenes/pendulum_relative.toml
+//   2dff14c7fde2a579d8be25941f9964c4fb4a70b3507b299bd5e949c6b9d9de6d  units/three_pendulums_relative.toml
+//
+// Chain of three pendulums, by relative angles
+//
+// The chain of `pendulum_chain` once more, in the angles of its joints.
+//
+// Source:
+//   Textbook.
+//
+// Shapes; all quantities are in SI units:
+//   coordinates               3
+//   first-order states        0
+//   states                    6
+//   parameters                7
+//   outputs                   2
+//   discontinuities           0
+//
+// State:
+//     0  chain.th_1  [rad]    angle of the first link
+//     1  chain.th_2  [rad]    angle of the second link from the one above
+//     2  chain.th_3  [rad]    angle of the third link from the one above
+//     3  chain.w_1   [rad/s]  rate of angle of the first link
+//     4  chain.w_2   [rad/s]  rate of angle of the second link from the one above
+//     5  chain.w_3   [rad/s]  rate of angle of the third link from the one above
+//
+// Nonzeros:
+//   mass_matrix               9 of 3 by 3
+//   rate_jacobian            21 of 6 by 6
+//   parameter_jacobian       21 of 6 by 7
+//
+// Operations:
+//   initial_state             0
+//   discontinuities           0
+//   rate                    200
+//   mass_matrix              61
+//   forcing                 130
+//   rate_jacobian           493
+//   parameter_jacobian      646
+//   time_derivative           0
+//   outputs                  19
+//   energy                   52
+//   power_balance           317
+// With constants of the parameters, prepared once a run:
+//   prepare                  43
+//   prepared_rate           159
+//   prepared_rate_jacobian  450
+
+use crate::{
+    Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
+    SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
+};
+
+/// Generalized coordinates, n.
+pub const COORDINATES: usize = 3;
+
+/// Length of the state y.
+pub const STATES: usize = 6;
+
+/// Parameters.
+pub const PARAMETERS: usize = 7;
+
+/// Wanted outputs.
+pub const OUTPUTS: usize = 2;
+
+/// Times at which the right-hand side jumps.
+pub const DISCONTINUITIES: usize = 0;
+
+/// Nonzeros of M, both triangles.
+pub const MASS_MATRIX_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 3,
+    columns: 3,
+    entries: &[(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
+};
+
+/// Nonzeros of dy'/dy.
+pub const RATE_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 6,
+    columns: 6,
+    entries: &[
+        (0, 3),
+        (1, 4),
+        (2, 5),
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (4, 0),
+        (4, 1),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (5, 0),
+        (5, 1),
+        (5, 2),
+        (5, 3),
+        (5, 4),
+        (5, 5),
+    ],
+};
+
+/// Nonzeros of dy'/dp.
+pub const PARAMETER_JACOBIAN_PATTERN: SparsityPattern<'static> = SparsityPattern {
+    rows: 6,
+    columns: 7,
+    entries: &[
+        (3, 0),
+        (3, 1),
+        (3, 2),
+        (3, 3),
+        (3, 4),
+        (3, 5),
+        (3, 6),
+        (4, 0),
+        (4, 1),
+        (4, 2),
+        (4, 3),
+        (4, 4),
+        (4, 5),
+        (4, 6),
+        (5, 0),
+        (5, 1),
+        (5, 2),
+        (5, 3),
+        (5, 4),
+        (5, 5),
+        (5, 6),
+    ],
+};
+
+/// Chain of three pendulums, by relative angles
+///
+/// The chain of \`pendulum_chain\` once more, in the angles of its joints.
+///
+/// Source: Textbook.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PendulumRelative;
+
+/// Parameters, in SI units; the default holds the values of the spec.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters<R> {
+    /// chain.m_1: mass at the end of the first link \[kg\]. In the spec: 1.0.
+    pub chain_m_1: R,
+    /// chain.m_2: mass at the end of the second link \[kg\]. In the spec: 0.8.
+    pub chain_m_2: R,
+    /// chain.m_3: mass at the end of the third link \[kg\]. In the spec: 0.5.
+    pub chain_m_3: R,
+    /// chain.l_1: length of the first link \[m\]. In the spec: 1.0.
+    pub chain_l_1: R,
+    /// chain.l_2: length of the second link \[m\]. In the spec: 0.7.
+    pub chain_l_2: R,
+    /// chain.l_3: length of the third link \[m\]. In the spec: 0.4.
+    pub chain_l_3: R,
+    /// chain.gravity: acceleration of free fall \[m/s^2\]. In the spec: 9.81.
+    pub chain_gravity: R,
+}
+
+impl<R: Real> Parameters<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; PARAMETERS]) -> Self {
+        Self {
+            chain_m_1: values[0],
+            chain_m_2: values[1],
+            chain_m_3: values[2],
+            chain_l_1: values[3],
+            chain_l_2: values[4],
+            chain_l_3: values[5],
+            chain_gravity: values[6],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; PARAMETERS] {
+        [
+            self.chain_m_1,
+            self.chain_m_2,
+            self.chain_m_3,
+            self.chain_l_1,
+            self.chain_l_2,
+            self.chain_l_3,
+            self.chain_gravity,
+        ]
+    }
+}
+
+impl<R: Real> Default for Parameters<R> {
+    fn default() -> Self {
+        Self {
+            chain_m_1: R::literal(1.0),
+            chain_m_2: R::literal(0.8),
+            chain_m_3: R::literal(0.5),
+            chain_l_1: R::literal(1.0),
+            chain_l_2: R::literal(0.7),
+            chain_l_3: R::literal(0.4),
+            chain_gravity: R::literal(9.81),
+        }
+    }
+}
+
+/// Wanted outputs, in SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outputs<R> {
+    /// end_x: third mass, sideways \[m\].
+    pub end_x: R,
+    /// end_y: third mass, upwards \[m\].
+    pub end_y: R,
+}
+
+impl<R: Real> Outputs<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; OUTPUTS]) -> Self {
+        Self {
+            end_x: values[0],
+            end_y: values[1],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; OUTPUTS] {
+        [self.end_x, self.end_y]
+    }
+}
+
+/// Where to find what in the state.
+pub mod state {
+    /// chain.th_1: angle of the first link \[rad\].
+    pub const CHAIN_TH_1: usize = 0;
+    /// chain.th_2: angle of the second link from the one above \[rad\].
+    pub const CHAIN_TH_2: usize = 1;
+    /// chain.th_3: angle of the third link from the one above \[rad\].
+    pub const CHAIN_TH_3: usize = 2;
+    /// chain.w_1: rate of angle of the first link \[rad/s\].
+    pub const CHAIN_W_1: usize = 3;
+    /// chain.w_2: rate of angle of the second link from the one above \[rad/s\].
+    pub const CHAIN_W_2: usize = 4;
+    /// chain.w_3: rate of angle of the third link from the one above \[rad/s\].
+    pub const CHAIN_W_3: usize = 5;
+}
+
+/// Constants that `prepare` computes.
+pub const CONSTANTS: usize = 23;
+
+#[allow(missing_docs, reason = "`prepare` says what each is")]
+/// What parameters alone decide; `prepare` says what each is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants<R> {
+    pub t0: R,
+    pub t3: R,
+    pub t4: R,
+    pub t5: R,
+    pub chain_m_3_times_chain_l_3_squared: R,
+    pub t6: R,
+    pub t7: R,
+    pub t8: R,
+    pub t9: R,
+    pub t10: R,
+    pub chain_m_3_times_chain_l_3: R,
+    pub chain_m_1_times_chain_gravity: R,
+    pub t11: R,
+    pub chain_m_2_times_chain_gravity: R,
+    pub t12: R,
+    pub t13: R,
+    pub t14: R,
+    pub chain_m_3_times_chain_gravity: R,
+    pub t15: R,
+    pub chain_m_2_times_chain_l_2: R,
+    pub chain_m_3_times_chain_l_2: R,
+    pub t16: R,
+    pub t17: R,
+}
+
+impl<R: Real> Constants<R> {
+    /// From the numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn from_array(values: [R; CONSTANTS]) -> Self {
+        Self {
+            t0: values[0],
+            t3: values[1],
+            t4: values[2],
+            t5: values[3],
+            chain_m_3_times_chain_l_3_squared: values[4],
+            t6: values[5],
+            t7: values[6],
+            t8: values[7],
+            t9: values[8],
+            t10: values[9],
+            chain_m_3_times_chain_l_3: values[10],
+            chain_m_1_times_chain_gravity: values[11],
+            t11: values[12],
+            chain_m_2_times_chain_gravity: values[13],
+            t12: values[14],
+            t13: values[15],
+            t14: values[16],
+            chain_m_3_times_chain_gravity: values[17],
+            t15: values[18],
+            chain_m_2_times_chain_l_2: values[19],
+            chain_m_3_times_chain_l_2: values[20],
+            t16: values[21],
+            t17: values[22],
+        }
+    }
+    /// The numbers in their order.
+    #[must_use]
+    #[inline]
+    pub fn to_array(self) -> [R; CONSTANTS] {
+        [
+            self.t0,
+            self.t3,
+            self.t4,
+            self.t5,
+            self.chain_m_3_times_chain_l_3_squared,
+            self.t6,
+            self.t7,
+            self.t8,
+            self.t9,
+            self.t10,
+            self.chain_m_3_times_chain_l_3,
+            self.chain_m_1_times_chain_gravity,
+            self.t11,
+            self.chain_m_2_times_chain_gravity,
+            self.t12,
+            self.t13,
+            self.t14,
+            self.chain_m_3_times_chain_gravity,
+            self.t15,
+            self.chain_m_2_times_chain_l_2,
+            self.chain_m_3_times_chain_l_2,
+            self.t16,
+            self.t17,
+        ]
+    }
+}
+
+/// What `rate` and `rate_jacobian` need of the parameters, once a run.
+///
+/// 43 operations.
+#[must_use]
+#[inline]
+pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let t0 = R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
+    let t1 = R::literal(2.0) * p.chain_m_3;
+    let t2 = t1 * p.chain_l_1;
+    let t3 = t2 * p.chain_l_2;
+    let t4 = t2 * p.chain_l_3;
+    let t5 = t1 * p.chain_l_2 * p.chain_l_3;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
+    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
+    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
+    let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
+    let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
+    let t6 = p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
+        + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
+        + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared;
+    let t7 = p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t8 = chain_m_3_times_chain_l_1 * p.chain_l_2;
+    let t9 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let t10 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
+        + chain_m_3_times_chain_l_3_squared;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
+    let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
+    let t11 = chain_m_2_times_chain_l_2 * p.chain_gravity;
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t12 = chain_m_3_times_chain_l_2 * p.chain_l_3;
+    let t13 = chain_m_3_times_chain_l_2 * p.chain_gravity;
+    let t14 = chain_m_3_times_chain_l_3 * p.chain_gravity;
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let t15 = R::literal(2.0) * p.chain_l_2;
+    let t16 = R::literal(2.0) * p.chain_l_1;
+    let t17 = t1 * p.chain_l_3;
+    Constants {
+        t0,
+        t3,
+        t4,
+        t5,
+        chain_m_3_times_chain_l_3_squared,
+        t6,
+        t7,
+        t8,
+        t9,
+        t10,
+        chain_m_3_times_chain_l_3,
+        chain_m_1_times_chain_gravity,
+        t11,
+        chain_m_2_times_chain_gravity,
+        t12,
+        t13,
+        t14,
+        chain_m_3_times_chain_gravity,
+        t15,
+        chain_m_2_times_chain_l_2,
+        chain_m_3_times_chain_l_2,
+        t16,
+        t17,
+    }
+}
+
+/// State at the start of the run, in the units of the states.
+///
+/// No operations.
+#[must_use]
+pub fn initial_state<R: Real>(_p: &Parameters<R>) -> [R; STATES] {
+    [
+        R::literal(0.9),
+        R::literal(0.200_000_000_000_000_07),
+        R::literal(0.299_999_999_999_999_8),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Times at which the right-hand side jumps \[s\].
+///
+/// No operations.
+#[must_use]
+pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
+    []
+}
+
+/// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
+///
+/// 200 operations.
+#[must_use]
+#[inline]
+pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
+    prepared_rate(time, state, p, &prepare(p))
+}
+
+/// As `rate`, with the constants of the parameters from `prepare`.
+///
+/// 159 operations.
+#[must_use]
+#[inline]
+pub fn prepared_rate<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; STATES] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let sin_chain_a_2 = chain_a_2.sin();
+    let sin_chain_a_3 = chain_a_3.sin();
+    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
+    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
+    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
+    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
+    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
+    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
+    let t0 = c.t5 * cos_chain_a_2_minus_chain_a_3;
+    let t1 = c.t10 + t0;
+    let t2 = t1 + c.t7 * cos_chain_th_1_minus_chain_a_2
+        + c.t8 * cos_chain_th_1_minus_chain_a_2 + c.t9 * cos_chain_th_1_minus_chain_a_3;
+    let t3 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
+    let t4 = c.chain_m_3_times_chain_l_3
+        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t3);
+    let t5 = R::literal(1.0)
+        / (c.t6 + c.t0 * cos_chain_th_1_minus_chain_a_2
+            + c.t3 * cos_chain_th_1_minus_chain_a_2
+            + c.t4 * cos_chain_th_1_minus_chain_a_3 + t0);
+    let t6 = t2 * t5;
+    let t7 = t4 * t5;
+    let t8 = R::literal(1.0) / (t1 - t6 * t2);
+    let t9 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t3) - t7 * t2;
+    let t10 = t9 * t8;
+    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
+    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
+    let t11 = c.t4 * chain_w_1;
+    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
+    let t12 = c.t5 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t13 = c.t5 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let t14 = c.t11 * sin_chain_a_2;
+    let chain_w_3_squared = chain_w_3 * chain_w_3;
+    let t15 = c.t12 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
+    let t16 = c.t13 * sin_chain_a_2;
+    let t17 = c.t14 * sin_chain_a_3;
+    let t18 = -(c.t0 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
+        - c.t3 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
+        - t11 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
+        - t11 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t12
+        - c.t4 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t13
+        - c.chain_m_1_times_chain_gravity * chain_x_1;
+    let t19 = t18 - c.t7 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t14
+        - c.chain_m_2_times_chain_gravity * chain_x_1
+        - c.t8 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - c.t9 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
+        - c.t9 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t15 - t16 - t17
+        - c.chain_m_3_times_chain_gravity * chain_x_1;
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
+    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
+    let t20 = -t12 - t13 - c.t7 * chain_w_1_squared * sin_chain_th_2 - t14
+        - c.t8 * chain_w_1_squared * sin_chain_th_2
+        - c.t9 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t15 - t16 - t17
+        - t6 * t19;
+    let t21 = c.chain_m_3_times_chain_l_3
+        * (-(c.t15 * chain_w_1 * chain_w_2 * sin_chain_a_3_minus_chain_a_2)
+            - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
+            - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
+            - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+            - p.chain_gravity * sin_chain_a_3) - t7 * t19 - t10 * t20;
+    let chain_w_3_dot = t21
+        * (R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t7 * t4 - t10 * t9));
+    let chain_w_2_dot = t20 * t8 - t10 * chain_w_3_dot;
+    let chain_w_1_dot = t19 * t5 - t6 * chain_w_2_dot - t7 * chain_w_3_dot;
+    [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
+}
+
+/// `M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.
+///
+/// 61 operations.
+#[must_use]
+pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 9] {
+    let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let cos_chain_th_1_minus_chain_a_2 = (chain_th_1 - chain_a_2).cos();
+    let t0 = R::literal(2.0) * p.chain_m_3;
+    let t1 = t0 * p.chain_l_1;
+    let cos_chain_th_1_minus_chain_a_3 = (chain_th_1 - chain_a_3).cos();
+    let cos_chain_a_2_minus_chain_a_3 = (chain_a_2 - chain_a_3).cos();
+    let t2 = t0 * p.chain_l_2 * p.chain_l_3 * cos_chain_a_2_minus_chain_a_3;
+    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
+    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
+    let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
+    let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t3 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
+        + chain_m_3_times_chain_l_3_squared + t2;
+    let t4 = t3
+        + p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * cos_chain_th_1_minus_chain_a_2
+        + chain_m_3_times_chain_l_1 * p.chain_l_2 * cos_chain_th_1_minus_chain_a_2
+        + chain_m_3_times_chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_a_3;
+    let t5 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t6 = chain_m_3_times_chain_l_3
+        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t5);
+    let t7 = chain_m_3_times_chain_l_3 * (p.chain_l_3 + t5);
+    [
+        p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
+            + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
+            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared
+            + R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2
+                * cos_chain_th_1_minus_chain_a_2
+            + t1 * p.chain_l_2 * cos_chain_th_1_minus_chain_a_2
+            + t1 * p.chain_l_3 * cos_chain_th_1_minus_chain_a_3 + t2,
+        t4,
+        t6,
+        t4,
+        t3,
+        t7,
+        t6,
+        t7,
+        chain_m_3_times_chain_l_3_squared,
+    ]
+}
+
+/// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
+///
+/// 130 operations.
+#[must_use]
+pub fn forcing<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; COORDINATES] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let sin_chain_a_2 = chain_a_2.sin();
+    let sin_chain_a_3 = chain_a_3.sin();
+    let t0 = R::literal(2.0) * p.chain_m_3;
+    let t1 = t0 * p.chain_l_1;
+    let t2 = t1 * p.chain_l_3;
+    let t3 = t0 * p.chain_l_2 * p.chain_l_3;
+    let t4 = p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t5 = chain_m_3_times_chain_l_1 * p.chain_l_2;
+    let t6 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let sin_chain_th_1_minus_chain_a_2 = (chain_th_1 - chain_a_2).sin();
+    let sin_chain_th_1_minus_chain_a_3 = (chain_th_1 - chain_a_3).sin();
+    let t7 = t2 * chain_w_1;
+    let sin_chain_a_2_minus_chain_a_3 = (chain_a_2 - chain_a_3).sin();
+    let t8 = t3 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t9 = t3 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let t10 = p.chain_m_2 * p.chain_l_2 * p.chain_gravity * sin_chain_a_2;
+    let chain_w_3_squared = chain_w_3 * chain_w_3;
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t11 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_w_3_squared
+        * sin_chain_a_2_minus_chain_a_3;
+    let t12 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
+    let t13 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
+    let t14 = -(R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * chain_w_1
+        * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
+        - t1 * p.chain_l_2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
+        - t7 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
+        - t7 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t8
+        - t2 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t9;
+    let t15 = t14 - p.chain_m_1 * p.chain_gravity * chain_x_1
+        - t4 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t10
+        - p.chain_m_2 * p.chain_gravity * chain_x_1
+        - t5 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - t6 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
+        - t6 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t11 - t12 - t13;
+    let chain_th_1_forcing = t15 - p.chain_m_3 * p.chain_gravity * chain_x_1;
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
+    let chain_th_2_forcing = -t8 - t9 - t4 * chain_w_1_squared * sin_chain_th_2 - t10
+        - t5 * chain_w_1_squared * sin_chain_th_2
+        - t6 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t11 - t12 - t13;
+    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
+    let chain_th_3_forcing = chain_m_3_times_chain_l_3
+        * (-(R::literal(2.0) * p.chain_l_2 * chain_w_1 * chain_w_2
+            * sin_chain_a_3_minus_chain_a_2)
+            - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
+            - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
+            - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+            - p.chain_gravity * sin_chain_a_3);
+    [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
+}
+
+/// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
+///
+/// 493 operations.
+#[must_use]
+#[inline]
+pub fn rate_jacobian<R: Real>(
+    time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 21] {
+    prepared_rate_jacobian(time, state, p, &prepare(p))
+}
+
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`.
+///
+/// 450 operations.
+#[must_use]
+pub fn prepared_rate_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    c: &Constants<R>,
+) -> [R; 21] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_s_2 = chain_w_1 + chain_w_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let chain_s_3 = chain_w_3 + chain_s_2;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let sin_chain_a_2 = chain_a_2.sin();
+    let cos_chain_a_2 = chain_a_2.cos();
+    let sin_chain_a_3 = chain_a_3.sin();
+    let cos_chain_a_3 = chain_a_3.cos();
+    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
+    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
+    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
+    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
+    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
+    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
+    let t0 = c.t5 * cos_chain_a_2_minus_chain_a_3;
+    let t1 = c.t10 + t0;
+    let t2 = t1 + c.t7 * cos_chain_th_1_minus_chain_a_2
+        + c.t8 * cos_chain_th_1_minus_chain_a_2 + c.t9 * cos_chain_th_1_minus_chain_a_3;
+    let t3 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
+    let t4 = c.chain_m_3_times_chain_l_3
+        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t3);
+    let t5 = R::literal(1.0)
+        / (c.t6 + c.t0 * cos_chain_th_1_minus_chain_a_2
+            + c.t3 * cos_chain_th_1_minus_chain_a_2
+            + c.t4 * cos_chain_th_1_minus_chain_a_3 + t0);
+    let t6 = t2 * t5;
+    let t7 = t4 * t5;
+    let t8 = R::literal(1.0) / (t1 - t6 * t2);
+    let t9 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t3) - t7 * t2;
+    let t10 = t9 * t8;
+    let t11 = R::literal(1.0)
+        / (c.chain_m_3_times_chain_l_3_squared - t7 * t4 - t10 * t9);
+    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
+    let t12 = c.t0 * chain_w_1 * chain_w_2;
+    let t13 = c.t3 * chain_w_1 * chain_w_2;
+    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
+    let t14 = c.t4 * chain_w_1;
+    let t15 = t14 * chain_w_2;
+    let t16 = t14 * chain_w_3;
+    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
+    let t17 = c.t5 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t18 = c.t4 * chain_w_2 * chain_w_3;
+    let t19 = c.t5 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let t20 = c.t7 * chain_w_2_squared;
+    let t21 = c.t11 * sin_chain_a_2;
+    let t22 = c.t8 * chain_w_2_squared;
+    let t23 = c.t9 * chain_w_2_squared;
+    let chain_w_3_squared = chain_w_3 * chain_w_3;
+    let t24 = c.t9 * chain_w_3_squared;
+    let t25 = c.t12 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
+    let t26 = c.t13 * sin_chain_a_2;
+    let t27 = c.t14 * sin_chain_a_3;
+    let t28 = -(t12 * sin_chain_th_1_minus_chain_a_2)
+        - t13 * sin_chain_th_1_minus_chain_a_2 - t15 * sin_chain_th_1_minus_chain_a_3
+        - t16 * sin_chain_th_1_minus_chain_a_3 - t17
+        - t18 * sin_chain_th_1_minus_chain_a_3 - t19
+        - c.chain_m_1_times_chain_gravity * chain_x_1
+        - t20 * sin_chain_th_1_minus_chain_a_2 - t21
+        - c.chain_m_2_times_chain_gravity * chain_x_1
+        - t22 * sin_chain_th_1_minus_chain_a_2 - t23 * sin_chain_th_1_minus_chain_a_3;
+    let t29 = t28 - t24 * sin_chain_th_1_minus_chain_a_3 - t25 - t26 - t27
+        - c.chain_m_3_times_chain_gravity * chain_x_1;
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let t30 = c.t7 * chain_w_1_squared;
+    let t31 = c.t8 * chain_w_1_squared;
+    let chain_th_2_plus_chain_th_3 = chain_th_2 + chain_th_3;
+    let sin_chain_th_2_plus_chain_th_3 = chain_th_2_plus_chain_th_3.sin();
+    let t32 = c.t9 * chain_w_1_squared;
+    let chain_a_3_minus_chain_a_2 = chain_a_3 - chain_a_2;
+    let sin_chain_a_3_minus_chain_a_2 = chain_a_3_minus_chain_a_2.sin();
+    let t33 = c.t15 * chain_w_1;
+    let t34 = t33 * chain_w_2;
+    let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
+    let chain_l_2_times_chain_w_1_squared = p.chain_l_2 * chain_w_1_squared;
+    let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
+    let t35 = -t17 - t19 - t30 * sin_chain_th_2 - t21 - t31 * sin_chain_th_2
+        - t32 * sin_chain_th_2_plus_chain_th_3 - t25 - t26 - t27 - t6 * t29;
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
+        * (-(t34 * sin_chain_a_3_minus_chain_a_2)
+            - chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
+            - chain_l_2_times_chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
+            - chain_l_2_times_chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+            - p.chain_gravity * sin_chain_a_3) - t7 * t29 - t10 * t35) * t11;
+    let chain_w_2_dot = t35 * t8 - t10 * chain_w_3_dot;
+    let chain_w_1_dot = t29 * t5 - t6 * chain_w_2_dot - t7 * chain_w_3_dot;
+    let t36 = c.chain_m_2_times_chain_l_2 * cos_chain_a_2
+        + c.chain_m_3_times_chain_l_2 * cos_chain_a_2
+        + c.chain_m_3_times_chain_l_3 * cos_chain_a_3;
+    let t37 = p.chain_gravity
+        * (t36 + p.chain_m_1 * chain_l_1_times_cos_chain_th_1
+            + p.chain_m_2 * chain_l_1_times_cos_chain_th_1
+            + p.chain_m_3 * chain_l_1_times_cos_chain_th_1);
+    let t38 = c.t14 * cos_chain_a_3;
+    let t39 = t6 * t37 - p.chain_gravity * t36;
+    let chain_w_3_dot_by_chain_th_1 = (t7 * t37 - t38 - t10 * t39) * t11;
+    let chain_w_2_dot_by_chain_th_1 = t39 * t8 - t10 * chain_w_3_dot_by_chain_th_1;
+    let chain_w_1_dot_by_chain_th_1 = -(t37 * t5) - t6 * chain_w_2_dot_by_chain_th_1
+        - t7 * chain_w_3_dot_by_chain_th_1;
+    let t40 = c.t11 * cos_chain_a_2;
+    let t41 = c.t13 * cos_chain_a_2;
+    let cos_chain_th_2 = chain_th_2.cos();
+    let cos_chain_th_2_plus_chain_th_3 = chain_th_2_plus_chain_th_3.cos();
+    let t42 = chain_l_1_times_chain_w_1_squared * cos_chain_th_2_plus_chain_th_3;
+    let chain_gravity_times_cos_chain_a_3 = p.chain_gravity * cos_chain_a_3;
+    let t43 = c.chain_m_2_times_chain_l_2 * sin_chain_th_1_minus_chain_a_2
+        + c.chain_m_3_times_chain_l_2 * sin_chain_th_1_minus_chain_a_2
+        + c.chain_m_3_times_chain_l_3 * sin_chain_th_1_minus_chain_a_3;
+    let t44 = t12 * cos_chain_th_1_minus_chain_a_2 + t13 * cos_chain_th_1_minus_chain_a_2
+        + t15 * cos_chain_th_1_minus_chain_a_3 + t16 * cos_chain_th_1_minus_chain_a_3
+        + t18 * cos_chain_th_1_minus_chain_a_3 + t20 * cos_chain_th_1_minus_chain_a_2
+        + t22 * cos_chain_th_1_minus_chain_a_2 + t23 * cos_chain_th_1_minus_chain_a_3
+        + t24 * cos_chain_th_1_minus_chain_a_3 - t40 - t41 - t38
+        - c.t16 * t43 * chain_w_1_dot;
+    let t45 = p.chain_l_1 * t43;
+    let t46 = c.t9 * sin_chain_th_1_minus_chain_a_3;
+    let t47 = t44 - t45 * chain_w_2_dot - t46 * chain_w_3_dot;
+    let t48 = -(t30 * cos_chain_th_2) - t40 - t31 * cos_chain_th_2
+        - t32 * cos_chain_th_2_plus_chain_th_3 - t41 - t38 - t45 * chain_w_1_dot
+        - t6 * t47;
+    let chain_w_3_dot_by_chain_th_2 = (c.chain_m_3_times_chain_l_3
+        * (-t42 - chain_gravity_times_cos_chain_a_3) - t46 * chain_w_1_dot - t7 * t47
+        - t10 * t48) * t11;
+    let chain_w_2_dot_by_chain_th_2 = t48 * t8 - t10 * chain_w_3_dot_by_chain_th_2;
+    let chain_w_1_dot_by_chain_th_2 = t47 * t5 - t6 * chain_w_2_dot_by_chain_th_2
+        - t7 * chain_w_3_dot_by_chain_th_2;
+    let t49 = c.t16 * chain_w_1;
+    let t50 = t33 * chain_w_3 * cos_chain_a_2_minus_chain_a_3;
+    let t51 = c.t15 * chain_w_2 * chain_w_3 * cos_chain_a_2_minus_chain_a_3;
+    let t52 = p.chain_l_2 * chain_w_3_squared * cos_chain_a_2_minus_chain_a_3;
+    let cos_chain_a_3_minus_chain_a_2 = chain_a_3_minus_chain_a_2.cos();
+    let t53 = p.chain_l_1 * sin_chain_th_1_minus_chain_a_3;
+    let t54 = t53 + p.chain_l_2 * sin_chain_a_2_minus_chain_a_3;
+    let t55 = c.chain_m_3_times_chain_l_3
+        * (t49 * chain_w_2 * cos_chain_th_1_minus_chain_a_3
+            + t49 * chain_w_3 * cos_chain_th_1_minus_chain_a_3 + t50
+            + c.t16 * chain_w_2 * chain_w_3 * cos_chain_th_1_minus_chain_a_3 + t51
+            + p.chain_l_1 * chain_w_2_squared * cos_chain_th_1_minus_chain_a_3
+            + p.chain_l_1 * chain_w_3_squared * cos_chain_th_1_minus_chain_a_3 + t52
+            - chain_gravity_times_cos_chain_a_3) - c.t17 * t54 * chain_w_1_dot;
+    let t56 = c.chain_m_3_times_chain_l_3
+        * (c.t15 * sin_chain_a_2_minus_chain_a_3 + t53);
+    let t57 = c.chain_m_3_times_chain_l_3 * t54;
+    let t58 = t55 - t56 * chain_w_2_dot - t57 * chain_w_3_dot;
+    let t59 = c.t12 * sin_chain_a_2_minus_chain_a_3;
+    let t60 = c.chain_m_3_times_chain_l_3
+        * (t50 + t51 + t52 - t42 - chain_gravity_times_cos_chain_a_3)
+        - t56 * chain_w_1_dot - c.t5 * sin_chain_a_2_minus_chain_a_3 * chain_w_2_dot
+        - t59 * chain_w_3_dot - t6 * t58;
+    let chain_w_3_dot_by_chain_th_3 = (c.chain_m_3_times_chain_l_3
+        * (-(t34 * cos_chain_a_3_minus_chain_a_2) - t42
+            - chain_l_2_times_chain_w_1_squared * cos_chain_a_3_minus_chain_a_2
+            - chain_l_2_times_chain_w_2_squared * cos_chain_a_3_minus_chain_a_2
+            - chain_gravity_times_cos_chain_a_3) - t57 * chain_w_1_dot
+        - t59 * chain_w_2_dot - t7 * t58 - t10 * t60) * t11;
+    let chain_w_2_dot_by_chain_th_3 = t60 * t8 - t10 * chain_w_3_dot_by_chain_th_3;
+    let chain_w_1_dot_by_chain_th_3 = t58 * t5 - t6 * chain_w_2_dot_by_chain_th_3
+        - t7 * chain_w_3_dot_by_chain_th_3;
+    let t61 = c.t7 * chain_w_2 * sin_chain_th_1_minus_chain_a_2;
+    let t62 = c.t8 * chain_w_2 * sin_chain_th_1_minus_chain_a_2;
+    let t63 = c.t9 * chain_w_2 * sin_chain_th_1_minus_chain_a_3;
+    let t64 = c.t9 * chain_w_3 * sin_chain_th_1_minus_chain_a_3;
+    let t65 = c.t12 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t66 = R::literal(2.0) * (t61 + t62 + t63 + t64 + t65);
+    let t67 = c.t7 * chain_w_1;
+    let t68 = c.t8 * chain_w_1;
+    let t69 = c.t9 * chain_w_1;
+    let t70 = t6 * t66
+        - R::literal(2.0)
+            * (t67 * sin_chain_th_2 + t68 * sin_chain_th_2
+                + t69 * sin_chain_th_2_plus_chain_th_3 + t65);
+    let chain_w_3_dot_by_chain_w_1 = (t7 * t66
+        - c.t17
+            * (p.chain_l_1 * chain_w_1 * sin_chain_th_2_plus_chain_th_3
+                + p.chain_l_2 * chain_w_1 * sin_chain_a_3_minus_chain_a_2
+                + p.chain_l_2 * chain_w_2 * sin_chain_a_3_minus_chain_a_2) - t10 * t70)
+        * t11;
+    let chain_w_2_dot_by_chain_w_1 = t70 * t8 - t10 * chain_w_3_dot_by_chain_w_1;
+    let chain_w_1_dot_by_chain_w_1 = -(t66 * t5) - t6 * chain_w_2_dot_by_chain_w_1
+        - t7 * chain_w_3_dot_by_chain_w_1;
+    let t71 = R::literal(2.0)
+        * (t67 * sin_chain_th_1_minus_chain_a_2 + t68 * sin_chain_th_1_minus_chain_a_2
+            + t69 * sin_chain_th_1_minus_chain_a_3 + t61 + t62 + t63 + t64 + t65);
+    let t72 = t6 * t71 - c.t5 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_w_3_dot_by_chain_w_2 = (t7 * t71
+        - c.t5 * chain_s_2 * sin_chain_a_3_minus_chain_a_2 - t10 * t72) * t11;
+    let chain_w_2_dot_by_chain_w_2 = t72 * t8 - t10 * chain_w_3_dot_by_chain_w_2;
+    let chain_w_1_dot_by_chain_w_2 = -(t71 * t5) - t6 * chain_w_2_dot_by_chain_w_2
+        - t7 * chain_w_3_dot_by_chain_w_2;
+    let t73 = c.t17 * chain_s_3 * t54;
+    let t74 = t6 * t73 - c.t5 * chain_s_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_w_3_dot_by_chain_w_3 = (t7 * t73 - t10 * t74) * t11;
+    let chain_w_2_dot_by_chain_w_3 = t74 * t8 - t10 * chain_w_3_dot_by_chain_w_3;
+    let chain_w_1_dot_by_chain_w_3 = -(t73 * t5) - t6 * chain_w_2_dot_by_chain_w_3
+        - t7 * chain_w_3_dot_by_chain_w_3;
+    [
+        R::literal(1.0),
+        R::literal(1.0),
+        R::literal(1.0),
+        chain_w_1_dot_by_chain_th_1,
+        chain_w_1_dot_by_chain_th_2,
+        chain_w_1_dot_by_chain_th_3,
+        chain_w_1_dot_by_chain_w_1,
+        chain_w_1_dot_by_chain_w_2,
+        chain_w_1_dot_by_chain_w_3,
+        chain_w_2_dot_by_chain_th_1,
+        chain_w_2_dot_by_chain_th_2,
+        chain_w_2_dot_by_chain_th_3,
+        chain_w_2_dot_by_chain_w_1,
+        chain_w_2_dot_by_chain_w_2,
+        chain_w_2_dot_by_chain_w_3,
+        chain_w_3_dot_by_chain_th_1,
+        chain_w_3_dot_by_chain_th_2,
+        chain_w_3_dot_by_chain_th_3,
+        chain_w_3_dot_by_chain_w_1,
+        chain_w_3_dot_by_chain_w_2,
+        chain_w_3_dot_by_chain_w_3,
+    ]
+}
+
+/// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
+///
+/// 646 operations.
+#[must_use]
+pub fn parameter_jacobian<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> [R; 21] {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_s_2 = chain_w_1 + chain_w_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let sin_chain_a_2 = chain_a_2.sin();
+    let sin_chain_a_3 = chain_a_3.sin();
+    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
+    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
+    let t0 = R::literal(2.0) * p.chain_m_2;
+    let t1 = t0 * p.chain_l_1;
+    let t2 = t1 * p.chain_l_2;
+    let t3 = R::literal(2.0) * p.chain_m_3;
+    let t4 = t3 * p.chain_l_1;
+    let t5 = t4 * p.chain_l_2;
+    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
+    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
+    let t6 = t4 * p.chain_l_3;
+    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
+    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
+    let t7 = t3 * p.chain_l_2;
+    let t8 = t7 * p.chain_l_3;
+    let t9 = t8 * cos_chain_a_2_minus_chain_a_3;
+    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
+    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
+    let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
+    let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
+    let chain_l_3_squared = p.chain_l_3 * p.chain_l_3;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * chain_l_3_squared;
+    let chain_m_2_times_chain_l_1 = p.chain_m_2 * p.chain_l_1;
+    let t10 = chain_m_2_times_chain_l_1 * p.chain_l_2;
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t11 = chain_m_3_times_chain_l_1 * p.chain_l_2;
+    let t12 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let t13 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
+        + chain_m_3_times_chain_l_3_squared + t9;
+    let t14 = t13 + t10 * cos_chain_th_1_minus_chain_a_2
+        + t11 * cos_chain_th_1_minus_chain_a_2 + t12 * cos_chain_th_1_minus_chain_a_3;
+    let t15 = p.chain_l_1 * cos_chain_th_1_minus_chain_a_3;
+    let t16 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
+    let t17 = p.chain_l_3 + t15 + t16;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t18 = chain_m_3_times_chain_l_3 * t17;
+    let t19 = p.chain_l_3 + t16;
+    let t20 = R::literal(1.0)
+        / (p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
+            + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
+            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared
+            + t2 * cos_chain_th_1_minus_chain_a_2 + t5 * cos_chain_th_1_minus_chain_a_2
+            + t6 * cos_chain_th_1_minus_chain_a_3 + t9);
+    let t21 = t14 * t20;
+    let t22 = t18 * t20;
+    let t23 = R::literal(1.0) / (t13 - t21 * t14);
+    let t24 = chain_m_3_times_chain_l_3 * t19 - t22 * t14;
+    let t25 = t24 * t23;
+    let t26 = R::literal(1.0)
+        / (chain_m_3_times_chain_l_3_squared - t22 * t18 - t25 * t24);
+    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
+    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
+    let t27 = t6 * chain_w_1;
+    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
+    let t28 = t8 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t29 = t8 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
+    let t30 = chain_m_2_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
+    let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
+    let chain_w_3_squared = chain_w_3 * chain_w_3;
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t31 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_w_3_squared
+        * sin_chain_a_2_minus_chain_a_3;
+    let t32 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
+    let t33 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
+    let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
+    let t34 = -(t2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
+        - t5 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
+        - t27 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
+        - t27 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t28
+        - t6 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t29
+        - chain_m_1_times_chain_gravity * chain_x_1;
+    let t35 = t34 - t10 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t30
+        - chain_m_2_times_chain_gravity * chain_x_1
+        - t11 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - t12 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
+        - t12 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t31 - t32 - t33
+        - chain_m_3_times_chain_gravity * chain_x_1;
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
+    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
+    let t36 = R::literal(2.0) * p.chain_l_2;
+    let t37 = t36 * chain_w_1;
+    let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
+    let t38 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3;
+    let chain_gravity_times_sin_chain_a_3 = p.chain_gravity * sin_chain_a_3;
+    let t39 = -(t37 * chain_w_2 * sin_chain_a_3_minus_chain_a_2) - t38
+        - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
+        - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+        - chain_gravity_times_sin_chain_a_3;
+    let t40 = -t28 - t29 - t10 * chain_w_1_squared * sin_chain_th_2 - t30
+        - t11 * chain_w_1_squared * sin_chain_th_2
+        - t12 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t31 - t32 - t33
+        - t21 * t35;
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t39 - t22 * t35 - t25 * t40) * t26;
+    let chain_w_2_dot = t40 * t23 - t25 * chain_w_3_dot;
+    let chain_w_1_dot = t35 * t20 - t21 * chain_w_2_dot - t22 * chain_w_3_dot;
+    let t41 = R::literal(2.0) * p.chain_l_1;
+    let t42 = t41 * chain_w_1;
+    let t43 = t3 * p.chain_l_3;
+    let chain_gravity_times_chain_x_1 = p.chain_gravity * chain_x_1;
+    let t44 = -chain_gravity_times_chain_x_1 - chain_l_1_squared * chain_w_1_dot;
+    let t45 = t21 * t44;
+    let chain_w_3_dot_by_chain_m_1 = (t25 * t45 - t22 * t44) * t26;
+    let chain_w_2_dot_by_chain_m_1 = -(t45 * t23) - t25 * chain_w_3_dot_by_chain_m_1;
+    let chain_w_1_dot_by_chain_m_1 = t44 * t20 - t21 * chain_w_2_dot_by_chain_m_1
+        - t22 * chain_w_3_dot_by_chain_m_1;
+    let t46 = t41 * p.chain_l_2;
+    let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
+    let t47 = chain_l_1_times_chain_l_2 * chain_w_2_squared
+        * sin_chain_th_1_minus_chain_a_2;
+    let t48 = p.chain_l_2 * p.chain_gravity * sin_chain_a_2;
+    let t49 = -(t46 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2);
+    let t50 = t46 * cos_chain_th_1_minus_chain_a_2;
+    let t51 = chain_l_1_squared + chain_l_2_squared;
+    let t52 = p.chain_l_2 * (p.chain_l_2 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_2);
+    let t53 = t49 - t47 - t48 - chain_gravity_times_chain_x_1
+        - (t51 + t50) * chain_w_1_dot - t52 * chain_w_2_dot;
+    let t54 = -(p.chain_l_2
+        * (chain_l_1_times_chain_w_1_squared * sin_chain_th_2
+            + p.chain_gravity * sin_chain_a_2)) - t52 * chain_w_1_dot
+        - chain_l_2_squared * chain_w_2_dot - t21 * t53;
+    let chain_w_3_dot_by_chain_m_2 = (-(t22 * t53) - t25 * t54) * t26;
+    let chain_w_2_dot_by_chain_m_2 = t54 * t23 - t25 * chain_w_3_dot_by_chain_m_2;
+    let chain_w_1_dot_by_chain_m_2 = t53 * t20 - t21 * chain_w_2_dot_by_chain_m_2
+        - t22 * chain_w_3_dot_by_chain_m_2;
+    let t55 = t41 * p.chain_l_3;
+    let t56 = t55 * chain_w_1;
+    let t57 = t36 * p.chain_l_3;
+    let t58 = t57 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t59 = t57 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_l_1_times_chain_l_3 = p.chain_l_1 * p.chain_l_3;
+    let t60 = p.chain_l_2 * p.chain_l_3 * chain_w_3_squared
+        * sin_chain_a_2_minus_chain_a_3;
+    let t61 = p.chain_l_3 * p.chain_gravity * sin_chain_a_3;
+    let t62 = t49 - t56 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
+        - t56 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t58
+        - t55 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t59 - t47
+        - chain_l_1_times_chain_l_3 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
+        - chain_l_1_times_chain_l_3 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3
+        - t60 - t48 - t61 - chain_gravity_times_chain_x_1;
+    let t63 = t57 * cos_chain_a_2_minus_chain_a_3;
+    let t64 = chain_l_2_squared + chain_l_3_squared + t63;
+    let t65 = t64 + chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2
+        + chain_l_1_times_chain_l_3 * cos_chain_th_1_minus_chain_a_3;
+    let t66 = p.chain_l_3 * t17;
+    let t67 = t62
+        - (t51 + chain_l_3_squared + t50 + t55 * cos_chain_th_1_minus_chain_a_3 + t63)
+            * chain_w_1_dot - t65 * chain_w_2_dot - t66 * chain_w_3_dot;
+    let t68 = p.chain_l_3 * t19;
+    let t69 = -t58 - t59 - chain_l_1_times_chain_l_2 * chain_w_1_squared * sin_chain_th_2
+        - chain_l_1_times_chain_l_3 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
+        - t60 - t48 - t61 - t65 * chain_w_1_dot - t64 * chain_w_2_dot
+        - t68 * chain_w_3_dot - t21 * t67;
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t39 - t66 * chain_w_1_dot
+        - t68 * chain_w_2_dot - chain_l_3_squared * chain_w_3_dot - t22 * t67
+        - t25 * t69) * t26;
+    let chain_w_2_dot_by_chain_m_3 = t69 * t23 - t25 * chain_w_3_dot_by_chain_m_3;
+    let chain_w_1_dot_by_chain_m_3 = t67 * t20 - t21 * chain_w_2_dot_by_chain_m_3
+        - t22 * chain_w_3_dot_by_chain_m_3;
+    let t70 = t0 * p.chain_l_2;
+    let t71 = t43 * chain_w_1;
+    let t72 = t71 * chain_w_3;
+    let t73 = t43 * chain_w_2 * chain_w_3;
+    let t74 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
+    let t75 = -(t70 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
+        - t7 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
+        - t71 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
+        - t72 * sin_chain_th_1_minus_chain_a_3 - t73 * sin_chain_th_1_minus_chain_a_3
+        - chain_m_1_times_chain_gravity * sin_chain_th_1
+        - chain_m_2_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - chain_m_2_times_chain_gravity * sin_chain_th_1;
+    let t76 = chain_m_2_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
+    let t77 = chain_m_3_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
+    let t78 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_a_3;
+    let t79 = t76 + t77 + t78;
+    let t80 = t75
+        - chain_m_3_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - chain_m_3_times_chain_l_3 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
+        - t74 * sin_chain_th_1_minus_chain_a_3
+        - chain_m_3_times_chain_gravity * sin_chain_th_1
+        - R::literal(2.0)
+            * (p.chain_m_1 * p.chain_l_1 + chain_m_2_times_chain_l_1
+                + chain_m_3_times_chain_l_1 + t76 + t77 + t78) * chain_w_1_dot
+        - t79 * chain_w_2_dot - t78 * chain_w_3_dot;
+    let t81 = -((chain_m_2_times_chain_l_2 * sin_chain_th_2
+        + chain_m_3_times_chain_l_2 * sin_chain_th_2
+        + chain_m_3_times_chain_l_3 * sin_chain_th_2_plus_chain_th_3)
+        * chain_w_1_squared) - t79 * chain_w_1_dot - t21 * t80;
+    let chain_w_3_dot_by_chain_l_1 = (-(chain_m_3_times_chain_l_3 * chain_w_1_squared
+        * sin_chain_th_2_plus_chain_th_3) - t78 * chain_w_1_dot - t22 * t80 - t25 * t81)
+        * t26;
+    let chain_w_2_dot_by_chain_l_1 = t81 * t23 - t25 * chain_w_3_dot_by_chain_l_1;
+    let chain_w_1_dot_by_chain_l_1 = t80 * t20 - t21 * chain_w_2_dot_by_chain_l_1
+        - t22 * chain_w_3_dot_by_chain_l_1;
+    let t82 = t72 * sin_chain_a_2_minus_chain_a_3;
+    let t83 = t73 * sin_chain_a_2_minus_chain_a_3;
+    let t84 = chain_m_2_times_chain_gravity * sin_chain_a_2;
+    let t85 = t74 * sin_chain_a_2_minus_chain_a_3;
+    let t86 = chain_m_3_times_chain_gravity * sin_chain_a_2;
+    let t87 = -(t1 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
+        - t4 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2 - t82 - t83
+        - chain_m_2_times_chain_l_1 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - t84
+        - chain_m_3_times_chain_l_1 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - t85 - t86;
+    let t88 = chain_m_2_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
+    let t89 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
+    let t90 = chain_m_3_times_chain_l_3 * cos_chain_a_2_minus_chain_a_3;
+    let t91 = chain_m_2_times_chain_l_2 + chain_m_3_times_chain_l_2;
+    let t92 = t70 + t7 + t43 * cos_chain_a_2_minus_chain_a_3 + t88 + t89;
+    let t93 = t90 * chain_w_3_dot;
+    let t94 = t87 - R::literal(2.0) * (t91 + t88 + t89 + t90) * chain_w_1_dot
+        - t92 * chain_w_2_dot - t93;
+    let t95 = -t82 - t83 - chain_m_2_times_chain_l_1 * chain_w_1_squared * sin_chain_th_2
+        - t84 - chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_2 - t85
+        - t86 - t92 * chain_w_1_dot - R::literal(2.0) * (t91 + t90) * chain_w_2_dot - t93
+        - t21 * t94;
+    let chain_w_3_dot_by_chain_l_2 = (-(chain_m_3_times_chain_l_3
+        * (chain_s_2 * chain_s_2) * sin_chain_a_3_minus_chain_a_2) - t90 * chain_w_1_dot
+        - t90 * chain_w_2_dot - t22 * t94 - t25 * t95) * t26;
+    let chain_w_2_dot_by_chain_l_2 = t95 * t23 - t25 * chain_w_3_dot_by_chain_l_2;
+    let chain_w_1_dot_by_chain_l_2 = t94 * t20 - t21 * chain_w_2_dot_by_chain_l_2
+        - t22 * chain_w_3_dot_by_chain_l_2;
+    let t96 = t37 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t97 = t36 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t98 = p.chain_l_2 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
+    let t99 = p.chain_m_3
+        * (-(t42 * chain_w_2 * sin_chain_th_1_minus_chain_a_3)
+            - t42 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t96
+            - t41 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t97
+            - p.chain_l_1 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
+            - p.chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t98
+            - chain_gravity_times_sin_chain_a_3) - t3 * t17 * chain_w_1_dot;
+    let t100 = R::literal(2.0) * p.chain_l_3;
+    let t101 = p.chain_m_3 * (t100 + t36 * cos_chain_a_2_minus_chain_a_3 + t15);
+    let t102 = p.chain_m_3 * (t100 + t15 + t16);
+    let t103 = t99 - t101 * chain_w_2_dot - t102 * chain_w_3_dot;
+    let t104 = p.chain_m_3 * (t100 + t16);
+    let t105 = p.chain_m_3 * (-t96 - t97 - t38 - t98 - chain_gravity_times_sin_chain_a_3)
+        - t101 * chain_w_1_dot - t3 * t19 * chain_w_2_dot - t104 * chain_w_3_dot
+        - t21 * t103;
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t39 - t102 * chain_w_1_dot
+        - t104 * chain_w_2_dot - t43 * chain_w_3_dot - t22 * t103 - t25 * t105) * t26;
+    let chain_w_2_dot_by_chain_l_3 = t105 * t23 - t25 * chain_w_3_dot_by_chain_l_3;
+    let chain_w_1_dot_by_chain_l_3 = t103 * t20 - t21 * chain_w_2_dot_by_chain_l_3
+        - t22 * chain_w_3_dot_by_chain_l_3;
+    let t106 = chain_m_2_times_chain_l_2 * sin_chain_a_2;
+    let t107 = chain_m_3_times_chain_l_2 * sin_chain_a_2;
+    let t108 = chain_m_3_times_chain_l_3 * sin_chain_a_3;
+    let t109 = -(p.chain_m_1 * chain_x_1) - t106 - p.chain_m_2 * chain_x_1 - t107 - t108
+        - p.chain_m_3 * chain_x_1;
+    let t110 = -t106 - t107 - t108 - t21 * t109;
+    let chain_w_3_dot_by_chain_gravity = (-t108 - t22 * t109 - t25 * t110) * t26;
+    let chain_w_2_dot_by_chain_gravity = t110 * t23
+        - t25 * chain_w_3_dot_by_chain_gravity;
+    let chain_w_1_dot_by_chain_gravity = t109 * t20
+        - t21 * chain_w_2_dot_by_chain_gravity - t22 * chain_w_3_dot_by_chain_gravity;
+    [
+        chain_w_1_dot_by_chain_m_1,
+        chain_w_1_dot_by_chain_m_2,
+        chain_w_1_dot_by_chain_m_3,
+        chain_w_1_dot_by_chain_l_1,
+        chain_w_1_dot_by_chain_l_2,
+        chain_w_1_dot_by_chain_l_3,
+        chain_w_1_dot_by_chain_gravity,
+        chain_w_2_dot_by_chain_m_1,
+        chain_w_2_dot_by_chain_m_2,
+        chain_w_2_dot_by_chain_m_3,
+        chain_w_2_dot_by_chain_l_1,
+        chain_w_2_dot_by_chain_l_2,
+        chain_w_2_dot_by_chain_l_3,
+        chain_w_2_dot_by_chain_gravity,
+        chain_w_3_dot_by_chain_m_1,
+        chain_w_3_dot_by_chain_m_2,
+        chain_w_3_dot_by_chain_m_3,
+        chain_w_3_dot_by_chain_l_1,
+        chain_w_3_dot_by_chain_l_2,
+        chain_w_3_dot_by_chain_l_3,
+        chain_w_3_dot_by_chain_gravity,
+    ]
+}
+
+/// Partial derivative of `y'` with respect to time.
+///
+/// No operations.
+#[must_use]
+pub fn time_derivative<R: Real>(
+    _time: R,
+    _state: &[R; STATES],
+    _p: &Parameters<R>,
+) -> [R; STATES] {
+    [
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+        R::literal(0.0),
+    ]
+}
+
+/// Wanted outputs.
+///
+/// 19 operations.
+#[must_use]
+pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
+    let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let chain_y_1 = -(p.chain_l_1 * chain_th_1.cos());
+    let chain_x_2 = chain_x_1 + p.chain_l_2 * chain_a_2.sin();
+    let chain_y_2 = chain_y_1 - p.chain_l_2 * chain_a_2.cos();
+    let chain_x_3 = chain_x_2 + p.chain_l_3 * chain_a_3.sin();
+    let chain_y_3 = chain_y_2 - p.chain_l_3 * chain_a_3.cos();
+    Outputs {
+        end_x: chain_x_3,
+        end_y: chain_y_3,
+    }
+}
+
+/// T, V and the energy of first-order states \[J\].
+///
+/// 52 operations.
+#[must_use]
+pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_s_2 = chain_w_1 + chain_w_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let chain_s_3 = chain_w_3 + chain_s_2;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let chain_y_1 = -chain_l_1_times_cos_chain_th_1;
+    let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
+    let chain_vy_1 = chain_w_1 * chain_x_1;
+    let cos_chain_a_2 = chain_a_2.cos();
+    let chain_y_2 = chain_y_1 - p.chain_l_2 * cos_chain_a_2;
+    let chain_l_2_times_chain_s_2 = p.chain_l_2 * chain_s_2;
+    let chain_vx_2 = chain_vx_1 + chain_l_2_times_chain_s_2 * cos_chain_a_2;
+    let chain_vy_2 = chain_vy_1 + chain_l_2_times_chain_s_2 * chain_a_2.sin();
+    let cos_chain_a_3 = chain_a_3.cos();
+    let chain_y_3 = chain_y_2 - p.chain_l_3 * cos_chain_a_3;
+    let chain_l_3_times_chain_s_3 = p.chain_l_3 * chain_s_3;
+    let chain_vx_3 = chain_vx_2 + chain_l_3_times_chain_s_3 * cos_chain_a_3;
+    let chain_vy_3 = chain_vy_2 + chain_l_3_times_chain_s_3 * chain_a_3.sin();
+    Energy {
+        kinetic: R::literal(0.5) * p.chain_m_1
+            * (chain_vx_1 * chain_vx_1 + chain_vy_1 * chain_vy_1)
+            + R::literal(0.5) * p.chain_m_2
+                * (chain_vx_2 * chain_vx_2 + chain_vy_2 * chain_vy_2)
+            + R::literal(0.5) * p.chain_m_3
+                * (chain_vx_3 * chain_vx_3 + chain_vy_3 * chain_vy_3),
+        potential: p.chain_gravity
+            * (p.chain_m_2 * chain_y_2 - p.chain_m_1 * chain_l_1_times_cos_chain_th_1
+                + p.chain_m_3 * chain_y_3),
+        stored: R::literal(0.0),
+    }
+}
+
+/// `dE/dt`, power supplied and power dissipated \[W\].
+///
+/// 317 operations.
+#[must_use]
+pub fn power_balance<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+) -> PowerBalance<R> {
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_s_2 = chain_w_1 + chain_w_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let chain_s_3 = chain_w_3 + chain_s_2;
+    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let chain_y_1 = -chain_l_1_times_cos_chain_th_1;
+    let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
+    let chain_vy_1 = chain_w_1 * chain_x_1;
+    let sin_chain_a_2 = chain_a_2.sin();
+    let chain_l_2_times_sin_chain_a_2 = p.chain_l_2 * sin_chain_a_2;
+    let chain_x_2 = chain_x_1 + chain_l_2_times_sin_chain_a_2;
+    let cos_chain_a_2 = chain_a_2.cos();
+    let chain_l_2_times_cos_chain_a_2 = p.chain_l_2 * cos_chain_a_2;
+    let chain_y_2 = chain_y_1 - chain_l_2_times_cos_chain_a_2;
+    let chain_l_2_times_chain_s_2 = p.chain_l_2 * chain_s_2;
+    let t0 = chain_l_2_times_chain_s_2 * cos_chain_a_2;
+    let chain_vx_2 = chain_vx_1 + t0;
+    let t1 = chain_l_2_times_chain_s_2 * sin_chain_a_2;
+    let chain_vy_2 = chain_vy_1 + t1;
+    let sin_chain_a_3 = chain_a_3.sin();
+    let chain_l_3_times_sin_chain_a_3 = p.chain_l_3 * sin_chain_a_3;
+    let chain_x_3 = chain_x_2 + chain_l_3_times_sin_chain_a_3;
+    let cos_chain_a_3 = chain_a_3.cos();
+    let chain_l_3_times_cos_chain_a_3 = p.chain_l_3 * cos_chain_a_3;
+    let chain_y_3 = chain_y_2 - chain_l_3_times_cos_chain_a_3;
+    let chain_l_3_times_chain_s_3 = p.chain_l_3 * chain_s_3;
+    let t2 = chain_l_3_times_chain_s_3 * cos_chain_a_3;
+    let chain_vx_3 = chain_vx_2 + t2;
+    let t3 = chain_l_3_times_chain_s_3 * sin_chain_a_3;
+    let chain_vy_3 = chain_vy_2 + t3;
+    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
+    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
+    let t4 = R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
+    let t5 = R::literal(2.0) * p.chain_m_3;
+    let t6 = t5 * p.chain_l_1;
+    let t7 = t6 * p.chain_l_2;
+    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
+    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
+    let t8 = t6 * p.chain_l_3;
+    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
+    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
+    let t9 = t5 * p.chain_l_2 * p.chain_l_3;
+    let t10 = t9 * cos_chain_a_2_minus_chain_a_3;
+    let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
+    let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
+    let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
+    let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
+    let t11 = p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
+    let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
+    let t12 = chain_m_3_times_chain_l_1 * p.chain_l_2;
+    let t13 = chain_m_3_times_chain_l_1 * p.chain_l_3;
+    let t14 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
+        + chain_m_3_times_chain_l_3_squared + t10;
+    let t15 = t14 + t11 * cos_chain_th_1_minus_chain_a_2
+        + t12 * cos_chain_th_1_minus_chain_a_2 + t13 * cos_chain_th_1_minus_chain_a_3;
+    let t16 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
+    let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
+    let t17 = chain_m_3_times_chain_l_3
+        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t16);
+    let t18 = R::literal(1.0)
+        / (p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
+            + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
+            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared
+            + t4 * cos_chain_th_1_minus_chain_a_2 + t7 * cos_chain_th_1_minus_chain_a_2
+            + t8 * cos_chain_th_1_minus_chain_a_3 + t10);
+    let t19 = t15 * t18;
+    let t20 = t17 * t18;
+    let t21 = R::literal(1.0) / (t14 - t19 * t15);
+    let t22 = chain_m_3_times_chain_l_3 * (p.chain_l_3 + t16) - t20 * t15;
+    let t23 = t22 * t21;
+    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
+    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
+    let t24 = t8 * chain_w_1;
+    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
+    let t25 = t9 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t26 = t9 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let chain_w_2_squared = chain_w_2 * chain_w_2;
+    let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
+    let t27 = chain_m_2_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
+    let chain_w_3_squared = chain_w_3 * chain_w_3;
+    let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
+    let t28 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_w_3_squared
+        * sin_chain_a_2_minus_chain_a_3;
+    let t29 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
+    let t30 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
+    let t31 = -(t4 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
+        - t7 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
+        - t24 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
+        - t24 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t25
+        - t8 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t26
+        - p.chain_m_1 * p.chain_gravity * chain_x_1;
+    let t32 = t31 - t11 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t27
+        - p.chain_m_2 * p.chain_gravity * chain_x_1
+        - t12 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
+        - t13 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
+        - t13 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t28 - t29 - t30
+        - p.chain_m_3 * p.chain_gravity * chain_x_1;
+    let chain_w_1_squared = chain_w_1 * chain_w_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
+    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
+    let t33 = R::literal(2.0) * p.chain_l_2;
+    let t34 = -t25 - t26 - t11 * chain_w_1_squared * sin_chain_th_2 - t27
+        - t12 * chain_w_1_squared * sin_chain_th_2
+        - t13 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t28 - t29 - t30
+        - t19 * t32;
+    let t35 = chain_m_3_times_chain_l_3
+        * (-(t33 * chain_w_1 * chain_w_2 * sin_chain_a_3_minus_chain_a_2)
+            - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
+            - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
+            - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+            - p.chain_gravity * sin_chain_a_3) - t20 * t32 - t23 * t34;
+    let chain_w_3_dot = t35
+        * (R::literal(1.0)
+            / (chain_m_3_times_chain_l_3_squared - t20 * t17 - t23 * t22));
+    let chain_w_2_dot = t34 * t21 - t23 * chain_w_3_dot;
+    let chain_w_1_dot = t32 * t18 - t19 * chain_w_2_dot - t20 * chain_w_3_dot;
+    let t36 = R::literal(2.0) * p.chain_l_3;
+    let t37 = R::literal(0.5) * p.chain_m_2;
+    let t38 = R::literal(0.5) * p.chain_m_3;
+    let t39 = R::literal(2.0) * chain_vx_3;
+    let t40 = t33 * chain_s_2;
+    let t41 = R::literal(2.0) * chain_vy_3;
+    let t42 = chain_l_2_times_sin_chain_a_2 + chain_l_3_times_sin_chain_a_3;
+    let t43 = (t37
+        * (t40 * chain_vy_2 * cos_chain_a_2 - t40 * chain_vx_2 * sin_chain_a_2)
+        + t38 * (t39 * (-t1 - t3) + t41 * (t0 + t2))
+        + p.chain_gravity
+            * (chain_m_2_times_chain_l_2 * sin_chain_a_2 + p.chain_m_3 * t42))
+        * chain_w_2;
+    let t44 = t36 * chain_s_3;
+    let t45 = (R::literal(0.5) * p.chain_m_1
+        * (R::literal(2.0) * chain_x_1 * chain_vy_1
+            + R::literal(2.0) * chain_l_1_times_cos_chain_th_1 * chain_vx_1)
+        + t37
+            * (R::literal(2.0) * chain_x_2 * chain_vy_2
+                - R::literal(2.0) * chain_y_2 * chain_vx_2)
+        + t38
+            * (R::literal(2.0) * chain_x_3 * chain_vy_3
+                - R::literal(2.0) * chain_y_3 * chain_vx_3)) * chain_w_1_dot;
+    let t46 = p.chain_gravity
+        * (p.chain_m_1 * chain_x_1 + p.chain_m_2 * chain_x_2 + p.chain_m_3 * chain_x_3)
+        * chain_w_1 + t43
+        + (t38 * (t44 * chain_vy_3 * cos_chain_a_3 - t44 * chain_vx_3 * sin_chain_a_3)
+            + t30) * chain_w_3 + t45;
+    PowerBalance {
+        stored_rate: t46
+            + (t37
+                * (t33 * chain_vx_2 * cos_chain_a_2 + t33 * chain_vy_2 * sin_chain_a_2)
+                + t38
+                    * (t39
+                        * (chain_l_2_times_cos_chain_a_2 + chain_l_3_times_cos_chain_a_3)
+                        + t41 * t42)) * chain_w_2_dot
+            + t38 * (t36 * chain_vx_3 * cos_chain_a_3 + t36 * chain_vy_3 * sin_chain_a_3)
+                * chain_w_3_dot,
+        supplied: R::literal(0.0),
+        dissipated: R::literal(0.0),
+    }
+}
+
+/// Normalized Taylor coefficients of the solution through `state`, order after order.
+///
+/// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
+/// zeroth coefficients. The workspace is as `series_workspace` says.
+///
+/// 208 recurrences. 54 sums of products an order.
+///
+/// # Panics
+/// If there is no room for the zeroth coefficients, or the workspace is too short.
+pub fn series<R: Real>(
+    _time: R,
+    state: &[R; STATES],
+    p: &Parameters<R>,
+    coefficients: &mut [[R; STATES]],
+    workspace: &mut [R],
+) {
+    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes_5, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let chain_a_2 = chain_th_1 + chain_th_2;
+    let chain_a_3 = chain_th_3 + chain_a_2;
+    let t0 = chain_th_1 - chain_a_2;
+    let t1 = t0.sin();
+    let t2 = t0.cos();
+    let t3 = R::literal(2.0) * p.chain_m_2;
+    let t4 = t3 * p.chain_l_1;
+    let t5 = t4 * p.chain_l_2;
+    let t6 = t2 * t5;
+    let t7 = R::literal(2.0) * p.chain_m_3;
+    let t8 = t7 * p.chain_l_1;
+    let t9 = t8 * p.chain_l_2;
+    let t10 = t2 * t9;
+    let t11 = chain_th_1 - chain_a_3;
+    let t12 = t11.sin();
+    let t13 = t11.cos();
+    let t14 = t8 * p.chain_l_3;
+    let t15 = t13 * t14;
+    let t16 = chain_a_2 - chain_a_3;
+    let t17 = t16.sin();
+    let t18 = t16.cos();
+    let t19 = t7 * p.chain_l_2;
+    let t20 = t19 * p.chain_l_3;
+    let t21 = t18 * t20;
+    let t22 = p.chain_l_1 * p.chain_l_1;
+    let t23 = p.chain_m_1 * t22;
+    let t24 = p.chain_m_2 * t22;
+    let t25 = p.chain_l_2 * p.chain_l_2;
+    let t26 = p.chain_m_2 * t25;
+    let t27 = p.chain_m_3 * t22;
+    let t28 = p.chain_m_3 * t25;
+    let t29 = p.chain_l_3 * p.chain_l_3;
+    let t30 = p.chain_m_3 * t29;
+    let t31 = t23 + t24;
+    let t32 = t31 + t26;
+    let t33 = t32 + t27;
+    let t34 = t33 + t28;
+    let t35 = t34 + t30;
+    let t36 = t35 + t6;
+    let t37 = t36 + t10;
+    let t38 = t37 + t15;
+    let t39 = t38 + t21;
+    let t40 = p.chain_m_2 * p.chain_l_1;
+    let t41 = t40 * p.chain_l_2;
+    let t42 = t2 * t41;
+    let t43 = p.chain_m_3 * p.chain_l_1;
+    let t44 = t43 * p.chain_l_2;
+    let t45 = t2 * t44;
+    let t46 = t43 * p.chain_l_3;
+    let t47 = t13 * t46;
+    let t48 = t26 + t28;
+    let t49 = t48 + t30;
+    let t50 = t49 + t21;
+    let t51 = t50 + t42;
+    let t52 = t51 + t45;
+    let t53 = t52 + t47;
+    let t54 = t13 * p.chain_l_1;
+    let t55 = t18 * p.chain_l_2;
+    let t56 = p.chain_l_3 + t54;
+    let t57 = t56 + t55;
+    let t58 = p.chain_m_3 * p.chain_l_3;
+    let t59 = t57 * t58;
+    let t60 = p.chain_l_3 + t55;
+    let t61 = t60 * t58;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let cos_chain_th_1 = chain_th_1.cos();
+    let chain_x_1 = sin_chain_th_1 * p.chain_l_1;
+    let sin_chain_a_2 = chain_a_2.sin();
+    let cos_chain_a_2 = chain_a_2.cos();
+    let sin_chain_a_3 = chain_a_3.sin();
+    let cos_chain_a_3 = chain_a_3.cos();
+    let t62 = chain_w_1 * t5;
+    let t63 = t62 * chain_w_2;
+    let t64 = t63 * t1;
+    let t65 = chain_w_1 * t9;
+    let t66 = t65 * chain_w_2;
+    let t67 = t66 * t1;
+    let t68 = chain_w_1 * t14;
+    let t69 = t68 * chain_w_2;
+    let t70 = t69 * t12;
+    let t71 = t68 * chain_w_3;
+    let t72 = t71 * t12;
+    let t73 = chain_w_1 * t20;
+    let t74 = t73 * chain_w_3;
+    let t75 = t74 * t17;
+    let t76 = chain_w_2 * t14;
+    let t77 = t76 * chain_w_3;
+    let t78 = t77 * t12;
+    let t79 = chain_w_2 * t20;
+    let t80 = t79 * chain_w_3;
+    let t81 = t80 * t17;
+    let t82 = p.chain_m_1 * p.chain_gravity;
+    let t83 = chain_x_1 * t82;
+    let t84 = chain_w_2 * chain_w_2;
+    let t85 = t84 * t41;
+    let t86 = t85 * t1;
+    let t87 = p.chain_m_2 * p.chain_l_2;
+    let t88 = t87 * p.chain_gravity;
+    let t89 = sin_chain_a_2 * t88;
+    let t90 = p.chain_m_2 * p.chain_gravity;
+    let t91 = chain_x_1 * t90;
+    let t92 = t84 * t44;
+    let t93 = t92 * t1;
+    let t94 = t84 * t46;
+    let t95 = t94 * t12;
+    let t96 = chain_w_3 * chain_w_3;
+    let t97 = t96 * t46;
+    let t98 = t97 * t12;
+    let t99 = p.chain_m_3 * p.chain_l_2;
+    let t100 = t99 * p.chain_l_3;
+    let t101 = t96 * t100;
+    let t102 = t101 * t17;
+    let t103 = t99 * p.chain_gravity;
+    let t104 = sin_chain_a_2 * t103;
+    let t105 = t58 * p.chain_gravity;
+    let t106 = sin_chain_a_3 * t105;
+    let t107 = p.chain_m_3 * p.chain_gravity;
+    let t108 = chain_x_1 * t107;
+    let t109 = -t64;
+    let t110 = t109 - t67;
+    let t111 = t110 - t70;
+    let t112 = t111 - t72;
+    let t113 = t112 - t75;
+    let t114 = t113 - t78;
+    let t115 = t114 - t81;
+    let t116 = t115 - t83;
+    let t117 = t116 - t86;
+    let t118 = t117 - t89;
+    let t119 = t118 - t91;
+    let t120 = t119 - t93;
+    let t121 = t120 - t95;
+    let t122 = t121 - t98;
+    let t123 = t122 - t102;
+    let t124 = t123 - t104;
+    let t125 = t124 - t106;
+    let t126 = t125 - t108;
+    let t127 = chain_w_1 * chain_w_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let cos_chain_th_2 = chain_th_2.cos();
+    let t128 = t127 * t41;
+    let t129 = t128 * sin_chain_th_2;
+    let t130 = t127 * t44;
+    let t131 = t130 * sin_chain_th_2;
+    let t132 = chain_th_2 + chain_th_3;
+    let t133 = t132.sin();
+    let t134 = t132.cos();
+    let t135 = t127 * t46;
+    let t136 = t135 * t133;
+    let t137 = -t75;
+    let t138 = t137 - t81;
+    let t139 = t138 - t129;
+    let t140 = t139 - t89;
+    let t141 = t140 - t131;
+    let t142 = t141 - t136;
+    let t143 = t142 - t102;
+    let t144 = t143 - t104;
+    let t145 = t144 - t106;
+    let t146 = -t17;
+    let t147 = R::literal(2.0) * p.chain_l_2;
+    let t148 = chain_w_1 * t147;
+    let t149 = t148 * chain_w_2;
+    let t150 = t149 * t146;
+    let t151 = t127 * p.chain_l_1;
+    let t152 = t151 * t133;
+    let t153 = t127 * p.chain_l_2;
+    let t154 = t153 * t146;
+    let t155 = t84 * p.chain_l_2;
+    let t156 = t155 * t146;
+    let t157 = sin_chain_a_3 * p.chain_gravity;
+    let t158 = -t150;
+    let t159 = t158 - t152;
+    let t160 = t159 - t154;
+    let t161 = t160 - t156;
+    let t162 = t161 - t157;
+    let t163 = t162 * t58;
+    let factored = Factored::new([
+        [t39, R::literal(0.0), R::literal(0.0)],
+        [t53, t50, R::literal(0.0)],
+        [t59, t61, t30],
+    ]);
+    let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored
+        .solve([t126, t145, t163]);
+    let mut rates = [
+        chain_w_1,
+        chain_w_2,
+        chain_w_3,
+        chain_w_1_dot,
+        chain_w_2_dot,
+        chain_w_3_dot,
+    ];
+    coefficients[0] = *state;
+    let highest = coefficients.len() - 1;
+    for (order, state_k) in coefficients.iter_mut().enumerate().skip(1) {
+        let (k, inverse) = order_and_inverse::<R>(order);
+        *state_k = rates.map(|rate| rate * inverse);
+        if order == highest {
+            break;
+        }
+        let [chain_th_1_k, chain_th_2_k, chain_th_3_k, chain_w_1_k, chain_w_2_k,
+        chain_w_3_k] = *state_k;
+        let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let sums_4 = lanes_4.sums(order);
+        let sums_5 = lanes_5.sums(order);
+        let chain_a_2_k = chain_th_1_k + chain_th_2_k;
+        let chain_a_3_k = chain_th_3_k + chain_a_2_k;
+        let t0_k = chain_th_1_k - chain_a_2_k;
+        let t1_k = inverse * sums[0] + t0_k * t2;
+        let t2_k = -(inverse * sums[1] + t0_k * t1);
+        let t6_k = t2_k * t5;
+        let t10_k = t2_k * t9;
+        let t11_k = chain_th_1_k - chain_a_3_k;
+        let t12_k = inverse * sums[2] + t11_k * t13;
+        let t13_k = -(inverse * sums[3] + t11_k * t12);
+        let t15_k = t13_k * t14;
+        let t16_k = chain_a_2_k - chain_a_3_k;
+        let t17_k = inverse * sums[4] + t16_k * t18;
+        let t18_k = -(inverse * sums[5] + t16_k * t17);
+        let t21_k = t18_k * t20;
+        let t37_k = t6_k + t10_k;
+        let t38_k = t37_k + t15_k;
+        let t39_k = t38_k + t21_k;
+        let t42_k = t2_k * t41;
+        let t45_k = t2_k * t44;
+        let t47_k = t13_k * t46;
+        let t51_k = t21_k + t42_k;
+        let t52_k = t51_k + t45_k;
+        let t53_k = t52_k + t47_k;
+        let t54_k = t13_k * p.chain_l_1;
+        let t55_k = t18_k * p.chain_l_2;
+        let t57_k = t54_k + t55_k;
+        let t59_k = t57_k * t58;
+        let t61_k = t55_k * t58;
+        let sin_chain_th_1_k = inverse * sums[6] + chain_th_1_k * cos_chain_th_1;
+        let cos_chain_th_1_k = -(inverse * sums[7] + chain_th_1_k * sin_chain_th_1);
+        let chain_x_1_k = sin_chain_th_1_k * p.chain_l_1;
+        let sin_chain_a_2_k = inverse * sums[8] + chain_a_2_k * cos_chain_a_2;
+        let cos_chain_a_2_k = -(inverse * sums[9] + chain_a_2_k * sin_chain_a_2);
+        let sin_chain_a_3_k = inverse * sums_1[0] + chain_a_3_k * cos_chain_a_3;
+        let cos_chain_a_3_k = -(inverse * sums_1[1] + chain_a_3_k * sin_chain_a_3);
+        let t62_k = chain_w_1_k * t5;
+        let t63_k = sums_1[2] + t62 * chain_w_2_k + t62_k * chain_w_2;
+        let t64_k = sums_1[3] + t63 * t1_k + t63_k * t1;
+        let t65_k = chain_w_1_k * t9;
+        let t66_k = sums_1[4] + t65 * chain_w_2_k + t65_k * chain_w_2;
+        let t67_k = sums_1[5] + t66 * t1_k + t66_k * t1;
+        let t68_k = chain_w_1_k * t14;
+        let t69_k = sums_1[6] + t68 * chain_w_2_k + t68_k * chain_w_2;
+        let t70_k = sums_1[7] + t69 * t12_k + t69_k * t12;
+        let t71_k = sums_1[8] + t68 * chain_w_3_k + t68_k * chain_w_3;
+        let t72_k = sums_1[9] + t71 * t12_k + t71_k * t12;
+        let t73_k = chain_w_1_k * t20;
+        let t74_k = sums_2[0] + t73 * chain_w_3_k + t73_k * chain_w_3;
+        let t75_k = sums_2[1] + t74 * t17_k + t74_k * t17;
+        let t76_k = chain_w_2_k * t14;
+        let t77_k = sums_2[2] + t76 * chain_w_3_k + t76_k * chain_w_3;
+        let t78_k = sums_2[3] + t77 * t12_k + t77_k * t12;
+        let t79_k = chain_w_2_k * t20;
+        let t80_k = sums_2[4] + t79 * chain_w_3_k + t79_k * chain_w_3;
+        let t81_k = sums_2[5] + t80 * t17_k + t80_k * t17;
+        let t83_k = chain_x_1_k * t82;
+        let t84_k = sums_2[6] + chain_w_2 * chain_w_2_k + chain_w_2_k * chain_w_2;
+        let t85_k = t84_k * t41;
+        let t86_k = sums_2[7] + t85 * t1_k + t85_k * t1;
+        let t89_k = sin_chain_a_2_k * t88;
+        let t91_k = chain_x_1_k * t90;
+        let t92_k = t84_k * t44;
+        let t93_k = sums_2[8] + t92 * t1_k + t92_k * t1;
+        let t94_k = t84_k * t46;
+        let t95_k = sums_2[9] + t94 * t12_k + t94_k * t12;
+        let t96_k = sums_3[0] + chain_w_3 * chain_w_3_k + chain_w_3_k * chain_w_3;
+        let t97_k = t96_k * t46;
+        let t98_k = sums_3[1] + t97 * t12_k + t97_k * t12;
+        let t101_k = t96_k * t100;
+        let t102_k = sums_3[2] + t101 * t17_k + t101_k * t17;
+        let t104_k = sin_chain_a_2_k * t103;
+        let t106_k = sin_chain_a_3_k * t105;
+        let t108_k = chain_x_1_k * t107;
+        let t109_k = -t64_k;
+        let t110_k = t109_k - t67_k;
+        let t111_k = t110_k - t70_k;
+        let t112_k = t111_k - t72_k;
+        let t113_k = t112_k - t75_k;
+        let t114_k = t113_k - t78_k;
+        let t115_k = t114_k - t81_k;
+        let t116_k = t115_k - t83_k;
+        let t117_k = t116_k - t86_k;
+        let t118_k = t117_k - t89_k;
+        let t119_k = t118_k - t91_k;
+        let t120_k = t119_k - t93_k;
+        let t121_k = t120_k - t95_k;
+        let t122_k = t121_k - t98_k;
+        let t123_k = t122_k - t102_k;
+        let t124_k = t123_k - t104_k;
+        let t125_k = t124_k - t106_k;
+        let t126_k = t125_k - t108_k;
+        let t127_k = sums_3[3] + chain_w_1 * chain_w_1_k + chain_w_1_k * chain_w_1;
+        let sin_chain_th_2_k = inverse * sums_3[4] + chain_th_2_k * cos_chain_th_2;
+        let cos_chain_th_2_k = -(inverse * sums_3[5] + chain_th_2_k * sin_chain_th_2);
+        let t128_k = t127_k * t41;
+        let t129_k = sums_3[6] + t128 * sin_chain_th_2_k + t128_k * sin_chain_th_2;
+        let t130_k = t127_k * t44;
+        let t131_k = sums_3[7] + t130 * sin_chain_th_2_k + t130_k * sin_chain_th_2;
+        let t132_k = chain_th_2_k + chain_th_3_k;
+        let t133_k = inverse * sums_3[8] + t132_k * t134;
+        let t134_k = -(inverse * sums_3[9] + t132_k * t133);
+        let t135_k = t127_k * t46;
+        let t136_k = sums_4[0] + t135 * t133_k + t135_k * t133;
+        let t137_k = -t75_k;
+        let t138_k = t137_k - t81_k;
+        let t139_k = t138_k - t129_k;
+        let t140_k = t139_k - t89_k;
+        let t141_k = t140_k - t131_k;
+        let t142_k = t141_k - t136_k;
+        let t143_k = t142_k - t102_k;
+        let t144_k = t143_k - t104_k;
+        let t145_k = t144_k - t106_k;
+        let t146_k = -t17_k;
+        let t148_k = chain_w_1_k * t147;
+        let t149_k = sums_4[1] + t148 * chain_w_2_k + t148_k * chain_w_2;
+        let t150_k = sums_4[2] + t149 * t146_k + t149_k * t146;
+        let t151_k = t127_k * p.chain_l_1;
+        let t152_k = sums_4[3] + t151 * t133_k + t151_k * t133;
+        let t153_k = t127_k * p.chain_l_2;
+        let t154_k = sums_4[4] + t153 * t146_k + t153_k * t146;
+        let t155_k = t84_k * p.chain_l_2;
+        let t156_k = sums_4[5] + t155 * t146_k + t155_k * t146;
+        let t157_k = sin_chain_a_3_k * p.chain_gravity;
+        let t158_k = -t150_k;
+        let t159_k = t158_k - t152_k;
+        let t160_k = t159_k - t154_k;
+        let t161_k = t160_k - t156_k;
+        let t162_k = t161_k - t157_k;
+        let t163_k = t162_k * t58;
+        let n192_k = sums_4[6] + t39_k * chain_w_1_dot;
+        let n193_k = sums_4[7] + t53_k * chain_w_2_dot;
+        let n194_k = sums_4[8] + t59_k * chain_w_3_dot;
+        let n195_k = sums_4[9] + t53_k * chain_w_1_dot;
+        let n196_k = sums_5[0] + t21_k * chain_w_2_dot;
+        let n197_k = sums_5[1] + t61_k * chain_w_3_dot;
+        let n198_k = sums_5[2] + t59_k * chain_w_1_dot;
+        let n199_k = sums_5[3] + t61_k * chain_w_2_dot;
+        let n200_k = n193_k + n194_k;
+        let n201_k = n192_k + n200_k;
+        let t126_k_2 = t126_k - n201_k;
+        let n203_k = n196_k + n197_k;
+        let n204_k = n195_k + n203_k;
+        let t145_k_2 = t145_k - n204_k;
+        let n206_k = n198_k + n199_k;
+        let t163_k_2 = t163_k - n206_k;
+        let [chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k] = factored
+            .solve([t126_k_2, t145_k_2, t163_k_2]);
+        lanes
+            .set(
+                order,
+                [
+                    k * t0_k,
+                    k * t0_k,
+                    k * t11_k,
+                    k * t11_k,
+                    k * t16_k,
+                    k * t16_k,
+                    k * chain_th_1_k,
+                    k * chain_th_1_k,
+                    k * chain_a_2_k,
+                    k * chain_a_2_k,
+                ],
+                [
+                    t2_k,
+                    t1_k,
+                    t13_k,
+                    t12_k,
+                    t18_k,
+                    t17_k,
+                    cos_chain_th_1_k,
+                    sin_chain_th_1_k,
+                    cos_chain_a_2_k,
+                    sin_chain_a_2_k,
+                ],
+            );
+        lanes_1
+            .set(
+                order,
+                [
+                    k * chain_a_3_k,
+                    k * chain_a_3_k,
+                    chain_w_2_k,
+                    t1_k,
+                    chain_w_2_k,
+                    t1_k,
+                    chain_w_2_k,
+                    t12_k,
+                    chain_w_3_k,
+                    t12_k,
+                ],
+                [
+                    cos_chain_a_3_k,
+                    sin_chain_a_3_k,
+                    t62_k,
+                    t63_k,
+                    t65_k,
+                    t66_k,
+                    t68_k,
+                    t69_k,
+                    t68_k,
+                    t71_k,
+                ],
+            );
+        lanes_2
+            .set(
+                order,
+                [
+                    chain_w_3_k,
+                    t17_k,
+                    chain_w_3_k,
+                    t12_k,
+                    chain_w_3_k,
+                    t17_k,
+                    chain_w_2_k,
+                    t1_k,
+                    t1_k,
+                    t12_k,
+                ],
+                [
+                    t73_k,
+                    t74_k,
+                    t76_k,
+                    t77_k,
+                    t79_k,
+                    t80_k,
+                    chain_w_2_k,
+                    t85_k,
+                    t92_k,
+                    t94_k,
+                ],
+            );
+        lanes_3
+            .set(
+                order,
+                [
+                    chain_w_3_k,
+                    t12_k,
+                    t17_k,
+                    chain_w_1_k,
+                    k * chain_th_2_k,
+                    k * chain_th_2_k,
+                    sin_chain_th_2_k,
+                    sin_chain_th_2_k,
+                    k * t132_k,
+                    k * t132_k,
+                ],
+                [
+                    chain_w_3_k,
+                    t97_k,
+                    t101_k,
+                    chain_w_1_k,
+                    cos_chain_th_2_k,
+                    sin_chain_th_2_k,
+                    t128_k,
+                    t130_k,
+                    t134_k,
+                    t133_k,
+                ],
+            );
+        lanes_4
+            .set(
+                order,
+                [
+                    t133_k,
+                    chain_w_2_k,
+                    t146_k,
+                    t133_k,
+                    t146_k,
+                    t146_k,
+                    t39_k,
+                    t53_k,
+                    t59_k,
+                    t53_k,
+                ],
+                [
+                    t135_k,
+                    t148_k,
+                    t149_k,
+                    t151_k,
+                    t153_k,
+                    t155_k,
+                    chain_w_1_dot_k,
+                    chain_w_2_dot_k,
+                    chain_w_3_dot_k,
+                    chain_w_1_dot_k,
+                ],
+            );
+        lanes_5
+            .set(
+                order,
+                [t21_k, t61_k, t59_k, t61_k],
+                [chain_w_2_dot_k, chain_w_3_dot_k, chain_w_1_dot_k, chain_w_2_dot_k],
+            );
+        rates = [
+            chain_w_1_k,
+            chain_w_2_k,
+            chain_w_3_k,
+            chain_w_1_dot_k,
+            chain_w_2_dot_k,
+            chain_w_3_dot_k,
+        ];
+    }
+}
+
+impl<R: Real> TaylorSeries<R> for PendulumRelative {
+    fn series_workspace(&self, order: usize) -> usize {
+        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let (coefficients, rest) = coefficients.as_chunks_mut();
+        assert!(rest.is_empty(), "every order has STATES coefficients");
+        let p = parameters_of(parameters);
+        series(time, state_of(state), &p, coefficients, workspace);
+    }
+}
+
+impl Describe for PendulumRelative {
+    fn name(&self) -> &'static str {
+        "pendulum_relative"
+    }
+    fn title(&self) -> &'static str {
+        "Chain of three pendulums, by relative angles"
+    }
+    fn shape(&self) -> Shape {
+        Shape {
+            coordinates: COORDINATES,
+            positions: 3,
+            first_order: 0,
+            quadratures: 0,
+            parameters: PARAMETERS,
+            outputs: OUTPUTS,
+            discontinuities: DISCONTINUITIES,
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        STATE_QUANTITIES[index]
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        STATE_SCALES[index]
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        PARAMETER_QUANTITIES[index]
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        PARAMETER_DEFAULTS[index]
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        OUTPUT_QUANTITIES[index]
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        RATE_JACOBIAN_PATTERN
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        PARAMETER_JACOBIAN_PATTERN
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        MASS_MATRIX_PATTERN
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        RUN_DEFAULTS
+    }
+}
+
+impl<R: Real> Simulator<R> for PendulumRelative {
+    fn constants(&self) -> usize {
+        CONSTANTS
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let (p, c) = (parameters_of(parameters), constants_of(constants));
+        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+    }
+    fn initial_state(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+    }
+    fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
+        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+    }
+    fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn parameter_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        values: &mut [R],
+    ) {
+        let result = parameter_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
+        values.copy_from_slice(&result);
+    }
+    fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = forcing(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result);
+    }
+    fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+        let result = outputs(time, state_of(state), &parameters_of(parameters));
+        values.copy_from_slice(&result.to_array());
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        energy(time, state_of(state), &parameters_of(parameters))
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        power_balance(time, state_of(state), &parameters_of(parameters))
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        Some(self)
+    }
+}
+
+#[inline]
+fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
+    let values: &[R; CONSTANTS] = constants
+        .try_into()
+        .expect("there are CONSTANTS constants");
+    Constants::from_array(*values)
+}
+
+#[inline]
+fn state_of<R>(state: &[R]) -> &[R; STATES] {
+    state.try_into().expect("the state has STATES entries")
+}
+
+#[inline]
+fn parameters_of<R: Real>(parameters: &[R]) -> Parameters<R> {
+    let values: &[R; PARAMETERS] = parameters
+        .try_into()
+        .expect("there are PARAMETERS parameters");
+    Parameters::from_array(*values)
+}
+
+static STATE_QUANTITIES: [Quantity<'static>; STATES] = [
+    Quantity {
+        name: "chain.th_1",
+        unit: "rad",
+        doc: "angle of the first link",
+    },
+    Quantity {
+        name: "chain.th_2",
+        unit: "rad",
+        doc: "angle of the second link from the one above",
+    },
+    Quantity {
+        name: "chain.th_3",
+        unit: "rad",
+        doc: "angle of the third link from the one above",
+    },
+    Quantity {
+        name: "chain.w_1",
+        unit: "rad/s",
+        doc: "rate of angle of the first link",
+    },
+    Quantity {
+        name: "chain.w_2",
+        unit: "rad/s",
+        doc: "rate of angle of the second link from the one above",
+    },
+    Quantity {
+        name: "chain.w_3",
+        unit: "rad/s",
+        doc: "rate of angle of the third link from the one above",
+    },
+];
+
+static STATE_SCALES: [f64; STATES] = [1.0, 1.0, 1.0, 5.0, 5.0, 5.0];
+
+static PARAMETER_QUANTITIES: [Quantity<'static>; PARAMETERS] = [
+    Quantity {
+        name: "chain.m_1",
+        unit: "kg",
+        doc: "mass at the end of the first link",
+    },
+    Quantity {
+        name: "chain.m_2",
+        unit: "kg",
+        doc: "mass at the end of the second link",
+    },
+    Quantity {
+        name: "chain.m_3",
+        unit: "kg",
+        doc: "mass at the end of the third link",
+    },
+    Quantity {
+        name: "chain.l_1",
+        unit: "m",
+        doc: "length of the first link",
+    },
+    Quantity {
+        name: "chain.l_2",
+        unit: "m",
+        doc: "length of the second link",
+    },
+    Quantity {
+        name: "chain.l_3",
+        unit: "m",
+        doc: "length of the third link",
+    },
+    Quantity {
+        name: "chain.gravity",
+        unit: "m/s^2",
+        doc: "acceleration of free fall",
+    },
+];
+
+static PARAMETER_DEFAULTS: [f64; PARAMETERS] = [1.0, 0.8, 0.5, 1.0, 0.7, 0.4, 9.81];
+
+static OUTPUT_QUANTITIES: [Quantity<'static>; OUTPUTS] = [
+    Quantity {
+        name: "end_x",
+        unit: "m",
+        doc: "third mass, sideways",
+    },
+    Quantity {
+        name: "end_y",
+        unit: "m",
+        doc: "third mass, upwards",
+    },
+];
+
+/// The run the spec asks for.
+pub const RUN_DEFAULTS: RunDefaults<'static> = RunDefaults {
+    from: 0.0,
+    until: 5.0,
+    points: 1001,
+    rtol: 1e-8,
+    method: "tsit45",
+};

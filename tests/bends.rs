@@ -7,7 +7,7 @@ use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
 use machinist_scenes::Simulator as _;
-use machinist_scenes::taylor::Bends;
+use machinist_scenes::taylor::{Bends, TaylorSeries};
 
 /// x'' + x = cos(1.3 t) - 0.2 `law`, where the law turns at v = 0 within `width`.
 fn rubbing(law: &str) -> InterpretedSimulator {
@@ -58,7 +58,7 @@ fn friction_that_turns_over_is_never_passed_over() {
         ("max(-1, min(1, v/width))", Bends::Corners, "starts with dop853"),
     ] {
         let block = rubbing(law);
-        assert_eq!(block.taylor().map(|series| series.bends()), Some(bends), "{law}");
+        assert_eq!(block.taylor().map(TaylorSeries::bends), Some(bends), "{law}");
         for width in [1e-1, 1e-2, 1e-4] {
             let exact = run(&block, width, Method::Radau, 1e-12);
             for rtol in [1e-4, 1e-6, 1e-9] {

@@ -46,7 +46,7 @@ pub struct Run {
     /// Relative tolerance of a step
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
     rtol: Option<f64>,
-    /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto or taylor
+    /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto, taylor or exact
     #[arg(long, value_name = "NAME")]
     method: Option<String>,
     /// Write all values to a file that ends in .csv or .json; - for CSV on

@@ -25,17 +25,17 @@ impl Method {
     /// # Errors
     /// [`Unsuitable`], with the methods that are made for such machines.
     pub fn check(self, simulator: &dyn Simulator<f64>) -> Result<(), Unsuitable> {
-        let needs: [(bool, Lack, fn(Self) -> bool); 2] = [
-            (simulator.events() > 0, Lack::Events, Self::watches_events),
-            (simulator.constraints() > 0, Lack::Constraints, Self::keeps_constraints),
-        ];
-        for (is_needed, lack, has) in needs {
-            if is_needed && !has(self) {
-                let known = Self::ALL.iter().filter(|method| has(**method));
-                let known = known.map(|method| method.name()).collect::<Vec<_>>().join(", ");
-                let (scene, method) = (simulator.name().to_owned(), self.name());
-                return Err(Unsuitable { scene, method, lack, known });
-            }
+        let refuse = |lack: Lack, has: fn(Self) -> bool| {
+            let known = Self::ALL.iter().filter(|method| has(**method));
+            let known = known.map(|method| method.name()).collect::<Vec<_>>().join(", ");
+            let (scene, method) = (simulator.name().to_owned(), self.name());
+            Err(Unsuitable { scene, method, lack, known })
+        };
+        if simulator.events() > 0 && !self.watches_events() {
+            return refuse(Lack::Events, Self::watches_events);
+        }
+        if simulator.constraints() > 0 && !self.keeps_constraints() {
+            return refuse(Lack::Constraints, Self::keeps_constraints);
         }
         Ok(())
     }

@@ -1,0 +1,95 @@
+//! `machinist sweep` as its users meet it: tables, refusals, variants that stop.
+#![cfg(feature = "cli")]
+
+use std::process::{Command, Output};
+
+use machinist::Simulation;
+use machinist_scenes::scenes::two_mass::TwoMass;
+
+fn sweep(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
+    command.arg("sweep").args(arguments).current_dir(env!("CARGO_MANIFEST_DIR"));
+    command.env("NO_COLOR", "1").output().expect("the program starts")
+}
+
+/// Lines of cells; the exit code must be this.
+fn table(arguments: &[&str], code: i32) -> Vec<Vec<String>> {
+    let output = sweep(arguments);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said}");
+    let text = String::from_utf8(output.stdout).expect("text");
+    text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+const STIFFNESS: &str = "coupling.stiffness=1e3..1e5:log";
+
+#[test]
+fn a_table_holds_what_single_runs_give_built_in_or_from_a_file() {
+    for scene in ["two_mass", "specs/scenes/two_mass.toml"] {
+        let columns = ["--outputs", "coupling_torque,twist", "--until", "0.1"];
+        let arguments = [&[scene, "--parameter", STIFFNESS, "--count", "3"], &columns[..]].concat();
+        let lines = table(&arguments, 0);
+        assert_eq!(lines[0], ["coupling.stiffness", "coupling_torque", "twist", "steps"]);
+        assert_eq!(lines.len(), 4);
+        for line in &lines[1..] {
+            let number = |cell: usize| line[cell].parse::<f64>().expect("a number");
+            let run = Simulation::new(&TwoMass).parameter("coupling.stiffness", number(0));
+            let run = run.expect("a parameter").until(0.1).points(2).run().expect("it runs");
+            for (cell, name) in [(1, "coupling_torque"), (2, "twist")] {
+                let found = number(cell);
+                let exact = run.last(name).expect("an output");
+                assert!((found - exact).abs() <= 1e-12 * exact.abs(), "{scene}: {line:?}, {exact}");
+            }
+        }
+    }
+}
+
+#[test]
+fn two_ranges_are_a_grid_with_the_last_fastest_and_extremes_enclose_all_values() {
+    let ranges = ["--parameter", STIFFNESS, "--parameter", "load_torque=0..100", "--count", "2"];
+    let more = ["--outputs", "twist", "--extremes", "--until", "0.2", "--threads", "2"];
+    let lines = table(&[&["two_mass"], &ranges[..], &more[..]].concat(), 0);
+    assert_eq!(lines[0][..2], ["coupling.stiffness", "load_torque"]);
+    assert_eq!(lines[0][2..4], ["twist.least", "twist.greatest"]);
+    let grid: Vec<&[String]> = lines[1..].iter().map(|line| &line[..2]).collect();
+    assert_eq!(grid, [["1000", "0"], ["1000", "100"], ["100000", "0"], ["100000", "100"]]);
+    for line in &lines[1..] {
+        let [least, greatest] = [2, 3].map(|cell| line[cell].parse::<f64>().expect("a number"));
+        assert!(least < greatest, "{line:?}");
+    }
+}
+
+#[test]
+fn variants_that_stop_say_so_in_a_column_and_leave_the_others_alone() {
+    let ranges = ["--parameter", "driver.inertia=0..1", "--count", "2", "--outputs", "twist"];
+    let lines = table(&[&["two_mass", "--until", "0.01"], &ranges[..]].concat(), 1);
+    assert_eq!(lines[0].last().map(String::as_str), Some("error"));
+    assert!(lines[1].iter().any(|cell| cell.contains("not a finite number")), "{lines:?}");
+    assert!(lines[2][1].parse::<f64>().is_ok_and(f64::is_finite), "{lines:?}");
+}
+
+#[test]
+fn nonsense_is_refused_with_the_reason() {
+    let range = ["--parameter", STIFFNESS, "--count", "3"];
+    let unknown = ["--parameter", "coupling.stifness=1..2", "--count", "3"];
+    let cases: [(&[&str], &[&str], &str); 10] = [
+        (&unknown, &[], "did you mean"),
+        (&range, &["--outputs", "twst"], "twist"),
+        (&range, &["--method", "bfd"], "bdf"),
+        (&range, &["--rtol", "-1"], "above 0"),
+        (&range, &["--until", "0"], "after it starts"),
+        (&range, &["--threads", "0"], "at least one"),
+        (&range, &["--parameter", STIFFNESS], "twice"),
+        (&range, &["--out", "table.txt"], ".csv"),
+        (&["--parameter", STIFFNESS, "--count", "1"], &[], "at least 2"),
+        (&["--parameter", STIFFNESS, "--count", "2000000"], &[], "too many"),
+    ];
+    for (base, more, words) in cases {
+        let arguments = [&["two_mass"], base, more].concat();
+        let output = sweep(&arguments);
+        let said = String::from_utf8_lossy(&output.stderr).replace('│', " ");
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(output.stdout.is_empty() && said.contains(words), "{arguments:?}: {said}");
+    }
+}

@@ -54,13 +54,3 @@ fn fields_that_are_not_linear_are_not_solved_so() {
     assert!(simulator.linear().is_none());
     assert!(!Method::Exact.suits(&simulator));
 }
-
-#[test]
-fn modes_that_rounding_mixes_by_more_than_the_tolerance_are_refused() {
-    let simulator = cut("m4", 140, 1);
-    let run =
-        |rtol: f64| Simulation::new(&simulator).method(Method::Exact).points(2).rtol(rtol).run();
-    assert!(run(1e-10).is_ok());
-    let refused = run(1e-14).expect_err("modes close to each other").to_string();
-    assert!(refused.contains("rounding mixes them"), "{refused}");
-}

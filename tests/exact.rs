@@ -173,6 +173,34 @@ fn chains_are_solved_by_modes_where_they_share_their_dampers_and_else_by_an_expo
 }
 
 #[test]
+fn modes_that_lie_close_are_kept_apart() {
+    let pair = machine(
+        r#"
+[scene]
+name = "pair"
+[units.both]
+unit = "both"
+[define.both.coordinates.a]
+unit = "rad"
+[define.both.coordinates.b]
+unit = "rad"
+[define.both.energy]
+kinetic = "2 [kg m^2]*(a_dot^2 + b_dot^2)/2"
+potential = "3 [N m/rad]*(a^2 + (1 + 1e-14)*b^2)/2 + 1e-13 [N m/rad]*(a - b)^2/2"
+[initial]
+"both.a" = 0.3
+"both.b_dot" = 0.2
+[run]
+until = 3.0
+points = 31
+rtol = 1e-10
+method = "auto"
+"#,
+    );
+    assert_right("pair", &pair, "2 modes");
+}
+
+#[test]
 fn the_account_of_energy_closes() {
     for simulator in
         [&chain(0.09), &chain(0.5), &oscillator(2.0, 0.3, 32.0, "2 [N]*step(t, 1 [s])")]

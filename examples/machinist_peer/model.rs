@@ -36,7 +36,7 @@ impl Model {
         let scene = family.to_lowercase();
         let elements = match family {
             "M3" => count.checked_sub(1)?,
-            "M4" if count % 7 == 0 => count,
+            "M4" if count.is_multiple_of(7) => count,
             _ => return None,
         };
         let discretisation = Discretisation { elements: Some(elements), order: None };

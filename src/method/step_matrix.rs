@@ -203,7 +203,9 @@ mod tests {
         let (mut by_runs, mut by_entries) = ([0.0; 4], [0.0; 4]);
         let runs = runs(&entries, n);
         assert!(runs.iter().any(|run| run.rows > 1), "{runs:?}");
-        runs.iter().for_each(|run| run.add_product(&jacobian, &upper, &mut by_runs));
+        for run in &runs {
+            run.add_product(&jacobian, &upper, &mut by_runs);
+        }
         for ((row, column), value) in entries.iter().zip(&jacobian).skip(n) {
             if (*column as usize) < n {
                 by_entries[*row as usize - n] += value * upper[*column as usize];

@@ -9,6 +9,9 @@ use crate::method::Stretch;
 /// Deviations from symmetry and from common modes that rounding makes, relative.
 pub(super) const ROUNDING: f64 = 1e-11;
 
+/// Matrices of more rows take seconds.
+const MOST_OF_MATRICES: usize = 400;
+
 /// M, K and D.
 pub(super) struct Forms {
     pub(super) mass: Mass,
@@ -62,9 +65,15 @@ impl Forms {
         Some(Self { mass, stiffness, damping })
     }
 
-    /// Nothing if there are none that all share.
-    pub(super) fn modes(&self) -> Option<Modes> {
-        self.modes_of_chain().or_else(|| self.modes_of_matrices())
+    /// Nothing if there are none that all share. Those of a chain may be mixed by more than
+    /// the tolerance if it is too long for matrices, which keep apart even equal modes.
+    pub(super) fn modes(&self, rtol: f64) -> Option<Modes> {
+        let of_chain = self.modes_of_chain();
+        if of_chain.as_ref().is_some_and(|modes| modes.mixing <= rtol) {
+            return of_chain;
+        }
+        let is_short = self.mass.len() <= MOST_OF_MATRICES;
+        if of_chain.is_none() || is_short { self.modes_of_matrices() } else { of_chain }
     }
 
     /// Of a line of springs, damped not at all or as Rayleigh's.

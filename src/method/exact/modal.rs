@@ -47,7 +47,7 @@ impl<'a> Modal<'a> {
         state: &[f64],
     ) -> Result<Option<Self>, String> {
         let Some(forms) = Forms::of(piece, stretch) else { return Ok(None) };
-        let Some(modes) = forms.modes() else { return Ok(None) };
+        let Some(modes) = forms.modes(stretch.rtol) else { return Ok(None) };
         if modes.mixing > stretch.rtol {
             return Err(format!(
                 "its modes lie so close that rounding mixes them by {:.0e}, more than the \

@@ -37,19 +37,19 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                    200
+//   rate                    219
 //   mass_matrix              61
-//   forcing                 130
-//   rate_jacobian           493
-//   parameter_jacobian      646
+//   forcing                 127
+//   rate_jacobian           506
+//   parameter_jacobian      642
 //   time_derivative           0
 //   outputs                  19
 //   energy                   52
-//   power_balance           317
+//   power_balance           314
 // With constants of the parameters, prepared once a run:
 //   prepare                  43
-//   prepared_rate           159
-//   prepared_rate_jacobian  450
+//   prepared_rate           178
+//   prepared_rate_jacobian  463
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -437,7 +437,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 200 operations.
+/// 219 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
@@ -446,7 +446,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 159 operations.
+/// 178 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -456,75 +456,65 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let chain_a_2 = chain_th_1 + chain_th_2;
-    let chain_a_3 = chain_th_3 + chain_a_2;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let sin_chain_a_2 = chain_a_2.sin();
-    let sin_chain_a_3 = chain_a_3.sin();
-    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
-    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
-    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
-    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
-    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
-    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
-    let t0 = c.t5 * cos_chain_a_2_minus_chain_a_3;
-    let t1 = c.t10 + t0;
-    let t2 = t1 + c.t7 * cos_chain_th_1_minus_chain_a_2
-        + c.t8 * cos_chain_th_1_minus_chain_a_2 + c.t9 * cos_chain_th_1_minus_chain_a_3;
-    let t3 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
-    let t4 = c.chain_m_3_times_chain_l_3
-        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t3);
-    let t5 = R::literal(1.0)
-        / (c.t6 + c.t0 * cos_chain_th_1_minus_chain_a_2
-            + c.t3 * cos_chain_th_1_minus_chain_a_2
-            + c.t4 * cos_chain_th_1_minus_chain_a_3 + t0);
-    let t6 = t2 * t5;
-    let t7 = t4 * t5;
-    let t8 = R::literal(1.0) / (t1 - t6 * t2);
-    let t9 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t3) - t7 * t2;
-    let t10 = t9 * t8;
-    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
-    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
-    let t11 = c.t4 * chain_w_1;
-    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
-    let t12 = c.t5 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t13 = c.t5 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let cos_chain_th_1 = chain_th_1.cos();
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let cos_chain_th_2 = chain_th_2.cos();
+    let t0 = sin_chain_th_1 * cos_chain_th_2 + cos_chain_th_1 * sin_chain_th_2;
+    let t1 = cos_chain_th_1 * cos_chain_th_2 - sin_chain_th_1 * sin_chain_th_2;
+    let sin_chain_th_3 = chain_th_3.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let t2 = sin_chain_th_3 * t1 + cos_chain_th_3 * t0;
+    let t3 = cos_chain_th_3 * t1 - sin_chain_th_3 * t0;
+    let t4 = sin_chain_th_1 * t1 - cos_chain_th_1 * t0;
+    let t5 = cos_chain_th_1 * t1 + sin_chain_th_1 * t0;
+    let t6 = sin_chain_th_1 * t3 - cos_chain_th_1 * t2;
+    let t7 = cos_chain_th_1 * t3 + sin_chain_th_1 * t2;
+    let t8 = t0 * t3 - t1 * t2;
+    let t9 = t1 * t3 + t0 * t2;
+    let t10 = c.t5 * t9;
+    let t11 = c.t10 + t10;
+    let t12 = t11 + c.t7 * t5 + c.t8 * t5 + c.t9 * t7;
+    let t13 = p.chain_l_2 * t9;
+    let t14 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + p.chain_l_1 * t7 + t13);
+    let t15 = R::literal(1.0) / (c.t6 + c.t0 * t5 + c.t3 * t5 + c.t4 * t7 + t10);
+    let t16 = t12 * t15;
+    let t17 = t14 * t15;
+    let t18 = R::literal(1.0) / (t11 - t16 * t12);
+    let t19 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t13) - t17 * t12;
+    let t20 = t19 * t18;
+    let t21 = c.t4 * chain_w_1;
+    let t22 = c.t5 * chain_w_1 * chain_w_3 * t8;
+    let t23 = c.t5 * chain_w_2 * chain_w_3 * t8;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let t14 = c.t11 * sin_chain_a_2;
+    let t24 = c.t11 * t0;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let t15 = c.t12 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t16 = c.t13 * sin_chain_a_2;
-    let t17 = c.t14 * sin_chain_a_3;
-    let t18 = -(c.t0 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
-        - c.t3 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
-        - t11 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
-        - t11 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t12
-        - c.t4 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t13
+    let t25 = c.t12 * chain_w_3_squared * t8;
+    let t26 = c.t13 * t0;
+    let t27 = c.t14 * t2;
+    let t28 = -(c.t0 * chain_w_1 * chain_w_2 * t4) - c.t3 * chain_w_1 * chain_w_2 * t4
+        - t21 * chain_w_2 * t6 - t21 * chain_w_3 * t6 - t22
+        - c.t4 * chain_w_2 * chain_w_3 * t6 - t23
         - c.chain_m_1_times_chain_gravity * chain_x_1;
-    let t19 = t18 - c.t7 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t14
-        - c.chain_m_2_times_chain_gravity * chain_x_1
-        - c.t8 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - c.t9 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
-        - c.t9 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t15 - t16 - t17
+    let t29 = t28 - c.t7 * chain_w_2_squared * t4 - t24
+        - c.chain_m_2_times_chain_gravity * chain_x_1 - c.t8 * chain_w_2_squared * t4
+        - c.t9 * chain_w_2_squared * t6 - c.t9 * chain_w_3_squared * t6 - t25 - t26 - t27
         - c.chain_m_3_times_chain_gravity * chain_x_1;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
-    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
-    let t20 = -t12 - t13 - c.t7 * chain_w_1_squared * sin_chain_th_2 - t14
-        - c.t8 * chain_w_1_squared * sin_chain_th_2
-        - c.t9 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t15 - t16 - t17
-        - t6 * t19;
-    let t21 = c.chain_m_3_times_chain_l_3
-        * (-(c.t15 * chain_w_1 * chain_w_2 * sin_chain_a_3_minus_chain_a_2)
-            - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
-            - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
-            - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
-            - p.chain_gravity * sin_chain_a_3) - t7 * t19 - t10 * t20;
-    let chain_w_3_dot = t21
-        * (R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t7 * t4 - t10 * t9));
-    let chain_w_2_dot = t20 * t8 - t10 * chain_w_3_dot;
-    let chain_w_1_dot = t19 * t5 - t6 * chain_w_2_dot - t7 * chain_w_3_dot;
+    let t30 = sin_chain_th_2 * cos_chain_th_3 + cos_chain_th_2 * sin_chain_th_3;
+    let t31 = -t22 - t23 - c.t7 * chain_w_1_squared * sin_chain_th_2 - t24
+        - c.t8 * chain_w_1_squared * sin_chain_th_2 - c.t9 * chain_w_1_squared * t30
+        - t25 - t26 - t27 - t16 * t29;
+    let t32 = c.chain_m_3_times_chain_l_3
+        * (c.t15 * chain_w_1 * chain_w_2 * t8 - p.chain_l_1 * chain_w_1_squared * t30
+            + p.chain_l_2 * chain_w_1_squared * t8 + p.chain_l_2 * chain_w_2_squared * t8
+            - p.chain_gravity * t2) - t17 * t29 - t20 * t31;
+    let chain_w_3_dot = t32
+        * (R::literal(1.0)
+            / (c.chain_m_3_times_chain_l_3_squared - t17 * t14 - t20 * t19));
+    let chain_w_2_dot = t31 * t18 - t20 * chain_w_3_dot;
+    let chain_w_1_dot = t29 * t15 - t16 * chain_w_2_dot - t17 * chain_w_3_dot;
     [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
 }
 
@@ -580,7 +570,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 130 operations.
+/// 127 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     _time: R,
@@ -635,20 +625,19 @@ pub fn forcing<R: Real>(
     let chain_th_2_forcing = -t8 - t9 - t4 * chain_w_1_squared * sin_chain_th_2 - t10
         - t5 * chain_w_1_squared * sin_chain_th_2
         - t6 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t11 - t12 - t13;
-    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
     let chain_th_3_forcing = chain_m_3_times_chain_l_3
-        * (-(R::literal(2.0) * p.chain_l_2 * chain_w_1 * chain_w_2
-            * sin_chain_a_3_minus_chain_a_2)
+        * (R::literal(2.0) * p.chain_l_2 * chain_w_1 * chain_w_2
+            * sin_chain_a_2_minus_chain_a_3
             - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
-            - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
-            - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+            + p.chain_l_2 * chain_w_1_squared * sin_chain_a_2_minus_chain_a_3
+            + p.chain_l_2 * chain_w_2_squared * sin_chain_a_2_minus_chain_a_3
             - p.chain_gravity * sin_chain_a_3);
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 493 operations.
+/// 506 operations.
 #[must_use]
 #[inline]
 pub fn rate_jacobian<R: Real>(
@@ -661,7 +650,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// As `rate_jacobian`, with the constants of the parameters from `prepare`.
 ///
-/// 450 operations.
+/// 463 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
@@ -670,204 +659,169 @@ pub fn prepared_rate_jacobian<R: Real>(
     c: &Constants<R>,
 ) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let chain_a_2 = chain_th_1 + chain_th_2;
     let chain_s_2 = chain_w_1 + chain_w_2;
-    let chain_a_3 = chain_th_3 + chain_a_2;
     let chain_s_3 = chain_w_3 + chain_s_2;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
-    let sin_chain_a_2 = chain_a_2.sin();
-    let cos_chain_a_2 = chain_a_2.cos();
-    let sin_chain_a_3 = chain_a_3.sin();
-    let cos_chain_a_3 = chain_a_3.cos();
-    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
-    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
-    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
-    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
-    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
-    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
-    let t0 = c.t5 * cos_chain_a_2_minus_chain_a_3;
-    let t1 = c.t10 + t0;
-    let t2 = t1 + c.t7 * cos_chain_th_1_minus_chain_a_2
-        + c.t8 * cos_chain_th_1_minus_chain_a_2 + c.t9 * cos_chain_th_1_minus_chain_a_3;
-    let t3 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
-    let t4 = c.chain_m_3_times_chain_l_3
-        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t3);
-    let t5 = R::literal(1.0)
-        / (c.t6 + c.t0 * cos_chain_th_1_minus_chain_a_2
-            + c.t3 * cos_chain_th_1_minus_chain_a_2
-            + c.t4 * cos_chain_th_1_minus_chain_a_3 + t0);
-    let t6 = t2 * t5;
-    let t7 = t4 * t5;
-    let t8 = R::literal(1.0) / (t1 - t6 * t2);
-    let t9 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t3) - t7 * t2;
-    let t10 = t9 * t8;
-    let t11 = R::literal(1.0)
-        / (c.chain_m_3_times_chain_l_3_squared - t7 * t4 - t10 * t9);
-    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
-    let t12 = c.t0 * chain_w_1 * chain_w_2;
-    let t13 = c.t3 * chain_w_1 * chain_w_2;
-    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
-    let t14 = c.t4 * chain_w_1;
-    let t15 = t14 * chain_w_2;
-    let t16 = t14 * chain_w_3;
-    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
-    let t17 = c.t5 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t18 = c.t4 * chain_w_2 * chain_w_3;
-    let t19 = c.t5 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let sin_chain_th_1 = chain_th_1.sin();
+    let cos_chain_th_1 = chain_th_1.cos();
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
+    let sin_chain_th_2 = chain_th_2.sin();
+    let cos_chain_th_2 = chain_th_2.cos();
+    let t0 = sin_chain_th_1 * cos_chain_th_2 + cos_chain_th_1 * sin_chain_th_2;
+    let t1 = cos_chain_th_1 * cos_chain_th_2 - sin_chain_th_1 * sin_chain_th_2;
+    let sin_chain_th_3 = chain_th_3.sin();
+    let cos_chain_th_3 = chain_th_3.cos();
+    let t2 = sin_chain_th_3 * t1 + cos_chain_th_3 * t0;
+    let t3 = cos_chain_th_3 * t1 - sin_chain_th_3 * t0;
+    let t4 = sin_chain_th_1 * t1 - cos_chain_th_1 * t0;
+    let t5 = cos_chain_th_1 * t1 + sin_chain_th_1 * t0;
+    let t6 = sin_chain_th_1 * t3 - cos_chain_th_1 * t2;
+    let t7 = cos_chain_th_1 * t3 + sin_chain_th_1 * t2;
+    let t8 = t0 * t3 - t1 * t2;
+    let t9 = t1 * t3 + t0 * t2;
+    let t10 = c.t5 * t9;
+    let t11 = c.t10 + t10;
+    let t12 = t11 + c.t7 * t5 + c.t8 * t5 + c.t9 * t7;
+    let t13 = p.chain_l_2 * t9;
+    let t14 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + p.chain_l_1 * t7 + t13);
+    let t15 = R::literal(1.0) / (c.t6 + c.t0 * t5 + c.t3 * t5 + c.t4 * t7 + t10);
+    let t16 = t12 * t15;
+    let t17 = t14 * t15;
+    let t18 = R::literal(1.0) / (t11 - t16 * t12);
+    let t19 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t13) - t17 * t12;
+    let t20 = t19 * t18;
+    let t21 = R::literal(1.0)
+        / (c.chain_m_3_times_chain_l_3_squared - t17 * t14 - t20 * t19);
+    let t22 = c.t0 * chain_w_1 * chain_w_2;
+    let t23 = c.t3 * chain_w_1 * chain_w_2;
+    let t24 = c.t4 * chain_w_1;
+    let t25 = t24 * chain_w_2;
+    let t26 = t24 * chain_w_3;
+    let t27 = c.t5 * chain_w_1 * chain_w_3 * t8;
+    let t28 = c.t4 * chain_w_2 * chain_w_3;
+    let t29 = c.t5 * chain_w_2 * chain_w_3 * t8;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let t20 = c.t7 * chain_w_2_squared;
-    let t21 = c.t11 * sin_chain_a_2;
-    let t22 = c.t8 * chain_w_2_squared;
-    let t23 = c.t9 * chain_w_2_squared;
+    let t30 = c.t7 * chain_w_2_squared;
+    let t31 = c.t11 * t0;
+    let t32 = c.t8 * chain_w_2_squared;
+    let t33 = c.t9 * chain_w_2_squared;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let t24 = c.t9 * chain_w_3_squared;
-    let t25 = c.t12 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t26 = c.t13 * sin_chain_a_2;
-    let t27 = c.t14 * sin_chain_a_3;
-    let t28 = -(t12 * sin_chain_th_1_minus_chain_a_2)
-        - t13 * sin_chain_th_1_minus_chain_a_2 - t15 * sin_chain_th_1_minus_chain_a_3
-        - t16 * sin_chain_th_1_minus_chain_a_3 - t17
-        - t18 * sin_chain_th_1_minus_chain_a_3 - t19
-        - c.chain_m_1_times_chain_gravity * chain_x_1
-        - t20 * sin_chain_th_1_minus_chain_a_2 - t21
-        - c.chain_m_2_times_chain_gravity * chain_x_1
-        - t22 * sin_chain_th_1_minus_chain_a_2 - t23 * sin_chain_th_1_minus_chain_a_3;
-    let t29 = t28 - t24 * sin_chain_th_1_minus_chain_a_3 - t25 - t26 - t27
+    let t34 = c.t9 * chain_w_3_squared;
+    let t35 = c.t12 * chain_w_3_squared * t8;
+    let t36 = c.t13 * t0;
+    let t37 = c.t14 * t2;
+    let t38 = -(t22 * t4) - t23 * t4 - t25 * t6 - t26 * t6 - t27 - t28 * t6 - t29
+        - c.chain_m_1_times_chain_gravity * chain_x_1 - t30 * t4 - t31
+        - c.chain_m_2_times_chain_gravity * chain_x_1 - t32 * t4 - t33 * t6;
+    let t39 = t38 - t34 * t6 - t35 - t36 - t37
         - c.chain_m_3_times_chain_gravity * chain_x_1;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let t30 = c.t7 * chain_w_1_squared;
-    let t31 = c.t8 * chain_w_1_squared;
-    let chain_th_2_plus_chain_th_3 = chain_th_2 + chain_th_3;
-    let sin_chain_th_2_plus_chain_th_3 = chain_th_2_plus_chain_th_3.sin();
-    let t32 = c.t9 * chain_w_1_squared;
-    let chain_a_3_minus_chain_a_2 = chain_a_3 - chain_a_2;
-    let sin_chain_a_3_minus_chain_a_2 = chain_a_3_minus_chain_a_2.sin();
-    let t33 = c.t15 * chain_w_1;
-    let t34 = t33 * chain_w_2;
+    let t40 = c.t7 * chain_w_1_squared;
+    let t41 = c.t8 * chain_w_1_squared;
+    let t42 = sin_chain_th_2 * cos_chain_th_3 + cos_chain_th_2 * sin_chain_th_3;
+    let t43 = cos_chain_th_2 * cos_chain_th_3 - sin_chain_th_2 * sin_chain_th_3;
+    let t44 = c.t9 * chain_w_1_squared;
+    let t45 = c.t15 * chain_w_1;
+    let t46 = t45 * chain_w_2;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_1_squared = p.chain_l_2 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t35 = -t17 - t19 - t30 * sin_chain_th_2 - t21 - t31 * sin_chain_th_2
-        - t32 * sin_chain_th_2_plus_chain_th_3 - t25 - t26 - t27 - t6 * t29;
+    let t47 = -t27 - t29 - t40 * sin_chain_th_2 - t31 - t41 * sin_chain_th_2 - t44 * t42
+        - t35 - t36 - t37 - t16 * t39;
     let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
-        * (-(t34 * sin_chain_a_3_minus_chain_a_2)
-            - chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
-            - chain_l_2_times_chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
-            - chain_l_2_times_chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
-            - p.chain_gravity * sin_chain_a_3) - t7 * t29 - t10 * t35) * t11;
-    let chain_w_2_dot = t35 * t8 - t10 * chain_w_3_dot;
-    let chain_w_1_dot = t29 * t5 - t6 * chain_w_2_dot - t7 * chain_w_3_dot;
-    let t36 = c.chain_m_2_times_chain_l_2 * cos_chain_a_2
-        + c.chain_m_3_times_chain_l_2 * cos_chain_a_2
-        + c.chain_m_3_times_chain_l_3 * cos_chain_a_3;
-    let t37 = p.chain_gravity
-        * (t36 + p.chain_m_1 * chain_l_1_times_cos_chain_th_1
+        * (t46 * t8 - chain_l_1_times_chain_w_1_squared * t42
+            + chain_l_2_times_chain_w_1_squared * t8
+            + chain_l_2_times_chain_w_2_squared * t8 - p.chain_gravity * t2) - t17 * t39
+        - t20 * t47) * t21;
+    let chain_w_2_dot = t47 * t18 - t20 * chain_w_3_dot;
+    let chain_w_1_dot = t39 * t15 - t16 * chain_w_2_dot - t17 * chain_w_3_dot;
+    let t48 = c.chain_m_2_times_chain_l_2 * t1 + c.chain_m_3_times_chain_l_2 * t1
+        + c.chain_m_3_times_chain_l_3 * t3;
+    let t49 = p.chain_gravity
+        * (t48 + p.chain_m_1 * chain_l_1_times_cos_chain_th_1
             + p.chain_m_2 * chain_l_1_times_cos_chain_th_1
             + p.chain_m_3 * chain_l_1_times_cos_chain_th_1);
-    let t38 = c.t14 * cos_chain_a_3;
-    let t39 = t6 * t37 - p.chain_gravity * t36;
-    let chain_w_3_dot_by_chain_th_1 = (t7 * t37 - t38 - t10 * t39) * t11;
-    let chain_w_2_dot_by_chain_th_1 = t39 * t8 - t10 * chain_w_3_dot_by_chain_th_1;
-    let chain_w_1_dot_by_chain_th_1 = -(t37 * t5) - t6 * chain_w_2_dot_by_chain_th_1
-        - t7 * chain_w_3_dot_by_chain_th_1;
-    let t40 = c.t11 * cos_chain_a_2;
-    let t41 = c.t13 * cos_chain_a_2;
-    let cos_chain_th_2 = chain_th_2.cos();
-    let cos_chain_th_2_plus_chain_th_3 = chain_th_2_plus_chain_th_3.cos();
-    let t42 = chain_l_1_times_chain_w_1_squared * cos_chain_th_2_plus_chain_th_3;
-    let chain_gravity_times_cos_chain_a_3 = p.chain_gravity * cos_chain_a_3;
-    let t43 = c.chain_m_2_times_chain_l_2 * sin_chain_th_1_minus_chain_a_2
-        + c.chain_m_3_times_chain_l_2 * sin_chain_th_1_minus_chain_a_2
-        + c.chain_m_3_times_chain_l_3 * sin_chain_th_1_minus_chain_a_3;
-    let t44 = t12 * cos_chain_th_1_minus_chain_a_2 + t13 * cos_chain_th_1_minus_chain_a_2
-        + t15 * cos_chain_th_1_minus_chain_a_3 + t16 * cos_chain_th_1_minus_chain_a_3
-        + t18 * cos_chain_th_1_minus_chain_a_3 + t20 * cos_chain_th_1_minus_chain_a_2
-        + t22 * cos_chain_th_1_minus_chain_a_2 + t23 * cos_chain_th_1_minus_chain_a_3
-        + t24 * cos_chain_th_1_minus_chain_a_3 - t40 - t41 - t38
-        - c.t16 * t43 * chain_w_1_dot;
-    let t45 = p.chain_l_1 * t43;
-    let t46 = c.t9 * sin_chain_th_1_minus_chain_a_3;
-    let t47 = t44 - t45 * chain_w_2_dot - t46 * chain_w_3_dot;
-    let t48 = -(t30 * cos_chain_th_2) - t40 - t31 * cos_chain_th_2
-        - t32 * cos_chain_th_2_plus_chain_th_3 - t41 - t38 - t45 * chain_w_1_dot
-        - t6 * t47;
-    let chain_w_3_dot_by_chain_th_2 = (c.chain_m_3_times_chain_l_3
-        * (-t42 - chain_gravity_times_cos_chain_a_3) - t46 * chain_w_1_dot - t7 * t47
-        - t10 * t48) * t11;
-    let chain_w_2_dot_by_chain_th_2 = t48 * t8 - t10 * chain_w_3_dot_by_chain_th_2;
-    let chain_w_1_dot_by_chain_th_2 = t47 * t5 - t6 * chain_w_2_dot_by_chain_th_2
-        - t7 * chain_w_3_dot_by_chain_th_2;
-    let t49 = c.t16 * chain_w_1;
-    let t50 = t33 * chain_w_3 * cos_chain_a_2_minus_chain_a_3;
-    let t51 = c.t15 * chain_w_2 * chain_w_3 * cos_chain_a_2_minus_chain_a_3;
-    let t52 = p.chain_l_2 * chain_w_3_squared * cos_chain_a_2_minus_chain_a_3;
-    let cos_chain_a_3_minus_chain_a_2 = chain_a_3_minus_chain_a_2.cos();
-    let t53 = p.chain_l_1 * sin_chain_th_1_minus_chain_a_3;
-    let t54 = t53 + p.chain_l_2 * sin_chain_a_2_minus_chain_a_3;
-    let t55 = c.chain_m_3_times_chain_l_3
-        * (t49 * chain_w_2 * cos_chain_th_1_minus_chain_a_3
-            + t49 * chain_w_3 * cos_chain_th_1_minus_chain_a_3 + t50
-            + c.t16 * chain_w_2 * chain_w_3 * cos_chain_th_1_minus_chain_a_3 + t51
-            + p.chain_l_1 * chain_w_2_squared * cos_chain_th_1_minus_chain_a_3
-            + p.chain_l_1 * chain_w_3_squared * cos_chain_th_1_minus_chain_a_3 + t52
-            - chain_gravity_times_cos_chain_a_3) - c.t17 * t54 * chain_w_1_dot;
-    let t56 = c.chain_m_3_times_chain_l_3
-        * (c.t15 * sin_chain_a_2_minus_chain_a_3 + t53);
-    let t57 = c.chain_m_3_times_chain_l_3 * t54;
-    let t58 = t55 - t56 * chain_w_2_dot - t57 * chain_w_3_dot;
-    let t59 = c.t12 * sin_chain_a_2_minus_chain_a_3;
-    let t60 = c.chain_m_3_times_chain_l_3
-        * (t50 + t51 + t52 - t42 - chain_gravity_times_cos_chain_a_3)
-        - t56 * chain_w_1_dot - c.t5 * sin_chain_a_2_minus_chain_a_3 * chain_w_2_dot
-        - t59 * chain_w_3_dot - t6 * t58;
+    let t50 = c.t14 * t3;
+    let t51 = t16 * t49 - p.chain_gravity * t48;
+    let chain_w_3_dot_by_chain_th_1 = (t17 * t49 - t50 - t20 * t51) * t21;
+    let chain_w_2_dot_by_chain_th_1 = t51 * t18 - t20 * chain_w_3_dot_by_chain_th_1;
+    let chain_w_1_dot_by_chain_th_1 = -(t49 * t15) - t16 * chain_w_2_dot_by_chain_th_1
+        - t17 * chain_w_3_dot_by_chain_th_1;
+    let t52 = c.t11 * t1;
+    let t53 = c.t13 * t1;
+    let t54 = chain_l_1_times_chain_w_1_squared * t43;
+    let t55 = p.chain_gravity * t3;
+    let t56 = c.chain_m_2_times_chain_l_2 * t4 + c.chain_m_3_times_chain_l_2 * t4
+        + c.chain_m_3_times_chain_l_3 * t6;
+    let t57 = t22 * t5 + t23 * t5 + t25 * t7 + t26 * t7 + t28 * t7 + t30 * t5 + t32 * t5
+        + t33 * t7 + t34 * t7 - t52 - t53 - t50 - c.t16 * t56 * chain_w_1_dot;
+    let t58 = p.chain_l_1 * t56;
+    let t59 = c.t9 * t6;
+    let t60 = t57 - t58 * chain_w_2_dot - t59 * chain_w_3_dot;
+    let t61 = -(t40 * cos_chain_th_2) - t52 - t41 * cos_chain_th_2 - t44 * t43 - t53
+        - t50 - t58 * chain_w_1_dot - t16 * t60;
+    let chain_w_3_dot_by_chain_th_2 = (c.chain_m_3_times_chain_l_3 * (-t54 - t55)
+        - t59 * chain_w_1_dot - t17 * t60 - t20 * t61) * t21;
+    let chain_w_2_dot_by_chain_th_2 = t61 * t18 - t20 * chain_w_3_dot_by_chain_th_2;
+    let chain_w_1_dot_by_chain_th_2 = t60 * t15 - t16 * chain_w_2_dot_by_chain_th_2
+        - t17 * chain_w_3_dot_by_chain_th_2;
+    let t62 = c.t16 * chain_w_1;
+    let t63 = t45 * chain_w_3 * t9;
+    let t64 = c.t15 * chain_w_2;
+    let t65 = t64 * chain_w_3 * t9;
+    let t66 = p.chain_l_2 * chain_w_3_squared * t9;
+    let t67 = p.chain_l_1 * t6;
+    let t68 = t67 + p.chain_l_2 * t8;
+    let t69 = c.chain_m_3_times_chain_l_3
+        * (t62 * chain_w_2 * t7 + t62 * chain_w_3 * t7 + t63
+            + c.t16 * chain_w_2 * chain_w_3 * t7 + t65
+            + p.chain_l_1 * chain_w_2_squared * t7 + p.chain_l_1 * chain_w_3_squared * t7
+            + t66 - t55) - c.t17 * t68 * chain_w_1_dot;
+    let t70 = c.chain_m_3_times_chain_l_3 * (c.t15 * t8 + t67);
+    let t71 = c.chain_m_3_times_chain_l_3 * t68;
+    let t72 = t69 - t70 * chain_w_2_dot - t71 * chain_w_3_dot;
+    let t73 = c.t12 * t8;
+    let t74 = c.chain_m_3_times_chain_l_3 * (t63 + t65 + t66 - t54 - t55)
+        - t70 * chain_w_1_dot - c.t5 * t8 * chain_w_2_dot - t73 * chain_w_3_dot
+        - t16 * t72;
     let chain_w_3_dot_by_chain_th_3 = (c.chain_m_3_times_chain_l_3
-        * (-(t34 * cos_chain_a_3_minus_chain_a_2) - t42
-            - chain_l_2_times_chain_w_1_squared * cos_chain_a_3_minus_chain_a_2
-            - chain_l_2_times_chain_w_2_squared * cos_chain_a_3_minus_chain_a_2
-            - chain_gravity_times_cos_chain_a_3) - t57 * chain_w_1_dot
-        - t59 * chain_w_2_dot - t7 * t58 - t10 * t60) * t11;
-    let chain_w_2_dot_by_chain_th_3 = t60 * t8 - t10 * chain_w_3_dot_by_chain_th_3;
-    let chain_w_1_dot_by_chain_th_3 = t58 * t5 - t6 * chain_w_2_dot_by_chain_th_3
-        - t7 * chain_w_3_dot_by_chain_th_3;
-    let t61 = c.t7 * chain_w_2 * sin_chain_th_1_minus_chain_a_2;
-    let t62 = c.t8 * chain_w_2 * sin_chain_th_1_minus_chain_a_2;
-    let t63 = c.t9 * chain_w_2 * sin_chain_th_1_minus_chain_a_3;
-    let t64 = c.t9 * chain_w_3 * sin_chain_th_1_minus_chain_a_3;
-    let t65 = c.t12 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t66 = R::literal(2.0) * (t61 + t62 + t63 + t64 + t65);
-    let t67 = c.t7 * chain_w_1;
-    let t68 = c.t8 * chain_w_1;
-    let t69 = c.t9 * chain_w_1;
-    let t70 = t6 * t66
+        * (-(t46 * t9) - t54 - chain_l_2_times_chain_w_1_squared * t9
+            - chain_l_2_times_chain_w_2_squared * t9 - t55) - t71 * chain_w_1_dot
+        - t73 * chain_w_2_dot - t17 * t72 - t20 * t74) * t21;
+    let chain_w_2_dot_by_chain_th_3 = t74 * t18 - t20 * chain_w_3_dot_by_chain_th_3;
+    let chain_w_1_dot_by_chain_th_3 = t72 * t15 - t16 * chain_w_2_dot_by_chain_th_3
+        - t17 * chain_w_3_dot_by_chain_th_3;
+    let t75 = c.t7 * chain_w_2 * t4;
+    let t76 = c.t8 * chain_w_2 * t4;
+    let t77 = c.t9 * chain_w_2 * t6;
+    let t78 = c.t9 * chain_w_3 * t6;
+    let t79 = c.t12 * chain_w_3 * t8;
+    let t80 = R::literal(2.0) * (t75 + t76 + t77 + t78 + t79);
+    let t81 = c.t7 * chain_w_1;
+    let t82 = c.t8 * chain_w_1;
+    let t83 = c.t9 * chain_w_1;
+    let t84 = t16 * t80
         - R::literal(2.0)
-            * (t67 * sin_chain_th_2 + t68 * sin_chain_th_2
-                + t69 * sin_chain_th_2_plus_chain_th_3 + t65);
-    let chain_w_3_dot_by_chain_w_1 = (t7 * t66
-        - c.t17
-            * (p.chain_l_1 * chain_w_1 * sin_chain_th_2_plus_chain_th_3
-                + p.chain_l_2 * chain_w_1 * sin_chain_a_3_minus_chain_a_2
-                + p.chain_l_2 * chain_w_2 * sin_chain_a_3_minus_chain_a_2) - t10 * t70)
-        * t11;
-    let chain_w_2_dot_by_chain_w_1 = t70 * t8 - t10 * chain_w_3_dot_by_chain_w_1;
-    let chain_w_1_dot_by_chain_w_1 = -(t66 * t5) - t6 * chain_w_2_dot_by_chain_w_1
-        - t7 * chain_w_3_dot_by_chain_w_1;
-    let t71 = R::literal(2.0)
-        * (t67 * sin_chain_th_1_minus_chain_a_2 + t68 * sin_chain_th_1_minus_chain_a_2
-            + t69 * sin_chain_th_1_minus_chain_a_3 + t61 + t62 + t63 + t64 + t65);
-    let t72 = t6 * t71 - c.t5 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let chain_w_3_dot_by_chain_w_2 = (t7 * t71
-        - c.t5 * chain_s_2 * sin_chain_a_3_minus_chain_a_2 - t10 * t72) * t11;
-    let chain_w_2_dot_by_chain_w_2 = t72 * t8 - t10 * chain_w_3_dot_by_chain_w_2;
-    let chain_w_1_dot_by_chain_w_2 = -(t71 * t5) - t6 * chain_w_2_dot_by_chain_w_2
-        - t7 * chain_w_3_dot_by_chain_w_2;
-    let t73 = c.t17 * chain_s_3 * t54;
-    let t74 = t6 * t73 - c.t5 * chain_s_3 * sin_chain_a_2_minus_chain_a_3;
-    let chain_w_3_dot_by_chain_w_3 = (t7 * t73 - t10 * t74) * t11;
-    let chain_w_2_dot_by_chain_w_3 = t74 * t8 - t10 * chain_w_3_dot_by_chain_w_3;
-    let chain_w_1_dot_by_chain_w_3 = -(t73 * t5) - t6 * chain_w_2_dot_by_chain_w_3
-        - t7 * chain_w_3_dot_by_chain_w_3;
+            * (t81 * sin_chain_th_2 + t82 * sin_chain_th_2 + t83 * t42 + t79);
+    let chain_w_3_dot_by_chain_w_1 = (c.chain_m_3_times_chain_l_3
+        * (t45 * t8 - t62 * t42 + t64 * t8) + t17 * t80 - t20 * t84) * t21;
+    let chain_w_2_dot_by_chain_w_1 = t84 * t18 - t20 * chain_w_3_dot_by_chain_w_1;
+    let chain_w_1_dot_by_chain_w_1 = -(t80 * t15) - t16 * chain_w_2_dot_by_chain_w_1
+        - t17 * chain_w_3_dot_by_chain_w_1;
+    let t85 = R::literal(2.0)
+        * (t81 * t4 + t82 * t4 + t83 * t6 + t75 + t76 + t77 + t78 + t79);
+    let t86 = t16 * t85 - c.t5 * chain_w_3 * t8;
+    let chain_w_3_dot_by_chain_w_2 = (c.t5 * chain_s_2 * t8 + t17 * t85 - t20 * t86)
+        * t21;
+    let chain_w_2_dot_by_chain_w_2 = t86 * t18 - t20 * chain_w_3_dot_by_chain_w_2;
+    let chain_w_1_dot_by_chain_w_2 = -(t85 * t15) - t16 * chain_w_2_dot_by_chain_w_2
+        - t17 * chain_w_3_dot_by_chain_w_2;
+    let t87 = c.t17 * chain_s_3 * t68;
+    let t88 = t16 * t87 - c.t5 * chain_s_3 * t8;
+    let chain_w_3_dot_by_chain_w_3 = (t17 * t87 - t20 * t88) * t21;
+    let chain_w_2_dot_by_chain_w_3 = t88 * t18 - t20 * chain_w_3_dot_by_chain_w_3;
+    let chain_w_1_dot_by_chain_w_3 = -(t87 * t15) - t16 * chain_w_2_dot_by_chain_w_3
+        - t17 * chain_w_3_dot_by_chain_w_3;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -895,7 +849,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 646 operations.
+/// 642 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     _time: R,
@@ -993,15 +947,14 @@ pub fn parameter_jacobian<R: Real>(
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
-    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
     let t36 = R::literal(2.0) * p.chain_l_2;
     let t37 = t36 * chain_w_1;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let t38 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3;
     let chain_gravity_times_sin_chain_a_3 = p.chain_gravity * sin_chain_a_3;
-    let t39 = -(t37 * chain_w_2 * sin_chain_a_3_minus_chain_a_2) - t38
-        - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
-        - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+    let t39 = t37 * chain_w_2 * sin_chain_a_2_minus_chain_a_3 - t38
+        + p.chain_l_2 * chain_w_1_squared * sin_chain_a_2_minus_chain_a_3
+        + p.chain_l_2 * chain_w_2_squared * sin_chain_a_2_minus_chain_a_3
         - chain_gravity_times_sin_chain_a_3;
     let t40 = -t28 - t29 - t10 * chain_w_1_squared * sin_chain_th_2 - t30
         - t11 * chain_w_1_squared * sin_chain_th_2
@@ -1131,9 +1084,9 @@ pub fn parameter_jacobian<R: Real>(
         - t84 - chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_2 - t85
         - t86 - t92 * chain_w_1_dot - R::literal(2.0) * (t91 + t90) * chain_w_2_dot - t93
         - t21 * t94;
-    let chain_w_3_dot_by_chain_l_2 = (-(chain_m_3_times_chain_l_3
-        * (chain_s_2 * chain_s_2) * sin_chain_a_3_minus_chain_a_2) - t90 * chain_w_1_dot
-        - t90 * chain_w_2_dot - t22 * t94 - t25 * t95) * t26;
+    let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * (chain_s_2 * chain_s_2)
+        * sin_chain_a_2_minus_chain_a_3 - t90 * chain_w_1_dot - t90 * chain_w_2_dot
+        - t22 * t94 - t25 * t95) * t26;
     let chain_w_2_dot_by_chain_l_2 = t95 * t23 - t25 * chain_w_3_dot_by_chain_l_2;
     let chain_w_1_dot_by_chain_l_2 = t94 * t20 - t21 * chain_w_2_dot_by_chain_l_2
         - t22 * chain_w_3_dot_by_chain_l_2;
@@ -1276,7 +1229,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 317 operations.
+/// 314 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -1386,17 +1339,16 @@ pub fn power_balance<R: Real>(
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
-    let sin_chain_a_3_minus_chain_a_2 = (chain_a_3 - chain_a_2).sin();
     let t33 = R::literal(2.0) * p.chain_l_2;
     let t34 = -t25 - t26 - t11 * chain_w_1_squared * sin_chain_th_2 - t27
         - t12 * chain_w_1_squared * sin_chain_th_2
         - t13 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t28 - t29 - t30
         - t19 * t32;
     let t35 = chain_m_3_times_chain_l_3
-        * (-(t33 * chain_w_1 * chain_w_2 * sin_chain_a_3_minus_chain_a_2)
+        * (t33 * chain_w_1 * chain_w_2 * sin_chain_a_2_minus_chain_a_3
             - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
-            - p.chain_l_2 * chain_w_1_squared * sin_chain_a_3_minus_chain_a_2
-            - p.chain_l_2 * chain_w_2_squared * sin_chain_a_3_minus_chain_a_2
+            + p.chain_l_2 * chain_w_1_squared * sin_chain_a_2_minus_chain_a_3
+            + p.chain_l_2 * chain_w_2_squared * sin_chain_a_2_minus_chain_a_3
             - p.chain_gravity * sin_chain_a_3) - t20 * t32 - t23 * t34;
     let chain_w_3_dot = t35
         * (R::literal(1.0)
@@ -1535,7 +1487,6 @@ pub fn series<R: Real>(
     let t61 = t60 * t58;
     let sin_chain_th_1 = chain_th_1.sin();
     let cos_chain_th_1 = chain_th_1.cos();
-    let chain_x_1 = sin_chain_th_1 * p.chain_l_1;
     let sin_chain_a_2 = chain_a_2.sin();
     let cos_chain_a_2 = chain_a_2.cos();
     let sin_chain_a_3 = chain_a_3.sin();
@@ -1561,96 +1512,97 @@ pub fn series<R: Real>(
     let t80 = t79 * chain_w_3;
     let t81 = t80 * t17;
     let t82 = p.chain_m_1 * p.chain_gravity;
-    let t83 = chain_x_1 * t82;
-    let t84 = chain_w_2 * chain_w_2;
-    let t85 = t84 * t41;
-    let t86 = t85 * t1;
-    let t87 = p.chain_m_2 * p.chain_l_2;
-    let t88 = t87 * p.chain_gravity;
-    let t89 = sin_chain_a_2 * t88;
-    let t90 = p.chain_m_2 * p.chain_gravity;
-    let t91 = chain_x_1 * t90;
-    let t92 = t84 * t44;
-    let t93 = t92 * t1;
-    let t94 = t84 * t46;
-    let t95 = t94 * t12;
-    let t96 = chain_w_3 * chain_w_3;
-    let t97 = t96 * t46;
-    let t98 = t97 * t12;
-    let t99 = p.chain_m_3 * p.chain_l_2;
-    let t100 = t99 * p.chain_l_3;
-    let t101 = t96 * t100;
-    let t102 = t101 * t17;
-    let t103 = t99 * p.chain_gravity;
-    let t104 = sin_chain_a_2 * t103;
-    let t105 = t58 * p.chain_gravity;
-    let t106 = sin_chain_a_3 * t105;
-    let t107 = p.chain_m_3 * p.chain_gravity;
-    let t108 = chain_x_1 * t107;
-    let t109 = -t64;
-    let t110 = t109 - t67;
-    let t111 = t110 - t70;
-    let t112 = t111 - t72;
-    let t113 = t112 - t75;
-    let t114 = t113 - t78;
-    let t115 = t114 - t81;
-    let t116 = t115 - t83;
-    let t117 = t116 - t86;
-    let t118 = t117 - t89;
-    let t119 = t118 - t91;
-    let t120 = t119 - t93;
-    let t121 = t120 - t95;
-    let t122 = t121 - t98;
-    let t123 = t122 - t102;
-    let t124 = t123 - t104;
-    let t125 = t124 - t106;
-    let t126 = t125 - t108;
-    let t127 = chain_w_1 * chain_w_1;
+    let t83 = p.chain_l_1 * t82;
+    let t84 = sin_chain_th_1 * t83;
+    let t85 = chain_w_2 * chain_w_2;
+    let t86 = t85 * t41;
+    let t87 = t86 * t1;
+    let t88 = p.chain_m_2 * p.chain_l_2;
+    let t89 = t88 * p.chain_gravity;
+    let t90 = sin_chain_a_2 * t89;
+    let t91 = p.chain_m_2 * p.chain_gravity;
+    let t92 = p.chain_l_1 * t91;
+    let t93 = sin_chain_th_1 * t92;
+    let t94 = t85 * t44;
+    let t95 = t94 * t1;
+    let t96 = t85 * t46;
+    let t97 = t96 * t12;
+    let t98 = chain_w_3 * chain_w_3;
+    let t99 = t98 * t46;
+    let t100 = t99 * t12;
+    let t101 = p.chain_m_3 * p.chain_l_2;
+    let t102 = t101 * p.chain_l_3;
+    let t103 = t98 * t102;
+    let t104 = t103 * t17;
+    let t105 = t101 * p.chain_gravity;
+    let t106 = sin_chain_a_2 * t105;
+    let t107 = t58 * p.chain_gravity;
+    let t108 = sin_chain_a_3 * t107;
+    let t109 = p.chain_m_3 * p.chain_gravity;
+    let t110 = p.chain_l_1 * t109;
+    let t111 = sin_chain_th_1 * t110;
+    let t112 = -t64;
+    let t113 = t112 - t67;
+    let t114 = t113 - t70;
+    let t115 = t114 - t72;
+    let t116 = t115 - t75;
+    let t117 = t116 - t78;
+    let t118 = t117 - t81;
+    let t119 = t118 - t84;
+    let t120 = t119 - t87;
+    let t121 = t120 - t90;
+    let t122 = t121 - t93;
+    let t123 = t122 - t95;
+    let t124 = t123 - t97;
+    let t125 = t124 - t100;
+    let t126 = t125 - t104;
+    let t127 = t126 - t106;
+    let t128 = t127 - t108;
+    let t129 = t128 - t111;
+    let t130 = chain_w_1 * chain_w_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let cos_chain_th_2 = chain_th_2.cos();
-    let t128 = t127 * t41;
-    let t129 = t128 * sin_chain_th_2;
-    let t130 = t127 * t44;
-    let t131 = t130 * sin_chain_th_2;
-    let t132 = chain_th_2 + chain_th_3;
-    let t133 = t132.sin();
-    let t134 = t132.cos();
-    let t135 = t127 * t46;
-    let t136 = t135 * t133;
-    let t137 = -t75;
-    let t138 = t137 - t81;
-    let t139 = t138 - t129;
-    let t140 = t139 - t89;
-    let t141 = t140 - t131;
-    let t142 = t141 - t136;
-    let t143 = t142 - t102;
-    let t144 = t143 - t104;
-    let t145 = t144 - t106;
-    let t146 = -t17;
-    let t147 = R::literal(2.0) * p.chain_l_2;
-    let t148 = chain_w_1 * t147;
-    let t149 = t148 * chain_w_2;
-    let t150 = t149 * t146;
-    let t151 = t127 * p.chain_l_1;
-    let t152 = t151 * t133;
-    let t153 = t127 * p.chain_l_2;
-    let t154 = t153 * t146;
-    let t155 = t84 * p.chain_l_2;
-    let t156 = t155 * t146;
-    let t157 = sin_chain_a_3 * p.chain_gravity;
-    let t158 = -t150;
-    let t159 = t158 - t152;
-    let t160 = t159 - t154;
-    let t161 = t160 - t156;
-    let t162 = t161 - t157;
-    let t163 = t162 * t58;
+    let t131 = t130 * t41;
+    let t132 = t131 * sin_chain_th_2;
+    let t133 = t130 * t44;
+    let t134 = t133 * sin_chain_th_2;
+    let t135 = chain_th_2 + chain_th_3;
+    let t136 = t135.sin();
+    let t137 = t135.cos();
+    let t138 = t130 * t46;
+    let t139 = t138 * t136;
+    let t140 = -t75;
+    let t141 = t140 - t81;
+    let t142 = t141 - t132;
+    let t143 = t142 - t90;
+    let t144 = t143 - t134;
+    let t145 = t144 - t139;
+    let t146 = t145 - t104;
+    let t147 = t146 - t106;
+    let t148 = t147 - t108;
+    let t149 = R::literal(2.0) * p.chain_l_2;
+    let t150 = chain_w_1 * t149;
+    let t151 = t150 * chain_w_2;
+    let t152 = t151 * t17;
+    let t153 = t130 * p.chain_l_1;
+    let t154 = t153 * t136;
+    let t155 = t130 * p.chain_l_2;
+    let t156 = t155 * t17;
+    let t157 = t85 * p.chain_l_2;
+    let t158 = t157 * t17;
+    let t159 = sin_chain_a_3 * p.chain_gravity;
+    let t160 = t152 - t154;
+    let t161 = t160 + t156;
+    let t162 = t161 + t158;
+    let t163 = t162 - t159;
+    let t164 = t163 * t58;
     let factored = Factored::new([
         [t39, R::literal(0.0), R::literal(0.0)],
         [t53, t50, R::literal(0.0)],
         [t59, t61, t30],
     ]);
     let [chain_w_1_dot, chain_w_2_dot, chain_w_3_dot] = factored
-        .solve([t126, t145, t163]);
+        .solve([t129, t148, t164]);
     let mut rates = [
         chain_w_1,
         chain_w_2,
@@ -1678,151 +1630,142 @@ pub fn series<R: Real>(
         let chain_a_2_k = chain_th_1_k + chain_th_2_k;
         let chain_a_3_k = chain_th_3_k + chain_a_2_k;
         let t0_k = chain_th_1_k - chain_a_2_k;
-        let t1_k = inverse * sums[0] + t0_k * t2;
-        let t2_k = -(inverse * sums[1] + t0_k * t1);
-        let t6_k = t2_k * t5;
-        let t10_k = t2_k * t9;
+        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
         let t11_k = chain_th_1_k - chain_a_3_k;
-        let t12_k = inverse * sums[2] + t11_k * t13;
-        let t13_k = -(inverse * sums[3] + t11_k * t12);
-        let t15_k = t13_k * t14;
+        let t12_k = t11_k.mul_add(t13, inverse * sums[2]);
+        let t13_k = -t11_k.mul_add(t12, inverse * sums[3]);
         let t16_k = chain_a_2_k - chain_a_3_k;
-        let t17_k = inverse * sums[4] + t16_k * t18;
-        let t18_k = -(inverse * sums[5] + t16_k * t17);
+        let t17_k = t16_k.mul_add(t18, inverse * sums[4]);
+        let t18_k = -t16_k.mul_add(t17, inverse * sums[5]);
         let t21_k = t18_k * t20;
-        let t37_k = t6_k + t10_k;
-        let t38_k = t37_k + t15_k;
+        let t37_k = t2_k.mul_add(t9, t2_k * t5);
+        let t38_k = t13_k.mul_add(t14, t37_k);
         let t39_k = t38_k + t21_k;
-        let t42_k = t2_k * t41;
-        let t45_k = t2_k * t44;
-        let t47_k = t13_k * t46;
-        let t51_k = t21_k + t42_k;
-        let t52_k = t51_k + t45_k;
-        let t53_k = t52_k + t47_k;
-        let t54_k = t13_k * p.chain_l_1;
+        let t51_k = t2_k.mul_add(t41, t21_k);
+        let t52_k = t2_k.mul_add(t44, t51_k);
+        let t53_k = t13_k.mul_add(t46, t52_k);
         let t55_k = t18_k * p.chain_l_2;
-        let t57_k = t54_k + t55_k;
+        let t57_k = t13_k * p.chain_l_1 + t55_k;
         let t59_k = t57_k * t58;
         let t61_k = t55_k * t58;
-        let sin_chain_th_1_k = inverse * sums[6] + chain_th_1_k * cos_chain_th_1;
-        let cos_chain_th_1_k = -(inverse * sums[7] + chain_th_1_k * sin_chain_th_1);
-        let chain_x_1_k = sin_chain_th_1_k * p.chain_l_1;
-        let sin_chain_a_2_k = inverse * sums[8] + chain_a_2_k * cos_chain_a_2;
-        let cos_chain_a_2_k = -(inverse * sums[9] + chain_a_2_k * sin_chain_a_2);
-        let sin_chain_a_3_k = inverse * sums_1[0] + chain_a_3_k * cos_chain_a_3;
-        let cos_chain_a_3_k = -(inverse * sums_1[1] + chain_a_3_k * sin_chain_a_3);
+        let sin_chain_th_1_k = chain_th_1_k.mul_add(cos_chain_th_1, inverse * sums[6]);
+        let cos_chain_th_1_k = -chain_th_1_k.mul_add(sin_chain_th_1, inverse * sums[7]);
+        let sin_chain_a_2_k = chain_a_2_k.mul_add(cos_chain_a_2, inverse * sums[8]);
+        let cos_chain_a_2_k = -chain_a_2_k.mul_add(sin_chain_a_2, inverse * sums[9]);
+        let sin_chain_a_3_k = chain_a_3_k.mul_add(cos_chain_a_3, inverse * sums_1[0]);
+        let cos_chain_a_3_k = -chain_a_3_k.mul_add(sin_chain_a_3, inverse * sums_1[1]);
         let t62_k = chain_w_1_k * t5;
-        let t63_k = sums_1[2] + t62 * chain_w_2_k + t62_k * chain_w_2;
-        let t64_k = sums_1[3] + t63 * t1_k + t63_k * t1;
+        let t63_k = t62_k.mul_add(chain_w_2, t62.mul_add(chain_w_2_k, sums_1[2]));
+        let t64_k = t63_k.mul_add(t1, t63.mul_add(t1_k, sums_1[3]));
         let t65_k = chain_w_1_k * t9;
-        let t66_k = sums_1[4] + t65 * chain_w_2_k + t65_k * chain_w_2;
-        let t67_k = sums_1[5] + t66 * t1_k + t66_k * t1;
+        let t66_k = t65_k.mul_add(chain_w_2, t65.mul_add(chain_w_2_k, sums_1[4]));
+        let t67_k = t66_k.mul_add(t1, t66.mul_add(t1_k, sums_1[5]));
         let t68_k = chain_w_1_k * t14;
-        let t69_k = sums_1[6] + t68 * chain_w_2_k + t68_k * chain_w_2;
-        let t70_k = sums_1[7] + t69 * t12_k + t69_k * t12;
-        let t71_k = sums_1[8] + t68 * chain_w_3_k + t68_k * chain_w_3;
-        let t72_k = sums_1[9] + t71 * t12_k + t71_k * t12;
+        let t69_k = t68_k.mul_add(chain_w_2, t68.mul_add(chain_w_2_k, sums_1[6]));
+        let t70_k = t69_k.mul_add(t12, t69.mul_add(t12_k, sums_1[7]));
+        let t71_k = t68_k.mul_add(chain_w_3, t68.mul_add(chain_w_3_k, sums_1[8]));
+        let t72_k = t71_k.mul_add(t12, t71.mul_add(t12_k, sums_1[9]));
         let t73_k = chain_w_1_k * t20;
-        let t74_k = sums_2[0] + t73 * chain_w_3_k + t73_k * chain_w_3;
-        let t75_k = sums_2[1] + t74 * t17_k + t74_k * t17;
+        let t74_k = t73_k.mul_add(chain_w_3, t73.mul_add(chain_w_3_k, sums_2[0]));
+        let t75_k = t74_k.mul_add(t17, t74.mul_add(t17_k, sums_2[1]));
         let t76_k = chain_w_2_k * t14;
-        let t77_k = sums_2[2] + t76 * chain_w_3_k + t76_k * chain_w_3;
-        let t78_k = sums_2[3] + t77 * t12_k + t77_k * t12;
+        let t77_k = t76_k.mul_add(chain_w_3, t76.mul_add(chain_w_3_k, sums_2[2]));
+        let t78_k = t77_k.mul_add(t12, t77.mul_add(t12_k, sums_2[3]));
         let t79_k = chain_w_2_k * t20;
-        let t80_k = sums_2[4] + t79 * chain_w_3_k + t79_k * chain_w_3;
-        let t81_k = sums_2[5] + t80 * t17_k + t80_k * t17;
-        let t83_k = chain_x_1_k * t82;
-        let t84_k = sums_2[6] + chain_w_2 * chain_w_2_k + chain_w_2_k * chain_w_2;
-        let t85_k = t84_k * t41;
-        let t86_k = sums_2[7] + t85 * t1_k + t85_k * t1;
-        let t89_k = sin_chain_a_2_k * t88;
-        let t91_k = chain_x_1_k * t90;
-        let t92_k = t84_k * t44;
-        let t93_k = sums_2[8] + t92 * t1_k + t92_k * t1;
-        let t94_k = t84_k * t46;
-        let t95_k = sums_2[9] + t94 * t12_k + t94_k * t12;
-        let t96_k = sums_3[0] + chain_w_3 * chain_w_3_k + chain_w_3_k * chain_w_3;
-        let t97_k = t96_k * t46;
-        let t98_k = sums_3[1] + t97 * t12_k + t97_k * t12;
-        let t101_k = t96_k * t100;
-        let t102_k = sums_3[2] + t101 * t17_k + t101_k * t17;
-        let t104_k = sin_chain_a_2_k * t103;
-        let t106_k = sin_chain_a_3_k * t105;
-        let t108_k = chain_x_1_k * t107;
-        let t109_k = -t64_k;
-        let t110_k = t109_k - t67_k;
-        let t111_k = t110_k - t70_k;
-        let t112_k = t111_k - t72_k;
-        let t113_k = t112_k - t75_k;
-        let t114_k = t113_k - t78_k;
-        let t115_k = t114_k - t81_k;
-        let t116_k = t115_k - t83_k;
-        let t117_k = t116_k - t86_k;
-        let t118_k = t117_k - t89_k;
-        let t119_k = t118_k - t91_k;
-        let t120_k = t119_k - t93_k;
-        let t121_k = t120_k - t95_k;
-        let t122_k = t121_k - t98_k;
-        let t123_k = t122_k - t102_k;
-        let t124_k = t123_k - t104_k;
-        let t125_k = t124_k - t106_k;
-        let t126_k = t125_k - t108_k;
-        let t127_k = sums_3[3] + chain_w_1 * chain_w_1_k + chain_w_1_k * chain_w_1;
-        let sin_chain_th_2_k = inverse * sums_3[4] + chain_th_2_k * cos_chain_th_2;
-        let cos_chain_th_2_k = -(inverse * sums_3[5] + chain_th_2_k * sin_chain_th_2);
-        let t128_k = t127_k * t41;
-        let t129_k = sums_3[6] + t128 * sin_chain_th_2_k + t128_k * sin_chain_th_2;
-        let t130_k = t127_k * t44;
-        let t131_k = sums_3[7] + t130 * sin_chain_th_2_k + t130_k * sin_chain_th_2;
-        let t132_k = chain_th_2_k + chain_th_3_k;
-        let t133_k = inverse * sums_3[8] + t132_k * t134;
-        let t134_k = -(inverse * sums_3[9] + t132_k * t133);
-        let t135_k = t127_k * t46;
-        let t136_k = sums_4[0] + t135 * t133_k + t135_k * t133;
-        let t137_k = -t75_k;
-        let t138_k = t137_k - t81_k;
-        let t139_k = t138_k - t129_k;
-        let t140_k = t139_k - t89_k;
-        let t141_k = t140_k - t131_k;
-        let t142_k = t141_k - t136_k;
-        let t143_k = t142_k - t102_k;
-        let t144_k = t143_k - t104_k;
-        let t145_k = t144_k - t106_k;
-        let t146_k = -t17_k;
-        let t148_k = chain_w_1_k * t147;
-        let t149_k = sums_4[1] + t148 * chain_w_2_k + t148_k * chain_w_2;
-        let t150_k = sums_4[2] + t149 * t146_k + t149_k * t146;
-        let t151_k = t127_k * p.chain_l_1;
-        let t152_k = sums_4[3] + t151 * t133_k + t151_k * t133;
-        let t153_k = t127_k * p.chain_l_2;
-        let t154_k = sums_4[4] + t153 * t146_k + t153_k * t146;
-        let t155_k = t84_k * p.chain_l_2;
-        let t156_k = sums_4[5] + t155 * t146_k + t155_k * t146;
-        let t157_k = sin_chain_a_3_k * p.chain_gravity;
-        let t158_k = -t150_k;
-        let t159_k = t158_k - t152_k;
-        let t160_k = t159_k - t154_k;
-        let t161_k = t160_k - t156_k;
-        let t162_k = t161_k - t157_k;
-        let t163_k = t162_k * t58;
-        let n192_k = sums_4[6] + t39_k * chain_w_1_dot;
-        let n193_k = sums_4[7] + t53_k * chain_w_2_dot;
-        let n194_k = sums_4[8] + t59_k * chain_w_3_dot;
-        let n195_k = sums_4[9] + t53_k * chain_w_1_dot;
-        let n196_k = sums_5[0] + t21_k * chain_w_2_dot;
-        let n197_k = sums_5[1] + t61_k * chain_w_3_dot;
-        let n198_k = sums_5[2] + t59_k * chain_w_1_dot;
-        let n199_k = sums_5[3] + t61_k * chain_w_2_dot;
+        let t80_k = t79_k.mul_add(chain_w_3, t79.mul_add(chain_w_3_k, sums_2[4]));
+        let t81_k = t80_k.mul_add(t17, t80.mul_add(t17_k, sums_2[5]));
+        let t85_k = chain_w_2_k
+            .mul_add(chain_w_2, chain_w_2.mul_add(chain_w_2_k, sums_2[6]));
+        let t86_k = t85_k * t41;
+        let t87_k = t86_k.mul_add(t1, t86.mul_add(t1_k, sums_2[7]));
+        let t90_k = sin_chain_a_2_k * t89;
+        let t94_k = t85_k * t44;
+        let t95_k = t94_k.mul_add(t1, t94.mul_add(t1_k, sums_2[8]));
+        let t96_k = t85_k * t46;
+        let t97_k = t96_k.mul_add(t12, t96.mul_add(t12_k, sums_2[9]));
+        let t98_k = chain_w_3_k
+            .mul_add(chain_w_3, chain_w_3.mul_add(chain_w_3_k, sums_3[0]));
+        let t99_k = t98_k * t46;
+        let t100_k = t99_k.mul_add(t12, t99.mul_add(t12_k, sums_3[1]));
+        let t103_k = t98_k * t102;
+        let t104_k = t103_k.mul_add(t17, t103.mul_add(t17_k, sums_3[2]));
+        let t106_k = sin_chain_a_2_k * t105;
+        let t108_k = sin_chain_a_3_k * t107;
+        let t112_k = -t64_k;
+        let t113_k = t112_k - t67_k;
+        let t114_k = t113_k - t70_k;
+        let t115_k = t114_k - t72_k;
+        let t116_k = t115_k - t75_k;
+        let t117_k = t116_k - t78_k;
+        let t118_k = t117_k - t81_k;
+        let t119_k = (-sin_chain_th_1_k).mul_add(t83, t118_k);
+        let t120_k = t119_k - t87_k;
+        let t121_k = t120_k - t90_k;
+        let t122_k = (-sin_chain_th_1_k).mul_add(t92, t121_k);
+        let t123_k = t122_k - t95_k;
+        let t124_k = t123_k - t97_k;
+        let t125_k = t124_k - t100_k;
+        let t126_k = t125_k - t104_k;
+        let t127_k = t126_k - t106_k;
+        let t128_k = t127_k - t108_k;
+        let t129_k = (-sin_chain_th_1_k).mul_add(t110, t128_k);
+        let t130_k = chain_w_1_k
+            .mul_add(chain_w_1, chain_w_1.mul_add(chain_w_1_k, sums_3[3]));
+        let sin_chain_th_2_k = chain_th_2_k.mul_add(cos_chain_th_2, inverse * sums_3[4]);
+        let cos_chain_th_2_k = -chain_th_2_k
+            .mul_add(sin_chain_th_2, inverse * sums_3[5]);
+        let t131_k = t130_k * t41;
+        let t132_k = t131_k
+            .mul_add(sin_chain_th_2, t131.mul_add(sin_chain_th_2_k, sums_3[6]));
+        let t133_k = t130_k * t44;
+        let t134_k = t133_k
+            .mul_add(sin_chain_th_2, t133.mul_add(sin_chain_th_2_k, sums_3[7]));
+        let t135_k = chain_th_2_k + chain_th_3_k;
+        let t136_k = t135_k.mul_add(t137, inverse * sums_3[8]);
+        let t137_k = -t135_k.mul_add(t136, inverse * sums_3[9]);
+        let t138_k = t130_k * t46;
+        let t139_k = t138_k.mul_add(t136, t138.mul_add(t136_k, sums_4[0]));
+        let t140_k = -t75_k;
+        let t141_k = t140_k - t81_k;
+        let t142_k = t141_k - t132_k;
+        let t143_k = t142_k - t90_k;
+        let t144_k = t143_k - t134_k;
+        let t145_k = t144_k - t139_k;
+        let t146_k = t145_k - t104_k;
+        let t147_k = t146_k - t106_k;
+        let t148_k = t147_k - t108_k;
+        let t150_k = chain_w_1_k * t149;
+        let t151_k = t150_k.mul_add(chain_w_2, t150.mul_add(chain_w_2_k, sums_4[1]));
+        let t152_k = t151_k.mul_add(t17, t151.mul_add(t17_k, sums_4[2]));
+        let t153_k = t130_k * p.chain_l_1;
+        let t154_k = t153_k.mul_add(t136, t153.mul_add(t136_k, sums_4[3]));
+        let t155_k = t130_k * p.chain_l_2;
+        let t156_k = t155_k.mul_add(t17, t155.mul_add(t17_k, sums_4[4]));
+        let t157_k = t85_k * p.chain_l_2;
+        let t158_k = t157_k.mul_add(t17, t157.mul_add(t17_k, sums_4[5]));
+        let t160_k = t152_k - t154_k;
+        let t161_k = t160_k + t156_k;
+        let t162_k = t161_k + t158_k;
+        let t163_k = (-sin_chain_a_3_k).mul_add(p.chain_gravity, t162_k);
+        let n192_k = t39_k.mul_add(chain_w_1_dot, sums_4[6]);
+        let n193_k = t53_k.mul_add(chain_w_2_dot, sums_4[7]);
+        let n194_k = t59_k.mul_add(chain_w_3_dot, sums_4[8]);
+        let n195_k = t53_k.mul_add(chain_w_1_dot, sums_4[9]);
+        let n196_k = t21_k.mul_add(chain_w_2_dot, sums_5[0]);
+        let n197_k = t61_k.mul_add(chain_w_3_dot, sums_5[1]);
+        let n198_k = t59_k.mul_add(chain_w_1_dot, sums_5[2]);
+        let n199_k = t61_k.mul_add(chain_w_2_dot, sums_5[3]);
         let n200_k = n193_k + n194_k;
         let n201_k = n192_k + n200_k;
-        let t126_k_2 = t126_k - n201_k;
+        let t129_k_2 = t129_k - n201_k;
         let n203_k = n196_k + n197_k;
         let n204_k = n195_k + n203_k;
-        let t145_k_2 = t145_k - n204_k;
+        let t148_k_2 = t148_k - n204_k;
         let n206_k = n198_k + n199_k;
-        let t163_k_2 = t163_k - n206_k;
+        let t164_k = t163_k.mul_add(t58, -n206_k);
         let [chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k] = factored
-            .solve([t126_k_2, t145_k_2, t163_k_2]);
+            .solve([t129_k_2, t148_k_2, t164_k]);
         lanes
             .set(
                 order,
@@ -1902,9 +1845,9 @@ pub fn series<R: Real>(
                     t79_k,
                     t80_k,
                     chain_w_2_k,
-                    t85_k,
-                    t92_k,
+                    t86_k,
                     t94_k,
+                    t96_k,
                 ],
             );
         lanes_3
@@ -1919,44 +1862,44 @@ pub fn series<R: Real>(
                     k * chain_th_2_k,
                     sin_chain_th_2_k,
                     sin_chain_th_2_k,
-                    k * t132_k,
-                    k * t132_k,
+                    k * t135_k,
+                    k * t135_k,
                 ],
                 [
                     chain_w_3_k,
-                    t97_k,
-                    t101_k,
+                    t99_k,
+                    t103_k,
                     chain_w_1_k,
                     cos_chain_th_2_k,
                     sin_chain_th_2_k,
-                    t128_k,
-                    t130_k,
-                    t134_k,
+                    t131_k,
                     t133_k,
+                    t137_k,
+                    t136_k,
                 ],
             );
         lanes_4
             .set(
                 order,
                 [
-                    t133_k,
+                    t136_k,
                     chain_w_2_k,
-                    t146_k,
-                    t133_k,
-                    t146_k,
-                    t146_k,
+                    t17_k,
+                    t136_k,
+                    t17_k,
+                    t17_k,
                     t39_k,
                     t53_k,
                     t59_k,
                     t53_k,
                 ],
                 [
-                    t135_k,
-                    t148_k,
-                    t149_k,
+                    t138_k,
+                    t150_k,
                     t151_k,
                     t153_k,
                     t155_k,
+                    t157_k,
                     chain_w_1_dot_k,
                     chain_w_2_dot_k,
                     chain_w_3_dot_k,

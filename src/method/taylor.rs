@@ -67,6 +67,8 @@ pub(super) struct TaylorSteps<'a> {
     longest: f64,
     /// The highest order up to which the current coefficients are finite.
     finite: usize,
+    /// That of this order.
+    pace: Pace,
     tolerance: Tolerance,
     /// Coefficients of the step that is being taken, order after order.
     current: Vec<f64>,
@@ -102,6 +104,7 @@ impl<'a> TaylorSteps<'a> {
             step: 0.0,
             longest: 0.0,
             finite: order,
+            pace: step::pace(order),
             tolerance: Tolerance::new(stretch.rtol, &stretch.atol[..states], order),
             current: room(),
             following: room(),
@@ -154,7 +157,10 @@ impl<'a> TaylorSteps<'a> {
     /// Makes the coefficients that were computed last those of the next step.
     fn take_following(&mut self) {
         std::mem::swap(&mut self.current, &mut self.following);
-        self.finite = self.finite_orders();
+        let finite = self.finite_orders();
+        if finite != self.finite {
+            (self.finite, self.pace) = (finite, step::pace(finite));
+        }
         self.tolerance.weigh(&self.current[..self.states]);
     }
 
@@ -276,7 +282,7 @@ impl OneStep for TaylorSteps<'_> {
     }
 
     fn pace(&self) -> Pace {
-        step::pace(self.finite)
+        self.pace
     }
 
     fn own_step(&mut self) -> Option<f64> {

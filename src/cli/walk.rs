@@ -66,7 +66,7 @@ impl WalkCommand {
             return Err(Failure::input(mistake, "`machinist walk --help` lists what it takes"));
         }
         let failed = |error| Failure::unsuccessful(error, "");
-        let walk = during("walking", || Walk::of(&winder)).map_err(failed)?;
+        let walk = during("walking", || Walk::of(&winder).map_err(failed))?;
         let map = StabilityMap::of(&winder, winder.speed.max(FASTEST)).map_err(failed)?;
         if let Some(file) = &self.map {
             draw_file(file, |path| plot_map(&map, path))?;

@@ -139,9 +139,6 @@ fn run(
     Ok((model.states(span.until, &state, parameters), system.work()))
 }
 
-/// A function of time and state that writes numbers.
-type Call<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
-
 /// Nanoseconds of one rate and of one whole Jacobian, cycling through 16 states.
 fn rhs(model: &Model) {
     const STATES: usize = 16;
@@ -154,23 +151,31 @@ fn rhs(model: &Model) {
             scales.iter().enumerate().map(value).collect()
         })
         .collect();
-    let measure = |kind: &str, size: usize, call: &Call<'_>| {
-        let mut values = vec![0.0; size];
-        let time = nanoseconds(|number| {
-            let number = number % STATES;
-            call(0.01 * number as f64, black_box(&states[number]), &mut values);
-            black_box(&mut values);
-        });
-        print(&model.key, &json!({"kind": kind, "variant": "emitted Rust", "ns": time}));
-    };
     // As methods call them: what parameters decide is computed once a run.
     let mut constants = vec![0.0; simulator.constants()];
     simulator.prepare(&parameters, &mut constants);
     let (p, c) = (&parameters, &constants);
-    measure("rhs", scales.len(), &|t, y, out| simulator.prepared_rate(t, y, p, c, out));
+    let report = |kind: &str, time: f64| {
+        print(&model.key, &json!({"kind": kind, "variant": "emitted Rust", "ns": time}));
+    };
+    let rate = |t: f64, y: &[f64], out: &mut [f64]| simulator.prepared_rate(t, y, p, c, out);
+    report("rhs", cycling(&states, scales.len(), rate));
     let nonzeros = simulator.rate_jacobian_pattern().entries.len();
-    measure("jac", nonzeros, &|t, y, out| simulator.prepared_rate_jacobian(t, y, p, c, out));
+    let jacobian =
+        |t: f64, y: &[f64], out: &mut [f64]| simulator.prepared_rate_jacobian(t, y, p, c, out);
+    report("jac", cycling(&states, nonzeros, jacobian));
     rhs_in_lanes(model, &states);
+}
+
+/// Nanoseconds of a function of time and state that writes so many numbers, from one state
+/// to the next.
+fn cycling(states: &[Vec<f64>], size: usize, call: impl Fn(f64, &[f64], &mut [f64])) -> f64 {
+    let mut values = vec![0.0; size];
+    nanoseconds(|number| {
+        let number = number % states.len();
+        call(0.01 * number as f64, black_box(&states[number]), &mut values);
+        black_box(&mut values);
+    })
 }
 
 /// Nanoseconds of one rate for each of eight states at once.

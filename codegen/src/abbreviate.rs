@@ -17,6 +17,10 @@ use crate::expr::{Expr, HelperId, Symbol};
 #[derive(Debug, Clone, Default)]
 pub struct Abbreviations {
     entries: Vec<(HelperId, Expr)>,
+    /// Entries that are sums: their terms, and these with the other sign.
+    sums: Vec<(HelperId, [Vec<Expr>; 2])>,
+    /// Entries that are products of several bases.
+    products: Vec<(HelperId, Powers)>,
 }
 
 impl Abbreviations {
@@ -29,10 +33,27 @@ impl Abbreviations {
         for index in order {
             let definition = abbreviations.apply(&helpers[index]);
             if !mentions_acceleration(&definition) {
-                abbreviations.entries.push((HelperId(index as u32), definition));
+                abbreviations.add(HelperId(index as u32), definition);
             }
         }
         abbreviations
+    }
+
+    fn add(&mut self, id: HelperId, definition: Expr) {
+        match &definition {
+            Expr::Sum(parts) => {
+                let terms = [1, -1].map(|sign| parts.iter().map(|p| scaled(p, sign)).collect());
+                self.sums.push((id, terms));
+            }
+            Expr::Product(parts) => {
+                let powers = Powers::of(parts.clone());
+                if powers.bases.len() > 1 {
+                    self.products.push((id, powers));
+                }
+            }
+            _ => {}
+        }
+        self.entries.push((id, definition));
     }
 
     /// What each helper stands for, written with those before it.
@@ -66,10 +87,8 @@ impl Abbreviations {
     }
 
     fn sum(&self, mut terms: Vec<Expr>) -> Expr {
-        for (id, definition) in &self.entries {
-            let Expr::Sum(parts) = definition else { continue };
-            for sign in [1, -1] {
-                let wanted: Vec<Expr> = parts.iter().map(|part| scaled(part, sign)).collect();
+        for (id, definitions) in &self.sums {
+            for (wanted, sign) in definitions.iter().zip([1, -1]) {
                 if wanted.len() <= terms.len() && wanted.iter().all(|part| terms.contains(part)) {
                     terms.retain(|term| !wanted.contains(term));
                     terms.push(scaled(&helper(*id), sign));
@@ -82,10 +101,8 @@ impl Abbreviations {
 
     fn product(&self, factors: Vec<Expr>) -> Expr {
         let mut powers = Powers::of(factors);
-        for (id, definition) in &self.entries {
-            if let Expr::Product(parts) = definition {
-                powers.replace(&Powers::of(parts.clone()), *id);
-            }
+        for (id, part) in &self.products {
+            powers.replace(part, *id);
         }
         powers.into_expr()
     }
@@ -100,6 +117,7 @@ fn number(n: i64) -> BigRational {
 }
 
 /// A product as coefficient and bases with exponents.
+#[derive(Debug, Clone)]
 struct Powers {
     coefficient: BigRational,
     bases: Vec<(Expr, BigRational)>,
@@ -138,9 +156,6 @@ impl Powers {
 
     /// Takes out the largest whole power of `part`, if there is one.
     fn replace(&mut self, part: &Powers, id: HelperId) {
-        if part.bases.len() < 2 {
-            return;
-        }
         let Some(count) = self.whole_powers_of(part) else { return };
         let Some(scale) = count.to_i32() else { return };
         for (base, exponent) in &part.bases {

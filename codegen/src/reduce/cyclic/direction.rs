@@ -7,6 +7,7 @@ use crate::cas::{Cas, Form};
 use crate::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
 use crate::lagrange::EquationsOfMotion;
 use crate::lower::operations;
+use crate::scene::evaluate;
 
 /// Coordinates beyond which directions of several are not looked for: the cost of
 /// elimination grows with the third power, that of its expressions faster.
@@ -74,6 +75,9 @@ pub(super) fn find(
     if mentioned.len() < 2 || mentioned.len() > MOST_COORDINATES {
         return None;
     }
+    if has_full_rank(cas, equations, &mentioned) {
+        return None;
+    }
     let candidates = null_space(cas, equations, &mentioned);
     let directions = candidates.into_iter().map(|s| cheapest(cas, &mentioned, &s));
     let directions: Vec<Direction> = directions.collect();
@@ -116,6 +120,55 @@ fn normal_within(cas: &mut Cas, expr: &Expr) -> Expr {
         }
         Expr::Call(function, arguments) => Expr::Call(*function, all(arguments, normal_form)),
     }
+}
+
+/// Whether gradients of M, f and h at sampled states and parameters, as mere numbers,
+/// leave no direction that is normal to all: most machines have none, and numbers say so
+/// at once.
+fn has_full_rank(
+    cas: &mut Cas,
+    equations: &EquationsOfMotion,
+    coordinates: &[CoordinateId],
+) -> bool {
+    /// A row is rounding below this length, samples being about 1; likewise what rows
+    /// before it leave of one of length 1.
+    const INDEPENDENT: f64 = 1e-6;
+    let parameter = |id: ParameterId| 0.7 + 0.31 * (f64::from(id.0) * 1.7).sin();
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    for function in changing(equations, coordinates) {
+        for sample in 0..SAMPLES {
+            let form = cas.form(&on_branches(&function, sample, &mut 0));
+            let slope = |id: &CoordinateId| {
+                let slope = cas.derivative(&form, Symbol::Coordinate(*id));
+                evaluate(&sampled(&cas.expr(&slope), sample), &parameter)
+            };
+            let mut row: Vec<f64> = coordinates.iter().map(slope).collect();
+            if scale(&mut row) < INDEPENDENT {
+                continue;
+            }
+            // Twice, for the first time leaves rounding of what it takes away.
+            for known in basis.iter().chain(&basis) {
+                let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
+                row.iter_mut().zip(known).for_each(|(entry, known)| *entry -= along * known);
+            }
+            if scale(&mut row) > INDEPENDENT {
+                basis.push(row);
+            }
+            if basis.len() == coordinates.len() {
+                return true;
+            }
+        }
+    }
+    false
+}
+
+/// Makes a row of length 1, unless it is zero or no number; its length before.
+fn scale(row: &mut [f64]) -> f64 {
+    let length = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+    if length > 0.0 && length.is_finite() {
+        row.iter_mut().for_each(|entry| *entry /= length);
+    }
+    length
 }
 
 /// Directions that gradients of M, f and h with respect to `coordinates` are

@@ -149,7 +149,9 @@ fn has_full_rank(
             // Twice, for the first time leaves rounding of what it takes away.
             for known in basis.iter().chain(&basis) {
                 let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
-                row.iter_mut().zip(known).for_each(|(entry, known)| *entry -= along * known);
+                for (entry, known) in row.iter_mut().zip(known) {
+                    *entry -= along * known;
+                }
             }
             if scale(&mut row) > INDEPENDENT {
                 basis.push(row);
@@ -166,7 +168,9 @@ fn has_full_rank(
 fn scale(row: &mut [f64]) -> f64 {
     let length = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
     if length > 0.0 && length.is_finite() {
-        row.iter_mut().for_each(|entry| *entry /= length);
+        for entry in row.iter_mut() {
+            *entry /= length;
+        }
     }
     length
 }

@@ -96,6 +96,23 @@ pub enum Function {
     },
 }
 
+impl Function {
+    /// Whether f(-x) is -f(x), or else f(x), to the last bit; nothing if neither.
+    #[must_use]
+    pub fn is_odd(self) -> Option<bool> {
+        match self {
+            Self::Sin | Self::Tan | Self::Asin | Self::Atan | Self::Sinh | Self::Tanh => Some(true),
+            Self::Cos | Self::Cosh | Self::Abs => Some(false),
+            Self::Sqrt
+            | Self::Exp
+            | Self::Ln
+            | Self::Acos
+            | Self::SelectLess
+            | Self::Table { .. } => None,
+        }
+    }
+}
+
 /// An expression tree with exact numbers.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Expr {

@@ -99,7 +99,7 @@ fn div(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
 
 /// Odd and even functions of a difference, so that both ways round are one call.
 fn call(graph: &mut Graph, function: Function, a: NodeId) -> Folded {
-    let Some(is_odd) = parity(function) else { return Folded::Op(Op::Call(function, a)) };
+    let Some(is_odd) = function.is_odd() else { return Folded::Op(Op::Call(function, a)) };
     let positive = match graph.op(a) {
         Op::Neg(x) => x,
         Op::Sub(x, y) if y < x => graph.sub(y, x),
@@ -107,16 +107,6 @@ fn call(graph: &mut Graph, function: Function, a: NodeId) -> Folded {
     };
     let value = graph.call(function, positive);
     Folded::Node(if is_odd { graph.neg(value) } else { value })
-}
-
-/// Whether f(-x) is -f(x), or else f(x), to the last bit; nothing if neither.
-fn parity(function: Function) -> Option<bool> {
-    use Function as F;
-    match function {
-        F::Sin | F::Tan | F::Asin | F::Atan | F::Sinh | F::Tanh => Some(true),
-        F::Cos | F::Cosh | F::Abs => Some(false),
-        F::Sqrt | F::Exp | F::Ln | F::Acos | F::SelectLess | F::Table { .. } => None,
-    }
 }
 
 /// The value of an operation on literals, if it is finite.

@@ -248,20 +248,9 @@ impl Builder {
     /// A function by its differential equation; odd and even ones of -x by those
     /// of x.
     fn call(&mut self, function: Function, x: NodeId) -> NodeId {
-        if let Recurrence::Neg(x) = self.tape[x].recurrence {
-            match function {
-                Function::Sin
-                | Function::Tan
-                | Function::Asin
-                | Function::Atan
-                | Function::Sinh
-                | Function::Tanh => {
-                    let of_x = self.call(function, x);
-                    return self.push(Recurrence::Neg(of_x));
-                }
-                Function::Cos | Function::Cosh | Function::Abs => return self.call(function, x),
-                _ => {}
-            }
+        if let (Recurrence::Neg(x), Some(is_odd)) = (self.tape[x].recurrence, function.is_odd()) {
+            let of_x = self.call(function, x);
+            return if is_odd { self.push(Recurrence::Neg(of_x)) } else { of_x };
         }
         match function {
             Function::Sqrt => self.push(Recurrence::Root(x)),

@@ -8,7 +8,7 @@ use machinist_codegen::evaluate::Evaluator;
 use machinist_codegen::program::{Program, SparsityPattern as Pattern};
 use machinist_codegen::state::Motion;
 use machinist_codegen::system;
-use machinist_codegen::taylor::{self, SeriesEvaluator, recurrences};
+use machinist_codegen::taylor::{SeriesEvaluator, recurrences};
 use machinist_scenes::linear::LinearEquations;
 use machinist_scenes::taylor::{Bends, TaylorSeries};
 use machinist_scenes::{
@@ -73,11 +73,7 @@ impl InterpretedSimulator {
             constraint_rates: prepared(&program.constraint_rates),
             constraint_matrix: prepared(&program.constraint_matrix.tape),
             is_given: program.is_given(),
-            bends: match series.bends(program.system.discontinuities.len()) {
-                taylor::Bends::Nowhere => Bends::Nowhere,
-                taylor::Bends::Saturates => Bends::Saturates,
-                taylor::Bends::Corners => Bends::Corners,
-            },
+            bends: series.bends(program.system.discontinuities.len()),
             series: RefCell::new(SeriesEvaluator::new(series)),
             linear: program
                 .excitation

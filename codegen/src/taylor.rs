@@ -23,6 +23,8 @@
 mod build;
 mod evaluate;
 
+use machinist_scenes::taylor::Bends;
+
 use crate::expr::{Function, TableId};
 use crate::tape::{NodeId, Op};
 
@@ -161,18 +163,6 @@ pub struct MassMatrix {
     pub right_side: Vec<NodeId>,
     /// The nodes that hold the solution.
     pub accelerations: Vec<NodeId>,
-}
-
-/// Where a motion may bend so that no coefficient tells of it from afar.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Bends {
-    /// What is near shows in how coefficients grow.
-    Nowhere,
-    /// Where a function that is flat on both sides, such as tanh, turns from one to the
-    /// other: there it is analytic.
-    Saturates,
-    /// Also at branches that depend on the state and at knots of tables.
-    Corners,
 }
 
 /// `S(left, right)`, the left one perhaps with every coefficient times its order.

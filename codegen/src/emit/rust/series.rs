@@ -4,13 +4,14 @@
 mod coefficients;
 mod needs;
 
+use machinist_scenes::taylor::Bends;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Scene;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::taylor::{Bends, Convolution, MassMatrix, TaylorTape, recurrences};
+use crate::taylor::{Convolution, MassMatrix, TaylorTape, recurrences};
 use coefficients::Writer;
 use needs::{Needs, needs};
 

@@ -3,7 +3,7 @@
 //! Excluded: names, compilation. The order of operations is that of the emitted
 //! Rust, so that both agree bit for bit.
 
-use machinist_scenes::Real;
+use machinist_scenes::{CubicTable, Real};
 
 use crate::emit::needed_nodes;
 use crate::expr::Function;
@@ -87,7 +87,7 @@ pub(crate) fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>
         Op::Sub(a, b) => value(a) - value(b),
         Op::Mul(a, b) => value(a) * value(b),
         Op::Div(a, b) => value(a) / value(b),
-        Op::Powi(base, exponent) => power(value(base), exponent),
+        Op::Powi(base, exponent) => Real::powi(value(base), exponent),
         Op::Powf(base, exponent) => value(base).powf(value(exponent)),
         Op::Call(function, argument) => call(function, value(argument)),
         Op::SelectLess { lhs, rhs, then, otherwise } => {
@@ -105,8 +105,7 @@ pub(crate) fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>
 
 /// A function of one argument; `SelectLess` and `Table` have operations of their
 /// own and are not numbers here.
-#[must_use]
-pub fn call(function: Function, x: f64) -> f64 {
+pub(crate) fn call(function: Function, x: f64) -> f64 {
     match function {
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
@@ -125,53 +124,8 @@ pub fn call(function: Function, x: f64) -> f64 {
     }
 }
 
-/// Integer power by repeated squaring, as the emitted contract takes it.
-fn power(base: f64, exponent: i32) -> f64 {
-    let mut power = 1.0;
-    let mut square = base;
-    let mut left = exponent.unsigned_abs();
-    while left > 0 {
-        if left & 1 == 1 {
-            power *= square;
-        }
-        square *= square;
-        left >>= 1;
-    }
-    if exponent < 0 { 1.0 / power } else { power }
-}
-
 /// Value or derivative of a table, constant beyond its ends.
 pub(crate) fn interpolate(table: &Table, order: u32, x: f64) -> f64 {
-    let (Some(&first), Some(&last)) = (table.knots.first(), table.knots.last()) else {
-        return 0.0;
-    };
-    // Written so that a NaN goes beyond the end, as in the contract.
-    if x < first {
-        return end_value(table, order, 0, first);
-    }
-    if x < last {
-        let interval = table.knots.partition_point(|&knot| knot <= x).saturating_sub(1);
-        let piece = table.coefficients.get(interval).zip(table.knots.get(interval));
-        return piece.map_or(0.0, |(c, start)| polynomial(c, order, x - start));
-    }
-    end_value(table, order, table.coefficients.len().saturating_sub(1), last)
-}
-
-/// The constant beyond an end.
-fn end_value(table: &Table, order: u32, interval: usize, end: f64) -> f64 {
-    match table.coefficients.get(interval).zip(table.knots.get(interval)) {
-        Some((c, start)) if order == 0 => polynomial(c, 0, end - start),
-        _ => 0.0,
-    }
-}
-
-/// Derivative of the given order of c0 + c1 u + c2 u^2 + c3 u^3.
-fn polynomial(&[c0, c1, c2, c3]: &[f64; 4], order: u32, u: f64) -> f64 {
-    match order {
-        0 => ((c3 * u + c2) * u + c1) * u + c0,
-        1 => (3.0 * c3 * u + 2.0 * c2) * u + c1,
-        2 => 6.0 * c3 * u + 2.0 * c2,
-        3 => 6.0 * c3,
-        _ => 0.0,
-    }
+    let Table { knots, coefficients, .. } = table;
+    CubicTable { knots, coefficients }.search(order, x)
 }

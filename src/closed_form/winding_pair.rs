@@ -62,12 +62,19 @@ impl WindingPair {
             - (tension * radius + resistance + inertia * acceleration).abs()
     }
 
+    /// f - (fa r + k)/R: the tension that a pressure of 1 N holds at steady speed, at a
+    /// radius R \[m\].
+    #[must_use]
+    pub fn grip(&self, radius: f64) -> f64 {
+        self.friction - (self.support_arm + self.rolling_arm) / radius
+    }
+
     /// \[Nmin\], least pressure \[N\] that turns a package of radius R \[m\] at steady speed
     /// against tension Pn \[N\], by both conditions; infinite where f R does not exceed
     /// fa r + k.
     #[must_use]
     pub fn least_pressure(&self, tension: f64, radius: f64) -> f64 {
-        let grip = self.friction - (self.support_arm + self.rolling_arm) / radius;
+        let grip = self.grip(radius);
         if grip <= 0.0 {
             return f64::INFINITY;
         }

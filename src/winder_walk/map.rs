@@ -92,8 +92,7 @@ impl Limits {
     pub fn judge(&self, radius: f64, variation: f64) -> Cell {
         let Self { pair, pressure, tension, largest, .. } = *self;
         let left = pressure - variation;
-        let grip = pair.friction - (pair.support_arm + pair.rolling_arm) / radius;
-        let margin = left * grip - tension;
+        let margin = left * pair.grip(radius) - tension;
         let condition = if left <= 0.0 {
             Condition::Contact
         } else if margin < 0.0 {

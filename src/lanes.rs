@@ -3,8 +3,8 @@
 //!
 //! Sums, products, quotients, roots, sines and cosines are those of the processor's
 //! vectors, as wide as the target that the program is compiled for has them
-//! (`-C target-cpu=native`); other functions are computed lane by lane. Both round as `f64` does, so every lane
-//! holds, to the last bit, what a run on `f64` would hold.
+//! (`-C target-cpu=native`); other functions are computed lane by lane. Both round as
+//! `f64` does, so every lane holds, to the last bit, what a run on `f64` would hold.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -77,13 +77,24 @@ impl Chain {
         Self { field, rows: (0..mesh.owners.len()).map(row).collect() }
     }
 
-    /// Slopes of every element.
-    fn slopes<R: Real>(&self, (mesh, constants): (&Mesh, &Constants<'_, R>), work: &mut Work<R>) {
+    /// Elements of equal lengths, and the inverse of that length.
+    fn stretches<'c, R: Real>(
+        &self,
+        mesh: &'c Mesh,
+        constants: &Constants<'c, R>,
+    ) -> impl Iterator<Item = (Range<usize>, R)> + use<'c, R> {
         let bounds = constants.bounds(mesh.bounds(self.field));
-        for (segment, ends) in mesh.segments.iter().zip(bounds.windows(2)) {
+        mesh.segments.iter().zip(bounds.windows(2)).map(|(segment, ends)| {
             let inverse = R::literal(f64::from(segment.elements)) / (ends[1] - ends[0]);
             let first = segment.first_node as usize;
-            let elements = first..first + segment.elements as usize;
+            (first..first + segment.elements as usize, inverse)
+        })
+    }
+
+    /// Slopes of every element.
+    fn slopes<R: Real>(&self, (mesh, constants): (&Mesh, &Constants<'_, R>), work: &mut Work<R>) {
+        for (elements, inverse) in self.stretches(mesh, constants) {
+            let first = elements.start;
             for (values, slopes) in [(&work.u, &mut work.u_x), (&work.v, &mut work.v_x)] {
                 let values = &values[mesh.first_node..][first..=elements.end];
                 for (slope, ends) in slopes[elements.clone()].iter_mut().zip(values.windows(2)) {
@@ -195,12 +206,8 @@ impl Chain {
 
     /// Derivatives by slopes to those by differences.
     fn over_lengths<R: Real>(&self, mesh: &Mesh, constants: &Constants<'_, R>, by: [&mut [R]; 2]) {
-        let bounds = constants.bounds(mesh.bounds(self.field));
         for by in by {
-            for (segment, ends) in mesh.segments.iter().zip(bounds.windows(2)) {
-                let inverse = R::literal(f64::from(segment.elements)) / (ends[1] - ends[0]);
-                let first = segment.first_node as usize;
-                let elements: Range<usize> = first..first + segment.elements as usize;
+            for (elements, inverse) in self.stretches(mesh, constants) {
                 for by in &mut by[elements] {
                     *by = *by * inverse;
                 }

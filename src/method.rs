@@ -28,6 +28,8 @@ mod radau;
 #[cfg(feature = "implicit")]
 mod rosenbrock;
 #[cfg(feature = "implicit")]
+mod sparse;
+#[cfg(feature = "implicit")]
 mod step_matrix;
 mod stretch;
 mod suitable;

@@ -5,6 +5,7 @@ use nalgebra::ComplexField;
 use super::System;
 use super::bordered::Bordered;
 use super::lu::{Lu, Singular};
+use super::sparse::Sparse;
 
 /// shift I - J for y = \[q, q', z\]. The upper rows of J say that the rate of q
 /// is q', so that q is eliminated beforehand:
@@ -15,7 +16,8 @@ use super::lu::{Lu, Singular};
 /// ```
 ///
 /// and only the n + m lower equations of the 2 n + m are factored: as a band with a
-/// border where the simulator knows of one, else as a full matrix.
+/// border where the simulator knows of one, else as a sparse matrix where that is one,
+/// else as a full matrix.
 pub(super) struct StepMatrix<'a, S> {
     /// Number of coordinates eliminated: all, or none if the pattern is not of
     /// this form.
@@ -30,6 +32,8 @@ pub(super) struct StepMatrix<'a, S> {
 enum Factors<S> {
     Full(Lu<S>),
     Bordered(Box<Bordered<S>>),
+    /// The full matrix is there if the last one had no sparse factors without exchanges.
+    Sparse(Box<Sparse<S>>, Option<Lu<S>>),
 }
 
 impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
@@ -40,19 +44,23 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         let expected = (0..coordinates as u32).map(|row| (row, row + coordinates as u32));
         let coordinates = if upper.copied().eq(expected) { coordinates } else { 0 };
         let size = system.states() - coordinates;
+        // Positions stand for the velocities that they are eliminated by.
+        let lower = entries[coordinates..].iter().map(|&(row, column)| {
+            let (row, column) = (row as usize, column as usize);
+            (row - coordinates, column.checked_sub(coordinates).unwrap_or(column))
+        });
+        let lower: Vec<(usize, usize)> = lower.collect();
         let factors = match system.simulator().border() {
             Some(border) if coordinates > 0 => {
                 let border = border.iter().map(|index| *index as usize);
                 let border: Vec<usize> =
                     border.filter_map(|index| index.checked_sub(coordinates)).collect();
-                let lower = entries[coordinates..].iter().map(|&(row, column)| {
-                    let (row, column) = (row as usize, column as usize);
-                    (row - coordinates, column.checked_sub(coordinates).unwrap_or(column))
-                });
-                let lower: Vec<(usize, usize)> = lower.collect();
                 Factors::Bordered(Box::new(Bordered::new(size, &border, &lower)))
             }
-            _ => Factors::Full(Lu::new(size)),
+            _ => match Sparse::new(size, &lower) {
+                Some(sparse) => Factors::Sparse(Box::new(sparse), None),
+                None => Factors::Full(Lu::new(size)),
+            },
         };
         let by_position = runs(entries, coordinates);
         Self { coordinates, entries, by_position, shift: S::one(), factors }
@@ -64,31 +72,43 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
     /// [`Singular`] if that cannot be done.
     pub(super) fn factor(&mut self, shift: S, jacobian: &[f64]) -> Result<(), Singular> {
         self.shift = shift;
-        let (n, entries) = (self.coordinates, &self.entries[self.coordinates..]);
+        let n = self.coordinates;
         let inverse = shift.recip();
-        let value = |column: usize, value: f64| {
-            if column < n { -inverse.scale(value) } else { -S::from_real(value) }
+        let value = |column: u32, value: f64| {
+            if (column as usize) < n { -inverse.scale(value) } else { -S::from_real(value) }
         };
-        let lower = entries.iter().zip(&jacobian[n..]);
-        match &mut self.factors {
-            Factors::Full(lu) => {
-                lu.clear();
-                for index in 0..lu.size() {
-                    lu.add(index, index, shift);
-                }
-                for (&(row, column), entry) in lower {
-                    let (row, column) = (row as usize - n, column as usize);
-                    let place = column.checked_sub(n).unwrap_or(column);
-                    lu.add(row, place, value(column, *entry));
-                }
-                lu.factor()
+        let lower = self.entries[n..].iter().zip(&jacobian[n..]);
+        let add_all = |values: &mut [S], targets: &[u32]| {
+            for ((&(_, column), entry), target) in lower.clone().zip(targets) {
+                values[*target as usize] += value(column, *entry);
             }
+        };
+        let factor_fully = |lu: &mut Lu<S>| {
+            lu.clear();
+            for index in 0..lu.size() {
+                lu.add(index, index, shift);
+            }
+            for (&(row, column), entry) in lower.clone() {
+                let (row, at) = (row as usize - n, column as usize);
+                lu.add(row, at.checked_sub(n).unwrap_or(at), value(column, *entry));
+            }
+            lu.factor()
+        };
+        match &mut self.factors {
+            Factors::Full(lu) => factor_fully(lu),
             Factors::Bordered(bordered) => {
                 let (values, targets) = bordered.start(shift);
-                for ((&(_, column), entry), target) in lower.zip(targets) {
-                    values[*target as usize] += value(column as usize, *entry);
-                }
+                add_all(values, targets);
                 bordered.factor()
+            }
+            Factors::Sparse(sparse, full) => {
+                let (values, targets) = sparse.start(shift);
+                add_all(values, targets);
+                *full = None;
+                if sparse.factor().is_err() {
+                    factor_fully(full.insert(Lu::new(sparse.size())))?;
+                }
+                Ok(())
             }
         }
     }
@@ -107,6 +127,8 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         match &mut self.factors {
             Factors::Full(lu) => lu.solve(lower),
             Factors::Bordered(bordered) => bordered.solve(lower),
+            Factors::Sparse(_, Some(full)) => full.solve(lower),
+            Factors::Sparse(sparse, None) => sparse.solve(lower),
         }
         for (upper, lower) in upper.iter_mut().zip(lower) {
             *upper += *lower * inverse;

@@ -1,7 +1,9 @@
-//! What depends on parameters alone, computed once a run instead of at every rate.
+//! What depends on parameters alone, computed once a run instead of at every rate; and, of
+//! loops over many points, what depends on time and parameters alone, computed once for
+//! all points.
 //!
-//! Excluded: what depends on time and parameters alone. A stage of a method has a
-//! time of its own, so that is computed once a stage as it is.
+//! Excluded: what of a rate depends on time and parameters alone. A stage of a method has
+//! a time of its own, so that is computed once a stage as it is.
 
 use crate::emit::{needed_nodes, tape_operations};
 use crate::program::Program;
@@ -29,7 +31,7 @@ impl Hoisted {
         let fields = program.fields.iter().flat_map(|field| &field.field.attachments);
         let mut constants = Constants {
             tape: Tape::default(),
-            first: program.system.parameters.len(),
+            of: Known::OnceARun { first: program.system.parameters.len() },
             // All that a field hands over but the inertia of its node.
             varying: fields.flat_map(|at| (1..HANDED as u32).map(|k| at.handed.0 + k)).collect(),
         };
@@ -45,11 +47,30 @@ impl Hoisted {
     }
 }
 
+/// A tape in two: what no entry of the state decides, and what is left, which reads the
+/// k-th result of the former as the entry `states + k` of the state. Every operation is
+/// done on the same operands as before.
+#[must_use]
+pub fn apart_from_state(tape: &Tape, states: usize) -> (Tape, Tape) {
+    let of = Known::OnceATime { first: states };
+    let mut constants = Constants { tape: Tape::default(), of, varying: Vec::new() };
+    let remaining = constants.hoist(tape);
+    (constants.tape, remaining)
+}
+
+/// When constants are known, and where they begin among what tapes read.
+#[derive(Debug, Clone, Copy)]
+enum Known {
+    /// From parameters alone; read as parameters.
+    OnceARun { first: usize },
+    /// From parameters and time; read as the state.
+    OnceATime { first: usize },
+}
+
 /// The constants as they are found, those of several tapes shared.
 struct Constants {
     tape: Tape,
-    /// Where constants begin among what tapes read as parameters.
-    first: usize,
+    of: Known,
     /// Parameters that are another at every rate.
     varying: Vec<u32>,
 }
@@ -61,8 +82,12 @@ impl Constants {
         let needed = needed_nodes(tape);
         let is_constant: Vec<bool> = (0..tape.nodes.len())
             .map(|index| {
-                let arithmetic = tape.nodes[index].op.is_arithmetic();
-                arithmetic && !dependence.on_anything(NodeId(index as u32))
+                let id = NodeId(index as u32);
+                let varies = match self.of {
+                    Known::OnceARun { .. } => dependence.on_anything(id),
+                    Known::OnceATime { .. } => dependence.on_state(id),
+                };
+                tape.nodes[index].op.is_arithmetic() && !varies
             })
             .collect();
         // A constant is read if something at every evaluation asks for it.
@@ -79,7 +104,11 @@ impl Constants {
             let op = if !is_constant[index] {
                 node.op.with_operands(|id| places[id.0 as usize])
             } else if is_read[index] {
-                Op::Parameter((self.first + self.constant(tape, index)) as u32)
+                let constant = self.constant(tape, index);
+                match self.of {
+                    Known::OnceARun { first } => Op::Parameter((first + constant) as u32),
+                    Known::OnceATime { first } => Op::State((first + constant) as u32),
+                }
             } else {
                 continue;
             };
@@ -124,7 +153,7 @@ fn is_same(a: Op, b: Op) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Constants, is_same};
+    use super::{Constants, Known, apart_from_state, is_same};
     use crate::structure::Frequency;
     use crate::tape::{Node, NodeId, Op, Tape};
 
@@ -140,13 +169,28 @@ mod tests {
         let first = tape(&[p, Op::State(0), product(0, 0), product(2, 1)], &[3]);
         let root = Op::Call(crate::expr::Function::Sqrt, NodeId(1));
         let second = tape(&[p, product(0, 0), root], &[1, 2]);
-        let mut constants = Constants { tape: Tape::default(), first: 1, varying: Vec::new() };
+        let mut constants = Constants {
+            tape: Tape::default(),
+            of: Known::OnceARun { first: 1 },
+            varying: Vec::new(),
+        };
         let (first, second) = (constants.hoist(&first), constants.hoist(&second));
         assert_eq!(first, tape(&[Op::State(0), Op::Parameter(1), product(1, 0)], &[2]));
         // The parameter itself is read by nothing any more.
         assert_eq!(second, tape(&[Op::Parameter(1), Op::Parameter(2)], &[0, 1]));
         assert_eq!(constants.tape, tape(&[p, product(0, 0), root], &[1, 2]));
         assert_eq!(Frequency::of(&first), Frequency { once: 0, by_time: 0, by_state: 1 });
+    }
+
+    #[test]
+    fn what_no_state_decides_is_told_apart() {
+        let product = |a, b| Op::Mul(NodeId(a), NodeId(b));
+        // (p t) y, p t being known before y is.
+        let all =
+            tape(&[Op::Parameter(0), Op::Time, product(0, 1), Op::State(0), product(2, 3)], &[4]);
+        let (before, rest) = apart_from_state(&all, 5);
+        assert_eq!(before, tape(&[Op::Parameter(0), Op::Time, product(0, 1)], &[2]));
+        assert_eq!(rest, tape(&[Op::State(5), Op::State(0), product(0, 1)], &[2]));
     }
 
     #[test]

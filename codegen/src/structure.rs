@@ -124,6 +124,10 @@ impl Dependence {
         self.0[id.0 as usize].0
     }
 
+    pub(crate) fn on_state(&self, id: NodeId) -> bool {
+        self.0[id.0 as usize].1
+    }
+
     pub(crate) fn on_anything(&self, id: NodeId) -> bool {
         self.0[id.0 as usize] != (false, false)
     }

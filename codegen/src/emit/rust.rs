@@ -15,6 +15,7 @@ mod header;
 mod items;
 mod names;
 mod plan;
+mod points;
 mod prepare;
 mod series;
 

@@ -2005,13 +2005,13 @@ pub mod shaft_u {
         point: &FieldPoint<R>,
         p: &Parameters<R>,
     ) -> [R; 2] {
-        let [_, u_x, _, u_x_dot] = *point;
+        let [_, u_x_2, _, u_x_dot] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         [
             R::literal(0.0),
             -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
                 * (shaft_radius_squared * shaft_radius_squared)
-                * (u_x + p.shaft_damping_time * u_x_dot)),
+                * (u_x_2 + p.shaft_damping_time * u_x_dot)),
         ]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
@@ -2050,10 +2050,10 @@ pub mod shaft_u {
         point: &FieldPoint<R>,
         p: &Parameters<R>,
     ) -> [R; 16] {
-        let [_, u_x, _, u_x_dot] = *point;
+        let [_, u_x_2, _, u_x_dot] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
-        let t0 = u_x + p.shaft_damping_time * u_x_dot;
+        let t0 = u_x_2 + p.shaft_damping_time * u_x_dot;
         [
             R::literal(0.0),
             R::literal(0.0),
@@ -2087,14 +2087,14 @@ pub mod shaft_u {
         point: &FieldPoint<R>,
         p: &Parameters<R>,
     ) -> [R; 2] {
-        let [_, u_x, u_dot, _] = *point;
+        let [_, u_x_2, u_dot, _] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
         [
             R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_density
                 * shaft_radius_squared_squared * (u_dot * u_dot),
             R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_shear_modulus
-                * shaft_radius_squared_squared * (u_x * u_x),
+                * shaft_radius_squared_squared * (u_x_2 * u_x_2),
         ]
     }
     /// Rate of V, power supplied and power dissipated, a length \[W/m\].
@@ -2108,12 +2108,12 @@ pub mod shaft_u {
         point: &FieldPoint<R>,
         p: &Parameters<R>,
     ) -> [R; 3] {
-        let [_, u_x, _, u_x_dot] = *point;
+        let [_, u_x_2, _, u_x_dot] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
         let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
         [
-            t0 * shaft_radius_squared_squared * u_x * u_x_dot,
+            t0 * shaft_radius_squared_squared * u_x_2 * u_x_dot,
             R::literal(0.0),
             t0 * p.shaft_damping_time * shaft_radius_squared_squared
                 * (u_x_dot * u_x_dot),
@@ -2168,82 +2168,90 @@ pub mod shaft_u {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
-    /// f_0 alone.
+    /// f_0 alone, at many points.
     ///
-    /// 0 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 0 operations for all points, 0 for each.
     pub fn on_value<R: Real>(
         _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         _p: &Parameters<R>,
-    ) -> [R; 1] {
-        [R::literal(0.0)]
+        force: &mut [R],
+    ) {
+        for (((_, _), _), force) in at.iter().zip(u).zip(u_t).zip(force) {
+            *force = R::literal(0.0);
+        }
     }
-    /// df_0/du and df_0/du_t.
+    /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 0 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 0 operations for all points, 0 for each.
     pub fn on_value_jacobian<R: Real>(
         _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         _p: &Parameters<R>,
-    ) -> [R; 2] {
-        [R::literal(0.0), R::literal(0.0)]
+        by_u: &mut [R],
+        by_u_t: &mut [R],
+    ) {
+        for ((((_, _), _), by_u), by_u_t) in at
+            .iter()
+            .zip(u)
+            .zip(u_t)
+            .zip(by_u)
+            .zip(by_u_t)
+        {
+            *by_u = R::literal(0.0);
+            *by_u_t = R::literal(0.0);
+        }
     }
-    /// df_0/dt.
+    /// df_0/dt, at many points.
     ///
-    /// 0 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 0 operations for all points, 0 for each.
     pub fn on_value_by_time<R: Real>(
         _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         _p: &Parameters<R>,
-    ) -> [R; 1] {
-        [R::literal(0.0)]
+        by_time: &mut [R],
+    ) {
+        for (((_, _), _), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
+            *by_time = R::literal(0.0);
+        }
     }
-    /// f_1 alone.
+    /// f_1 alone, at many points.
     ///
-    /// 8 operations.
-    #[must_use]
-    #[inline(always)]
-    pub fn on_slope<R: Real>(
-        _time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, u_x, _, u_x_dot] = *point;
+    /// 4 operations for all points, 4 for each.
+    pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        [
-            -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
-                * (shaft_radius_squared * shaft_radius_squared)
-                * (u_x + p.shaft_damping_time * u_x_dot)),
-        ]
+        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+            * (shaft_radius_squared * shaft_radius_squared);
+        for ((&u_x_2, &u_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
+            *force = -(t0 * (u_x_2 + p.shaft_damping_time * u_x_dot));
+        }
     }
-    /// df_1/du_x and df_1/du_xt.
+    /// df_1/du_x and df_1/du_xt, at many points.
     ///
-    /// 8 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 8 operations for all points, 0 for each.
     pub fn on_slope_jacobian<R: Real>(
-        _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        u_x: &[R],
+        u_xt: &[R],
         p: &Parameters<R>,
-    ) -> [R; 2] {
+        by_u_x: &mut [R],
+        by_u_xt: &mut [R],
+    ) {
+        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
-        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
-        [
-            -(t0 * shaft_radius_squared_squared),
-            -(t0 * p.shaft_damping_time * shaft_radius_squared_squared),
-        ]
+        let t1 = -(t0 * shaft_radius_squared_squared);
+        let t2 = -(t0 * p.shaft_damping_time * shaft_radius_squared_squared);
+        for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)
+        {
+            *by_u_x = t1;
+            *by_u_xt = t2;
+        }
     }
 }
 
@@ -2409,16 +2417,7 @@ impl<R: Real> FieldScene<R> for LoomDrive {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    [*force] = shaft_u::on_value(
-                        time,
-                        *x,
-                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_u::on_value(time, x, u, u_t, &p, forces),
             _ => no_field(index),
         }
     }
@@ -2437,17 +2436,7 @@ impl<R: Real> FieldScene<R> for LoomDrive {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((x, u), u_t), by) in x
-                    .iter()
-                    .zip(u)
-                    .zip(u_t)
-                    .zip(by_u.iter_mut().zip(by_u_t))
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, *by.1] = shaft_u::on_value_jacobian(time, *x, &point, &p);
-                }
-            }
+            0 => shaft_u::on_value_jacobian(time, x, u, u_t, &p, by_u, by_u_t),
             _ => no_field(index),
         }
     }
@@ -2464,13 +2453,7 @@ impl<R: Real> FieldScene<R> for LoomDrive {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by_time] = shaft_u::on_value_by_time(time, *x, &point, &p);
-                }
-            }
+            0 => shaft_u::on_value_by_time(time, x, u, u_t, &p, by_time),
             _ => no_field(index),
         }
     }
@@ -2485,17 +2468,7 @@ impl<R: Real> FieldScene<R> for LoomDrive {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*force] = shaft_u::on_slope(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_u::on_slope(u_x, u_xt, &p, forces),
             _ => no_field(index),
         }
     }
@@ -2512,21 +2485,7 @@ impl<R: Real> FieldScene<R> for LoomDrive {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((u_x, u_xt), by) in u_x
-                    .iter()
-                    .zip(u_xt)
-                    .zip(by_u_x.iter_mut().zip(by_u_xt))
-                {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*by.0, *by.1] = shaft_u::on_slope_jacobian(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_u::on_slope_jacobian(u_x, u_xt, &p, by_u_x, by_u_xt),
             _ => no_field(index),
         }
     }

@@ -1893,126 +1893,131 @@ pub mod saws_phi {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
-    /// f_0 alone.
+    /// f_0 alone, at many points.
     ///
-    /// 26 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 18 operations for all points, 8 for each.
     pub fn on_value<R: Real>(
         time: R,
-        x: R,
-        point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, _, phi_dot, _] = *point;
-        let t0 = (p.saws_mean
+        force: &mut [R],
+    ) {
+        let t0 = p.saws_mean
             + p.saws_amplitude
                 * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
                     * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin())
-            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
-                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x)
-            * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
-        [
-            -(t0
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.saws_engagement_width
-                        * (time - p.saws_engagement_time)))
-                        .exp())),
-        ]
+                    .sin();
+        let t1 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
+        let t2 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
+        let t3 = R::literal(1.0)
+            + (-(R::literal(1.0) / p.saws_engagement_width
+                * (time - p.saws_engagement_time)))
+                .exp();
+        let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
+        for (((&x, _), &phi_dot), force) in at.iter().zip(u).zip(u_t).zip(force) {
+            *force = -(t0 * (t2 + t1 * x)
+                * (inverse_saws_standstill_band * phi_dot).tanh() / t3);
+        }
     }
-    /// df_0/du and df_0/du_t.
+    /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 29 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 18 operations for all points, 11 for each.
     pub fn on_value_jacobian<R: Real>(
         time: R,
-        x: R,
-        point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         p: &Parameters<R>,
-    ) -> [R; 2] {
-        let [_, _, phi_dot, _] = *point;
+        by_u: &mut [R],
+        by_u_t: &mut [R],
+    ) {
+        let t0 = p.saws_mean
+            + p.saws_amplitude
+                * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
+                    .sin();
+        let t1 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
+        let t2 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
+        let t3 = R::literal(1.0)
+            + (-(R::literal(1.0) / p.saws_engagement_width
+                * (time - p.saws_engagement_time)))
+                .exp();
         let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
-        let t0 = (inverse_saws_standstill_band * phi_dot).tanh();
-        let t1 = inverse_saws_standstill_band * (R::literal(1.0) - t0 * t0)
-            * (p.saws_mean
-                + p.saws_amplitude
-                    * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                        * time)
-                        .sin())
-            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
-                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length)
-                    * x);
-        [
-            R::literal(0.0),
-            -(t1
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.saws_engagement_width
-                        * (time - p.saws_engagement_time)))
-                        .exp())),
-        ]
+        for ((((&x, _), &phi_dot), by_u), by_u_t) in at
+            .iter()
+            .zip(u)
+            .zip(u_t)
+            .zip(by_u)
+            .zip(by_u_t)
+        {
+            let t0_2 = (inverse_saws_standstill_band * phi_dot).tanh();
+            *by_u = R::literal(0.0);
+            *by_u_t = -(inverse_saws_standstill_band * (R::literal(1.0) - t0_2 * t0_2)
+                * t0 * (t2 + t1 * x) / t3);
+        }
     }
-    /// df_0/dt.
+    /// df_0/dt, at many points.
     ///
-    /// 38 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 24 operations for all points, 14 for each.
     pub fn on_value_by_time<R: Real>(
         time: R,
-        x: R,
-        point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, _, phi_dot, _] = *point;
-        let t0 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
-            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
-        let t1 = (R::literal(1.0) - p.saws_growing) / p.saws_length
-            + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x;
+        by_time: &mut [R],
+    ) {
+        let t0 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
+        let t1 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
         let inverse_saws_engagement_width = R::literal(1.0) / p.saws_engagement_width;
         let t2 = (-(inverse_saws_engagement_width * (time - p.saws_engagement_time)))
             .exp();
         let t3 = R::literal(1.0) + t2;
-        let t4 = (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
-        [
-            -(inverse_saws_engagement_width * (p.saws_mean + p.saws_amplitude * t0.sin())
-                * t1 * t2 * t4 / (t3 * t3))
-                - R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * t1
-                    * t0.cos() * t4 / t3,
-        ]
+        let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
+        let t4 = t3 * t3;
+        let t5 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
+        let t6 = inverse_saws_engagement_width
+            * (p.saws_mean + p.saws_amplitude * t5.sin());
+        let t7 = t5.cos();
+        let t8 = R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI);
+        for (((&x, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
+            let t1_plus_t0_times_x = t1 + t0 * x;
+            let t0_2 = (inverse_saws_standstill_band * phi_dot).tanh();
+            *by_time = -(t6 * t1_plus_t0_times_x * t2 * t0_2 / t4)
+                - t8 * t1_plus_t0_times_x * t7 * t0_2 / t3;
+        }
     }
-    /// f_1 alone.
+    /// f_1 alone, at many points.
     ///
-    /// 5 operations.
-    #[must_use]
-    #[inline(always)]
-    pub fn on_slope<R: Real>(
-        _time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, phi_x, _, phi_x_dot] = *point;
-        [
-            -(p.saws_shear_modulus * p.saws_polar_moment
-                * (phi_x + p.saws_damping_time * phi_x_dot)),
-        ]
-    }
-    /// df_1/du_x and df_1/du_xt.
-    ///
-    /// 4 operations.
-    #[must_use]
-    #[inline(always)]
-    pub fn on_slope_jacobian<R: Real>(
-        _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 2] {
+    /// 1 operations for all points, 4 for each.
+    pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         let t0 = p.saws_shear_modulus * p.saws_polar_moment;
-        [-t0, -(t0 * p.saws_damping_time)]
+        for ((&phi_x, &phi_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
+            *force = -(t0 * (phi_x + p.saws_damping_time * phi_x_dot));
+        }
+    }
+    /// df_1/du_x and df_1/du_xt, at many points.
+    ///
+    /// 4 operations for all points, 0 for each.
+    pub fn on_slope_jacobian<R: Real>(
+        u_x: &[R],
+        u_xt: &[R],
+        p: &Parameters<R>,
+        by_u_x: &mut [R],
+        by_u_xt: &mut [R],
+    ) {
+        let t0 = p.saws_shear_modulus * p.saws_polar_moment;
+        let t1 = -t0;
+        let t2 = -(t0 * p.saws_damping_time);
+        for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)
+        {
+            *by_u_x = t1;
+            *by_u_xt = t2;
+        }
     }
 }
 
@@ -2175,16 +2180,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    [*force] = saws_phi::on_value(
-                        time,
-                        *x,
-                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
-                        &p,
-                    );
-                }
-            }
+            0 => saws_phi::on_value(time, x, u, u_t, &p, forces),
             _ => no_field(index),
         }
     }
@@ -2203,17 +2199,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((x, u), u_t), by) in x
-                    .iter()
-                    .zip(u)
-                    .zip(u_t)
-                    .zip(by_u.iter_mut().zip(by_u_t))
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, *by.1] = saws_phi::on_value_jacobian(time, *x, &point, &p);
-                }
-            }
+            0 => saws_phi::on_value_jacobian(time, x, u, u_t, &p, by_u, by_u_t),
             _ => no_field(index),
         }
     }
@@ -2230,13 +2216,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by_time] = saws_phi::on_value_by_time(time, *x, &point, &p);
-                }
-            }
+            0 => saws_phi::on_value_by_time(time, x, u, u_t, &p, by_time),
             _ => no_field(index),
         }
     }
@@ -2251,17 +2231,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*force] = saws_phi::on_slope(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => saws_phi::on_slope(u_x, u_xt, &p, forces),
             _ => no_field(index),
         }
     }
@@ -2278,21 +2248,7 @@ impl<R: Real> FieldScene<R> for SawGinShaft {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((u_x, u_xt), by) in u_x
-                    .iter()
-                    .zip(u_xt)
-                    .zip(by_u_x.iter_mut().zip(by_u_xt))
-                {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*by.0, *by.1] = saws_phi::on_slope_jacobian(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => saws_phi::on_slope_jacobian(u_x, u_xt, &p, by_u_x, by_u_xt),
             _ => no_field(index),
         }
     }

@@ -9,10 +9,11 @@ use super::body::{Body, ResultNames, Scope, body};
 use super::check::check_tape;
 use super::items::meaning;
 use super::names::{Namer, distinct};
+use super::points;
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
 use crate::emit::{EmitError, tape_operations};
-use crate::program::{FieldProgram, LocalForces, Program};
+use crate::program::{FieldProgram, Program};
 use crate::system::{Place, Quantity};
 use crate::tape::Tape;
 
@@ -115,22 +116,10 @@ fn functions(field: &FieldProgram) -> [(Manner, &Tape); 9] {
     ]
 }
 
-fn local_functions(local: &LocalForces) -> [(Manner, &Tape); 5] {
-    let manner = |name, doc| Manner { name, doc, of: Of::Motion, results: &[] };
-    [
-        (manner("on_value", "f_0 alone."), &local.on_value),
-        (manner("on_value_jacobian", "df_0/du and df_0/du_t."), &local.on_value_jacobian),
-        (manner("on_value_by_time", "df_0/dt."), &local.on_value_by_time),
-        (manner("on_slope", "f_1 alone."), &local.on_slope),
-        (manner("on_slope_jacobian", "df_1/du_x and df_1/du_xt."), &local.on_slope_jacobian),
-    ]
-}
-
 fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<TokenStream, EmitError> {
     let mut locals = Namer::for_locals();
-    for reserved in ["x", "point", "R", "PARAMETERS", "places"] {
-        locals.reserve(reserved);
-    }
+    let reserved = ["x", "point", "R", "PARAMETERS", "places"].into_iter();
+    reserved.chain(points::ARGUMENTS).for_each(|name| locals.reserve(name));
     for table in &scene.tables {
         locals.reserve(&table.to_string());
     }
@@ -160,9 +149,9 @@ fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<Token
         results: &["value", "rate"],
     };
     let functions = functions(field).into_iter().chain([(initial, &field.initial)]);
-    let functions = functions.chain(field.local.as_ref().into_iter().flat_map(local_functions));
     let functions = functions.map(|(manner, tape)| function(scene, &manner, tape, &scope));
     let functions = functions.collect::<Result<Vec<_>, _>>()?;
+    let loops = points::functions(scene, field, &scope)?;
     let count = Literal::usize_unsuffixed(field.parameters.len());
     let parameters = field.parameters.iter().map(|id| Literal::u32_unsuffixed(id.0));
     let title = format!("The field {}", meaning(&field.field.quantities[0]));
@@ -180,6 +169,7 @@ fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<Token
             /// Parameters that the field depends on.
             pub const PARAMETERS: [u32; #count] = [#(#parameters),*];
             #(#functions)*
+            #(#loops)*
         }
     })
 }
@@ -217,9 +207,8 @@ fn function(
     let operations = format!("{} operations.", tape_operations(tape));
     let docs = doc([manner.doc, "", operations.as_str()]);
     let (length, ident) = (Literal::usize_unsuffixed(results.len()), format_ident!("{name}"));
-    // Loops over points move out what no point decides, if they see it.
-    let is_looped_over = name == "inertia" || name.starts_with("on_");
-    let inline = if is_looped_over { quote!(#[inline(always)]) } else { quote!(#[inline]) };
+    // The loop over points moves out what no point decides, if it sees it.
+    let inline = if name == "inertia" { quote!(#[inline(always)]) } else { quote!(#[inline]) };
     Ok(quote! {
         #docs
         #[must_use]
@@ -283,7 +272,7 @@ fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
         copied("places_gradient", &quote!(), &quote!()),
     ];
     let structure = structure(scene.program);
-    let many = many_points(&numbers, modules, fields);
+    let many = points::methods(&numbers, modules, fields);
     let inertia = arms(&quote!(inertia(x, &p)));
     let initial = arms(&quote!(initial(x, &p)));
     quote! {
@@ -340,110 +329,6 @@ fn structure(program: &Program) -> TokenStream {
         }
     });
     quote!(#reads_no_forces #linear #local)
-}
-
-/// The functions for many points at once of fields whose forces are local: loops over
-/// the point functions, out of which goes what no point decides.
-fn many_points(numbers: &[Literal], modules: &[Ident], fields: &[FieldProgram]) -> TokenStream {
-    let arms = |body: &dyn Fn(&Ident) -> TokenStream| {
-        let arms = numbers.iter().zip(modules).zip(fields);
-        let arms = arms.filter(|(_, field)| field.local.is_some()).map(|((number, module), _)| {
-            let body = body(module);
-            quote!(#number => #body)
-        });
-        let arms: Vec<TokenStream> = arms.collect();
-        quote! {
-            let p = parameters_of(parameters);
-            match index {
-                #(#arms)*
-                _ => no_field(index),
-            }
-        }
-    };
-    if !fields.iter().any(|field| field.local.is_some()) {
-        return TokenStream::new();
-    }
-    let inertias = arms(&|module| {
-        quote! {
-            for (inertia, x) in inertias.iter_mut().zip(x) {
-                [*inertia] = #module::inertia(*x, &p);
-            }
-        }
-    });
-    let zero = quote!(R::literal(0.0));
-    let values = arms(&|module| {
-        quote! {
-            for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                [*force] = #module::on_value(time, *x, &[*u, #zero, *u_t, #zero], &p);
-            }
-        }
-    });
-    let values_jacobian = arms(&|module| {
-        quote! {
-            for (((x, u), u_t), by) in x.iter().zip(u).zip(u_t).zip(by_u.iter_mut().zip(by_u_t)) {
-                let point = [*u, #zero, *u_t, #zero];
-                [*by.0, *by.1] = #module::on_value_jacobian(time, *x, &point, &p);
-            }
-        }
-    });
-    let values_by_time = arms(&|module| {
-        quote! {
-            for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t) {
-                let point = [*u, #zero, *u_t, #zero];
-                [*by_time] = #module::on_value_by_time(time, *x, &point, &p);
-            }
-        }
-    });
-    let slopes = arms(&|module| {
-        quote! {
-            for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
-                let point = [#zero, *u_x, #zero, *u_xt];
-                [*force] = #module::on_slope(#zero, #zero, &point, &p);
-            }
-        }
-    });
-    let slopes_jacobian = arms(&|module| {
-        quote! {
-            for ((u_x, u_xt), by) in u_x.iter().zip(u_xt).zip(by_u_x.iter_mut().zip(by_u_xt)) {
-                let point = [#zero, *u_x, #zero, *u_xt];
-                [*by.0, *by.1] = #module::on_slope_jacobian(#zero, #zero, &point, &p);
-            }
-        }
-    });
-    quote! {
-        fn field_inertias(&self, index: usize, x: &[R], parameters: &[R], inertias: &mut [R]) {
-            #inertias
-        }
-        fn field_forces_on_values(
-            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
-            forces: &mut [R],
-        ) {
-            #values
-        }
-        fn field_forces_on_values_jacobian(
-            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
-            [by_u, by_u_t]: [&mut [R]; 2],
-        ) {
-            #values_jacobian
-        }
-        fn field_forces_on_values_by_time(
-            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
-            (_, by_time): (&mut [R], &mut [R]),
-        ) {
-            #values_by_time
-        }
-        fn field_forces_on_slopes(
-            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R], forces: &mut [R],
-        ) {
-            #slopes
-        }
-        fn field_forces_on_slopes_jacobian(
-            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R],
-            [by_u_x, by_u_xt]: [&mut [R]; 2],
-        ) {
-            #slopes_jacobian
-        }
-    }
 }
 
 /// The static that describes a field.

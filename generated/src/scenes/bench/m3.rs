@@ -2047,124 +2047,128 @@ pub mod shaft_phi {
                 / p.motor_pole_pairs,
         ]
     }
-    /// f_0 alone.
+    /// f_0 alone, at many points.
     ///
-    /// 22 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 17 operations for all points, 5 for each.
     pub fn on_value<R: Real>(
         time: R,
-        _x: R,
-        point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, _, phi_dot, _] = *point;
-        [
-            -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
-                * (p.shaft_mean
-                    + p.shaft_amplitude
-                        * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                            * time)
-                            .sin())
-                * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.shaft_engagement_width
-                        * (time - p.shaft_engagement_time)))
-                        .exp())),
-        ]
+        force: &mut [R],
+    ) {
+        let t0 = R::literal(1.0)
+            + (-(R::literal(1.0) / p.shaft_engagement_width
+                * (time - p.shaft_engagement_time)))
+                .exp();
+        let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+        let t1 = (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
+            * (p.shaft_mean
+                + p.shaft_amplitude
+                    * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                        * time)
+                        .sin());
+        for (((_, _), &phi_dot), force) in at.iter().zip(u).zip(u_t).zip(force) {
+            *force = -(t1 * (inverse_shaft_standstill_band * phi_dot).tanh() / t0);
+        }
     }
-    /// df_0/du and df_0/du_t.
+    /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 25 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 17 operations for all points, 8 for each.
     pub fn on_value_jacobian<R: Real>(
         time: R,
-        _x: R,
-        point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         p: &Parameters<R>,
-    ) -> [R; 2] {
-        let [_, _, phi_dot, _] = *point;
-        let t0 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
-        [
-            R::literal(0.0),
-            -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
-                / (p.shaft_length * p.shaft_standstill_band)
-                * (R::literal(1.0) - t0 * t0)
-                * (p.shaft_mean
-                    + p.shaft_amplitude
-                        * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                            * time)
-                            .sin())
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.shaft_engagement_width
-                        * (time - p.shaft_engagement_time)))
-                        .exp())),
-        ]
+        by_u: &mut [R],
+        by_u_t: &mut [R],
+    ) {
+        let t0 = p.shaft_mean
+            + p.shaft_amplitude
+                * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
+                    .sin();
+        let t1 = R::literal(1.0)
+            + (-(R::literal(1.0) / p.shaft_engagement_width
+                * (time - p.shaft_engagement_time)))
+                .exp();
+        let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+        let t2 = (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
+            / (p.shaft_length * p.shaft_standstill_band);
+        for ((((_, _), &phi_dot), by_u), by_u_t) in at
+            .iter()
+            .zip(u)
+            .zip(u_t)
+            .zip(by_u)
+            .zip(by_u_t)
+        {
+            let t0_2 = (inverse_shaft_standstill_band * phi_dot).tanh();
+            *by_u = R::literal(0.0);
+            *by_u_t = -(t2 * (R::literal(1.0) - t0_2 * t0_2) * t0 / t1);
+        }
     }
-    /// df_0/dt.
+    /// df_0/dt, at many points.
     ///
-    /// 35 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 27 operations for all points, 8 for each.
     pub fn on_value_by_time<R: Real>(
         time: R,
-        _x: R,
-        point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, _, phi_dot, _] = *point;
-        let t0 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        let t1 = R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
-        let t2 = (-(R::literal(1.0) / p.shaft_engagement_width
+        by_time: &mut [R],
+    ) {
+        let t0 = (-(R::literal(1.0) / p.shaft_engagement_width
             * (time - p.shaft_engagement_time)))
             .exp();
-        let t3 = R::literal(1.0) + t2;
-        let t4 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
-        [
-            -(t0 / (p.shaft_length * p.shaft_engagement_width)
-                * (p.shaft_mean + p.shaft_amplitude * t1.sin()) * t2 * t4 / (t3 * t3))
-                - R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude
-                    * p.shaft_speed * t0
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                    / p.shaft_length * t1.cos() * t4 / t3,
-        ]
+        let t1 = R::literal(1.0) + t0;
+        let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+        let t2 = t1 * t1;
+        let t3 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
+        let t4 = R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
+        let t5 = t3 / (p.shaft_length * p.shaft_engagement_width)
+            * (p.shaft_mean + p.shaft_amplitude * t4.sin()) * t0;
+        let t6 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed
+            * t3 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+            / p.shaft_length * t4.cos();
+        for (((_, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
+            let t0 = (inverse_shaft_standstill_band * phi_dot).tanh();
+            *by_time = -(t5 * t0 / t2) - t6 * t0 / t1;
+        }
     }
-    /// f_1 alone.
+    /// f_1 alone, at many points.
     ///
-    /// 8 operations.
-    #[must_use]
-    #[inline(always)]
-    pub fn on_slope<R: Real>(
-        _time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, phi_x, _, phi_x_dot] = *point;
-        [
-            -(p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment
-                / (p.shaft_pieces - R::literal(1.0))
-                * (phi_x + p.shaft_loss_time * phi_x_dot)),
-        ]
+    /// 4 operations for all points, 4 for each.
+    pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
+        let t0 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment
+            / (p.shaft_pieces - R::literal(1.0));
+        for ((&phi_x, &phi_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
+            *force = -(t0 * (phi_x + p.shaft_loss_time * phi_x_dot));
+        }
     }
-    /// df_1/du_x and df_1/du_xt.
+    /// df_1/du_x and df_1/du_xt, at many points.
     ///
-    /// 8 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 8 operations for all points, 0 for each.
     pub fn on_slope_jacobian<R: Real>(
-        _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        u_x: &[R],
+        u_xt: &[R],
         p: &Parameters<R>,
-    ) -> [R; 2] {
-        let t0 = p.shaft_pieces - R::literal(1.0);
-        let t1 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
-        [-(t1 / t0), -(t1 * p.shaft_loss_time / t0)]
+        by_u_x: &mut [R],
+        by_u_xt: &mut [R],
+    ) {
+        let t0 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
+        let t1 = p.shaft_pieces - R::literal(1.0);
+        let t2 = -(t0 / t1);
+        let t3 = -(t0 * p.shaft_loss_time / t1);
+        for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)
+        {
+            *by_u_x = t2;
+            *by_u_xt = t3;
+        }
     }
 }
 
@@ -2327,16 +2331,7 @@ impl<R: Real> FieldScene<R> for M3 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    [*force] = shaft_phi::on_value(
-                        time,
-                        *x,
-                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_phi::on_value(time, x, u, u_t, &p, forces),
             _ => no_field(index),
         }
     }
@@ -2355,17 +2350,7 @@ impl<R: Real> FieldScene<R> for M3 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((x, u), u_t), by) in x
-                    .iter()
-                    .zip(u)
-                    .zip(u_t)
-                    .zip(by_u.iter_mut().zip(by_u_t))
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, *by.1] = shaft_phi::on_value_jacobian(time, *x, &point, &p);
-                }
-            }
+            0 => shaft_phi::on_value_jacobian(time, x, u, u_t, &p, by_u, by_u_t),
             _ => no_field(index),
         }
     }
@@ -2382,13 +2367,7 @@ impl<R: Real> FieldScene<R> for M3 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by_time] = shaft_phi::on_value_by_time(time, *x, &point, &p);
-                }
-            }
+            0 => shaft_phi::on_value_by_time(time, x, u, u_t, &p, by_time),
             _ => no_field(index),
         }
     }
@@ -2403,17 +2382,7 @@ impl<R: Real> FieldScene<R> for M3 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*force] = shaft_phi::on_slope(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_phi::on_slope(u_x, u_xt, &p, forces),
             _ => no_field(index),
         }
     }
@@ -2430,21 +2399,7 @@ impl<R: Real> FieldScene<R> for M3 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((u_x, u_xt), by) in u_x
-                    .iter()
-                    .zip(u_xt)
-                    .zip(by_u_x.iter_mut().zip(by_u_xt))
-                {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*by.0, *by.1] = shaft_phi::on_slope_jacobian(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_phi::on_slope_jacobian(u_x, u_xt, &p, by_u_x, by_u_xt),
             _ => no_field(index),
         }
     }

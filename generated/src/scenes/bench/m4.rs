@@ -1154,82 +1154,90 @@ pub mod shaft_theta {
     pub fn initial<R: Real>(_x: R, _p: &Parameters<R>) -> [R; 2] {
         [R::literal(0.0), R::literal(0.0)]
     }
-    /// f_0 alone.
+    /// f_0 alone, at many points.
     ///
-    /// 0 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 0 operations for all points, 0 for each.
     pub fn on_value<R: Real>(
         _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         _p: &Parameters<R>,
-    ) -> [R; 1] {
-        [R::literal(0.0)]
+        force: &mut [R],
+    ) {
+        for (((_, _), _), force) in at.iter().zip(u).zip(u_t).zip(force) {
+            *force = R::literal(0.0);
+        }
     }
-    /// df_0/du and df_0/du_t.
+    /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 0 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 0 operations for all points, 0 for each.
     pub fn on_value_jacobian<R: Real>(
         _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         _p: &Parameters<R>,
-    ) -> [R; 2] {
-        [R::literal(0.0), R::literal(0.0)]
+        by_u: &mut [R],
+        by_u_t: &mut [R],
+    ) {
+        for ((((_, _), _), by_u), by_u_t) in at
+            .iter()
+            .zip(u)
+            .zip(u_t)
+            .zip(by_u)
+            .zip(by_u_t)
+        {
+            *by_u = R::literal(0.0);
+            *by_u_t = R::literal(0.0);
+        }
     }
-    /// df_0/dt.
+    /// df_0/dt, at many points.
     ///
-    /// 0 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 0 operations for all points, 0 for each.
     pub fn on_value_by_time<R: Real>(
         _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        at: &[R],
+        u: &[R],
+        u_t: &[R],
         _p: &Parameters<R>,
-    ) -> [R; 1] {
-        [R::literal(0.0)]
+        by_time: &mut [R],
+    ) {
+        for (((_, _), _), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
+            *by_time = R::literal(0.0);
+        }
     }
-    /// f_1 alone.
+    /// f_1 alone, at many points.
     ///
-    /// 8 operations.
-    #[must_use]
-    #[inline(always)]
-    pub fn on_slope<R: Real>(
-        _time: R,
-        _x: R,
-        point: &FieldPoint<R>,
-        p: &Parameters<R>,
-    ) -> [R; 1] {
-        let [_, theta_x, _, _] = *point;
+    /// 6 operations for all points, 2 for each.
+    pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        [
-            -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
-                * (shaft_radius_squared * shaft_radius_squared)
-                / (R::literal(1.0) + p.shaft_poisson) * theta_x),
-        ]
+        let t0 = R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
+            * (shaft_radius_squared * shaft_radius_squared)
+            / (R::literal(1.0) + p.shaft_poisson);
+        for ((&theta_x, _), force) in u_x.iter().zip(u_xt).zip(force) {
+            *force = -(t0 * theta_x);
+        }
     }
-    /// df_1/du_x and df_1/du_xt.
+    /// df_1/du_x and df_1/du_xt, at many points.
     ///
-    /// 7 operations.
-    #[must_use]
-    #[inline(always)]
+    /// 7 operations for all points, 0 for each.
     pub fn on_slope_jacobian<R: Real>(
-        _time: R,
-        _x: R,
-        _point: &FieldPoint<R>,
+        u_x: &[R],
+        u_xt: &[R],
         p: &Parameters<R>,
-    ) -> [R; 2] {
+        by_u_x: &mut [R],
+        by_u_xt: &mut [R],
+    ) {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        [
-            -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
-                * (shaft_radius_squared * shaft_radius_squared)
-                / (R::literal(1.0) + p.shaft_poisson)),
-            R::literal(0.0),
-        ]
+        let t0 = -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
+            * (shaft_radius_squared * shaft_radius_squared)
+            / (R::literal(1.0) + p.shaft_poisson));
+        for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)
+        {
+            *by_u_x = t0;
+            *by_u_xt = R::literal(0.0);
+        }
     }
 }
 
@@ -1395,16 +1403,7 @@ impl<R: Real> FieldScene<R> for M4 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((force, x), u), u_t) in forces.iter_mut().zip(x).zip(u).zip(u_t) {
-                    [*force] = shaft_theta::on_value(
-                        time,
-                        *x,
-                        &[*u, R::literal(0.0), *u_t, R::literal(0.0)],
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_theta::on_value(time, x, u, u_t, &p, forces),
             _ => no_field(index),
         }
     }
@@ -1423,22 +1422,7 @@ impl<R: Real> FieldScene<R> for M4 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((x, u), u_t), by) in x
-                    .iter()
-                    .zip(u)
-                    .zip(u_t)
-                    .zip(by_u.iter_mut().zip(by_u_t))
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by.0, *by.1] = shaft_theta::on_value_jacobian(
-                        time,
-                        *x,
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_theta::on_value_jacobian(time, x, u, u_t, &p, by_u, by_u_t),
             _ => no_field(index),
         }
     }
@@ -1455,13 +1439,7 @@ impl<R: Real> FieldScene<R> for M4 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for (((by_time, x), u), u_t) in by_time.iter_mut().zip(x).zip(u).zip(u_t)
-                {
-                    let point = [*u, R::literal(0.0), *u_t, R::literal(0.0)];
-                    [*by_time] = shaft_theta::on_value_by_time(time, *x, &point, &p);
-                }
-            }
+            0 => shaft_theta::on_value_by_time(time, x, u, u_t, &p, by_time),
             _ => no_field(index),
         }
     }
@@ -1476,17 +1454,7 @@ impl<R: Real> FieldScene<R> for M4 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((force, u_x), u_xt) in forces.iter_mut().zip(u_x).zip(u_xt) {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*force] = shaft_theta::on_slope(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_theta::on_slope(u_x, u_xt, &p, forces),
             _ => no_field(index),
         }
     }
@@ -1503,21 +1471,7 @@ impl<R: Real> FieldScene<R> for M4 {
     ) {
         let p = parameters_of(parameters);
         match index {
-            0 => {
-                for ((u_x, u_xt), by) in u_x
-                    .iter()
-                    .zip(u_xt)
-                    .zip(by_u_x.iter_mut().zip(by_u_xt))
-                {
-                    let point = [R::literal(0.0), *u_x, R::literal(0.0), *u_xt];
-                    [*by.0, *by.1] = shaft_theta::on_slope_jacobian(
-                        R::literal(0.0),
-                        R::literal(0.0),
-                        &point,
-                        &p,
-                    );
-                }
-            }
+            0 => shaft_theta::on_slope_jacobian(u_x, u_xt, &p, by_u_x, by_u_xt),
             _ => no_field(index),
         }
     }

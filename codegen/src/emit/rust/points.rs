@@ -1,0 +1,225 @@
+//! Loops over many points of a field whose forces are local. What no point decides goes
+//! before the loop.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Scene;
+use super::body::{Body, ResultNames, Scope, body};
+use super::check::check_tape;
+use crate::emit::text::doc;
+use crate::emit::{EmitError, tape_operations};
+use crate::hoist::apart_from_state;
+use crate::program::{FieldProgram, LocalForces};
+use crate::tape::Tape;
+
+/// Names of arguments, not to be taken by local variables.
+pub(super) const ARGUMENTS: [&str; 13] = [
+    "at", "u", "u_t", "u_x", "u_xt", "force", "forces", "by_time", "by_u", "by_u_t", "by_u_x",
+    "by_u_xt", "inertias",
+];
+
+/// A function over many points.
+struct Loop<'a> {
+    name: &'static str,
+    doc: &'static str,
+    tape: &'a Tape,
+    takes_time: bool,
+    /// Slices of the point: entry of the tape's state, and the argument's name.
+    point: &'static [(usize, &'static str)],
+    /// Slices of results; as variables of the loop they go by the same names.
+    results: &'static [&'static str],
+}
+
+const ON_VALUE: &[(usize, &str)] = &[(4, "at"), (0, "u"), (2, "u_t")];
+const ON_SLOPE: &[(usize, &str)] = &[(1, "u_x"), (3, "u_xt")];
+
+fn loops(local: &LocalForces) -> [Loop<'_>; 5] {
+    let of_value = |name, doc, tape, results| Loop {
+        name,
+        doc,
+        tape,
+        takes_time: true,
+        point: ON_VALUE,
+        results,
+    };
+    let of_slope = |name, doc, tape, results| Loop {
+        name,
+        doc,
+        tape,
+        takes_time: false,
+        point: ON_SLOPE,
+        results,
+    };
+    [
+        of_value("on_value", "f_0 alone, at many points.", &local.on_value, &["force"]),
+        of_value(
+            "on_value_jacobian",
+            "df_0/du and df_0/du_t, at many points.",
+            &local.on_value_jacobian,
+            &["by_u", "by_u_t"],
+        ),
+        of_value(
+            "on_value_by_time",
+            "df_0/dt, at many points.",
+            &local.on_value_by_time,
+            &["by_time"],
+        ),
+        of_slope("on_slope", "f_1 alone, at many points.", &local.on_slope, &["force"]),
+        of_slope(
+            "on_slope_jacobian",
+            "df_1/du_x and df_1/du_xt, at many points.",
+            &local.on_slope_jacobian,
+            &["by_u_x", "by_u_xt"],
+        ),
+    ]
+}
+
+/// The functions of a field's module; nothing if its forces are not local.
+pub(super) fn functions(
+    scene: &Scene<'_>,
+    field: &FieldProgram,
+    scope: &Scope<'_>,
+) -> Result<Vec<TokenStream>, EmitError> {
+    let local = field.local.as_ref().map(loops);
+    let functions = local.iter().flatten().map(|of| function(scene, of, scope));
+    functions.collect()
+}
+
+fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<TokenStream, EmitError> {
+    let Loop { name, tape, .. } = *of;
+    check_tape(tape, scene.program, scope.states.len())
+        .map_err(|reason| EmitError::Malformed { function: name, reason })?;
+    let (before, at_point) = apart_from_state(tape, scope.states.len());
+    let spread = ResultNames { spread: true, names: Vec::new() };
+    let shared = body(name, &before, scope, &spread)?;
+    // Every one of them has a `let`, so what stands for it is a name.
+    let known = shared.results.iter().map(|name| syn::parse2::<Ident>(name.clone()));
+    let known: Vec<Ident> = known
+        .collect::<Result<_, _>>()
+        .map_err(|error| EmitError::Unparsable { reason: error.to_string() })?;
+    let mut namer = scope.namer.clone();
+    known.iter().for_each(|name| namer.reserve(&name.to_string()));
+    let states: Vec<Ident> = scope.states.iter().chain(&known).cloned().collect();
+    let inner = Scope { states: &states, namer: &namer, ..*scope };
+    let result_names = of.results.iter().map(|name| format!("{name}_here")).collect();
+    let result_names = ResultNames { spread: false, names: result_names };
+    let Body { statements, results, reads } = body(name, &at_point, &inner, &result_names)?;
+
+    let is_read = |read: bool, name: &str| {
+        if read { format_ident!("{name}") } else { format_ident!("_{name}") }
+    };
+    let time = is_read(reads.time || shared.reads.time, "time");
+    let time = of.takes_time.then(|| quote!(#time: R,));
+    let p = is_read(reads.parameters || shared.reads.parameters, "p");
+    let slices: Vec<Ident> = of.point.iter().map(|(_, name)| format_ident!("{name}")).collect();
+    let outputs: Vec<Ident> = of.results.iter().map(|name| format_ident!("{name}")).collect();
+    let points = of.point.iter().map(|(entry, _)| {
+        let name = &scope.states[*entry];
+        if reads.state.contains(entry) { quote!(&#name) } else { quote!(_) }
+    });
+    let elements: Vec<TokenStream> =
+        points.chain(outputs.iter().map(|name| quote!(#name))).collect();
+    let (first, others) = elements.split_first().map_or((None, &[] as &[_]), |(a, b)| (Some(a), b));
+    let pattern = others.iter().fold(quote!(#first), |tuple, next| quote!((#tuple, #next)));
+    let (head, rest) = slices.split_first().map_or((None, &[] as &[_]), |(a, b)| (Some(a), b));
+    let operations = format!(
+        "{} operations for all points, {} for each.",
+        tape_operations(&before),
+        tape_operations(&at_point)
+    );
+    let docs = doc([of.doc, "", operations.as_str()]);
+    let (ident, before) = (format_ident!("{name}"), &shared.statements);
+    Ok(quote! {
+        #docs
+        pub fn #ident<R: Real>(
+            #time #(#slices: &[R],)* #p: &Parameters<R>, #(#outputs: &mut [R],)*
+        ) {
+            #(#before)*
+            for #pattern in #head.iter() #(.zip(#rest))* #(.zip(#outputs))* {
+                #(#statements)*
+                #(*#outputs = #results;)*
+            }
+        }
+    })
+}
+
+/// The contract's functions for many points, by those of the modules.
+pub(super) fn methods(
+    numbers: &[Literal],
+    modules: &[Ident],
+    fields: &[FieldProgram],
+) -> TokenStream {
+    if !fields.iter().any(|field| field.local.is_some()) {
+        return TokenStream::new();
+    }
+    let arms = |body: &dyn Fn(&Ident) -> TokenStream| {
+        let arms = numbers.iter().zip(modules).zip(fields);
+        let arms = arms.filter(|(_, field)| field.local.is_some()).map(|((number, module), _)| {
+            let body = body(module);
+            quote!(#number => #body)
+        });
+        let arms: Vec<TokenStream> = arms.collect();
+        quote! {
+            let p = parameters_of(parameters);
+            match index {
+                #(#arms,)*
+                _ => no_field(index),
+            }
+        }
+    };
+    let inertias = arms(&|module| {
+        quote! {
+            for (inertia, x) in inertias.iter_mut().zip(x) {
+                [*inertia] = #module::inertia(*x, &p);
+            }
+        }
+    });
+    let of_values = |name: &str, results: TokenStream| {
+        let name = format_ident!("{name}");
+        arms(&|module| quote!(#module::#name(time, x, u, u_t, &p, #results)))
+    };
+    let of_slopes = |name: &str, results: TokenStream| {
+        let name = format_ident!("{name}");
+        arms(&|module| quote!(#module::#name(u_x, u_xt, &p, #results)))
+    };
+    let values = of_values("on_value", quote!(forces));
+    let values_jacobian = of_values("on_value_jacobian", quote!(by_u, by_u_t));
+    let values_by_time = of_values("on_value_by_time", quote!(by_time));
+    let slopes = of_slopes("on_slope", quote!(forces));
+    let slopes_jacobian = of_slopes("on_slope_jacobian", quote!(by_u_x, by_u_xt));
+    quote! {
+        fn field_inertias(&self, index: usize, x: &[R], parameters: &[R], inertias: &mut [R]) {
+            #inertias
+        }
+        fn field_forces_on_values(
+            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
+            forces: &mut [R],
+        ) {
+            #values
+        }
+        fn field_forces_on_values_jacobian(
+            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
+            [by_u, by_u_t]: [&mut [R]; 2],
+        ) {
+            #values_jacobian
+        }
+        fn field_forces_on_values_by_time(
+            &self, index: usize, time: R, [x, u, u_t]: [&[R]; 3], parameters: &[R],
+            (_, by_time): (&mut [R], &mut [R]),
+        ) {
+            #values_by_time
+        }
+        fn field_forces_on_slopes(
+            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R], forces: &mut [R],
+        ) {
+            #slopes
+        }
+        fn field_forces_on_slopes_jacobian(
+            &self, index: usize, [u_x, u_xt]: [&[R]; 2], parameters: &[R],
+            [by_u_x, by_u_xt]: [&mut [R]; 2],
+        ) {
+            #slopes_jacobian
+        }
+    }
+}

@@ -141,7 +141,7 @@ impl<'a> RosenbrockSteps<'a> {
         let (known, rest) = self.stages.split_at_mut(stage * self.width);
         let of_stage = &mut rest[..self.width];
         combine(&self.stage_sums[stage], known, 1.0 / self.step, Some(&self.slope), of_stage);
-        self.matrix.solve(&self.jacobian, &mut of_stage[..size]);
+        self.matrix.solve(&mut of_stage[..size]);
 
         let next = &self.method.states[stage + 1];
         if stage > 0 && next[0].0 == stage {
@@ -276,7 +276,7 @@ impl OneStep for RosenbrockSteps<'_> {
                 (1.0 - 2.0 * THETA) * inner + THETA * (1.0 - THETA) * (d_2 + 2.0 * THETA * d_3);
             self.slope[index] -= (chord + bow) / self.step;
         }
-        self.matrix.solve(&self.jacobian, &mut self.slope[..size]);
+        self.matrix.solve(&mut self.slope[..size]);
         let (start, end) = (&self.start[..size], &self.end[..size]);
         weighted_norm(self.stretch, &self.slope[..size], start, end) / BETWEEN
     }

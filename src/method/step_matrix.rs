@@ -23,8 +23,9 @@ pub(super) struct StepMatrix<'a, S> {
     /// this form.
     coordinates: usize,
     entries: &'a [(u32, u32)],
-    /// J_vq.
+    /// Where J_vq is not zero, and its entries, diagonal by diagonal.
     by_position: Vec<Run>,
+    diagonals: Vec<f64>,
     shift: S,
     factors: Factors<S>,
 }
@@ -63,7 +64,8 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
             },
         };
         let by_position = runs(entries, coordinates);
-        Self { coordinates, entries, by_position, shift: S::one(), factors }
+        let diagonals = vec![0.0; by_position.iter().map(|run| run.rows * run.width).sum()];
+        Self { coordinates, entries, by_position, diagonals, shift: S::one(), factors }
     }
 
     /// Factors shift I - J, J from its nonzeros in pattern order.
@@ -72,6 +74,12 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
     /// [`Singular`] if that cannot be done.
     pub(super) fn factor(&mut self, shift: S, jacobian: &[f64]) -> Result<(), Singular> {
         self.shift = shift;
+        let mut diagonals = self.diagonals.as_mut_slice();
+        for run in &self.by_position {
+            let (of_run, rest) = diagonals.split_at_mut(run.rows * run.width);
+            run.gather(jacobian, of_run);
+            diagonals = rest;
+        }
         let n = self.coordinates;
         let inverse = shift.recip();
         let value = |column: u32, value: f64| {
@@ -113,16 +121,19 @@ impl<'a, S: ComplexField<RealField = f64> + Copy> StepMatrix<'a, S> {
         }
     }
 
-    /// Solves (shift I - J) x = r; r becomes x.
-    pub(super) fn solve(&mut self, jacobian: &[f64], r: &mut [S]) {
+    /// Solves (shift I - J) x = r with the last factors; r becomes x.
+    pub(super) fn solve(&mut self, r: &mut [S]) {
         let n = self.coordinates;
         let inverse = self.shift.recip();
         let (upper, lower) = r.split_at_mut(n);
         for value in upper.iter_mut() {
             *value *= inverse;
         }
+        let mut diagonals = self.diagonals.as_slice();
         for run in &self.by_position {
-            run.add_product(jacobian, upper, lower);
+            let (of_run, rest) = diagonals.split_at(run.rows * run.width);
+            run.add_product(of_run, upper, lower);
+            diagonals = rest;
         }
         match &mut self.factors {
             Factors::Full(lu) => lu.solve(lower),
@@ -185,24 +196,23 @@ fn runs(entries: &[(u32, u32)], n: usize) -> Vec<Run> {
 }
 
 impl Run {
+    /// J_vq in these rows: its first entries one below the other, then its second ones.
+    fn gather(&self, jacobian: &[f64], diagonals: &mut [f64]) {
+        for (k, diagonal) in diagonals.chunks_exact_mut(self.rows).enumerate() {
+            let entries = jacobian[self.entry + k..].iter().step_by(self.stride);
+            diagonal.iter_mut().zip(entries).for_each(|(into, entry)| *into = *entry);
+        }
+    }
+
     /// lower += J_vq upper, in these rows.
-    fn add_product<S>(&self, jacobian: &[f64], upper: &[S], lower: &mut [S])
+    fn add_product<S>(&self, diagonals: &[f64], upper: &[S], lower: &mut [S])
     where
         S: ComplexField<RealField = f64> + Copy,
     {
         let rows = &mut lower[self.row..self.row + self.rows];
-        let entries = jacobian[self.entry..].chunks(self.stride);
-        if self.width == 3 {
-            let columns = upper[self.column..].windows(3);
-            for ((sum, entries), columns) in rows.iter_mut().zip(entries).zip(columns) {
-                let [a, b, c] = [0, 1, 2].map(|k| columns[k].scale(entries[k]));
-                *sum += a + b + c;
-            }
-            return;
-        }
-        let columns = upper[self.column..].windows(self.width);
-        for ((sum, entries), columns) in rows.iter_mut().zip(entries).zip(columns) {
-            for (entry, column) in entries.iter().zip(columns) {
+        for (k, diagonal) in diagonals.chunks_exact(self.rows).enumerate() {
+            let columns = &upper[self.column + k..][..self.rows];
+            for ((sum, entry), column) in rows.iter_mut().zip(diagonal).zip(columns) {
                 *sum += column.scale(*entry);
             }
         }
@@ -226,7 +236,9 @@ mod tests {
         let runs = runs(&entries, n);
         assert!(runs.iter().any(|run| run.rows > 1), "{runs:?}");
         for run in &runs {
-            run.add_product(&jacobian, &upper, &mut by_runs);
+            let mut diagonals = vec![0.0; run.rows * run.width];
+            run.gather(&jacobian, &mut diagonals);
+            run.add_product(&diagonals, &upper, &mut by_runs);
         }
         for ((row, column), value) in entries.iter().zip(&jacobian).skip(n) {
             if (*column as usize) < n {

@@ -144,7 +144,7 @@ impl<'a> Newton<'a> {
 
     /// Solves with the real matrix of the last factorization.
     pub(super) fn solve_real(&mut self, r: &mut [f64]) {
-        self.real.solve(&self.jacobian, r);
+        self.real.solve(r);
     }
 
     /// Solves for the stages, given less the start, from the guess they hold.
@@ -283,7 +283,7 @@ impl<'a> Newton<'a> {
         for (residual, w) in first.iter_mut().zip(&self.transformed) {
             *residual -= real * w;
         }
-        self.real.solve(&self.jacobian, first);
+        self.real.solve(first);
         for (pair, (&(a, b), matrix)) in coefficients.pairs.iter().zip(&mut self.pairs).enumerate()
         {
             let shift = Complex64::new(a / step, b / step);
@@ -295,7 +295,7 @@ impl<'a> Newton<'a> {
                 let w = Complex64::new(w[index], w[size + index]);
                 *complex = Complex64::new(upper[index], lower[index]) - shift * w;
             }
-            matrix.solve(&self.jacobian, &mut self.complex);
+            matrix.solve(&mut self.complex);
             for ((upper, lower), complex) in upper.iter_mut().zip(lower).zip(&self.complex) {
                 (*upper, *lower) = (complex.re, complex.im);
             }

@@ -87,7 +87,7 @@ fn carry(
     samples: &mut Samples<'_>,
 ) -> Result<(), Stopped> {
     let states = piece.states();
-    let rule = Gauss::new(flows::POINTS);
+    let rule = (state.len() > states).then(|| Gauss::new(flows::POINTS));
     let mut reached = piece.from;
     let mut next = vec![0.0; states];
     loop {
@@ -98,7 +98,9 @@ fn carry(
             if let Some(index) = next.iter().position(|value| !value.is_finite()) {
                 return Err(stretch.not_finite("the state", index, reached));
             }
-            flows::carry(stretch, solution, &rule, [reached, time], &mut state[states..]);
+            if let Some(rule) = &rule {
+                flows::carry(stretch, solution, rule, [reached, time], &mut state[states..]);
+            }
             state[..states].copy_from_slice(&next);
             solution.settle(time, &next);
             reached = time;

@@ -49,6 +49,11 @@ pub(super) fn modes(mass: &[f64], stiffness: &[(usize, usize, f64)]) -> Option<C
     let mut shapes = DMatrix::zeros(n, n);
     let mut mixing: f64 = 0.0;
     for line in &matrix.lines {
+        if let [place] = line[..] {
+            shapes[(place, eigenvalues.len())] = mass[place].sqrt().recip();
+            eigenvalues.push(matrix.diagonal[place] / mass[place]);
+            continue;
+        }
         let chain = Factored::new(mass, &matrix, line)?;
         let first = eigenvalues.len();
         let mut room = Room::new(line.len());
@@ -357,6 +362,18 @@ mod tests {
             }
         }
         entries
+    }
+
+    #[test]
+    fn masses_on_their_own_have_their_own_modes() {
+        let lone = modes(&[2.0, 3.0, 4.0], &[(0, 0, 8.0), (1, 1, 27.0)]).unwrap();
+        assert_eq!(lone.eigenvalues, [4.0, 9.0, 0.0]);
+        for (mode, mass) in [2.0f64, 3.0, 4.0].into_iter().enumerate() {
+            for place in 0..3 {
+                let exact = if place == mode { mass.sqrt().recip() } else { 0.0 };
+                assert_eq!(lone.shapes[(place, mode)].to_bits(), exact.to_bits());
+            }
+        }
     }
 
     #[test]

@@ -19,9 +19,6 @@ pub(super) fn carry(
     [from, until]: [f64; 2],
     totals: &mut [f64],
 ) {
-    if totals.is_empty() {
-        return;
-    }
     let states = stretch.system.states();
     let mut sums = Sums {
         stretch,

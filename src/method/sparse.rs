@@ -151,8 +151,9 @@ struct Elimination {
 }
 
 impl Elimination {
-    /// Always the row with the fewest neighbours next, the first of several; its
-    /// neighbours then are each other's.
+    /// Always the row with the fewest neighbours next; its neighbours then are each other's.
+    /// Of several the one that has waited longest for a pivot next to it, so that what
+    /// follows in a solution seldom depends on what has just been computed.
     fn new(size: usize, entries: &[(usize, usize)]) -> Self {
         const BITS: usize = u64::BITS as usize;
         let words = size.div_ceil(BITS).max(1);
@@ -166,10 +167,13 @@ impl Elimination {
             met[row * words..][..words].iter().map(|word| word.count_ones()).sum()
         };
         let mut degrees: Vec<u32> = (0..size).map(|row| degree(&met, row)).collect();
+        let mut touched = vec![0; size];
         let mut waiting: Vec<u32> = (0..size as u32).collect();
         let (mut pivots, mut pairs) = (Vec::with_capacity(size), Vec::new());
-        while let Some((index, &row)) =
-            waiting.iter().enumerate().min_by_key(|(_, row)| degrees[**row as usize])
+        while let Some((index, &row)) = waiting
+            .iter()
+            .enumerate()
+            .min_by_key(|(_, row)| (degrees[**row as usize], touched[**row as usize]))
         {
             waiting.remove(index);
             let around: Vec<u64> = met[row as usize * words..][..words].to_vec();
@@ -185,6 +189,7 @@ impl Elimination {
                     its[gone / BITS] &= !(1 << (gone % BITS));
                 }
                 degrees[at] = degree(&met, at);
+                touched[at] = pivots.len() + 1;
             }
             pivots.push((row as usize, pairs.len()));
         }

@@ -16,6 +16,8 @@ pub mod closed_form;
 #[cfg(feature = "linear")]
 pub mod complex_step;
 pub mod constraints;
+#[cfg(feature = "verify")]
+pub mod double_double;
 pub mod error;
 pub mod field;
 #[cfg(feature = "cli")]

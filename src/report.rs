@@ -124,7 +124,10 @@ pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Fail
 /// measured are left to `machinist bench`.
 fn measure_all() -> Result<Vec<WorkPrecision>, SimulateError> {
     let found = scenes::NAMES.iter().filter_map(|name| scenes::find::<f64>(name));
-    found.map(|simulator| work_precision::measure(simulator, &Plan::default())).collect()
+    let measure = |simulator: &dyn Simulator<f64>| {
+        work_precision::measure(simulator, scenes::find(simulator.name()), &Plan::default())
+    };
+    found.map(measure).collect()
 }
 
 impl Report {

@@ -1,10 +1,11 @@
 //! Error against work and time: what each method pays for accuracy.
 //!
-//! Errors are against a reference that is no part of what is measured: a closed
-//! form where there is one, else a run at the tightest tolerance that a run by
-//! another method agrees with. How far the two agree is part of the answer, since
-//! no error below that means anything.
+//! Errors are against a reference that is no part of what is measured: the emitted
+//! code run in numbers of 31 digits, or where it has no such run, one at the tightest
+//! tolerance that a run by another method agrees with. How far the two agree is part
+//! of the answer, since no error below that means anything.
 
+mod precise;
 mod reference;
 
 use std::time::Instant;
@@ -12,6 +13,7 @@ use std::time::Instant;
 use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
+use crate::double_double::DoubleDouble;
 use crate::error::SimulateError;
 use crate::method::{Method, Work};
 use crate::simulate::Simulation;
@@ -19,7 +21,8 @@ use crate::trajectory::{ColumnKind, Trajectory};
 pub use reference::Reference;
 
 /// Tolerances of a measurement, from loose to tight, unless told otherwise.
-pub const TOLERANCES: [f64; 9] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
+pub const TOLERANCES: [f64; 11] =
+    [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12];
 
 /// What to measure.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,7 +99,8 @@ impl Point {
     }
 }
 
-/// Measures a scene as its spec runs it.
+/// Measures a scene as its spec runs it, against its `twin` in numbers of 31 digits if
+/// it has one.
 ///
 /// # Errors
 /// [`SimulateError`] if a tolerance makes no sense, or if no method gets through
@@ -104,12 +108,13 @@ impl Point {
 /// cannot go on is no error but a [`Stop`].
 pub fn measure(
     simulator: &dyn Simulator<f64>,
+    twin: Option<&dyn Simulator<DoubleDouble>>,
     plan: &Plan,
 ) -> Result<WorkPrecision, SimulateError> {
     if let Some(rtol) = plan.tolerances.iter().find(|rtol| !(**rtol > 0.0 && **rtol <= 1.0)) {
         return Err(SimulateError::BadTolerance(*rtol));
     }
-    let reference = Reference::of(simulator)?;
+    let reference = Reference::of(simulator, twin)?;
     let curves = plan
         .methods
         .iter()

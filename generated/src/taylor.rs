@@ -130,8 +130,8 @@ fn add_products<R: Real, const N: usize>(sums: &mut [R; N], left: &[R; N], right
 #[inline(always)]
 #[allow(clippy::cast_precision_loss, reason = "orders are small")]
 pub fn order_and_inverse<R: Real>(order: usize) -> (R, R) {
-    let order = order as f64;
-    (R::literal(order), R::literal(1.0 / order))
+    let order = R::literal(order as f64);
+    (order, R::literal(1.0) / order)
 }
 
 /// `L D L^T` of a symmetric matrix, without pivoting: for a mass matrix, which

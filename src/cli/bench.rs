@@ -39,7 +39,8 @@ impl Bench {
         plan.tolerances.clone_from(&self.rtols);
         plan.tolerances.sort_by(|a, b| b.total_cmp(a));
         let scene = Scene::load(&self.scene, false)?;
-        let measured = during("timing the methods", || measure(scene.simulator(), &plan))?;
+        let measured =
+            during("timing the methods", || measure(scene.simulator(), scene.twin(), &plan))?;
         if self.json {
             return print_with(|out| {
                 serde_json::to_writer_pretty(&mut *out, &measured)?;

@@ -2,12 +2,13 @@
 
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
+use machinist::double_double::DoubleDouble;
 use machinist::field::{Discretisation, FieldError, FieldSimulator};
 use machinist::interpreted::InterpretedSimulator;
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
 use machinist_codegen::spec::did_you_mean;
-use machinist_scenes::{Simulator, scenes};
+use machinist_scenes::{Real, Simulator, scenes};
 
 use super::progress::during;
 use super::{Failure, specs};
@@ -70,6 +71,14 @@ impl Scene {
         }
     }
 
+    /// The same emitted code in numbers of 31 digits.
+    pub fn twin(&self) -> Option<&'static dyn Simulator<DoubleDouble>> {
+        match self {
+            Self::Emitted(simulator) => built_in(simulator.name()),
+            Self::Interpreted(_) | Self::Fields(..) => None,
+        }
+    }
+
     /// How it runs, for people.
     pub fn how(&self) -> &'static str {
         match self {
@@ -94,7 +103,7 @@ fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure
 }
 
 /// The emitted simulator of a name.
-pub fn built_in(name: &str) -> Option<&'static dyn Simulator<f64>> {
+pub fn built_in<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     #[cfg(feature = "bench")]
     if let Some(simulator) = machinist_scenes::bench::find(name) {
         return Some(simulator);

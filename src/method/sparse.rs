@@ -108,7 +108,8 @@ impl<S: ComplexField<RealField = f64> + Copy> Sparse<S> {
                 let taken = multiplier * self.values[first_right + pair];
                 let later = self.values[self.elimination.pairs[pair][1] as usize];
                 // As no number is, either.
-                if !(taken.norm1() <= LARGEST * later.norm1()) {
+                let is_sound = taken.norm1() <= LARGEST * later.norm1();
+                if !is_sound {
                     return Err(NeedsExchange);
                 }
                 for (place, entry) in places.iter().zip(right.clone()) {
@@ -285,7 +286,9 @@ mod tests {
             let entries: Vec<_> = (0..11).map(|k| (k, k + 1)).chain([(1, 0)]).collect();
             let mut matrix = Sparse::<f64>::new(12, &entries).unwrap();
             let (values, targets) = matrix.start(1.0);
-            targets.iter().for_each(|target| values[*target as usize] = 1.0);
+            for target in targets {
+                values[*target as usize] = 1.0;
+            }
             values[0] = pivot;
             assert_eq!(matrix.factor(), Err(NeedsExchange), "{pivot}");
         }

@@ -11,7 +11,7 @@ use plotly::configuration::Configuration;
 use plotly::layout::{Axis, AxisType, HoverMode, Legend, Margin};
 use plotly::{HeatMap, Layout, Plot, Scatter};
 
-use machinist::work_precision::WorkPrecision;
+use machinist::work_precision::{Point, WorkPrecision};
 
 /// Colours that people with any colour vision can tell apart, on light and dark
 /// (after M. Okabe and K. Ito, Color universal design, 2008).
@@ -59,7 +59,7 @@ pub fn over_time(id: &str, times: &[f64], columns: &[&Column], caption: &Markup)
     element(id, &plot, caption)
 }
 
-/// Error against run time, a curve a method.
+/// Error against run time, and beside it error over tolerance; a curve a method.
 pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> Markup {
     let mut plot = Plot::new();
     for (index, curve) in measured.curves.iter().enumerate() {
@@ -74,17 +74,21 @@ pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> M
                 point.work.rate_evaluations
             )
         });
-        let trace = Scatter::new(
-            points.iter().map(|point| rounded(point.milliseconds)).collect(),
-            points.iter().map(|point| rounded(point.error)).collect(),
-        )
-        .name(curve.method.name())
-        .mode(Mode::LinesMarkers)
-        .line(line(index))
-        .marker(Marker::new().size(7).color(COLOURS[index % COLOURS.len()]))
-        .text_array(hover.collect())
-        .hover_template("%{text}");
-        plot.add_trace(trace);
+        let hover: Vec<String> = hover.collect();
+        let values = |of: &dyn Fn(&Point) -> f64| points.iter().map(of).map(rounded).collect();
+        let trace = |x: Vec<f64>, y: Vec<f64>| {
+            Scatter::new(x, y)
+                .name(curve.method.name())
+                .legend_group(curve.method.name())
+                .mode(Mode::LinesMarkers)
+                .line(line(index))
+                .marker(Marker::new().size(6).color(COLOURS[index % COLOURS.len()]))
+                .text_array(hover.clone())
+                .hover_template("%{text}")
+        };
+        plot.add_trace(trace(values(&|point| point.milliseconds), values(&|point| point.error)));
+        let beside = trace(values(&|point| point.rtol), values(&Point::proportionality));
+        plot.add_trace(beside.x_axis("x2").y_axis("y2").show_legend(false));
     }
     let logarithmic = |title: &str| {
         Axis::new()
@@ -93,8 +97,10 @@ pub fn work_precision(id: &str, measured: &WorkPrecision, caption: &Markup) -> M
             .exponent_format(plotly::common::ExponentFormat::SmallE)
     };
     let layout = layout()
-        .x_axis(logarithmic("run time [ms]"))
+        .x_axis(logarithmic("run time [ms]").domain(&[0.0, 0.56]))
         .y_axis(logarithmic("largest relative error"))
+        .x_axis2(logarithmic("tolerance").domain(&[0.68, 1.0]).anchor("y2"))
+        .y_axis2(logarithmic("error over tolerance").anchor("x2"))
         .hover_mode(HoverMode::Closest);
     plot.set_layout(layout);
     element(id, &plot, caption)

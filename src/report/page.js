@@ -21,7 +21,7 @@
   }
 
   // Layout settings by their paths, as Plotly.relayout takes them.
-  function theme() {
+  function theme(canvas) {
     const { ink, rule, raised } = colours();
     const settings = {
       "font.color": ink,
@@ -34,7 +34,7 @@
       "modebar.color": rule,
       "modebar.activecolor": ink,
     };
-    for (const axis of ["xaxis", "yaxis"]) {
+    for (const axis of Object.keys(canvas.layout).filter((key) => /^[xy]axis/.test(key))) {
       settings[axis + ".gridcolor"] = rule;
       settings[axis + ".zerolinecolor"] = rule;
       settings[axis + ".linecolor"] = rule;
@@ -49,11 +49,14 @@
     const { data, layout, config } = JSON.parse(figure.querySelector("script").textContent);
     const canvas = figure.querySelector(".canvas");
     await Plotly.newPlot(canvas, data, layout, config);
-    await Plotly.relayout(canvas, theme());
+    await Plotly.relayout(canvas, theme(canvas));
   }
 
   function repaint() {
-    for (const figure of drawn) Plotly.relayout(figure.querySelector(".canvas"), theme());
+    for (const figure of drawn) {
+      const canvas = figure.querySelector(".canvas");
+      Plotly.relayout(canvas, theme(canvas));
+    }
   }
 
   const watcher = new IntersectionObserver(

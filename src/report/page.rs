@@ -158,9 +158,10 @@ fn introduction(report: &Report) -> Markup {
 fn work_precision(measured: &[WorkPrecision]) -> Markup {
     html! {
         p {
-            "Each point is one tolerance, from 1e-2 at the top to 1e-10; each curve is one method.
+            "Each point is one tolerance, from 1e-2 at the top to 1e-12; each curve is one method.
              The error is the largest over all states and 101 output times, relative to the largest
-             value of the state."
+             value of the state. On the right is the error over the tolerance: a method that keeps
+             to what it is asked for runs level there."
         }
         @for scene in measured {
             (figure::work_precision(

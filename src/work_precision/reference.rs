@@ -3,15 +3,17 @@
 use machinist_scenes::Simulator;
 use serde::{Serialize, Serializer};
 
-use super::{States, distance, run, states};
-use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques};
+use super::{States, distance, precise, run, states};
+use crate::double_double::DoubleDouble;
 use crate::error::SimulateError;
 use crate::method::Method;
-use crate::trajectory::Trajectory;
+use crate::trajectory::{ColumnKind, Trajectory};
 
 /// Tolerances at which a reference is sought, tightest first: a method that cannot
 /// go on at one may at the next.
 const TIGHT: [f64; 3] = [1e-13, 1e-12, 1e-10];
+/// Tolerance of the run that tells the times and how large states are.
+const PILOT: f64 = 1e-8;
 /// How many runs a reference is chosen from.
 const CONFIRMING: usize = 3;
 /// A run for a reference may take so many steps.
@@ -22,22 +24,48 @@ const MAX_STEPS: usize = 300_000;
 pub struct Reference {
     /// What it is, in words: how it was found and how far it may be trusted.
     pub name: String,
-    /// How far two ways to find it agree, as errors are measured; 0 for a closed
-    /// form. Errors below this mean nothing.
+    /// How far two ways to find it agree, as errors are measured. Errors below this
+    /// mean nothing.
     pub agreement: f64,
     states: States,
 }
 
 impl Reference {
-    /// The closed form of a scene that has one, else a converged run.
+    /// A run of the same machine in numbers of 31 digits, where there is one and it
+    /// runs as series, else a converged run.
     ///
     /// # Errors
     /// [`SimulateError`] of the last method tried if none gets through the run.
-    pub fn of(simulator: &dyn Simulator<f64>) -> Result<Self, SimulateError> {
-        match simulator.name() {
-            "two_mass" => closed_form(simulator),
-            _ => Self::converged(simulator),
+    pub fn of(
+        simulator: &dyn Simulator<f64>,
+        twin: Option<&dyn Simulator<DoubleDouble>>,
+    ) -> Result<Self, SimulateError> {
+        let precise = twin.map(|twin| Self::precise(simulator, twin)).transpose()?;
+        precise.flatten().map_or_else(|| Self::converged(simulator), Ok)
+    }
+
+    /// By Taylor series in numbers of 31 digits; none where these do not do, or two
+    /// runs differ by more than the last digits of what is measured.
+    ///
+    /// # Errors
+    /// [`SimulateError`] if the scene does not run at all.
+    pub fn precise(
+        simulator: &dyn Simulator<f64>,
+        twin: &dyn Simulator<DoubleDouble>,
+    ) -> Result<Option<Self>, SimulateError> {
+        let Some(series) = precise::series(twin) else { return Ok(None) };
+        let pilot = run(simulator, Method::Auto, PILOT).run()?;
+        let Some(solved) = precise::solve(twin, series, &pilot) else { return Ok(None) };
+        let agreement = solved.agreement;
+        if agreement.is_nan() || agreement > f64::EPSILON {
+            return Ok(None);
         }
+        let name = format!(
+            "Taylor series in numbers of 31 digits, two runs of which differ by {agreement:.1e}"
+        );
+        let columns = pilot.of_kind(ColumnKind::State).map(|column| column.name.clone());
+        let states = columns.zip(solved.states).collect();
+        Ok(Some(Self { name, agreement, states }))
     }
 
     /// Of the three methods of highest order that get through the run at their
@@ -118,30 +146,4 @@ fn tightest(simulator: &dyn Simulator<f64>, method: Method) -> Result<Trajectory
         result = attempt(*rtol);
     }
     result
-}
-
-/// Angles and speeds of two rotors under the scene's own torques, from rest.
-fn closed_form(simulator: &dyn Simulator<f64>) -> Result<Reference, SimulateError> {
-    type Quantity = (&'static str, fn(&Motion) -> f64);
-    const TORQUES: Torques = Torques {
-        driving: 974.4,
-        load: 843.72,
-        load_amplitude: 0.0,
-        load_frequency: 241.8051,
-        load_phase: 0.0,
-    };
-    let quantities: [Quantity; 3] = [
-        ("coupling.twist", |motion| motion.twist().angle),
-        ("driver.omega", |motion| motion.driver_speed),
-        ("cylinder.omega", |motion| motion.driven_speed),
-    ];
-    let times = run(simulator, Method::Tsit45, TIGHT[2]).run()?.times;
-    let motions: Vec<Motion> =
-        times.iter().map(|time| SAW_GIN.motion(*time, Motion::default(), TORQUES)).collect();
-    let states = quantities
-        .iter()
-        .map(|(name, quantity)| ((*name).to_owned(), motions.iter().map(quantity).collect()))
-        .collect();
-    let name = "the closed form of the damped oscillator".to_owned();
-    Ok(Reference { name, agreement: 0.0, states })
 }

@@ -1,27 +1,79 @@
+use machinist_scenes::scenes::bouncing_mass::BouncingMass;
+use machinist_scenes::scenes::four_bar::FourBar;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::two_mass::TwoMass;
 
 use super::*;
+use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques};
 
 fn plan(method: Method, tolerances: &[f64]) -> Plan {
     Plan { methods: vec![method], tolerances: tolerances.to_vec(), runs: 1, longest: 1e4 }
 }
 
+/// Angles and speeds of two rotors under the scene's own torques, from rest.
+fn closed_form_of_two_mass(times: &[f64]) -> States {
+    type Quantity = (&'static str, fn(&Motion) -> f64);
+    const TORQUES: Torques = Torques {
+        driving: 974.4,
+        load: 843.72,
+        load_amplitude: 0.0,
+        load_frequency: 241.8051,
+        load_phase: 0.0,
+    };
+    let quantities: [Quantity; 3] = [
+        ("coupling.twist", |motion| motion.twist().angle),
+        ("driver.omega", |motion| motion.driver_speed),
+        ("cylinder.omega", |motion| motion.driven_speed),
+    ];
+    let motions: Vec<Motion> =
+        times.iter().map(|time| SAW_GIN.motion(*time, Motion::default(), TORQUES)).collect();
+    let values = quantities
+        .iter()
+        .map(|(name, quantity)| ((*name).to_owned(), motions.iter().map(quantity).collect()));
+    values.collect()
+}
+
 #[test]
-fn a_reference_without_closed_form_is_as_near_the_truth_as_its_methods_agree() {
-    let converged = Reference::converged(&TwoMass).expect("a reference");
-    let exact = Reference::of(&TwoMass).expect("a closed form");
+fn references_are_as_near_the_truth_as_they_say() {
     let trajectory = run(&TwoMass, Method::Tsit45, 1e-4).run().expect("a run");
-    let (ours, truth) = (converged.distance(&trajectory), exact.distance(&trajectory));
-    assert!(truth > 1e-7, "{truth:e}");
-    assert!((ours - truth).abs() < 1e-9, "{ours:e} instead of {truth:e}");
+    let truth = closed_form_of_two_mass(&trajectory.times);
+    let error = distance(&trajectory, &truth);
+    assert!(error > 1e-7, "{error:e}");
+
+    let precise = Reference::of(&TwoMass, Some(&TwoMass)).expect("a reference");
+    assert!(precise.agreement < 1e-20, "{:e}", precise.agreement);
+    assert!(precise.name.contains("31 digits"), "{}", precise.name);
+    let ours = precise.distance(&trajectory);
+    assert!((ours - error).abs() < 1e-13, "{ours:e} instead of {error:e}");
+
+    let converged = Reference::of(&TwoMass, None).expect("a reference");
     assert!(converged.agreement < 1e-9, "{:e}", converged.agreement);
     assert!(converged.name.contains("differs by"), "{}", converged.name);
+    let ours = converged.distance(&trajectory);
+    assert!((ours - error).abs() < 1e-9, "{ours:e} instead of {error:e}");
+}
+
+#[test]
+fn a_reference_in_31_digits_knows_jumps_of_the_load() {
+    let precise = Reference::precise(&SawGin, &SawGin).expect("a run").expect("a reference");
+    assert!(precise.agreement < 1e-18, "{:e}", precise.agreement);
+    let converged = Reference::converged(&SawGin).expect("a reference");
+    let tight = run(&SawGin, Method::Dop853, 1e-12).run().expect("a run");
+    let (error, other) = (precise.distance(&tight), converged.distance(&tight));
+    assert!(error < 1e-9 && other < 1e-9, "{error:e}, {other:e}");
+}
+
+#[test]
+fn machines_that_turn_unforeseen_have_no_reference_in_31_digits() {
+    let bouncing = Reference::precise(&BouncingMass, &BouncingMass).expect("a run");
+    let closed_loop = Reference::precise(&FourBar, &FourBar).expect("a run");
+    assert_eq!((bouncing, closed_loop), (None, None));
 }
 
 #[test]
 fn tighter_tolerances_cost_more_and_err_less() {
-    let measured = measure(&SawGin, &plan(Method::Tsit45, &[1e-4, 1e-6, 1e-8])).expect("measured");
+    let measured =
+        measure(&SawGin, None, &plan(Method::Tsit45, &[1e-4, 1e-6, 1e-8])).expect("measured");
     let points = &measured.curves[0].points;
     assert_eq!(points.len(), 3);
     for pair in points.windows(2) {
@@ -33,7 +85,7 @@ fn tighter_tolerances_cost_more_and_err_less() {
 
 #[test]
 fn a_tolerance_of_zero_is_refused() {
-    let error = measure(&TwoMass, &plan(Method::Bdf, &[1e-3, 0.0])).expect_err("refused");
+    let error = measure(&TwoMass, None, &plan(Method::Bdf, &[1e-3, 0.0])).expect_err("refused");
     assert_eq!(error, SimulateError::BadTolerance(0.0));
 }
 

@@ -99,7 +99,9 @@ fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<Token
         .collect::<Result<_, _>>()
         .map_err(|error| EmitError::Unparsable { reason: error.to_string() })?;
     let mut namer = scope.namer.clone();
-    known.iter().for_each(|name| namer.reserve(&name.to_string()));
+    for name in &known {
+        namer.reserve(&name.to_string());
+    }
     let states: Vec<Ident> = scope.states.iter().chain(&known).cloned().collect();
     let inner = Scope { states: &states, namer: &namer, ..*scope };
     let result_names = of.results.iter().map(|name| format!("{name}_here")).collect();

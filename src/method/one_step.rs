@@ -441,6 +441,22 @@ pub(super) fn weighted_norm(
     (sum / error.len() as f64).sqrt()
 }
 
+/// Sum of (error/scale)^2, as four sums that do not wait for each other.
+#[cfg(feature = "implicit")]
+pub(super) fn sum_of_squares(errors: &[f64], scales: &[f64]) -> f64 {
+    let square = |(error, scale): (&f64, &f64)| (error / scale) * (error / scale);
+    let (blocks, rest) = errors.as_chunks::<4>();
+    let (scales, rest_scales) = scales[..errors.len()].as_chunks::<4>();
+    let mut sums = [0.0; 4];
+    for pair in blocks.iter().zip(scales) {
+        for (sum, pair) in sums.iter_mut().zip(pair.0.iter().zip(pair.1)) {
+            *sum += square(pair);
+        }
+    }
+    let rest: f64 = rest.iter().zip(rest_scales).map(square).sum();
+    sums.iter().sum::<f64>() + rest
+}
+
 /// df/dy at a state, in pattern order.
 ///
 /// # Errors

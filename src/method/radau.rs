@@ -9,7 +9,9 @@ mod newton;
 
 use self::collocation::Collocation;
 use self::newton::{Newton, Outcome};
-use super::one_step::{BETWEEN, OneStep, Pace, Trial, drive_all, first_step, weighted_norm};
+use super::one_step::{
+    BETWEEN, OneStep, Pace, Trial, drive_all, first_step, sum_of_squares, weighted_norm,
+};
 use super::tableau::RADAU;
 use super::{Integrator, Samples, Stopped, Stretch};
 
@@ -215,9 +217,7 @@ impl<'a> RadauSteps<'a> {
         for flow in flows {
             *flow /= real;
         }
-        let sum: f64 =
-            self.error.iter().zip(&self.scale).map(|(e, scale)| (e / scale).powi(2)).sum();
-        let norm = (sum / self.len as f64).sqrt();
+        let norm = (sum_of_squares(&self.error, &self.scale) / self.len as f64).sqrt();
         if norm.is_nan() {
             return Err(Trial::NotFinite { what: "the error of", index: 0 });
         }

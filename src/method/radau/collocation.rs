@@ -46,10 +46,10 @@ impl Collocation {
         into[count * len..][..len].copy_from_slice(start);
         for order in 1..=count {
             for node in (order..=count).rev() {
-                let span = self.nodes[node] - self.nodes[node - order];
+                let inverse_span = 1.0 / (self.nodes[node] - self.nodes[node - order]);
                 let (before, this) = into.split_at_mut(node * len);
                 for (this, before) in this[..len].iter_mut().zip(&before[(node - 1) * len..]) {
-                    *this = (*this - before) / span;
+                    *this = (*this - before) * inverse_span;
                 }
             }
         }

@@ -1,11 +1,12 @@
 //! Newton's iteration for the stages of a Radau method, in the variables in which
 //! they are independent.
 
+use machinist_scenes::Real;
 use num_complex::Complex64;
 
 use super::collocation::Collocation;
 use crate::method::Stretch;
-use crate::method::one_step::{Trial, finite_jacobian, require_finite};
+use crate::method::one_step::{Trial, finite_jacobian, require_finite, sum_of_squares};
 use crate::method::step_matrix::StepMatrix;
 
 /// What became of an iteration.
@@ -304,10 +305,10 @@ impl<'a> Newton<'a> {
         let mut sum = 0.0;
         let transformed = self.transformed[..count].chunks_exact_mut(size);
         for (transformed, changes) in transformed.zip(self.residual.chunks_exact(size)) {
-            for ((w, change), scale) in transformed.iter_mut().zip(changes).zip(scale) {
+            for (w, change) in transformed.iter_mut().zip(changes) {
                 *w += change;
-                sum += (change / scale).powi(2);
             }
+            sum += sum_of_squares(changes, scale);
         }
         (sum / count as f64).sqrt()
     }
@@ -323,13 +324,27 @@ fn product(
     (into, into_stride): (&mut [f64], usize),
 ) {
     for (row, weights) in matrix.chunks_exact(count).enumerate() {
-        let into = &mut into[row * into_stride..][..size];
-        into.fill(0.0);
-        for (column, weight) in weights.iter().enumerate() {
-            let from = &from[column * from_stride..][..size];
-            for (into, from) in into.iter_mut().zip(from) {
-                *into += weight * from;
-            }
+        let (blocks, rest) = into[row * into_stride..][..size].as_chunks_mut();
+        let done = size - rest.len();
+        for (block, first) in blocks.iter_mut().zip((0..).step_by(BLOCK)) {
+            *block = sum::<BLOCK>(weights, &from[first..], from_stride);
+        }
+        for (value, first) in rest.iter_mut().zip(done..) {
+            [*value] = sum(weights, &from[first..], from_stride);
         }
     }
+}
+
+/// Entries summed together, so that the sums stay in registers.
+const BLOCK: usize = 8;
+
+/// Sums of the first `N` entries of rows so far apart, each times its weight.
+fn sum<const N: usize>(weights: &[f64], from: &[f64], stride: usize) -> [f64; N] {
+    let mut sums = [0.0; N];
+    for (weight, row) in weights.iter().zip(from.chunks(stride)) {
+        for (sum, value) in sums.iter_mut().zip(&row[..N]) {
+            *sum = Real::mul_add(*value, *weight, *sum);
+        }
+    }
+    sums
 }

@@ -21,13 +21,12 @@
 #[cfg(feature = "cli")]
 mod chain;
 mod model;
+mod rhs;
 
 use std::error::Error;
-use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use machinist::lanes::{F64x8, Lanes};
 use machinist::method::{Problem, Stopped, System, Work};
 use machinist::{Method, Sweep};
 use machinist_scenes::{Describe, bench};
@@ -64,7 +63,7 @@ fn answer() -> Result<(), Box<dyn Error>> {
         return Ok(());
     };
     match arguments.call.as_str() {
-        "rhs" => rhs(&model),
+        "rhs" => rhs::measure(&model),
         "sim" => simulate(&model, &arguments)?,
         "sweep" if model.key == "M2" => sweep(&model.key, &arguments)?,
         "sweep" => print(&model.key, &json!({"skip": "only M2 has a parameter to vary"})),
@@ -137,83 +136,6 @@ fn run(
     };
     let state = problem.integrate(method)?.rows;
     Ok((model.states(span.until, &state, parameters), system.work()))
-}
-
-/// Nanoseconds of one rate and of one whole Jacobian, cycling through 16 states.
-fn rhs(model: &Model) {
-    const STATES: usize = 16;
-    let simulator = model.simulator;
-    let (parameters, scales) = (model.parameters(), model.scales());
-    let states: Vec<Vec<f64>> = (0..STATES)
-        .map(|number| {
-            let angle = |index: usize| 1.0 + 0.7 * index as f64 + 0.3 * number as f64;
-            let value = |(index, scale): (usize, &f64)| 0.3 * scale * angle(index).sin();
-            scales.iter().enumerate().map(value).collect()
-        })
-        .collect();
-    // As methods call them: what parameters decide is computed once a run.
-    let mut constants = vec![0.0; simulator.constants()];
-    simulator.prepare(&parameters, &mut constants);
-    let (p, c) = (&parameters, &constants);
-    let report = |kind: &str, time: f64| {
-        print(&model.key, &json!({"kind": kind, "variant": "emitted Rust", "ns": time}));
-    };
-    let rate = |t: f64, y: &[f64], out: &mut [f64]| simulator.prepared_rate(t, y, p, c, out);
-    report("rhs", cycling(&states, scales.len(), rate));
-    let nonzeros = simulator.rate_jacobian_pattern().entries.len();
-    let jacobian =
-        |t: f64, y: &[f64], out: &mut [f64]| simulator.prepared_rate_jacobian(t, y, p, c, out);
-    report("jac", cycling(&states, nonzeros, jacobian));
-    rhs_in_lanes(model, &states);
-}
-
-/// Nanoseconds of a function of time and state that writes so many numbers, from one state
-/// to the next.
-fn cycling(states: &[Vec<f64>], size: usize, call: impl Fn(f64, &[f64], &mut [f64])) -> f64 {
-    let mut values = vec![0.0; size];
-    nanoseconds(|number| {
-        let number = number % states.len();
-        call(0.01 * number as f64, black_box(&states[number]), &mut values);
-        black_box(&mut values);
-    })
-}
-
-/// Nanoseconds of one rate for each of eight states at once.
-fn rhs_in_lanes(model: &Model, states: &[Vec<f64>]) {
-    let written_out = bench::find::<F64x8>(&model.scene).filter(|_| !model.is_field());
-    let Some(simulator) = written_out else { return };
-    let parameters: Vec<F64x8> = model.parameters().into_iter().map(F64x8::splat).collect();
-    let mut constants = vec![F64x8::splat(0.0); simulator.constants()];
-    simulator.prepare(&parameters, &mut constants);
-    let bundle = |first: usize| -> Vec<F64x8> {
-        let state = |index: usize| std::array::from_fn(|lane| states[first + lane][index]);
-        (0..states[first].len()).map(|index| F64x8::from(state(index))).collect()
-    };
-    let bundles = [bundle(0), bundle(8)];
-    let mut values = vec![F64x8::splat(0.0); states[0].len()];
-    let time = nanoseconds(|number| {
-        let (time, state) = (F64x8::splat(0.01 * (number % 16) as f64), &bundles[number % 2]);
-        simulator.prepared_rate(time, black_box(state), &parameters, &constants, &mut values);
-        black_box(&mut values);
-    });
-    let variant = "emitted Rust, 8 lanes, time for each";
-    print(&model.key, &json!({"kind": "rhs", "variant": variant, "ns": time / 8.0}));
-}
-
-/// Median time of a call \[ns\]; it is told how many went before it.
-fn nanoseconds(mut call: impl FnMut(usize)) -> f64 {
-    const SAMPLE: f64 = 0.01;
-    let mut sample = |calls: usize| {
-        let start = Instant::now();
-        (0..calls).for_each(&mut call);
-        start.elapsed().as_secs_f64()
-    };
-    let mut calls = 1000;
-    while sample(calls) < SAMPLE {
-        calls *= 2;
-    }
-    let times = (0..9).map(|_| sample(calls) / calls as f64 * 1e9);
-    median(times.collect())
 }
 
 /// One line for each method and tolerance, from loose to tight, until the budget

@@ -31,6 +31,16 @@ pub trait Real:
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand
     }
+    /// `self + a b`, rounded as [`Real::mul_add`] is.
+    #[inline(always)]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        a.mul_add(b, self)
+    }
+    /// `self - a b`, likewise.
+    #[inline(always)]
+    fn sub_product(self, a: Self, b: Self) -> Self {
+        (-a).mul_add(b, self)
+    }
     /// Integer power, by repeated squaring, so that it is the same to the last
     /// bit with and without `std`.
     fn powi(self, exponent: i32) -> Self {

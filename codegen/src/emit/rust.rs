@@ -11,6 +11,7 @@ mod describe;
 mod excitation;
 mod field;
 mod functions;
+mod fuse;
 mod header;
 mod items;
 mod names;

@@ -276,11 +276,11 @@ pub fn prepared_rate<R: Real>(
     let [q_0, q_1, q_0_dot, q_1_dot] = *state;
     let q_0_minus_q_1 = q_0 - q_1;
     let cos_q_0_minus_q_1 = q_0_minus_q_1.cos();
-    let t0 = (q_1 - q_0).sin() * q_1_dot.powi(2) - c.t0 * q_0.sin();
-    let t1 = q_0_minus_q_1.sin() * q_0_dot.powi(2) - c.t1 * q_1.sin();
-    let t2 = R::literal(2.0) - cos_q_0_minus_q_1 * cos_q_0_minus_q_1;
-    let q_0_dot_dot = (R::literal(1.0) * t0 - cos_q_0_minus_q_1 * t1) / t2;
-    let q_1_dot_dot = (R::literal(2.0) * t1 - cos_q_0_minus_q_1 * t0) / t2;
+    let t0 = (-(c.t0 * q_0.sin())).add_product((q_1 - q_0).sin(), q_1_dot.powi(2));
+    let t1 = (-(c.t1 * q_1.sin())).add_product(q_0_minus_q_1.sin(), q_0_dot.powi(2));
+    let t2 = R::literal(2.0).sub_product(cos_q_0_minus_q_1, cos_q_0_minus_q_1);
+    let q_0_dot_dot = (R::literal(1.0) * t0).sub_product(cos_q_0_minus_q_1, t1) / t2;
+    let q_1_dot_dot = (R::literal(2.0) * t1).sub_product(cos_q_0_minus_q_1, t0) / t2;
     [q_0_dot, q_1_dot, q_0_dot_dot, q_1_dot_dot]
 }
 
@@ -308,10 +308,10 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [q_0, q_1, q_0_dot, q_1_dot] = *state;
-    let q_0_forcing = (q_1 - q_0).sin() * q_1_dot.powi(2)
-        - R::literal(2.0) * p.arm_gravity * q_0.sin();
-    let q_1_forcing = (q_0 - q_1).sin() * q_0_dot.powi(2)
-        - R::literal(1.0) * p.arm_gravity * q_1.sin();
+    let q_0_forcing = (-(R::literal(2.0) * p.arm_gravity * q_0.sin()))
+        .add_product((q_1 - q_0).sin(), q_1_dot.powi(2));
+    let q_1_forcing = (-(R::literal(1.0) * p.arm_gravity * q_1.sin()))
+        .add_product((q_0 - q_1).sin(), q_0_dot.powi(2));
     [q_0_forcing, q_1_forcing]
 }
 

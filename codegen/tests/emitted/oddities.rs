@@ -437,8 +437,9 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [state_2, STATES_2, p_2] = *state;
-    let STATES_2_dot = (p_2 - p.arm_damping * STATES_2
-        - c.STATES_times_arm_gravity_times_time * state_2.sin()) / c.inertia;
+    let STATES_2_dot = p_2
+        .sub_product(p.arm_damping, STATES_2)
+        .sub_product(c.STATES_times_arm_gravity_times_time, state_2.sin()) / c.inertia;
     let load = R::select_less(
         time,
         p.start,
@@ -472,8 +473,9 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [state_2, STATES_2, p_2] = *state;
-    let state_forcing = p_2 - p.arm_damping * STATES_2
-        - p.STATES * p.arm_gravity * p.time * state_2.sin();
+    let state_forcing = p_2
+        .sub_product(p.arm_damping, STATES_2)
+        .sub_product(p.STATES * p.arm_gravity * p.time, state_2.sin());
     [state_forcing]
 }
 
@@ -558,54 +560,54 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let STATES_2_over_p_2 = STATES_2 / p_2;
     let minus_STATES_2_plus_p_2 = -STATES_2_plus_p_2;
     let minus_STATES_2 = -STATES_2;
-    let t2 = R::literal(3.43) * STATES_2
-        - (R::literal(2.32) * state_2
-            - (R::literal(1.21) * STATES_2
-                - (R::literal(0.1) * state_2 - state_2 * STATES_2
-                    + R::literal(0.47) * STATES_2 + R::literal(0.84) * state_2)
-                + R::literal(1.58) * state_2
-                + R::literal(1.950_000_000_000_000_2) * STATES_2)
-            + R::literal(2.69) * STATES_2 + R::literal(3.06) * state_2)
-        + R::literal(3.800_000_000_000_000_3) * state_2;
-    let t3 = R::literal(7.869_999_999_999_999) * STATES_2
-        - (R::literal(6.76) * state_2
-            - (R::literal(5.649_999_999_999_999_5) * STATES_2
-                - (R::literal(4.539_999_999_999_999) * state_2
-                    - (t2 + R::literal(4.17) * STATES_2)
-                    + R::literal(4.909_999_999_999_999) * STATES_2
-                    + R::literal(5.279_999_999_999_999) * state_2)
-                + R::literal(6.02) * state_2 + R::literal(6.39) * STATES_2)
-            + R::literal(7.13) * STATES_2 + R::literal(7.5) * state_2)
-        + R::literal(8.24) * state_2;
-    let t4 = R::literal(12.309_999_999_999_999) * STATES_2
-        - (R::literal(11.2) * state_2
-            - (R::literal(10.09) * STATES_2
-                - (R::literal(8.979_999_999_999_999) * state_2
-                    - (t3 + R::literal(8.61) * STATES_2) + R::literal(9.35) * STATES_2
-                    + R::literal(9.719_999_999_999_999) * state_2)
-                + R::literal(10.459_999_999_999_999) * state_2
-                + R::literal(10.83) * STATES_2) + R::literal(11.57) * STATES_2
-            + R::literal(11.94) * state_2) + R::literal(12.68) * state_2;
-    let t5 = R::literal(16.75) * STATES_2
-        - (R::literal(15.639_999_999_999_999) * state_2
-            - (R::literal(14.53) * STATES_2
-                - (R::literal(13.42) * state_2
-                    - (t4 + R::literal(13.049_999_999_999_999) * STATES_2)
-                    + R::literal(13.79) * STATES_2 + R::literal(14.16) * state_2)
-                + R::literal(14.9) * state_2 + R::literal(15.27) * STATES_2)
-            + R::literal(16.01) * STATES_2
-            + R::literal(16.380_000_000_000_003) * state_2)
-        + R::literal(17.12) * state_2;
-    let t6 = R::literal(21.19) * STATES_2
-        - (R::literal(20.080_000_000_000_002) * state_2
-            - (R::literal(18.970_000_000_000_002) * STATES_2
-                - (R::literal(17.86) * state_2
-                    - (t5 + R::literal(17.490_000_000_000_002) * STATES_2)
-                    + R::literal(18.23) * STATES_2 + R::literal(18.6) * state_2)
-                + R::literal(19.34) * state_2 + R::literal(19.71) * STATES_2)
-            + R::literal(20.450_000_000_000_003) * STATES_2
-            + R::literal(20.82) * state_2)
-        + R::literal(21.560_000_000_000_002) * state_2;
+    let t2 = (-(-(-(-(-(-(-(R::literal(0.1) * state_2)
+        .sub_product(state_2, STATES_2)
+        .add_product(R::literal(0.47), STATES_2)
+        .add_product(R::literal(0.84), state_2))
+        .add_product(R::literal(1.21), STATES_2)
+        .add_product(R::literal(1.58), state_2)
+        .add_product(R::literal(1.950_000_000_000_000_2), STATES_2))
+        .add_product(R::literal(2.32), state_2)
+        .add_product(R::literal(2.69), STATES_2)
+        .add_product(R::literal(3.06), state_2))
+        .add_product(R::literal(3.43), STATES_2)
+        .add_product(R::literal(3.800_000_000_000_000_3), state_2)
+        .add_product(R::literal(4.17), STATES_2))
+        .add_product(R::literal(4.539_999_999_999_999), state_2)
+        .add_product(R::literal(4.909_999_999_999_999), STATES_2)
+        .add_product(R::literal(5.279_999_999_999_999), state_2))
+        .add_product(R::literal(5.649_999_999_999_999_5), STATES_2)
+        .add_product(R::literal(6.02), state_2)
+        .add_product(R::literal(6.39), STATES_2))
+        .add_product(R::literal(6.76), state_2)
+        .add_product(R::literal(7.13), STATES_2)
+        .add_product(R::literal(7.5), state_2))
+        .add_product(R::literal(7.869_999_999_999_999), STATES_2)
+        .add_product(R::literal(8.24), state_2);
+    let t3 = (-(-(-(-(-(-(-(-t2.add_product(R::literal(8.61), STATES_2))
+        .add_product(R::literal(8.979_999_999_999_999), state_2)
+        .add_product(R::literal(9.35), STATES_2)
+        .add_product(R::literal(9.719_999_999_999_999), state_2))
+        .add_product(R::literal(10.09), STATES_2)
+        .add_product(R::literal(10.459_999_999_999_999), state_2)
+        .add_product(R::literal(10.83), STATES_2))
+        .add_product(R::literal(11.2), state_2)
+        .add_product(R::literal(11.57), STATES_2)
+        .add_product(R::literal(11.94), state_2))
+        .add_product(R::literal(12.309_999_999_999_999), STATES_2)
+        .add_product(R::literal(12.68), state_2)
+        .add_product(R::literal(13.049_999_999_999_999), STATES_2))
+        .add_product(R::literal(13.42), state_2)
+        .add_product(R::literal(13.79), STATES_2)
+        .add_product(R::literal(14.16), state_2))
+        .add_product(R::literal(14.53), STATES_2)
+        .add_product(R::literal(14.9), state_2)
+        .add_product(R::literal(15.27), STATES_2))
+        .add_product(R::literal(15.639_999_999_999_999), state_2)
+        .add_product(R::literal(16.01), STATES_2)
+        .add_product(R::literal(16.380_000_000_000_003), state_2))
+        .add_product(R::literal(16.75), STATES_2)
+        .add_product(R::literal(17.12), state_2);
     Outputs {
         output_0: t0.sqrt(),
         output_1: t0.ln(),
@@ -640,7 +642,19 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         output_30: R::interpolate(&DRIVE_LOAD_TABLE, 1, p_2),
         output_31: R::interpolate(&DRIVE_LOAD_TABLE, 2, p_2),
         output_32: R::interpolate(&DRIVE_LOAD_TABLE, 3, p_2),
-        output_33: t6 + R::literal(21.93) * STATES_2,
+        output_33: (-(-(-(-t3.add_product(R::literal(17.490_000_000_000_002), STATES_2))
+            .add_product(R::literal(17.86), state_2)
+            .add_product(R::literal(18.23), STATES_2)
+            .add_product(R::literal(18.6), state_2))
+            .add_product(R::literal(18.970_000_000_000_002), STATES_2)
+            .add_product(R::literal(19.34), state_2)
+            .add_product(R::literal(19.71), STATES_2))
+            .add_product(R::literal(20.080_000_000_000_002), state_2)
+            .add_product(R::literal(20.450_000_000_000_003), STATES_2)
+            .add_product(R::literal(20.82), state_2))
+            .add_product(R::literal(21.19), STATES_2)
+            .add_product(R::literal(21.560_000_000_000_002), state_2)
+            .add_product(R::literal(21.93), STATES_2),
         output_34: R::literal(core::f64::consts::TAU) * time,
     }
 }

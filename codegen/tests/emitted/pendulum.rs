@@ -294,8 +294,9 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [arm_phi, arm_phi_dot, drive_torque] = *state;
-    let arm_phi_dot_dot = (drive_torque - p.arm_damping * arm_phi_dot
-        - c.t0 * arm_phi.sin()) / c.inertia;
+    let arm_phi_dot_dot = drive_torque
+        .sub_product(p.arm_damping, arm_phi_dot)
+        .sub_product(c.t0, arm_phi.sin()) / c.inertia;
     let load = R::select_less(
         time,
         p.start,
@@ -329,8 +330,9 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [arm_phi, arm_phi_dot, drive_torque] = *state;
-    let arm_phi_forcing = drive_torque - p.arm_damping * arm_phi_dot
-        - p.arm_mass * p.arm_gravity * p.arm_length * arm_phi.sin();
+    let arm_phi_forcing = drive_torque
+        .sub_product(p.arm_damping, arm_phi_dot)
+        .sub_product(p.arm_mass * p.arm_gravity * p.arm_length, arm_phi.sin());
     [arm_phi_forcing]
 }
 

@@ -569,7 +569,7 @@ pub fn prepared_rate<R: Real>(
     let z_47_dot = t1.powf(arm_phi_dot);
     let z_48_dot = R::select_less(arm_phi, arm_phi_dot, arm_phi, t1);
     let z_49_dot = R::select_less(arm_phi_dot, arm_phi, p.arm_length, t1);
-    let z_50_dot = p.arm_length * time - p.drive_lag;
+    let z_50_dot = (-p.drive_lag).add_product(p.arm_length, time);
     let minus_z_50_dot = -z_50_dot;
     let z_51_dot = time * arm_phi;
     let z_52_dot = z_50_dot * minus_z_50_dot;

@@ -310,7 +310,8 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [_, ball_v, ball_resting] = *state;
     let plate = p.amplitude * (p.frequency * time).sin();
-    let ball_weight = p.ball_mass * (p.ball_gravity - c.frequency_squared * plate);
+    let ball_weight = p.ball_mass
+        * p.ball_gravity.sub_product(c.frequency_squared, plate);
     let ball_contact_force = R::select_less(
         ball_resting,
         R::literal(0.5),
@@ -345,14 +346,15 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [_, _, ball_resting] = *state;
     let plate = p.amplitude * (p.frequency * time).sin();
-    let ball_weight = p.ball_mass * (p.ball_gravity - p.frequency * p.frequency * plate);
+    let ball_weight = p.ball_mass
+        * p.ball_gravity.sub_product(p.frequency * p.frequency, plate);
     let ball_contact_force = R::select_less(
         ball_resting,
         R::literal(0.5),
         R::literal(0.0),
         ball_weight,
     );
-    let ball_x_forcing = ball_contact_force - p.ball_mass * p.ball_gravity;
+    let ball_x_forcing = ball_contact_force.sub_product(p.ball_mass, p.ball_gravity);
     [ball_x_forcing]
 }
 
@@ -397,7 +399,7 @@ pub fn parameter_jacobian<R: Real>(
     let plate = p.amplitude * sin_frequency_times_time;
     let plate_speed = p.amplitude * p.frequency * frequency_times_time.cos();
     let frequency_squared = p.frequency * p.frequency;
-    let t0 = p.ball_gravity - frequency_squared * plate;
+    let t0 = p.ball_gravity.sub_product(frequency_squared, plate);
     let ball_weight = p.ball_mass * t0;
     let ball_contact_force = R::select_less(
         ball_resting,
@@ -406,7 +408,7 @@ pub fn parameter_jacobian<R: Real>(
         ball_weight,
     );
     let inverse_ball_mass = R::literal(1.0) / p.ball_mass;
-    let ball_v_dot = (ball_contact_force - p.ball_mass * p.ball_gravity)
+    let ball_v_dot = ball_contact_force.sub_product(p.ball_mass, p.ball_gravity)
         * inverse_ball_mass;
     let ball_v_dot_by_amplitude = R::select_less(
         ball_resting,
@@ -419,8 +421,8 @@ pub fn parameter_jacobian<R: Real>(
         R::literal(0.5),
         R::literal(0.0),
         p.ball_mass
-            * (-(R::literal(2.0) * p.frequency * plate)
-                - frequency_times_time * plate_speed),
+            * (-(R::literal(2.0) * p.frequency * plate))
+                .sub_product(frequency_times_time, plate_speed),
     ) * inverse_ball_mass;
     let ball_v_dot_by_ball_mass = (R::select_less(
         ball_resting,
@@ -502,7 +504,8 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [_, ball_v, ball_resting] = *state;
     let plate = p.amplitude * (p.frequency * time).sin();
-    let ball_weight = p.ball_mass * (p.ball_gravity - p.frequency * p.frequency * plate);
+    let ball_weight = p.ball_mass
+        * p.ball_gravity.sub_product(p.frequency * p.frequency, plate);
     let ball_contact_force = R::select_less(
         ball_resting,
         R::literal(0.5),
@@ -513,8 +516,8 @@ pub fn power_balance<R: Real>(
     let ball_v_dot = (ball_contact_force - ball_mass_times_ball_gravity)
         * (R::literal(1.0) / p.ball_mass);
     PowerBalance {
-        stored_rate: ball_mass_times_ball_gravity * ball_v
-            + p.ball_mass * ball_v * ball_v_dot,
+        stored_rate: (ball_mass_times_ball_gravity * ball_v)
+            .add_product(p.ball_mass * ball_v, ball_v_dot),
         supplied: R::select_less(
             ball_resting,
             R::literal(0.5),
@@ -533,7 +536,8 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
     let [ball_x, ..] = *state;
     let plate = p.amplitude * (p.frequency * time).sin();
     let ball_gap = ball_x - plate;
-    let ball_weight = p.ball_mass * (p.ball_gravity - p.frequency * p.frequency * plate);
+    let ball_weight = p.ball_mass
+        * p.ball_gravity.sub_product(p.frequency * p.frequency, plate);
     [ball_gap, ball_weight]
 }
 
@@ -564,7 +568,8 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
     let plate = p.amplitude * frequency_times_time.sin();
     let plate_speed = p.amplitude * p.frequency * frequency_times_time.cos();
     let ball_approach = ball_v - plate_speed;
-    let ball_weight = p.ball_mass * (p.ball_gravity - p.frequency * p.frequency * plate);
+    let ball_weight = p.ball_mass
+        * p.ball_gravity.sub_product(p.frequency * p.frequency, plate);
     let ball_settles = R::literal(0.25)
         * (R::literal(1.0)
             - R::select_less(
@@ -581,7 +586,7 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
                 R::literal(1.0),
             ));
     let ball_v_after_ball_impact = plate_speed
-        - p.ball_restitution * ball_approach * (R::literal(1.0) - ball_settles);
+        .sub_product(p.ball_restitution * ball_approach, R::literal(1.0) - ball_settles);
     [ball_v_after_ball_impact, ball_settles, R::literal(0.0)]
 }
 

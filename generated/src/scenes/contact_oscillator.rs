@@ -308,14 +308,17 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
-    let oscillator_v_dot = (R::select_less(
-        stop_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        c.stop_distance_times_stop_stiffness - p.stop_stiffness * oscillator_x
-            - p.stop_damping * oscillator_v,
-    ) - p.oscillator_stiffness * oscillator_x - p.oscillator_damping * oscillator_v)
-        * c.inverse_oscillator_mass;
+    let oscillator_v_dot = R::select_less(
+            stop_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            c
+                .stop_distance_times_stop_stiffness
+                .sub_product(p.stop_stiffness, oscillator_x)
+                .sub_product(p.stop_damping, oscillator_v),
+        )
+        .sub_product(p.oscillator_stiffness, oscillator_x)
+        .sub_product(p.oscillator_damping, oscillator_v) * c.inverse_oscillator_mass;
     [oscillator_v, oscillator_v_dot, R::literal(0.0)]
 }
 
@@ -342,12 +345,15 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
     let oscillator_x_forcing = R::select_less(
-        stop_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        p.stop_distance * p.stop_stiffness - p.stop_stiffness * oscillator_x
-            - p.stop_damping * oscillator_v,
-    ) - p.oscillator_stiffness * oscillator_x - p.oscillator_damping * oscillator_v;
+            stop_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            (p.stop_distance * p.stop_stiffness)
+                .sub_product(p.stop_stiffness, oscillator_x)
+                .sub_product(p.stop_damping, oscillator_v),
+        )
+        .sub_product(p.oscillator_stiffness, oscillator_x)
+        .sub_product(p.oscillator_damping, oscillator_v);
     [oscillator_x_forcing]
 }
 
@@ -401,14 +407,16 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 6] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
     let inverse_oscillator_mass = R::literal(1.0) / p.oscillator_mass;
-    let oscillator_v_dot = (R::select_less(
-        stop_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        p.stop_distance * p.stop_stiffness - p.stop_stiffness * oscillator_x
-            - p.stop_damping * oscillator_v,
-    ) - p.oscillator_stiffness * oscillator_x - p.oscillator_damping * oscillator_v)
-        * inverse_oscillator_mass;
+    let oscillator_v_dot = R::select_less(
+            stop_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            (p.stop_distance * p.stop_stiffness)
+                .sub_product(p.stop_stiffness, oscillator_x)
+                .sub_product(p.stop_damping, oscillator_v),
+        )
+        .sub_product(p.oscillator_stiffness, oscillator_x)
+        .sub_product(p.oscillator_damping, oscillator_v) * inverse_oscillator_mass;
     let oscillator_v_dot_by_oscillator_mass = -(oscillator_v_dot
         * inverse_oscillator_mass);
     let oscillator_v_dot_by_oscillator_stiffness = -(oscillator_x
@@ -462,7 +470,8 @@ pub fn time_derivative<R: Real>(
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
     let stop_compression = oscillator_x - p.stop_distance;
-    let stop_push = p.stop_damping * oscillator_v + p.stop_stiffness * stop_compression;
+    let stop_push = (p.stop_damping * oscillator_v)
+        .add_product(p.stop_stiffness, stop_compression);
     Outputs {
         deflection: oscillator_x,
         velocity: oscillator_v,
@@ -480,14 +489,16 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let stop_compression = oscillator_x - p.stop_distance;
     Energy {
         kinetic: R::literal(0.5) * p.oscillator_mass * (oscillator_v * oscillator_v),
-        potential: R::literal(0.5) * p.oscillator_stiffness
-            * (oscillator_x * oscillator_x)
-            + R::select_less(
+        potential: R::select_less(
                 stop_closed,
                 R::literal(0.5),
                 R::literal(0.0),
                 R::literal(0.5) * p.stop_stiffness
                     * (stop_compression * stop_compression),
+            )
+            .add_product(
+                R::literal(0.5) * p.oscillator_stiffness,
+                oscillator_x * oscillator_x,
             ),
         stored: R::literal(0.0),
     }
@@ -511,17 +522,18 @@ pub fn power_balance<R: Real>(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        p.stop_distance * p.stop_stiffness - p.stop_stiffness * oscillator_x
+        (p.stop_distance * p.stop_stiffness).sub_product(p.stop_stiffness, oscillator_x)
             - stop_damping_times_oscillator_v,
     ) - t0 - t1) * (R::literal(1.0) / p.oscillator_mass);
     PowerBalance {
-        stored_rate: (t0
+        stored_rate: ((t0
             + R::select_less(
                 stop_closed,
                 R::literal(0.5),
                 R::literal(0.0),
                 p.stop_stiffness * stop_compression,
-            )) * oscillator_v + p.oscillator_mass * oscillator_v * oscillator_v_dot,
+            )) * oscillator_v)
+            .add_product(p.oscillator_mass * oscillator_v, oscillator_v_dot),
         supplied: R::literal(0.0),
         dissipated: oscillator_v
             * (t1
@@ -541,7 +553,8 @@ pub fn power_balance<R: Real>(
 pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, ..] = *state;
     let stop_compression = oscillator_x - p.stop_distance;
-    let stop_push = p.stop_damping * oscillator_v + p.stop_stiffness * stop_compression;
+    let stop_push = (p.stop_damping * oscillator_v)
+        .add_product(p.stop_stiffness, stop_compression);
     [stop_compression, stop_push]
 }
 
@@ -555,16 +568,19 @@ pub fn guard_rates<R: Real>(
     p: &Parameters<R>,
 ) -> [R; EVENTS] {
     let [oscillator_x, oscillator_v, stop_closed] = *state;
-    let oscillator_v_dot = (R::select_less(
-        stop_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        p.stop_distance * p.stop_stiffness - p.stop_stiffness * oscillator_x
-            - p.stop_damping * oscillator_v,
-    ) - p.oscillator_stiffness * oscillator_x - p.oscillator_damping * oscillator_v)
+    let oscillator_v_dot = R::select_less(
+            stop_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            (p.stop_distance * p.stop_stiffness)
+                .sub_product(p.stop_stiffness, oscillator_x)
+                .sub_product(p.stop_damping, oscillator_v),
+        )
+        .sub_product(p.oscillator_stiffness, oscillator_x)
+        .sub_product(p.oscillator_damping, oscillator_v)
         * (R::literal(1.0) / p.oscillator_mass);
-    let stop_opens_guard_rate = p.stop_stiffness * oscillator_v
-        + p.stop_damping * oscillator_v_dot;
+    let stop_opens_guard_rate = (p.stop_stiffness * oscillator_v)
+        .add_product(p.stop_damping, oscillator_v_dot);
     [oscillator_v, stop_opens_guard_rate]
 }
 

@@ -291,13 +291,16 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [oscillator_x, oscillator_v] = *state;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
-    let t0 = (c.stop_width_squared
-        + oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance)
+    let t0 = c
+        .stop_width_squared
+        .add_product(oscillator_x_minus_stop_distance, oscillator_x_minus_stop_distance)
         .sqrt();
-    let oscillator_v_dot = (-(p.oscillator_damping * oscillator_v)
-        - (c.t0 * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0)
-            * (oscillator_x_minus_stop_distance + t0)
-            + p.oscillator_stiffness * oscillator_x)) * c.inverse_oscillator_mass;
+    let oscillator_v_dot = (-(p.oscillator_stiffness * oscillator_x)
+        .add_product(
+            c.t0 * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0),
+            oscillator_x_minus_stop_distance + t0,
+        ))
+        .sub_product(p.oscillator_damping, oscillator_v) * c.inverse_oscillator_mass;
     [oscillator_v, oscillator_v_dot]
 }
 
@@ -324,14 +327,16 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [oscillator_x, oscillator_v] = *state;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
-    let t0 = (p.stop_width * p.stop_width
-        + oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance)
+    let t0 = (p.stop_width * p.stop_width)
+        .add_product(oscillator_x_minus_stop_distance, oscillator_x_minus_stop_distance)
         .sqrt();
-    let oscillator_x_forcing = -(p.oscillator_damping * oscillator_v)
-        - (R::literal(0.25) * p.stop_stiffness
-            * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0)
-            * (oscillator_x_minus_stop_distance + t0)
-            + p.oscillator_stiffness * oscillator_x);
+    let oscillator_x_forcing = (-(p.oscillator_stiffness * oscillator_x)
+        .add_product(
+            R::literal(0.25) * p.stop_stiffness
+                * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0),
+            oscillator_x_minus_stop_distance + t0,
+        ))
+        .sub_product(p.oscillator_damping, oscillator_v);
     [oscillator_x_forcing]
 }
 
@@ -363,10 +368,13 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t0 = oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance;
     let t1 = (c.stop_width_squared + t0).sqrt();
     let t2 = R::literal(1.0) + oscillator_x_minus_stop_distance / t1;
-    let oscillator_v_dot_by_oscillator_x = -((p.oscillator_stiffness
-        + c.t0 * (oscillator_x_minus_stop_distance + t1)
-            * (R::literal(1.0) / t1 - t0 / (t1 * t1 * t1)) + c.t0 * (t2 * t2))
-        * c.inverse_oscillator_mass);
+    let oscillator_v_dot_by_oscillator_x = -(p
+        .oscillator_stiffness
+        .add_product(
+            c.t0 * (oscillator_x_minus_stop_distance + t1),
+            R::literal(1.0) / t1 - t0 / (t1 * t1 * t1),
+        )
+        .add_product(c.t0, t2 * t2) * c.inverse_oscillator_mass);
     [
         R::literal(1.0),
         oscillator_v_dot_by_oscillator_x,
@@ -385,15 +393,15 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 6] {
     let [oscillator_x, oscillator_v] = *state;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
-    let t0 = (p.stop_width * p.stop_width
-        + oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance)
+    let t0 = (p.stop_width * p.stop_width)
+        .add_product(oscillator_x_minus_stop_distance, oscillator_x_minus_stop_distance)
         .sqrt();
     let t1 = oscillator_x_minus_stop_distance + t0;
     let inverse_oscillator_mass = R::literal(1.0) / p.oscillator_mass;
     let t2 = R::literal(0.25) * p.stop_stiffness;
-    let oscillator_v_dot = (-(p.oscillator_damping * oscillator_v)
-        - (t2 * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0) * t1
-            + p.oscillator_stiffness * oscillator_x)) * inverse_oscillator_mass;
+    let oscillator_v_dot = (-(p.oscillator_stiffness * oscillator_x)
+        .add_product(t2 * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0), t1))
+        .sub_product(p.oscillator_damping, oscillator_v) * inverse_oscillator_mass;
     let t3 = t0 * t0 * t0;
     let oscillator_v_dot_by_oscillator_mass = -(oscillator_v_dot
         * inverse_oscillator_mass);
@@ -403,7 +411,7 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_oscillator_mass);
     let t4 = t1 * t1;
     let oscillator_v_dot_by_stop_distance = -(t2
-        * (oscillator_x_minus_stop_distance - R::literal(2.0) * t0) * t4 / t3
+        * oscillator_x_minus_stop_distance.sub_product(R::literal(2.0), t0) * t4 / t3
         * inverse_oscillator_mass);
     let oscillator_v_dot_by_stop_stiffness = -(R::literal(0.25) * t4 / t0
         * inverse_oscillator_mass);
@@ -455,13 +463,17 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [oscillator_x, oscillator_v] = *state;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
     let t0 = oscillator_x_minus_stop_distance
-        + (p.stop_width * p.stop_width
-            + oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance)
+        + (p.stop_width * p.stop_width)
+            .add_product(
+                oscillator_x_minus_stop_distance,
+                oscillator_x_minus_stop_distance,
+            )
             .sqrt();
     Energy {
         kinetic: R::literal(0.5) * p.oscillator_mass * (oscillator_v * oscillator_v),
-        potential: R::literal(0.125) * p.stop_stiffness * (t0 * t0)
-            + R::literal(0.5) * p.oscillator_stiffness * (oscillator_x * oscillator_x),
+        potential: (R::literal(0.5) * p.oscillator_stiffness
+            * (oscillator_x * oscillator_x))
+            .add_product(R::literal(0.125) * p.stop_stiffness, t0 * t0),
         stored: R::literal(0.0),
     }
 }
@@ -477,18 +489,20 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [oscillator_x, oscillator_v] = *state;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
-    let t0 = (p.stop_width * p.stop_width
-        + oscillator_x_minus_stop_distance * oscillator_x_minus_stop_distance)
+    let t0 = (p.stop_width * p.stop_width)
+        .add_product(oscillator_x_minus_stop_distance, oscillator_x_minus_stop_distance)
         .sqrt();
-    let t1 = R::literal(0.25) * p.stop_stiffness
-        * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0)
-        * (oscillator_x_minus_stop_distance + t0)
-        + p.oscillator_stiffness * oscillator_x;
-    let oscillator_v_dot = (-(p.oscillator_damping * oscillator_v) - t1)
+    let t1 = (p.oscillator_stiffness * oscillator_x)
+        .add_product(
+            R::literal(0.25) * p.stop_stiffness
+                * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0),
+            oscillator_x_minus_stop_distance + t0,
+        );
+    let oscillator_v_dot = (-t1).sub_product(p.oscillator_damping, oscillator_v)
         * (R::literal(1.0) / p.oscillator_mass);
     PowerBalance {
-        stored_rate: t1 * oscillator_v
-            + p.oscillator_mass * oscillator_v * oscillator_v_dot,
+        stored_rate: (t1 * oscillator_v)
+            .add_product(p.oscillator_mass * oscillator_v, oscillator_v_dot),
         supplied: R::literal(0.0),
         dissipated: p.oscillator_damping * (oscillator_v * oscillator_v),
     }

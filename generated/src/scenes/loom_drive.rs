@@ -694,8 +694,10 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let crank_turn_speed_dot_by_motor_omega = t5 * inverse_crank_inertia;
     let motor_omega_dot_by_crank_turn_speed = t5 * inverse_motor_inertia;
-    let crank_turn_speed_dot_by_crank_turn_speed = -((p.crank_drag
-        + p.coupling_damping * coupling_ratio_squared) * inverse_crank_inertia);
+    let crank_turn_speed_dot_by_crank_turn_speed = -(p
+        .crank_drag
+        .add_product(p.coupling_damping, coupling_ratio_squared)
+        * inverse_crank_inertia);
     let t9 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
@@ -799,39 +801,54 @@ pub fn prepared_rate<R: Real>(
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let fell_torque = p.fell_stiffness * reed_angle;
     let crank_angle = p.crank_ratio * crank_turn.sin();
-    let coupling_twist = motor_phi - p.coupling_ratio * crank_turn;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * crank_turn_speed;
-    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, crank_turn);
+    let coupling_twist_rate = motor_omega
+        .sub_product(p.coupling_ratio, crank_turn_speed);
+    let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = c.t2
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let crank_turn_speed_dot = (c.crank_ratio_times_crank_stiffness
-        * shaft_driven_minus_crank_angle * crank_turn.cos() + c.t4 * coupling_twist
-        - (p.crank_drag * crank_turn_speed - c.t5 * coupling_twist_rate))
+    let crank_turn_speed_dot = ((c.t4 * coupling_twist)
+        .add_product(
+            c.crank_ratio_times_crank_stiffness * shaft_driven_minus_crank_angle,
+            crank_turn.cos(),
+        ) - (p.crank_drag * crank_turn_speed).sub_product(c.t5, coupling_twist_rate))
         * c.inverse_crank_inertia;
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force
-        - p.crank_stiffness * shaft_driven_minus_crank_angle)
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.crank_stiffness, shaft_driven_minus_crank_angle)
         * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
         * c.inverse_shaft_reed_field_inertia;
     let shaft_middle_dot_dot = p.shaft_middle_field_force
         * c.inverse_shaft_middle_field_inertia;
     let reed_speed_dot = (t0 - fell_torque) * c.t3;
-    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + c.motor_alpha_r_times_motor_omega_0
-            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
-        * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
+    let motor_psi_sx_dot = c
+        .motor_u_x
+        .add_product(c.motor_omega_0, motor_psi_sy)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx),
+        );
+    let motor_psi_sy_dot = c
+        .motor_u_y
+        .sub_product(c.motor_omega_0, motor_psi_sx)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry),
+        );
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            c.motor_alpha_r_times_motor_omega_0,
+            (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx),
+        );
+    let motor_psi_ry_dot = (c.motor_alpha_r_times_motor_omega_0
+        * (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     [
         motor_omega,
         crank_turn_speed,
@@ -886,23 +903,27 @@ pub fn forcing<R: Real>(
     let fell_torque = p.fell_stiffness * reed_angle;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let crank_angle = p.crank_ratio * crank_turn.sin();
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * crank_turn;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * crank_turn_speed;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, crank_turn);
+    let coupling_twist_rate = motor_omega
+        .sub_product(p.coupling_ratio, crank_turn_speed);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_phi_forcing = motor_torque - coupling_torque;
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
-    let crank_turn_forcing = p.crank_ratio * p.crank_stiffness
-        * shaft_driven_minus_crank_angle * crank_turn.cos()
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        - (p.crank_drag * crank_turn_speed
-            - p.coupling_damping * p.coupling_ratio * coupling_twist_rate);
-    let shaft_driven_forcing = p.shaft_driven_field_force
-        - p.crank_stiffness * shaft_driven_minus_crank_angle;
+    let crank_turn_forcing = (p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(
+            p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle,
+            crank_turn.cos(),
+        )
+        - (p.crank_drag * crank_turn_speed)
+            .sub_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate);
+    let shaft_driven_forcing = p
+        .shaft_driven_field_force
+        .sub_product(p.crank_stiffness, shaft_driven_minus_crank_angle);
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
     let shaft_reed_forcing = p.shaft_reed_field_force - t0;
     let reed_angle_forcing = t0 - fell_torque;
@@ -946,9 +967,10 @@ pub fn prepared_rate_jacobian<R: Real>(
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let cos_crank_turn = crank_turn.cos();
     let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
-    let crank_turn_speed_dot_by_crank_turn = -((c.t6
-        + p.crank_stiffness * crank_angle * (shaft_driven - crank_angle)
-        + c.t7 * (cos_crank_turn * cos_crank_turn)) * c.inverse_crank_inertia);
+    let crank_turn_speed_dot_by_crank_turn = -(c
+        .t6
+        .add_product(p.crank_stiffness * crank_angle, shaft_driven - crank_angle)
+        .add_product(c.t7, cos_crank_turn * cos_crank_turn) * c.inverse_crank_inertia);
     let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_shaft_driven = t0 * c.inverse_crank_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
@@ -1029,11 +1051,11 @@ pub fn parameter_jacobian<R: Real>(
     let coupling_twist = motor_phi - coupling_ratio_times_crank_turn;
     let t1 = p.coupling_ratio * crank_turn_speed;
     let coupling_twist_rate = motor_omega - t1;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
+    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t3 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t3 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
     let t4 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
@@ -1054,14 +1076,18 @@ pub fn parameter_jacobian<R: Real>(
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t7 = p.reed_stiffness * shaft_reed_minus_reed_angle;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let crank_turn_speed_dot = (p.crank_ratio * p.crank_stiffness
-        * shaft_driven_minus_crank_angle * cos_crank_turn
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        - (p.crank_drag * crank_turn_speed
-            - p.coupling_damping * p.coupling_ratio * coupling_twist_rate))
+    let crank_turn_speed_dot = ((p.coupling_stiffness * p.coupling_ratio
+        * coupling_twist)
+        .add_product(
+            p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle,
+            cos_crank_turn,
+        )
+        - (p.crank_drag * crank_turn_speed)
+            .sub_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate))
         * inverse_crank_inertia;
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force
-        - p.crank_stiffness * shaft_driven_minus_crank_angle)
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.crank_stiffness, shaft_driven_minus_crank_angle)
         * inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t7)
         * inverse_shaft_reed_field_inertia;
@@ -1069,9 +1095,9 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_shaft_middle_field_inertia;
     let reed_speed_dot = (t7 - fell_torque) * t6;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t8 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let t8 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t9 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t9 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let t10 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
@@ -1083,15 +1109,21 @@ pub fn parameter_jacobian<R: Real>(
     ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t4
         * inverse_motor_inertia;
     let t11 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
-    let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t11 * t2;
-    let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t11 * t3;
+    let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_sy)
+        .sub_product(t11, t2);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_sx))
+        .sub_product(t11, t3);
     let t12 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
-    let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t12 * t8;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t12 * t9
-        - R::literal(core::f64::consts::TAU) * motor_psi_rx;
+    let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_ry)
+        .add_product(t12, t8);
+    let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_rx))
+        .add_product(t12, t9);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
         * motor_omega_0 / motor_x_s_times_motor_sigma * t4 * inverse_motor_inertia;
@@ -1119,17 +1151,22 @@ pub fn parameter_jacobian<R: Real>(
     let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_crank_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn
-        + p.coupling_damping * crank_turn_speed) * inverse_motor_inertia;
-    let crank_turn_speed_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi
-        + p.coupling_damping * motor_omega
-        - R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio * crank_turn
-        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * crank_turn_speed)
-        * inverse_crank_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * crank_turn)
+        .add_product(p.coupling_damping, crank_turn_speed) * inverse_motor_inertia;
+    let crank_turn_speed_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
+        .add_product(p.coupling_damping, motor_omega)
+        .sub_product(
+            R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio,
+            crank_turn,
+        )
+        .sub_product(
+            R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
+            crank_turn_speed,
+        ) * inverse_crank_inertia;
     let crank_turn_speed_dot_by_crank_inertia = -(crank_turn_speed_dot
         * inverse_crank_inertia);
     let crank_turn_speed_dot_by_crank_ratio = p.crank_stiffness
-        * (shaft_driven - R::literal(2.0) * crank_angle) * cos_crank_turn
+        * shaft_driven.sub_product(R::literal(2.0), crank_angle) * cos_crank_turn
         * inverse_crank_inertia;
     let shaft_driven_dot_dot_by_crank_ratio = p.crank_stiffness * sin_crank_turn
         * inverse_shaft_driven_field_inertia;
@@ -1240,10 +1277,10 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     _, _, _, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let crank_angle = p.crank_ratio * crank_turn.sin();
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let t0 = p.shaft_radius * p.shaft_shear_modulus;
     Outputs {
         motor_speed: motor_omega,
@@ -1268,38 +1305,57 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let fell_torque = p.fell_stiffness * reed_angle;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let crank_angle = p.crank_ratio * crank_turn.sin();
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * crank_turn;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, crank_turn);
     let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
-    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_i_sy = t0 * motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
-    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
-    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
+    let motor_i_rx = t1 * motor_psi_rx.sub_product(p.motor_k_s, motor_psi_sx);
+    let motor_i_ry = t1 * motor_psi_ry.sub_product(p.motor_k_s, motor_psi_sy);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
-    let t2 = R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
-        + R::literal(0.5) * p.crank_inertia * (crank_turn_speed * crank_turn_speed)
-        + R::literal(0.5) * p.reed_mass * (p.reed_arm * p.reed_arm)
-            * (reed_speed * reed_speed)
-        + R::literal(0.5) * p.shaft_driven_field_inertia
-            * (shaft_driven_dot * shaft_driven_dot)
-        + R::literal(0.5) * p.shaft_reed_field_inertia
-            * (shaft_reed_dot * shaft_reed_dot);
     Energy {
-        kinetic: t2
-            + R::literal(0.5) * p.shaft_middle_field_inertia
-                * (shaft_middle_dot * shaft_middle_dot),
-        potential: R::literal(0.5) * reed_angle * fell_torque
-            + R::literal(0.5) * p.coupling_stiffness * (coupling_twist * coupling_twist)
-            + R::literal(0.5) * p.crank_stiffness
-                * (shaft_driven_minus_crank_angle * shaft_driven_minus_crank_angle)
-            + R::literal(0.5) * p.reed_stiffness
-                * (shaft_reed_minus_reed_angle * shaft_reed_minus_reed_angle),
+        kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
+            .add_product(
+                R::literal(0.5) * p.crank_inertia,
+                crank_turn_speed * crank_turn_speed,
+            )
+            .add_product(
+                R::literal(0.5) * p.reed_mass * (p.reed_arm * p.reed_arm),
+                reed_speed * reed_speed,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_driven_field_inertia,
+                shaft_driven_dot * shaft_driven_dot,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_reed_field_inertia,
+                shaft_reed_dot * shaft_reed_dot,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_middle_field_inertia,
+                shaft_middle_dot * shaft_middle_dot,
+            ),
+        potential: (R::literal(0.5) * reed_angle * fell_torque)
+            .add_product(
+                R::literal(0.5) * p.coupling_stiffness,
+                coupling_twist * coupling_twist,
+            )
+            .add_product(
+                R::literal(0.5) * p.crank_stiffness,
+                shaft_driven_minus_crank_angle * shaft_driven_minus_crank_angle,
+            )
+            .add_product(
+                R::literal(0.5) * p.reed_stiffness,
+                shaft_reed_minus_reed_angle * shaft_reed_minus_reed_angle,
+            ),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -1318,21 +1374,22 @@ pub fn power_balance<R: Real>(
     let fell_torque = p.fell_stiffness * reed_angle;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let crank_angle = p.crank_ratio * crank_turn.sin();
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let coupling_twist = motor_phi - p.coupling_ratio * crank_turn;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * crank_turn_speed;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, crank_turn);
+    let coupling_twist_rate = motor_omega
+        .sub_product(p.coupling_ratio, crank_turn_speed);
+    let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
-    let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
+    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_i_sx = t3 * t2;
-    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t4 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_i_sy = t3 * t4;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
     let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
@@ -1341,14 +1398,14 @@ pub fn power_balance<R: Real>(
     let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let reed_mass_times_reed_arm_squared = p.reed_mass * (p.reed_arm * p.reed_arm);
     let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let t7 = p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle
         * crank_turn.cos();
-    let t8 = p.crank_drag * crank_turn_speed
-        - p.coupling_damping * p.coupling_ratio * coupling_twist_rate;
+    let t8 = (p.crank_drag * crank_turn_speed)
+        .sub_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate);
     let t9 = p.crank_stiffness * shaft_driven_minus_crank_angle;
     let t10 = p.reed_stiffness * (shaft_reed - reed_angle);
     let motor_omega_dot = (motor_torque - coupling_torque)
@@ -1363,48 +1420,87 @@ pub fn power_balance<R: Real>(
     let reed_speed_dot = (t10 - fell_torque)
         * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0 * t2;
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0 * t4;
+    let motor_psi_sx_dot = motor_u_x
+        .add_product(motor_omega_0, motor_psi_sy)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t2);
+    let motor_psi_sy_dot = motor_u_y
+        .sub_product(motor_omega_0, motor_psi_sx)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t4);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
-            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
-        * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
-    let t11 = t1 * motor_omega + (-t6 - t7) * crank_turn_speed + t9 * shaft_driven_dot
-        + t10 * shaft_reed_dot + (fell_torque - t10) * reed_speed
-        + p.motor_inertia * motor_omega * motor_omega_dot
-        + p.crank_inertia * crank_turn_speed * crank_turn_speed_dot
-        + p.shaft_driven_field_inertia * shaft_driven_dot * shaft_driven_dot_dot
-        + p.shaft_reed_field_inertia * shaft_reed_dot * shaft_reed_dot_dot;
-    let t12 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t13 = t11
-        + p.shaft_middle_field_inertia * shaft_middle_dot * shaft_middle_dot_dot
-        + reed_mass_times_reed_arm_squared * reed_speed * reed_speed_dot
-        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t12 * motor_psi_rx)
-            * motor_psi_sx_dot
-        + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t12 * motor_psi_ry)
-            * motor_psi_sy_dot;
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            motor_alpha_r_times_motor_omega_0,
+            motor_k_s_times_motor_psi_sx - motor_psi_rx,
+        );
+    let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
+        * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
+    let t11 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t12 = (t1 * motor_omega)
+        .add_product(-t6 - t7, crank_turn_speed)
+        .add_product(t9, shaft_driven_dot)
+        .add_product(t10, shaft_reed_dot)
+        .add_product(fell_torque - t10, reed_speed)
+        .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
+        .add_product(p.crank_inertia * crank_turn_speed, crank_turn_speed_dot)
+        .add_product(
+            p.shaft_driven_field_inertia * shaft_driven_dot,
+            shaft_driven_dot_dot,
+        )
+        .add_product(p.shaft_reed_field_inertia * shaft_reed_dot, shaft_reed_dot_dot)
+        .add_product(
+            p.shaft_middle_field_inertia * shaft_middle_dot,
+            shaft_middle_dot_dot,
+        )
+        .add_product(reed_mass_times_reed_arm_squared * reed_speed, reed_speed_dot)
+        .add_product(
+            R::literal(0.75)
+                * motor_i_sx
+                    .add_product(t3, motor_psi_sx)
+                    .sub_product(t11, motor_psi_rx),
+            motor_psi_sx_dot,
+        );
     PowerBalance {
-        stored_rate: t13
-            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t12 * motor_psi_sx)
-                * motor_psi_rx_dot
-            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t12 * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy)
-            + p.shaft_driven_field_force * shaft_driven_dot
-            + p.shaft_reed_field_force * shaft_reed_dot
-            + p.shaft_middle_field_force * shaft_middle_dot,
-        dissipated: R::literal(1.5)
-            * (p.motor_x_s * p.motor_alpha_s * motor_sigma
-                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
-                + p.motor_alpha_r * motor_sigma * motor_x_r
-                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry))
-            + p.coupling_damping * motor_omega * coupling_twist_rate
-            + crank_turn_speed * t8,
+        stored_rate: t12
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(t3, motor_psi_sy)
+                        .sub_product(t11, motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(t5, motor_psi_rx)
+                        .sub_product(t11, motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(t5, motor_psi_ry)
+                        .sub_product(t11, motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: (p.shaft_driven_field_force * shaft_driven_dot)
+            .add_product(
+                R::literal(1.5),
+                (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy),
+            )
+            .add_product(p.shaft_reed_field_force, shaft_reed_dot)
+            .add_product(p.shaft_middle_field_force, shaft_middle_dot),
+        dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
+            .add_product(
+                R::literal(1.5),
+                (p.motor_x_s * p.motor_alpha_s * motor_sigma
+                    * (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy))
+                    .add_product(
+                        p.motor_alpha_r * motor_sigma * motor_x_r,
+                        (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
+                    ),
+            )
+            .add_product(crank_turn_speed, t8),
     }
 }
 
@@ -2011,7 +2107,7 @@ pub mod shaft_u {
             R::literal(0.0),
             -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
                 * (shaft_radius_squared * shaft_radius_squared)
-                * (u_x_2 + p.shaft_damping_time * u_x_dot)),
+                * u_x_2.add_product(p.shaft_damping_time, u_x_dot)),
         ]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
@@ -2053,7 +2149,7 @@ pub mod shaft_u {
         let [_, u_x_2, _, u_x_dot] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
-        let t0 = u_x_2 + p.shaft_damping_time * u_x_dot;
+        let t0 = u_x_2.add_product(p.shaft_damping_time, u_x_dot);
         [
             R::literal(0.0),
             R::literal(0.0),
@@ -2229,7 +2325,7 @@ pub mod shaft_u {
         let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
             * (shaft_radius_squared * shaft_radius_squared);
         for ((&u_x_2, &u_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(t0 * (u_x_2 + p.shaft_damping_time * u_x_dot));
+            *force = -(t0 * u_x_2.add_product(p.shaft_damping_time, u_x_dot));
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

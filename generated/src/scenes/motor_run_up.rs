@@ -416,21 +416,32 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let motor_torque = c.t2
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_omega_dot = motor_torque * c.inverse_motor_inertia;
-    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + c.motor_alpha_r_times_motor_omega_0
-            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
-        * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
+    let motor_psi_sx_dot = c
+        .motor_u_x
+        .add_product(c.motor_omega_0, motor_psi_sy)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx),
+        );
+    let motor_psi_sy_dot = c
+        .motor_u_y
+        .sub_product(c.motor_omega_0, motor_psi_sx)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry),
+        );
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            c.motor_alpha_r_times_motor_omega_0,
+            (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx),
+        );
+    let motor_psi_ry_dot = (c.motor_alpha_r_times_motor_omega_0
+        * (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     [
         motor_omega_dot,
         motor_psi_sx_dot,
@@ -463,10 +474,10 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [_, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     [motor_torque]
 }
 
@@ -544,9 +555,9 @@ pub fn parameter_jacobian<R: Real>(
     let motor_u_x = t0 * cos_motor_supply_phase;
     let sin_motor_supply_phase = p.motor_supply_phase.sin();
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let t1 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t2 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t2 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
     let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
@@ -556,9 +567,9 @@ pub fn parameter_jacobian<R: Real>(
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let motor_omega_dot = motor_torque * inverse_motor_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t5 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let t5 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t6 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t6 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let t7 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
@@ -570,15 +581,21 @@ pub fn parameter_jacobian<R: Real>(
     ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
         * inverse_motor_inertia;
     let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
-    let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t8 * t1;
-    let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t8 * t2;
+    let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_sy)
+        .sub_product(t8, t1);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_sx))
+        .sub_product(t8, t2);
     let t9 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
-    let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t9 * t5;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t9 * t6
-        - R::literal(core::f64::consts::TAU) * motor_psi_rx;
+    let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_ry)
+        .add_product(t9, t5);
+    let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_rx))
+        .add_product(t9, t6);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
         * motor_omega_0 / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
@@ -646,20 +663,22 @@ pub fn time_derivative<R: Real>(
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t0 = motor_omega_0 / motor_x_s_times_motor_sigma;
-    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_i_sy = t0 * motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     Outputs {
         speed: motor_omega,
         torque: motor_torque,
         slip: R::literal(1.0) / motor_omega_0 * motor_slip_speed,
-        stator_current: (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy).sqrt(),
+        stator_current: (motor_i_sx * motor_i_sx)
+            .add_product(motor_i_sy, motor_i_sy)
+            .sqrt(),
     }
 }
 
@@ -670,20 +689,22 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
-    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_i_sy = t0 * motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
-    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
-    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
+    let motor_i_rx = t1 * motor_psi_rx.sub_product(p.motor_k_s, motor_psi_sx);
+    let motor_i_ry = t1 * motor_psi_ry.sub_product(p.motor_k_s, motor_psi_sy);
     Energy {
         kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega),
         potential: R::literal(0.0),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -698,17 +719,17 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let t1 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
+    let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t2 = motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_i_sx = t2 * t1;
-    let t3 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t3 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_i_sy = t2 * t3;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
     let t4 = motor_omega_0 / (motor_sigma * motor_x_r);
@@ -717,38 +738,64 @@ pub fn power_balance<R: Real>(
     let motor_i_ry = t4 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_omega_dot = motor_torque * (R::literal(1.0) / p.motor_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0 * t1;
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0 * t3;
+    let motor_psi_sx_dot = motor_u_x
+        .add_product(motor_omega_0, motor_psi_sy)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t1);
+    let motor_psi_sy_dot = motor_u_y
+        .sub_product(motor_omega_0, motor_psi_sx)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t3);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
-            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
-        * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            motor_alpha_r_times_motor_omega_0,
+            motor_k_s_times_motor_psi_sx - motor_psi_rx,
+        );
+    let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
+        * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     let t5 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t6 = p.motor_inertia * motor_omega * motor_omega_dot
-        + R::literal(0.75) * (motor_i_sx + t2 * motor_psi_sx - t5 * motor_psi_rx)
-            * motor_psi_sx_dot
-        + R::literal(0.75) * (motor_i_sy + t2 * motor_psi_sy - t5 * motor_psi_ry)
-            * motor_psi_sy_dot
-        + R::literal(0.75) * (motor_i_rx + t4 * motor_psi_rx - t5 * motor_psi_sx)
-            * motor_psi_rx_dot;
     PowerBalance {
-        stored_rate: t6
-            + R::literal(0.75) * (motor_i_ry + t4 * motor_psi_ry - t5 * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy),
+        stored_rate: (p.motor_inertia * motor_omega * motor_omega_dot)
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sx
+                        .add_product(t2, motor_psi_sx)
+                        .sub_product(t5, motor_psi_rx),
+                motor_psi_sx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(t2, motor_psi_sy)
+                        .sub_product(t5, motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(t4, motor_psi_rx)
+                        .sub_product(t5, motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(t4, motor_psi_ry)
+                        .sub_product(t5, motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: R::literal(1.5)
+            * (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy),
         dissipated: R::literal(1.5)
             * (p.motor_x_s * p.motor_alpha_s * motor_sigma
-                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
-                + p.motor_alpha_r * motor_sigma * motor_x_r
-                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry)),
+                * (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy))
+                .add_product(
+                    p.motor_alpha_r * motor_sigma * motor_x_r,
+                    (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
+                ),
     }
 }
 

@@ -436,7 +436,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t3 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let motor_x_s_times_motor_alpha_s = p.motor_x_s * p.motor_alpha_s;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_R_s = motor_x_s_times_motor_alpha_s * motor_sigma;
     let t4 = R::literal(1.5) * motor_R_s;
     let t5 = p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
@@ -446,7 +446,7 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_pole_pairs_squared = p.motor_pole_pairs * p.motor_pole_pairs;
     let t8 = t1 * motor_pole_pairs_squared;
     let t9 = R::literal(2.0) * motor_M * motor_pole_pairs_squared;
-    let t10 = R::literal(1.5) * p.motor_k_s * p.motor_k_r - R::literal(1.5);
+    let t10 = R::literal(-1.5).add_product(R::literal(1.5) * p.motor_k_s, p.motor_k_r);
     let t11 = motor_x_s_times_motor_alpha_s * t10;
     let t12 = t11 * t3;
     let t13 = t5 * t10 / p.motor_k_r;
@@ -516,9 +516,9 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
-    let t0 = p.motor_supply_phase + c.motor_omega_0 * time;
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
+    let t0 = p.motor_supply_phase.add_product(c.motor_omega_0, time);
     let motor_u_a = c.t0 * t0.cos();
     let motor_u_b = c.t0 * t0.sin();
     let sin_motor_theta = motor_theta.sin();
@@ -530,38 +530,55 @@ pub fn prepared_rate<R: Real>(
     let t5 = t3 * t1;
     let t6 = t4 * t2;
     let t7 = R::literal(1.0) / (c.t2 - t5 - t6);
-    let t8 = t4 * t1 - t3 * t2;
+    let t8 = (t4 * t1).sub_product(t3, t2);
     let t9 = t8 * t7;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
     let t10 = c.t1 * motor_omega;
-    let t11 = R::literal(1.5) * motor_u_a - c.t4 * motor_i_sa
-        - t10
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t12 = R::literal(1.5) * motor_u_b - c.t4 * motor_i_sb
-        - t10
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let t11 = (-(c.t4 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t10,
+            (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta),
+        );
+    let t12 = (-(c.t4 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t10,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t13 = -(c.t6 * motor_i_ra)
-        - t10
-            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t3 * t11
-        - t4 * t12;
-    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)
-        - t10
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t4 * t11
-        - t3 * t12 - t9 * t13) * (R::literal(1.0) / (c.t2 - t6 - t5 - t9 * t8));
+    let t13 = (-(c.t6 * motor_i_ra))
+        .sub_product(
+            t10,
+            (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta),
+        )
+        .sub_product(t3, t11)
+        .sub_product(t4, t12);
+    let motor_i_rb_dot = (-(c.t6 * motor_i_rb))
+        .sub_product(
+            t10,
+            (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta),
+        )
+        .add_product(t4, t11)
+        .sub_product(t3, t12)
+        .sub_product(t9, t13) * (R::literal(1.0) / (c.t2 - t6 - t5).sub_product(t9, t8));
     let motor_omega_dot = c.t1
-        * (p.motor_pole_pairs * motor_across * cos_motor_theta
-            - p.motor_pole_pairs * motor_along * sin_motor_theta)
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta)
         * c.inverse_motor_inertia;
-    let motor_i_ra_dot = t13 * t7 - t9 * motor_i_rb_dot;
-    let motor_i_sb_dot = t12 * c.t3 - t4 * motor_i_ra_dot - t3 * motor_i_rb_dot;
-    let motor_i_sa_dot = t11 * c.t3 - t3 * motor_i_ra_dot + t4 * motor_i_rb_dot;
+    let motor_i_ra_dot = (t13 * t7).sub_product(t9, motor_i_rb_dot);
+    let motor_i_sb_dot = (t12 * c.t3)
+        .sub_product(t4, motor_i_ra_dot)
+        .sub_product(t3, motor_i_rb_dot);
+    let motor_i_sa_dot = (t11 * c.t3)
+        .sub_product(t3, motor_i_ra_dot)
+        .add_product(t4, motor_i_rb_dot);
     [
         motor_omega,
         motor_i_sa_dot,
@@ -608,13 +625,13 @@ pub fn forcing<R: Real>(
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
     let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_a = t1 * t0.cos();
     let motor_u_b = t1 * t0.sin();
@@ -627,28 +644,38 @@ pub fn forcing<R: Real>(
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
     let t4 = t2 * motor_omega;
-    let motor_q_sa_forcing = R::literal(1.5) * motor_u_a - t3 * motor_i_sa
-        - t4
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let motor_q_sb_forcing = R::literal(1.5) * motor_u_b - t3 * motor_i_sb
-        - t4
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let motor_q_sa_forcing = (-(t3 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t4,
+            (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta),
+        );
+    let motor_q_sb_forcing = (-(t3 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t4,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
     let t5 = R::literal(1.5) * motor_R_r;
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let motor_q_ra_forcing = -(t5 * motor_i_ra)
-        - t4
-            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta);
-    let motor_q_rb_forcing = -(t5 * motor_i_rb)
-        - t4
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta);
+    let motor_q_ra_forcing = (-(t5 * motor_i_ra))
+        .sub_product(
+            t4,
+            (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta),
+        );
+    let motor_q_rb_forcing = (-(t5 * motor_i_rb))
+        .sub_product(
+            t4,
+            (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta),
+        );
     let motor_phi_forcing = t2
-        * (p.motor_pole_pairs * motor_across * cos_motor_theta
-            - p.motor_pole_pairs * motor_along * sin_motor_theta);
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
     [
         motor_q_sa_forcing,
         motor_q_sb_forcing,
@@ -683,9 +710,9 @@ pub fn prepared_rate_jacobian<R: Real>(
 ) -> [R; 30] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
-    let t0 = p.motor_supply_phase + c.motor_omega_0 * time;
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
+    let t0 = p.motor_supply_phase.add_product(c.motor_omega_0, time);
     let motor_u_a = c.t0 * t0.cos();
     let motor_u_b = c.t0 * t0.sin();
     let sin_motor_theta = motor_theta.sin();
@@ -697,77 +724,114 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t5 = t3 * t1;
     let t6 = t4 * t2;
     let t7 = R::literal(1.0) / (c.t2 - t5 - t6);
-    let t8 = t4 * t1 - t3 * t2;
+    let t8 = (t4 * t1).sub_product(t3, t2);
     let t9 = t8 * t7;
-    let t10 = R::literal(1.0) / (c.t2 - t6 - t5 - t9 * t8);
+    let t10 = R::literal(1.0) / (c.t2 - t6 - t5).sub_product(t9, t8);
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
     let t11 = c.t1 * motor_omega;
-    let t12 = R::literal(1.5) * motor_u_a - c.t4 * motor_i_sa
-        - t11
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t13 = R::literal(1.5) * motor_u_b - c.t4 * motor_i_sb
-        - t11
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let t12 = (-(c.t4 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t11,
+            (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta),
+        );
+    let t13 = (-(c.t4 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t11,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t14 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-        - motor_pole_pairs_times_motor_i_sa * sin_motor_theta;
-    let t15 = -(c.t6 * motor_i_ra) - t11 * t14 - t3 * t12 - t4 * t13;
-    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)
-        - t11
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t4 * t12
-        - t3 * t13 - t9 * t15) * t10;
-    let motor_i_ra_dot = t15 * t7 - t9 * motor_i_rb_dot;
-    let motor_i_sb_dot = t13 * c.t3 - t4 * motor_i_ra_dot - t3 * motor_i_rb_dot;
-    let motor_i_sa_dot = t12 * c.t3 - t3 * motor_i_ra_dot + t4 * motor_i_rb_dot;
-    let t16 = motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta;
+    let t14 = (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta);
+    let t15 = (-(c.t6 * motor_i_ra))
+        .sub_product(t11, t14)
+        .sub_product(t3, t12)
+        .sub_product(t4, t13);
+    let motor_i_rb_dot = (-(c.t6 * motor_i_rb))
+        .sub_product(
+            t11,
+            (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta),
+        )
+        .add_product(t4, t12)
+        .sub_product(t3, t13)
+        .sub_product(t9, t15) * t10;
+    let motor_i_ra_dot = (t15 * t7).sub_product(t9, motor_i_rb_dot);
+    let motor_i_sb_dot = (t13 * c.t3)
+        .sub_product(t4, motor_i_ra_dot)
+        .sub_product(t3, motor_i_rb_dot);
+    let motor_i_sa_dot = (t12 * c.t3)
+        .sub_product(t3, motor_i_ra_dot)
+        .add_product(t4, motor_i_rb_dot);
+    let t16 = (motor_i_ra * cos_motor_theta).sub_product(motor_i_rb, sin_motor_theta);
     let t17 = c.t8 * motor_omega;
-    let t18 = motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta;
-    let t19 = motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta;
+    let t18 = (motor_i_ra * sin_motor_theta).add_product(motor_i_rb, cos_motor_theta);
+    let t19 = (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta);
     let t20 = c.t7 * sin_motor_theta;
     let t21 = c.t7 * cos_motor_theta;
-    let t22 = t17 * t16 + t20 * motor_i_ra_dot + t21 * motor_i_rb_dot;
-    let t23 = t17 * t18 - t21 * motor_i_ra_dot + t20 * motor_i_rb_dot;
-    let t24 = t17 * t19 + t20 * motor_i_sa_dot - t21 * motor_i_sb_dot - t3 * t22
-        - t4 * t23;
+    let t22 = (t17 * t16)
+        .add_product(t20, motor_i_ra_dot)
+        .add_product(t21, motor_i_rb_dot);
+    let t23 = (t17 * t18)
+        .sub_product(t21, motor_i_ra_dot)
+        .add_product(t20, motor_i_rb_dot);
+    let t24 = (t17 * t19)
+        .add_product(t20, motor_i_sa_dot)
+        .sub_product(t21, motor_i_sb_dot)
+        .sub_product(t3, t22)
+        .sub_product(t4, t23);
     let motor_i_rb_dot_by_motor_phi = (c.t9 * motor_omega
-        * (R::literal(0.75) * motor_i_sb * cos_motor_theta
-            - R::literal(0.75) * motor_i_sa * sin_motor_theta) + t21 * motor_i_sa_dot
-        + t20 * motor_i_sb_dot + t4 * t22 - t3 * t23 - t9 * t24) * t10;
+        * (R::literal(0.75) * motor_i_sb * cos_motor_theta)
+            .sub_product(R::literal(0.75) * motor_i_sa, sin_motor_theta))
+        .add_product(t21, motor_i_sa_dot)
+        .add_product(t20, motor_i_sb_dot)
+        .add_product(t4, t22)
+        .sub_product(t3, t23)
+        .sub_product(t9, t24) * t10;
     let motor_omega_dot_by_motor_phi = c.t1
-        * (-(c.motor_pole_pairs_squared * motor_along * cos_motor_theta)
-            - c.motor_pole_pairs_squared * motor_across * sin_motor_theta)
+        * (-(c.motor_pole_pairs_squared * motor_along * cos_motor_theta))
+            .sub_product(c.motor_pole_pairs_squared * motor_across, sin_motor_theta)
         * c.inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_phi = t24 * t7 - t9 * motor_i_rb_dot_by_motor_phi;
-    let motor_i_sb_dot_by_motor_phi = t23 * c.t3 - t4 * motor_i_ra_dot_by_motor_phi
-        - t3 * motor_i_rb_dot_by_motor_phi;
-    let motor_i_sa_dot_by_motor_phi = t22 * c.t3 - t3 * motor_i_ra_dot_by_motor_phi
-        + t4 * motor_i_rb_dot_by_motor_phi;
+    let motor_i_ra_dot_by_motor_phi = (t24 * t7)
+        .sub_product(t9, motor_i_rb_dot_by_motor_phi);
+    let motor_i_sb_dot_by_motor_phi = (t23 * c.t3)
+        .sub_product(t4, motor_i_ra_dot_by_motor_phi)
+        .sub_product(t3, motor_i_rb_dot_by_motor_phi);
+    let motor_i_sa_dot_by_motor_phi = (t22 * c.t3)
+        .sub_product(t3, motor_i_ra_dot_by_motor_phi)
+        .add_product(t4, motor_i_rb_dot_by_motor_phi);
     let t25 = c.t7 * motor_omega;
     let t26 = t25 * sin_motor_theta;
     let t27 = t25 * cos_motor_theta;
     let t28 = c.t7 * t18;
-    let t29 = t26 - t3 * c.t11;
+    let t29 = t26.sub_product(t3, c.t11);
     let t30 = t4 * c.t11;
-    let motor_i_rb_dot_by_motor_i_sa = (t27 + t30 - t9 * t29) * t10;
+    let motor_i_rb_dot_by_motor_i_sa = (t27 + t30).sub_product(t9, t29) * t10;
     let motor_omega_dot_by_motor_i_sa = -(t28 * c.inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_i_sa = t29 * t7 - t9 * motor_i_rb_dot_by_motor_i_sa;
-    let motor_i_sb_dot_by_motor_i_sa = -(t4 * motor_i_ra_dot_by_motor_i_sa)
-        - t3 * motor_i_rb_dot_by_motor_i_sa;
-    let motor_i_sa_dot_by_motor_i_sa = c.t12 - t3 * motor_i_ra_dot_by_motor_i_sa
-        + t4 * motor_i_rb_dot_by_motor_i_sa;
+    let motor_i_ra_dot_by_motor_i_sa = (t29 * t7)
+        .sub_product(t9, motor_i_rb_dot_by_motor_i_sa);
+    let motor_i_sb_dot_by_motor_i_sa = (-(t3 * motor_i_rb_dot_by_motor_i_sa))
+        .sub_product(t4, motor_i_ra_dot_by_motor_i_sa);
+    let motor_i_sa_dot_by_motor_i_sa = c
+        .t12
+        .sub_product(t3, motor_i_ra_dot_by_motor_i_sa)
+        .add_product(t4, motor_i_rb_dot_by_motor_i_sa);
     let t31 = -t27 - t30;
-    let motor_i_rb_dot_by_motor_i_sb = (t29 - t9 * t31) * t10;
+    let motor_i_rb_dot_by_motor_i_sb = t29.sub_product(t9, t31) * t10;
     let motor_omega_dot_by_motor_i_sb = c.t7 * t16 * c.inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_i_sb = t31 * t7 - t9 * motor_i_rb_dot_by_motor_i_sb;
-    let motor_i_sb_dot_by_motor_i_sb = c.t12 - t4 * motor_i_ra_dot_by_motor_i_sb
-        - t3 * motor_i_rb_dot_by_motor_i_sb;
-    let motor_i_sa_dot_by_motor_i_sb = t4 * motor_i_rb_dot_by_motor_i_sb
-        - t3 * motor_i_ra_dot_by_motor_i_sb;
+    let motor_i_ra_dot_by_motor_i_sb = (t31 * t7)
+        .sub_product(t9, motor_i_rb_dot_by_motor_i_sb);
+    let motor_i_sb_dot_by_motor_i_sb = c
+        .t12
+        .sub_product(t4, motor_i_ra_dot_by_motor_i_sb)
+        .sub_product(t3, motor_i_rb_dot_by_motor_i_sb);
+    let motor_i_sa_dot_by_motor_i_sb = (t4 * motor_i_rb_dot_by_motor_i_sb)
+        .sub_product(t3, motor_i_ra_dot_by_motor_i_sb);
     let t32 = t3 * t26;
     let t33 = t4 * t27;
     let t34 = c.t13 - t32 + t33;
@@ -775,33 +839,47 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t36 = t3 * t27;
     let t37 = t26 * c.t3;
     let t38 = t27 * c.t3;
-    let motor_i_rb_dot_by_motor_i_ra = (t35 + t36 - t9 * t34) * t10;
+    let motor_i_rb_dot_by_motor_i_ra = (t35 + t36).sub_product(t9, t34) * t10;
     let motor_omega_dot_by_motor_i_ra = c.t1 * t14 * c.inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_i_ra = t34 * t7 - t9 * motor_i_rb_dot_by_motor_i_ra;
-    let motor_i_sb_dot_by_motor_i_ra = -t38 - t4 * motor_i_ra_dot_by_motor_i_ra
-        - t3 * motor_i_rb_dot_by_motor_i_ra;
-    let motor_i_sa_dot_by_motor_i_ra = t37 - t3 * motor_i_ra_dot_by_motor_i_ra
-        + t4 * motor_i_rb_dot_by_motor_i_ra;
+    let motor_i_ra_dot_by_motor_i_ra = (t34 * t7)
+        .sub_product(t9, motor_i_rb_dot_by_motor_i_ra);
+    let motor_i_sb_dot_by_motor_i_ra = (-t38)
+        .sub_product(t4, motor_i_ra_dot_by_motor_i_ra)
+        .sub_product(t3, motor_i_rb_dot_by_motor_i_ra);
+    let motor_i_sa_dot_by_motor_i_ra = t37
+        .sub_product(t3, motor_i_ra_dot_by_motor_i_ra)
+        .add_product(t4, motor_i_rb_dot_by_motor_i_ra);
     let t39 = c.t7 * t19;
     let t40 = -t36 - t35;
-    let motor_i_rb_dot_by_motor_i_rb = (c.t13 + t33 - t32 - t9 * t40) * t10;
+    let motor_i_rb_dot_by_motor_i_rb = (c.t13 + t33 - t32).sub_product(t9, t40) * t10;
     let motor_omega_dot_by_motor_i_rb = -(t39 * c.inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_i_rb = t40 * t7 - t9 * motor_i_rb_dot_by_motor_i_rb;
-    let motor_i_sb_dot_by_motor_i_rb = t37 - t4 * motor_i_ra_dot_by_motor_i_rb
-        - t3 * motor_i_rb_dot_by_motor_i_rb;
-    let motor_i_sa_dot_by_motor_i_rb = t38 - t3 * motor_i_ra_dot_by_motor_i_rb
-        + t4 * motor_i_rb_dot_by_motor_i_rb;
+    let motor_i_ra_dot_by_motor_i_rb = (t40 * t7)
+        .sub_product(t9, motor_i_rb_dot_by_motor_i_rb);
+    let motor_i_sb_dot_by_motor_i_rb = t37
+        .sub_product(t4, motor_i_ra_dot_by_motor_i_rb)
+        .sub_product(t3, motor_i_rb_dot_by_motor_i_rb);
+    let motor_i_sa_dot_by_motor_i_rb = t38
+        .sub_product(t3, motor_i_ra_dot_by_motor_i_rb)
+        .add_product(t4, motor_i_rb_dot_by_motor_i_rb);
     let t41 = c.t14
-        * (R::literal(0.75) * motor_i_rb * sin_motor_theta
-            - R::literal(0.75) * motor_i_ra * cos_motor_theta);
-    let t42 = c.t7 * (motor_i_sa * sin_motor_theta - motor_i_sb * cos_motor_theta)
-        - t3 * t28 - t4 * t41;
-    let motor_i_rb_dot_by_motor_omega = (t39 + t4 * t28 - t3 * t41 - t9 * t42) * t10;
-    let motor_i_ra_dot_by_motor_omega = t42 * t7 - t9 * motor_i_rb_dot_by_motor_omega;
-    let motor_i_sb_dot_by_motor_omega = t41 * c.t3 - t4 * motor_i_ra_dot_by_motor_omega
-        - t3 * motor_i_rb_dot_by_motor_omega;
-    let motor_i_sa_dot_by_motor_omega = t28 * c.t3 - t3 * motor_i_ra_dot_by_motor_omega
-        + t4 * motor_i_rb_dot_by_motor_omega;
+        * (R::literal(0.75) * motor_i_rb * sin_motor_theta)
+            .sub_product(R::literal(0.75) * motor_i_ra, cos_motor_theta);
+    let t42 = (c.t7
+        * (motor_i_sa * sin_motor_theta).sub_product(motor_i_sb, cos_motor_theta))
+        .sub_product(t3, t28)
+        .sub_product(t4, t41);
+    let motor_i_rb_dot_by_motor_omega = t39
+        .add_product(t4, t28)
+        .sub_product(t3, t41)
+        .sub_product(t9, t42) * t10;
+    let motor_i_ra_dot_by_motor_omega = (t42 * t7)
+        .sub_product(t9, motor_i_rb_dot_by_motor_omega);
+    let motor_i_sb_dot_by_motor_omega = (t41 * c.t3)
+        .sub_product(t4, motor_i_ra_dot_by_motor_omega)
+        .sub_product(t3, motor_i_rb_dot_by_motor_omega);
+    let motor_i_sa_dot_by_motor_omega = (t28 * c.t3)
+        .sub_product(t3, motor_i_ra_dot_by_motor_omega)
+        .add_product(t4, motor_i_rb_dot_by_motor_omega);
     [
         R::literal(1.0),
         motor_i_sa_dot_by_motor_phi,
@@ -848,13 +926,13 @@ pub fn parameter_jacobian<R: Real>(
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
     let t1 = t0.cos();
     let t2 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_a = t2 * t1;
@@ -878,94 +956,120 @@ pub fn parameter_jacobian<R: Real>(
     let t13 = t11 * t7;
     let t14 = t12 * t8;
     let t15 = R::literal(1.0) / (t9 - t13 - t14);
-    let t16 = t12 * t7 - t11 * t8;
+    let t16 = (t12 * t7).sub_product(t11, t8);
     let t17 = t16 * t15;
-    let t18 = R::literal(1.0) / (t9 - t14 - t13 - t17 * t16);
+    let t18 = R::literal(1.0) / (t9 - t14 - t13).sub_product(t17, t16);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let t19 = R::literal(1.5) * motor_R_s;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t20 = -(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-        - motor_pole_pairs_times_motor_i_rb * cos_motor_theta;
+    let t20 = (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta))
+        .sub_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta);
     let t21 = t6 * motor_omega;
     let t22 = R::literal(1.5) * motor_u_a;
-    let t23 = t22 - t19 * motor_i_sa - t21 * t20;
-    let t24 = motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-        - motor_pole_pairs_times_motor_i_rb * sin_motor_theta;
+    let t23 = t22.sub_product(t19, motor_i_sa).sub_product(t21, t20);
+    let t24 = (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta);
     let t25 = R::literal(1.5) * motor_u_b;
-    let t26 = t25 - t19 * motor_i_sb - t21 * t24;
+    let t26 = t25.sub_product(t19, motor_i_sb).sub_product(t21, t24);
     let t27 = R::literal(1.5) * motor_R_r;
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t28 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-        - motor_pole_pairs_times_motor_i_sa * sin_motor_theta;
-    let t29 = -(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-        - motor_pole_pairs_times_motor_i_sb * sin_motor_theta;
-    let t30 = p.motor_pole_pairs * motor_across * cos_motor_theta
-        - p.motor_pole_pairs * motor_along * sin_motor_theta;
-    let t31 = -(t27 * motor_i_ra) - t21 * t28 - t11 * t23 - t12 * t26;
-    let motor_i_rb_dot = (-(t27 * motor_i_rb) - t21 * t29 + t12 * t23 - t11 * t26
-        - t17 * t31) * t18;
+    let t28 = (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta);
+    let t29 = (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta))
+        .sub_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta);
+    let t30 = (p.motor_pole_pairs * motor_across * cos_motor_theta)
+        .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
+    let t31 = (-(t27 * motor_i_ra))
+        .sub_product(t21, t28)
+        .sub_product(t11, t23)
+        .sub_product(t12, t26);
+    let motor_i_rb_dot = (-(t27 * motor_i_rb))
+        .sub_product(t21, t29)
+        .add_product(t12, t23)
+        .sub_product(t11, t26)
+        .sub_product(t17, t31) * t18;
     let motor_omega_dot = t6 * t30 * inverse_motor_inertia;
-    let motor_i_ra_dot = t31 * t15 - t17 * motor_i_rb_dot;
-    let motor_i_sb_dot = t26 * t10 - t12 * motor_i_ra_dot - t11 * motor_i_rb_dot;
-    let motor_i_sa_dot = t23 * t10 - t11 * motor_i_ra_dot + t12 * motor_i_rb_dot;
+    let motor_i_ra_dot = (t31 * t15).sub_product(t17, motor_i_rb_dot);
+    let motor_i_sb_dot = (t26 * t10)
+        .sub_product(t12, motor_i_ra_dot)
+        .sub_product(t11, motor_i_rb_dot);
+    let motor_i_sa_dot = (t23 * t10)
+        .sub_product(t11, motor_i_ra_dot)
+        .add_product(t12, motor_i_rb_dot);
     let motor_i_sa_times_cos_motor_theta = motor_i_sa * cos_motor_theta;
     let motor_i_sb_times_sin_motor_theta = motor_i_sb * sin_motor_theta;
     let t32 = R::literal(1.5) * p.motor_k_s;
-    let t33 = t32 * p.motor_k_r - R::literal(1.5);
+    let t33 = R::literal(-1.5).add_product(t32, p.motor_k_r);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let t34 = R::literal(2.121_320_343_559_643) * t1;
     let t35 = R::literal(2.121_320_343_559_643) * t3;
-    let t36 = -(t11 * t34) - t12 * t35;
-    let motor_i_rb_dot_by_motor_phase_voltage = (t12 * t34 - t11 * t35 - t17 * t36)
-        * t18;
-    let motor_i_ra_dot_by_motor_phase_voltage = t36 * t15
-        - t17 * motor_i_rb_dot_by_motor_phase_voltage;
-    let motor_i_sb_dot_by_motor_phase_voltage = t35 * t10
-        - t12 * motor_i_ra_dot_by_motor_phase_voltage
-        - t11 * motor_i_rb_dot_by_motor_phase_voltage;
-    let motor_i_sa_dot_by_motor_phase_voltage = t34 * t10
-        - t11 * motor_i_ra_dot_by_motor_phase_voltage
-        + t12 * motor_i_rb_dot_by_motor_phase_voltage;
+    let t36 = (-(t11 * t34)).sub_product(t12, t35);
+    let motor_i_rb_dot_by_motor_phase_voltage = (t12 * t34)
+        .sub_product(t11, t35)
+        .sub_product(t17, t36) * t18;
+    let motor_i_ra_dot_by_motor_phase_voltage = (t36 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_phase_voltage);
+    let motor_i_sb_dot_by_motor_phase_voltage = (t35 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_phase_voltage)
+        .sub_product(t11, motor_i_rb_dot_by_motor_phase_voltage);
+    let motor_i_sa_dot_by_motor_phase_voltage = (t34 * t10)
+        .sub_product(t11, motor_i_ra_dot_by_motor_phase_voltage)
+        .add_product(t12, motor_i_rb_dot_by_motor_phase_voltage);
     let t37 = R::literal(3.0 * core::f64::consts::PI) * time;
     let t38 = t6 / p.motor_supply_frequency;
     let t39 = t38 * motor_omega;
     let t40 = t5 / p.motor_supply_frequency;
     let t41 = t38 * cos_motor_theta;
     let t42 = t38 * sin_motor_theta;
-    let t43 = t39 * t20 - t37 * motor_u_b + t40 * motor_i_sa_dot + t41 * motor_i_ra_dot
-        - t42 * motor_i_rb_dot;
-    let t44 = t39 * t24 + t37 * motor_u_a + t40 * motor_i_sb_dot + t42 * motor_i_ra_dot
-        + t41 * motor_i_rb_dot;
+    let t43 = (t39 * t20)
+        .sub_product(t37, motor_u_b)
+        .add_product(t40, motor_i_sa_dot)
+        .add_product(t41, motor_i_ra_dot)
+        .sub_product(t42, motor_i_rb_dot);
+    let t44 = (t39 * t24)
+        .add_product(t37, motor_u_a)
+        .add_product(t40, motor_i_sb_dot)
+        .add_product(t42, motor_i_ra_dot)
+        .add_product(t41, motor_i_rb_dot);
     let t45 = t9 / p.motor_supply_frequency;
-    let t46 = t39 * t28 + t41 * motor_i_sa_dot + t42 * motor_i_sb_dot
-        + t45 * motor_i_ra_dot - t11 * t43 - t12 * t44;
+    let t46 = (t39 * t28)
+        .add_product(t41, motor_i_sa_dot)
+        .add_product(t42, motor_i_sb_dot)
+        .add_product(t45, motor_i_ra_dot)
+        .sub_product(t11, t43)
+        .sub_product(t12, t44);
     let motor_i_rb_dot_by_motor_supply_frequency = (-(t4 * motor_M
         / p.motor_supply_frequency * motor_omega
-        * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta))
-        - t42 * motor_i_sa_dot + t41 * motor_i_sb_dot + t45 * motor_i_rb_dot + t12 * t43
-        - t11 * t44 - t17 * t46) * t18;
+        * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta)))
+        .sub_product(t42, motor_i_sa_dot)
+        .add_product(t41, motor_i_sb_dot)
+        .add_product(t45, motor_i_rb_dot)
+        .add_product(t12, t43)
+        .sub_product(t11, t44)
+        .sub_product(t17, t46) * t18;
     let motor_omega_dot_by_motor_supply_frequency = -(t38 * t30 * inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_supply_frequency = t46 * t15
-        - t17 * motor_i_rb_dot_by_motor_supply_frequency;
-    let motor_i_sb_dot_by_motor_supply_frequency = t44 * t10
-        - t12 * motor_i_ra_dot_by_motor_supply_frequency
-        - t11 * motor_i_rb_dot_by_motor_supply_frequency;
-    let motor_i_sa_dot_by_motor_supply_frequency = t43 * t10
-        - t11 * motor_i_ra_dot_by_motor_supply_frequency
-        + t12 * motor_i_rb_dot_by_motor_supply_frequency;
-    let t47 = t11 * t25 - t12 * t22;
-    let motor_i_rb_dot_by_motor_supply_phase = (-(t12 * t25) - t11 * t22 - t17 * t47)
-        * t18;
-    let motor_i_ra_dot_by_motor_supply_phase = t47 * t15
-        - t17 * motor_i_rb_dot_by_motor_supply_phase;
-    let motor_i_sb_dot_by_motor_supply_phase = t22 * t10
-        - t12 * motor_i_ra_dot_by_motor_supply_phase
-        - t11 * motor_i_rb_dot_by_motor_supply_phase;
-    let motor_i_sa_dot_by_motor_supply_phase = -(t25 * t10)
-        - t11 * motor_i_ra_dot_by_motor_supply_phase
-        + t12 * motor_i_rb_dot_by_motor_supply_phase;
+    let motor_i_ra_dot_by_motor_supply_frequency = (t46 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_supply_frequency);
+    let motor_i_sb_dot_by_motor_supply_frequency = (t44 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_supply_frequency)
+        .sub_product(t11, motor_i_rb_dot_by_motor_supply_frequency);
+    let motor_i_sa_dot_by_motor_supply_frequency = (t43 * t10)
+        .sub_product(t11, motor_i_ra_dot_by_motor_supply_frequency)
+        .add_product(t12, motor_i_rb_dot_by_motor_supply_frequency);
+    let t47 = (t11 * t25).sub_product(t12, t22);
+    let motor_i_rb_dot_by_motor_supply_phase = (-(t12 * t25))
+        .sub_product(t11, t22)
+        .sub_product(t17, t47) * t18;
+    let motor_i_ra_dot_by_motor_supply_phase = (t47 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_supply_phase);
+    let motor_i_sb_dot_by_motor_supply_phase = (t22 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_supply_phase)
+        .sub_product(t11, motor_i_rb_dot_by_motor_supply_phase);
+    let motor_i_sa_dot_by_motor_supply_phase = (-(t25 * t10))
+        .sub_product(t11, motor_i_ra_dot_by_motor_supply_phase)
+        .add_product(t12, motor_i_rb_dot_by_motor_supply_phase);
     let motor_i_rb_times_motor_theta = motor_i_rb * motor_theta;
     let motor_i_ra_times_motor_theta = motor_i_ra * motor_theta;
     let motor_i_sa_times_motor_theta = motor_i_sa * motor_theta;
@@ -973,40 +1077,52 @@ pub fn parameter_jacobian<R: Real>(
     let t48 = t6 * motor_phi;
     let t49 = t48 * sin_motor_theta;
     let t50 = t48 * cos_motor_theta;
-    let t51 = t21
-        * (motor_i_ra_times_motor_theta * cos_motor_theta + motor_i_ra * sin_motor_theta
-            + motor_i_rb * cos_motor_theta
-            - motor_i_rb_times_motor_theta * sin_motor_theta) + t49 * motor_i_ra_dot
-        + t50 * motor_i_rb_dot;
-    let t52 = t21
-        * (motor_i_ra_times_motor_theta * sin_motor_theta
-            + motor_i_rb_times_motor_theta * cos_motor_theta
-            + motor_i_rb * sin_motor_theta - motor_i_ra * cos_motor_theta)
-        - t50 * motor_i_ra_dot + t49 * motor_i_rb_dot;
-    let t53 = t21
-        * (motor_i_sa_times_motor_theta * cos_motor_theta + motor_i_sa * sin_motor_theta
-            + motor_i_sb_times_motor_theta * sin_motor_theta
-            - motor_i_sb * cos_motor_theta) + t49 * motor_i_sa_dot - t50 * motor_i_sb_dot
-        - t11 * t51 - t12 * t52;
-    let motor_i_rb_dot_by_motor_pole_pairs = (t50 * motor_i_sa_dot
-        - t21
-            * (motor_i_sa_times_motor_theta * sin_motor_theta
-                - motor_i_sa_times_cos_motor_theta
-                - motor_i_sb_times_motor_theta * cos_motor_theta
-                - motor_i_sb_times_sin_motor_theta) + t49 * motor_i_sb_dot + t12 * t51
-        - t11 * t52 - t17 * t53) * t18;
+    let t51 = (t21
+        * (motor_i_ra_times_motor_theta * cos_motor_theta)
+            .add_product(motor_i_ra, sin_motor_theta)
+            .add_product(motor_i_rb, cos_motor_theta)
+            .sub_product(motor_i_rb_times_motor_theta, sin_motor_theta))
+        .add_product(t49, motor_i_ra_dot)
+        .add_product(t50, motor_i_rb_dot);
+    let t52 = (t21
+        * (motor_i_ra_times_motor_theta * sin_motor_theta)
+            .add_product(motor_i_rb_times_motor_theta, cos_motor_theta)
+            .add_product(motor_i_rb, sin_motor_theta)
+            .sub_product(motor_i_ra, cos_motor_theta))
+        .sub_product(t50, motor_i_ra_dot)
+        .add_product(t49, motor_i_rb_dot);
+    let t53 = (t21
+        * (motor_i_sa_times_motor_theta * cos_motor_theta)
+            .add_product(motor_i_sa, sin_motor_theta)
+            .add_product(motor_i_sb_times_motor_theta, sin_motor_theta)
+            .sub_product(motor_i_sb, cos_motor_theta))
+        .add_product(t49, motor_i_sa_dot)
+        .sub_product(t50, motor_i_sb_dot)
+        .sub_product(t11, t51)
+        .sub_product(t12, t52);
+    let motor_i_rb_dot_by_motor_pole_pairs = (-(t21
+        * ((-motor_i_sa_times_cos_motor_theta)
+            .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
+            .sub_product(motor_i_sb_times_motor_theta, cos_motor_theta)
+            - motor_i_sb_times_sin_motor_theta)))
+        .add_product(t50, motor_i_sa_dot)
+        .add_product(t49, motor_i_sb_dot)
+        .add_product(t12, t51)
+        .sub_product(t11, t52)
+        .sub_product(t17, t53) * t18;
     let motor_omega_dot_by_motor_pole_pairs = t6
-        * (motor_across * cos_motor_theta - motor_theta * motor_along * cos_motor_theta
-            - motor_theta * motor_across * sin_motor_theta
-            - motor_along * sin_motor_theta) * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_pole_pairs = t53 * t15
-        - t17 * motor_i_rb_dot_by_motor_pole_pairs;
-    let motor_i_sb_dot_by_motor_pole_pairs = t52 * t10
-        - t12 * motor_i_ra_dot_by_motor_pole_pairs
-        - t11 * motor_i_rb_dot_by_motor_pole_pairs;
-    let motor_i_sa_dot_by_motor_pole_pairs = t51 * t10
-        - t11 * motor_i_ra_dot_by_motor_pole_pairs
-        + t12 * motor_i_rb_dot_by_motor_pole_pairs;
+        * (motor_across * cos_motor_theta)
+            .sub_product(motor_theta * motor_along, cos_motor_theta)
+            .sub_product(motor_theta * motor_across, sin_motor_theta)
+            .sub_product(motor_along, sin_motor_theta) * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_pole_pairs = (t53 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_pole_pairs);
+    let motor_i_sb_dot_by_motor_pole_pairs = (t52 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_pole_pairs)
+        .sub_product(t11, motor_i_rb_dot_by_motor_pole_pairs);
+    let motor_i_sa_dot_by_motor_pole_pairs = (t51 * t10)
+        .sub_product(t11, motor_i_ra_dot_by_motor_pole_pairs)
+        .add_product(t12, motor_i_rb_dot_by_motor_pole_pairs);
     let t54 = t5 * motor_omega;
     let t55 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
     let t56 = t4 * motor_L_s;
@@ -1016,36 +1132,66 @@ pub fn parameter_jacobian<R: Real>(
     let t60 = R::literal(3.0) * p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
     let t61 = t5 * cos_motor_theta;
     let t62 = t5 * sin_motor_theta;
-    let t63 = t55 * motor_i_sa - t54 * t20 - t61 * motor_i_ra_dot + t62 * motor_i_rb_dot;
-    let t64 = t55 * motor_i_sb - t54 * t24 - t62 * motor_i_ra_dot - t61 * motor_i_rb_dot;
+    let t63 = (t55 * motor_i_sa)
+        .sub_product(t54, t20)
+        .sub_product(t61, motor_i_ra_dot)
+        .add_product(t62, motor_i_rb_dot);
+    let t64 = (t55 * motor_i_sb)
+        .sub_product(t54, t24)
+        .sub_product(t62, motor_i_ra_dot)
+        .sub_product(t61, motor_i_rb_dot);
     let t65 = t5 / p.motor_k_r;
-    let t66 = t59 * sin_motor_theta + t60 * motor_i_ra - t57 * cos_motor_theta
-        - t58 * motor_i_ra - t61 * motor_i_sa_dot - t62 * motor_i_sb_dot
-        - t65 * motor_i_ra_dot - t11 * t63 - t12 * t64;
-    let motor_i_rb_dot_by_motor_k_s = (t59 * cos_motor_theta + t57 * sin_motor_theta
-        + t60 * motor_i_rb - t58 * motor_i_rb + t62 * motor_i_sa_dot
-        - t61 * motor_i_sb_dot - t65 * motor_i_rb_dot + t12 * t63 - t11 * t64
-        - t17 * t66) * t18;
+    let t66 = (t60 * motor_i_ra)
+        .add_product(t59, sin_motor_theta)
+        .sub_product(t57, cos_motor_theta)
+        .sub_product(t58, motor_i_ra)
+        .sub_product(t61, motor_i_sa_dot)
+        .sub_product(t62, motor_i_sb_dot)
+        .sub_product(t65, motor_i_ra_dot)
+        .sub_product(t11, t63)
+        .sub_product(t12, t64);
+    let motor_i_rb_dot_by_motor_k_s = (t59 * cos_motor_theta)
+        .add_product(t57, sin_motor_theta)
+        .add_product(t60, motor_i_rb)
+        .sub_product(t58, motor_i_rb)
+        .add_product(t62, motor_i_sa_dot)
+        .sub_product(t61, motor_i_sb_dot)
+        .sub_product(t65, motor_i_rb_dot)
+        .add_product(t12, t63)
+        .sub_product(t11, t64)
+        .sub_product(t17, t66) * t18;
     let motor_omega_dot_by_motor_k_s = t5 * t30 * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_k_s = t66 * t15 - t17 * motor_i_rb_dot_by_motor_k_s;
-    let motor_i_sb_dot_by_motor_k_s = t64 * t10 - t12 * motor_i_ra_dot_by_motor_k_s
-        - t11 * motor_i_rb_dot_by_motor_k_s;
-    let motor_i_sa_dot_by_motor_k_s = t63 * t10 - t11 * motor_i_ra_dot_by_motor_k_s
-        + t12 * motor_i_rb_dot_by_motor_k_s;
+    let motor_i_ra_dot_by_motor_k_s = (t66 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sb_dot_by_motor_k_s = (t64 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_k_s)
+        .sub_product(t11, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sa_dot_by_motor_k_s = (t63 * t10)
+        .sub_product(t11, motor_i_ra_dot_by_motor_k_s)
+        .add_product(t12, motor_i_rb_dot_by_motor_k_s);
     let t67 = t32 * p.motor_x_s;
     let t68 = t67 * p.motor_alpha_s;
     let t69 = t68 * motor_i_sa;
     let t70 = t68 * motor_i_sb;
     let t71 = t67 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
     let t72 = t9 / p.motor_k_r;
-    let t73 = t71 * motor_i_ra + t72 * motor_i_ra_dot - t11 * t69 - t12 * t70;
-    let motor_i_rb_dot_by_motor_k_r = (t71 * motor_i_rb + t72 * motor_i_rb_dot
-        + t12 * t69 - t11 * t70 - t17 * t73) * t18;
-    let motor_i_ra_dot_by_motor_k_r = t73 * t15 - t17 * motor_i_rb_dot_by_motor_k_r;
-    let motor_i_sb_dot_by_motor_k_r = t70 * t10 - t12 * motor_i_ra_dot_by_motor_k_r
-        - t11 * motor_i_rb_dot_by_motor_k_r;
-    let motor_i_sa_dot_by_motor_k_r = t69 * t10 - t11 * motor_i_ra_dot_by_motor_k_r
-        + t12 * motor_i_rb_dot_by_motor_k_r;
+    let t73 = (t71 * motor_i_ra)
+        .add_product(t72, motor_i_ra_dot)
+        .sub_product(t11, t69)
+        .sub_product(t12, t70);
+    let motor_i_rb_dot_by_motor_k_r = (t71 * motor_i_rb)
+        .add_product(t72, motor_i_rb_dot)
+        .add_product(t12, t69)
+        .sub_product(t11, t70)
+        .sub_product(t17, t73) * t18;
+    let motor_i_ra_dot_by_motor_k_r = (t73 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sb_dot_by_motor_k_r = (t70 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_k_r)
+        .sub_product(t11, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sa_dot_by_motor_k_r = (t69 * t10)
+        .sub_product(t11, motor_i_ra_dot_by_motor_k_r)
+        .add_product(t12, motor_i_rb_dot_by_motor_k_r);
     let t74 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
     let t75 = t32 / motor_omega_0;
     let t76 = t75 * motor_omega;
@@ -1053,42 +1199,65 @@ pub fn parameter_jacobian<R: Real>(
     let t78 = R::literal(1.5) / motor_omega_0;
     let t79 = t75 * cos_motor_theta;
     let t80 = t75 * sin_motor_theta;
-    let t81 = -(t74 * motor_i_sa) - t76 * t20 - t78 * motor_i_sa_dot
-        - t79 * motor_i_ra_dot + t80 * motor_i_rb_dot;
-    let t82 = -(t74 * motor_i_sb) - t76 * t24 - t78 * motor_i_sb_dot
-        - t80 * motor_i_ra_dot - t79 * motor_i_rb_dot;
+    let t81 = (-(t74 * motor_i_sa))
+        .sub_product(t76, t20)
+        .sub_product(t78, motor_i_sa_dot)
+        .sub_product(t79, motor_i_ra_dot)
+        .add_product(t80, motor_i_rb_dot);
+    let t82 = (-(t74 * motor_i_sb))
+        .sub_product(t76, t24)
+        .sub_product(t78, motor_i_sb_dot)
+        .sub_product(t80, motor_i_ra_dot)
+        .sub_product(t79, motor_i_rb_dot);
     let t83 = t32 / (p.motor_k_r * motor_omega_0);
-    let t84 = -(t77 * motor_i_ra) - t76 * t28 - t79 * motor_i_sa_dot
-        - t80 * motor_i_sb_dot - t83 * motor_i_ra_dot - t11 * t81 - t12 * t82;
-    let motor_i_rb_dot_by_motor_x_s = (-(t77 * motor_i_rb) - t76 * t29
-        + t80 * motor_i_sa_dot - t79 * motor_i_sb_dot - t83 * motor_i_rb_dot + t12 * t81
-        - t11 * t82 - t17 * t84) * t18;
+    let t84 = (-(t77 * motor_i_ra))
+        .sub_product(t76, t28)
+        .sub_product(t79, motor_i_sa_dot)
+        .sub_product(t80, motor_i_sb_dot)
+        .sub_product(t83, motor_i_ra_dot)
+        .sub_product(t11, t81)
+        .sub_product(t12, t82);
+    let motor_i_rb_dot_by_motor_x_s = (-(t77 * motor_i_rb))
+        .sub_product(t76, t29)
+        .add_product(t80, motor_i_sa_dot)
+        .sub_product(t79, motor_i_sb_dot)
+        .sub_product(t83, motor_i_rb_dot)
+        .add_product(t12, t81)
+        .sub_product(t11, t82)
+        .sub_product(t17, t84) * t18;
     let motor_omega_dot_by_motor_x_s = t75 * t30 * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_x_s = t84 * t15 - t17 * motor_i_rb_dot_by_motor_x_s;
-    let motor_i_sb_dot_by_motor_x_s = t82 * t10 - t12 * motor_i_ra_dot_by_motor_x_s
-        - t11 * motor_i_rb_dot_by_motor_x_s;
-    let motor_i_sa_dot_by_motor_x_s = t81 * t10 - t11 * motor_i_ra_dot_by_motor_x_s
-        + t12 * motor_i_rb_dot_by_motor_x_s;
+    let motor_i_ra_dot_by_motor_x_s = (t84 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sb_dot_by_motor_x_s = (t82 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_x_s)
+        .sub_product(t11, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sa_dot_by_motor_x_s = (t81 * t10)
+        .sub_product(t11, motor_i_ra_dot_by_motor_x_s)
+        .add_product(t12, motor_i_rb_dot_by_motor_x_s);
     let t85 = p.motor_x_s * t33;
     let t86 = t85 * motor_i_sa;
     let t87 = t85 * motor_i_sb;
-    let t88 = -(t11 * t86) - t12 * t87;
-    let motor_i_rb_dot_by_motor_alpha_s = (t12 * t86 - t11 * t87 - t17 * t88) * t18;
-    let motor_i_ra_dot_by_motor_alpha_s = t88 * t15
-        - t17 * motor_i_rb_dot_by_motor_alpha_s;
-    let motor_i_sb_dot_by_motor_alpha_s = t87 * t10
-        - t12 * motor_i_ra_dot_by_motor_alpha_s - t11 * motor_i_rb_dot_by_motor_alpha_s;
-    let motor_i_sa_dot_by_motor_alpha_s = t86 * t10
-        - t11 * motor_i_ra_dot_by_motor_alpha_s + t12 * motor_i_rb_dot_by_motor_alpha_s;
+    let t88 = (-(t11 * t86)).sub_product(t12, t87);
+    let motor_i_rb_dot_by_motor_alpha_s = (t12 * t86)
+        .sub_product(t11, t87)
+        .sub_product(t17, t88) * t18;
+    let motor_i_ra_dot_by_motor_alpha_s = (t88 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_alpha_s);
+    let motor_i_sb_dot_by_motor_alpha_s = (t87 * t10)
+        .sub_product(t12, motor_i_ra_dot_by_motor_alpha_s)
+        .sub_product(t11, motor_i_rb_dot_by_motor_alpha_s);
+    let motor_i_sa_dot_by_motor_alpha_s = (t86 * t10)
+        .sub_product(t11, motor_i_ra_dot_by_motor_alpha_s)
+        .add_product(t12, motor_i_rb_dot_by_motor_alpha_s);
     let t89 = motor_k_s_times_motor_x_s * t33 / p.motor_k_r;
     let t90 = t89 * motor_i_ra;
-    let motor_i_rb_dot_by_motor_alpha_r = (t89 * motor_i_rb - t17 * t90) * t18;
-    let motor_i_ra_dot_by_motor_alpha_r = t90 * t15
-        - t17 * motor_i_rb_dot_by_motor_alpha_r;
-    let motor_i_sb_dot_by_motor_alpha_r = -(t12 * motor_i_ra_dot_by_motor_alpha_r)
-        - t11 * motor_i_rb_dot_by_motor_alpha_r;
-    let motor_i_sa_dot_by_motor_alpha_r = t12 * motor_i_rb_dot_by_motor_alpha_r
-        - t11 * motor_i_ra_dot_by_motor_alpha_r;
+    let motor_i_rb_dot_by_motor_alpha_r = (t89 * motor_i_rb).sub_product(t17, t90) * t18;
+    let motor_i_ra_dot_by_motor_alpha_r = (t90 * t15)
+        .sub_product(t17, motor_i_rb_dot_by_motor_alpha_r);
+    let motor_i_sb_dot_by_motor_alpha_r = (-(t11 * motor_i_rb_dot_by_motor_alpha_r))
+        .sub_product(t12, motor_i_ra_dot_by_motor_alpha_r);
+    let motor_i_sa_dot_by_motor_alpha_r = (t12 * motor_i_rb_dot_by_motor_alpha_r)
+        .sub_product(t11, motor_i_ra_dot_by_motor_alpha_r);
     [
         motor_i_sa_dot_by_motor_phase_voltage,
         motor_i_sa_dot_by_motor_supply_frequency,
@@ -1148,7 +1317,7 @@ pub fn time_derivative<R: Real>(
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
     let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_a = t1 * t0.cos();
     let motor_u_b = t1 * t0.sin();
@@ -1163,19 +1332,21 @@ pub fn time_derivative<R: Real>(
     let t9 = t7 * t3;
     let t10 = t8 * t4;
     let t11 = R::literal(1.0) / (t5 - t9 - t10);
-    let t12 = t8 * t3 - t7 * t4;
+    let t12 = (t8 * t3).sub_product(t7, t4);
     let t13 = t12 * t11;
     let t14 = R::literal(1.5) * motor_omega_0;
     let t15 = t14 * motor_u_b;
     let t16 = t14 * motor_u_a;
-    let t17 = t7 * t15 - t8 * t16;
-    let motor_i_rb_dot_by_time = (-(t8 * t15) - t7 * t16 - t13 * t17)
-        * (R::literal(1.0) / (t5 - t10 - t9 - t13 * t12));
-    let motor_i_ra_dot_by_time = t17 * t11 - t13 * motor_i_rb_dot_by_time;
-    let motor_i_sb_dot_by_time = t16 * t6 - t8 * motor_i_ra_dot_by_time
-        - t7 * motor_i_rb_dot_by_time;
-    let motor_i_sa_dot_by_time = -(t15 * t6) - t7 * motor_i_ra_dot_by_time
-        + t8 * motor_i_rb_dot_by_time;
+    let t17 = (t7 * t15).sub_product(t8, t16);
+    let motor_i_rb_dot_by_time = (-(t8 * t15)).sub_product(t7, t16).sub_product(t13, t17)
+        * (R::literal(1.0) / (t5 - t10 - t9).sub_product(t13, t12));
+    let motor_i_ra_dot_by_time = (t17 * t11).sub_product(t13, motor_i_rb_dot_by_time);
+    let motor_i_sb_dot_by_time = (t16 * t6)
+        .sub_product(t8, motor_i_ra_dot_by_time)
+        .sub_product(t7, motor_i_rb_dot_by_time);
+    let motor_i_sa_dot_by_time = (-(t15 * t6))
+        .sub_product(t7, motor_i_ra_dot_by_time)
+        .add_product(t8, motor_i_rb_dot_by_time);
     [
         R::literal(0.0),
         motor_i_sa_dot_by_time,
@@ -1194,17 +1365,20 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_M = p.motor_k_s * motor_L_s;
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * motor_M
-        * (motor_across * motor_theta.cos() - motor_along * motor_theta.sin());
+        * (motor_across * motor_theta.cos()).sub_product(motor_along, motor_theta.sin());
     Outputs {
         speed: motor_omega,
         torque: motor_torque,
-        slip: R::literal(1.0) - p.motor_pole_pairs / motor_omega_0 * motor_omega,
-        stator_current: (motor_i_sa * motor_i_sa + motor_i_sb * motor_i_sb).sqrt(),
+        slip: R::literal(1.0)
+            .sub_product(p.motor_pole_pairs / motor_omega_0, motor_omega),
+        stator_current: (motor_i_sa * motor_i_sa)
+            .add_product(motor_i_sb, motor_i_sb)
+            .sqrt(),
         stator_alpha: motor_i_sa,
         stator_beta: motor_i_sb,
         rotor_first: motor_i_ra,
@@ -1221,18 +1395,27 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_M = p.motor_k_s * motor_L_s;
     let motor_L_r = motor_M / p.motor_k_r;
     Energy {
-        kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
-            + R::literal(0.75)
-                * (motor_L_s * (motor_i_sa * motor_i_sa + motor_i_sb * motor_i_sb)
-                    + motor_L_r * (motor_i_ra * motor_i_ra + motor_i_rb * motor_i_rb))
-            + R::literal(1.5) * motor_M
-                * (motor_along * motor_theta.cos() + motor_across * motor_theta.sin()),
+        kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
+            .add_product(
+                R::literal(0.75),
+                (motor_L_s
+                    * (motor_i_sa * motor_i_sa).add_product(motor_i_sb, motor_i_sb))
+                    .add_product(
+                        motor_L_r,
+                        (motor_i_ra * motor_i_ra).add_product(motor_i_rb, motor_i_rb),
+                    ),
+            )
+            .add_product(
+                R::literal(1.5) * motor_M,
+                (motor_along * motor_theta.cos())
+                    .add_product(motor_across, motor_theta.sin()),
+            ),
         potential: R::literal(0.0),
         stored: R::literal(0.0),
     }
@@ -1250,13 +1433,13 @@ pub fn power_balance<R: Real>(
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
     let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_a = t1 * t0.cos();
     let motor_u_b = t1 * t0.sin();
@@ -1276,59 +1459,103 @@ pub fn power_balance<R: Real>(
     let t10 = t8 * t4;
     let t11 = t9 * t5;
     let t12 = R::literal(1.0) / (t6 - t10 - t11);
-    let t13 = t9 * t4 - t8 * t5;
+    let t13 = (t9 * t4).sub_product(t8, t5);
     let t14 = t13 * t12;
     let t15 = R::literal(1.5) * motor_R_s;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
     let t16 = t3 * motor_omega;
-    let t17 = R::literal(1.5) * motor_u_a - t15 * motor_i_sa
-        - t16
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t18 = R::literal(1.5) * motor_u_b - t15 * motor_i_sb
-        - t16
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
+    let t17 = (-(t15 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t16,
+            (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_rb, cos_motor_theta),
+        );
+    let t18 = (-(t15 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t16,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
     let t19 = R::literal(1.5) * motor_R_r;
     let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
     let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
     let t20 = t3
-        * (p.motor_pole_pairs * motor_across * cos_motor_theta
-            - p.motor_pole_pairs * motor_along * sin_motor_theta);
-    let t21 = -(t19 * motor_i_ra)
-        - t16
-            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t8 * t17
-        - t9 * t18;
-    let motor_i_rb_dot = (-(t19 * motor_i_rb)
-        - t16
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t9 * t17
-        - t8 * t18 - t14 * t21) * (R::literal(1.0) / (t6 - t11 - t10 - t14 * t13));
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
+    let t21 = (-(t19 * motor_i_ra))
+        .sub_product(
+            t16,
+            (motor_pole_pairs_times_motor_i_sb * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_sa, sin_motor_theta),
+        )
+        .sub_product(t8, t17)
+        .sub_product(t9, t18);
+    let motor_i_rb_dot = (-(t19 * motor_i_rb))
+        .sub_product(
+            t16,
+            (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_sb, sin_motor_theta),
+        )
+        .add_product(t9, t17)
+        .sub_product(t8, t18)
+        .sub_product(t14, t21)
+        * (R::literal(1.0) / (t6 - t11 - t10).sub_product(t14, t13));
     let motor_omega_dot = t20 * (R::literal(1.0) / p.motor_inertia);
-    let motor_i_ra_dot = t21 * t12 - t14 * motor_i_rb_dot;
-    let motor_i_sb_dot = t18 * t7 - t9 * motor_i_ra_dot - t8 * motor_i_rb_dot;
-    let motor_i_sa_dot = t17 * t7 - t8 * motor_i_ra_dot + t9 * motor_i_rb_dot;
-    let t22 = t20 * motor_omega
-        + (t2 * motor_i_sa
-            + t3 * (motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta))
-            * motor_i_sa_dot
-        + (t2 * motor_i_sb
-            + t3 * (motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta))
-            * motor_i_sb_dot;
+    let motor_i_ra_dot = (t21 * t12).sub_product(t14, motor_i_rb_dot);
+    let motor_i_sb_dot = (t18 * t7)
+        .sub_product(t9, motor_i_ra_dot)
+        .sub_product(t8, motor_i_rb_dot);
+    let motor_i_sa_dot = (t17 * t7)
+        .sub_product(t8, motor_i_ra_dot)
+        .add_product(t9, motor_i_rb_dot);
     PowerBalance {
-        stored_rate: t22
-            + (t6 * motor_i_ra
-                + t3 * (motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta))
-                * motor_i_ra_dot
-            + (t6 * motor_i_rb
-                + t3 * (motor_i_sb * cos_motor_theta - motor_i_sa * sin_motor_theta))
-                * motor_i_rb_dot + p.motor_inertia * motor_omega * motor_omega_dot,
-        supplied: R::literal(1.5) * motor_i_sa * motor_u_a
-            + R::literal(1.5) * motor_i_sb * motor_u_b,
-        dissipated: t15 * (motor_i_sa * motor_i_sa) + t15 * (motor_i_sb * motor_i_sb)
-            + t19 * (motor_i_ra * motor_i_ra) + t19 * (motor_i_rb * motor_i_rb),
+        stored_rate: (t20 * motor_omega)
+            .add_product(
+                (t2 * motor_i_sa)
+                    .add_product(
+                        t3,
+                        (motor_i_ra * cos_motor_theta)
+                            .sub_product(motor_i_rb, sin_motor_theta),
+                    ),
+                motor_i_sa_dot,
+            )
+            .add_product(
+                (t2 * motor_i_sb)
+                    .add_product(
+                        t3,
+                        (motor_i_ra * sin_motor_theta)
+                            .add_product(motor_i_rb, cos_motor_theta),
+                    ),
+                motor_i_sb_dot,
+            )
+            .add_product(
+                (t6 * motor_i_ra)
+                    .add_product(
+                        t3,
+                        (motor_i_sa * cos_motor_theta)
+                            .add_product(motor_i_sb, sin_motor_theta),
+                    ),
+                motor_i_ra_dot,
+            )
+            .add_product(
+                (t6 * motor_i_rb)
+                    .add_product(
+                        t3,
+                        (motor_i_sb * cos_motor_theta)
+                            .sub_product(motor_i_sa, sin_motor_theta),
+                    ),
+                motor_i_rb_dot,
+            )
+            .add_product(p.motor_inertia * motor_omega, motor_omega_dot),
+        supplied: (R::literal(1.5) * motor_i_sa * motor_u_a)
+            .add_product(R::literal(1.5) * motor_i_sb, motor_u_b),
+        dissipated: (t15 * (motor_i_sa * motor_i_sa))
+            .add_product(t15, motor_i_sb * motor_i_sb)
+            .add_product(t19, motor_i_ra * motor_i_ra)
+            .add_product(t19, motor_i_rb * motor_i_rb),
     }
 }
 

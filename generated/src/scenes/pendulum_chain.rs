@@ -425,37 +425,55 @@ pub fn prepared_rate<R: Real>(
     let cos_chain_th_2 = chain_th_2.cos();
     let sin_chain_th_3 = chain_th_3.sin();
     let cos_chain_th_3 = chain_th_3.cos();
-    let t0 = sin_chain_th_1 * cos_chain_th_2 - cos_chain_th_1 * sin_chain_th_2;
-    let t1 = c.t0 * (cos_chain_th_1 * cos_chain_th_2 + sin_chain_th_1 * sin_chain_th_2);
-    let t2 = sin_chain_th_1 * cos_chain_th_3 - cos_chain_th_1 * sin_chain_th_3;
-    let t3 = c.t1 * (cos_chain_th_1 * cos_chain_th_3 + sin_chain_th_1 * sin_chain_th_3);
-    let t4 = sin_chain_th_2 * cos_chain_th_3 - cos_chain_th_2 * sin_chain_th_3;
+    let t0 = (sin_chain_th_1 * cos_chain_th_2)
+        .sub_product(cos_chain_th_1, sin_chain_th_2);
+    let t1 = c.t0
+        * (cos_chain_th_1 * cos_chain_th_2).add_product(sin_chain_th_1, sin_chain_th_2);
+    let t2 = (sin_chain_th_1 * cos_chain_th_3)
+        .sub_product(cos_chain_th_1, sin_chain_th_3);
+    let t3 = c.t1
+        * (cos_chain_th_1 * cos_chain_th_3).add_product(sin_chain_th_1, sin_chain_th_3);
+    let t4 = (sin_chain_th_2 * cos_chain_th_3)
+        .sub_product(cos_chain_th_2, sin_chain_th_3);
     let t5 = t1 * c.t4;
     let t6 = t3 * c.t4;
-    let t7 = R::literal(1.0) / (c.t2 - t5 * t1);
-    let t8 = c.t3 * (cos_chain_th_2 * cos_chain_th_3 + sin_chain_th_2 * sin_chain_th_3)
-        - t6 * t1;
+    let t7 = R::literal(1.0) / c.t2.sub_product(t5, t1);
+    let t8 = (c.t3
+        * (cos_chain_th_2 * cos_chain_th_3).add_product(sin_chain_th_2, sin_chain_th_3))
+        .sub_product(t6, t1);
     let t9 = t8 * t7;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
     let t10 = c.chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
     let t11 = p.chain_l_1
-        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1
-            + c.chain_m_2_times_chain_l_2 * chain_w_2_squared * t0
-            + c.chain_m_2_times_chain_gravity * sin_chain_th_1
-            + c.chain_m_3_times_chain_l_2 * chain_w_2_squared * t0 + t10 * t2
-            + c.chain_m_3_times_chain_gravity * sin_chain_th_1);
+        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1)
+            .add_product(c.chain_m_2_times_chain_l_2 * chain_w_2_squared, t0)
+            .add_product(c.chain_m_2_times_chain_gravity, sin_chain_th_1)
+            .add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared, t0)
+            .add_product(t10, t2)
+            .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t12 = p.chain_l_2
-        * (c.chain_m_2_times_chain_l_1 * chain_w_1_squared * t0
-            + c.chain_m_3_times_chain_l_1 * chain_w_1_squared * t0
-            - c.chain_m_2_times_chain_gravity * sin_chain_th_2 - t10 * t4
-            - c.chain_m_3_times_chain_gravity * sin_chain_th_2) + t5 * t11;
+    let t12 = (p.chain_l_2
+        * (c.chain_m_2_times_chain_l_1 * chain_w_1_squared * t0)
+            .add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared, t0)
+            .sub_product(c.chain_m_2_times_chain_gravity, sin_chain_th_2)
+            .sub_product(t10, t4)
+            .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2))
+        .add_product(t5, t11);
     let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
-        * (p.chain_l_1 * chain_w_1_squared * t2 + p.chain_l_2 * chain_w_2_squared * t4
-            - p.chain_gravity * sin_chain_th_3) + t6 * t11 - t9 * t12)
-        * (R::literal(1.0) / (c.chain_m_3_times_chain_l_3_squared - t6 * t3 - t9 * t8));
-    let chain_w_2_dot = t12 * t7 - t9 * chain_w_3_dot;
-    let chain_w_1_dot = -(t11 * c.t4) - t5 * chain_w_2_dot - t6 * chain_w_3_dot;
+        * (p.chain_l_1 * chain_w_1_squared * t2)
+            .add_product(p.chain_l_2 * chain_w_2_squared, t4)
+            .sub_product(p.chain_gravity, sin_chain_th_3))
+        .add_product(t6, t11)
+        .sub_product(t9, t12)
+        * (R::literal(1.0)
+            / c
+                .chain_m_3_times_chain_l_3_squared
+                .sub_product(t6, t3)
+                .sub_product(t9, t8));
+    let chain_w_2_dot = (t12 * t7).sub_product(t9, chain_w_3_dot);
+    let chain_w_1_dot = (-(t11 * c.t4))
+        .sub_product(t5, chain_w_2_dot)
+        .sub_product(t6, chain_w_3_dot);
     [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
 }
 
@@ -503,27 +521,37 @@ pub fn forcing<R: Real>(
     let t0 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
     let chain_th_1_forcing = -(p.chain_l_1
-        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1
-            + p.chain_m_2 * p.chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2
-            + chain_m_2_times_chain_gravity * sin_chain_th_1
-            + p.chain_m_3 * p.chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2 + t0 * sin_chain_th_1_minus_chain_th_3
-            + chain_m_3_times_chain_gravity * sin_chain_th_1));
+        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1)
+            .add_product(
+                p.chain_m_2 * p.chain_l_2 * chain_w_2_squared,
+                sin_chain_th_1_minus_chain_th_2,
+            )
+            .add_product(chain_m_2_times_chain_gravity, sin_chain_th_1)
+            .add_product(
+                p.chain_m_3 * p.chain_l_2 * chain_w_2_squared,
+                sin_chain_th_1_minus_chain_th_2,
+            )
+            .add_product(t0, sin_chain_th_1_minus_chain_th_3)
+            .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1));
     let sin_chain_th_2_minus_chain_th_3 = (chain_th_2 - chain_th_3).sin();
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let chain_th_2_forcing = p.chain_l_2
         * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-            * sin_chain_th_1_minus_chain_th_2
-            + p.chain_m_3 * p.chain_l_1 * chain_w_1_squared
-                * sin_chain_th_1_minus_chain_th_2
-            - chain_m_2_times_chain_gravity * sin_chain_th_2
-            - t0 * sin_chain_th_2_minus_chain_th_3
-            - chain_m_3_times_chain_gravity * sin_chain_th_2);
+            * sin_chain_th_1_minus_chain_th_2)
+            .add_product(
+                p.chain_m_3 * p.chain_l_1 * chain_w_1_squared,
+                sin_chain_th_1_minus_chain_th_2,
+            )
+            .sub_product(chain_m_2_times_chain_gravity, sin_chain_th_2)
+            .sub_product(t0, sin_chain_th_2_minus_chain_th_3)
+            .sub_product(chain_m_3_times_chain_gravity, sin_chain_th_2);
     let chain_th_3_forcing = chain_m_3_times_chain_l_3
-        * (p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3
-            + p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
-            - p.chain_gravity * chain_th_3.sin());
+        * (p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+            .add_product(
+                p.chain_l_2 * chain_w_2_squared,
+                sin_chain_th_2_minus_chain_th_3,
+            )
+            .sub_product(p.chain_gravity, chain_th_3.sin());
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
@@ -557,101 +585,150 @@ pub fn prepared_rate_jacobian<R: Real>(
     let cos_chain_th_2 = chain_th_2.cos();
     let sin_chain_th_3 = chain_th_3.sin();
     let cos_chain_th_3 = chain_th_3.cos();
-    let t0 = sin_chain_th_1 * cos_chain_th_2 - cos_chain_th_1 * sin_chain_th_2;
-    let t1 = cos_chain_th_1 * cos_chain_th_2 + sin_chain_th_1 * sin_chain_th_2;
+    let t0 = (sin_chain_th_1 * cos_chain_th_2)
+        .sub_product(cos_chain_th_1, sin_chain_th_2);
+    let t1 = (cos_chain_th_1 * cos_chain_th_2)
+        .add_product(sin_chain_th_1, sin_chain_th_2);
     let t2 = c.t0 * t1;
-    let t3 = sin_chain_th_1 * cos_chain_th_3 - cos_chain_th_1 * sin_chain_th_3;
-    let t4 = cos_chain_th_1 * cos_chain_th_3 + sin_chain_th_1 * sin_chain_th_3;
+    let t3 = (sin_chain_th_1 * cos_chain_th_3)
+        .sub_product(cos_chain_th_1, sin_chain_th_3);
+    let t4 = (cos_chain_th_1 * cos_chain_th_3)
+        .add_product(sin_chain_th_1, sin_chain_th_3);
     let t5 = c.t1 * t4;
-    let t6 = sin_chain_th_2 * cos_chain_th_3 - cos_chain_th_2 * sin_chain_th_3;
-    let t7 = cos_chain_th_2 * cos_chain_th_3 + sin_chain_th_2 * sin_chain_th_3;
+    let t6 = (sin_chain_th_2 * cos_chain_th_3)
+        .sub_product(cos_chain_th_2, sin_chain_th_3);
+    let t7 = (cos_chain_th_2 * cos_chain_th_3)
+        .add_product(sin_chain_th_2, sin_chain_th_3);
     let t8 = t2 * c.t4;
     let t9 = t5 * c.t4;
-    let t10 = R::literal(1.0) / (c.t2 - t8 * t2);
-    let t11 = c.t3 * t7 - t9 * t2;
+    let t10 = R::literal(1.0) / c.t2.sub_product(t8, t2);
+    let t11 = (c.t3 * t7).sub_product(t9, t2);
     let t12 = t11 * t10;
     let t13 = R::literal(1.0)
-        / (c.chain_m_3_times_chain_l_3_squared - t9 * t5 - t12 * t11);
+        / c.chain_m_3_times_chain_l_3_squared.sub_product(t9, t5).sub_product(t12, t11);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
     let t14 = c.chain_m_2_times_chain_l_2 * chain_w_2_squared;
     let t15 = c.chain_m_3_times_chain_l_2 * chain_w_2_squared;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
     let t16 = c.chain_m_3_times_chain_l_3 * chain_w_3_squared;
     let t17 = p.chain_l_1
-        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1 + t14 * t0
-            + c.chain_m_2_times_chain_gravity * sin_chain_th_1 + t15 * t0 + t16 * t3
-            + c.chain_m_3_times_chain_gravity * sin_chain_th_1);
+        * (c.chain_m_1_times_chain_gravity * sin_chain_th_1)
+            .add_product(t14, t0)
+            .add_product(c.chain_m_2_times_chain_gravity, sin_chain_th_1)
+            .add_product(t15, t0)
+            .add_product(t16, t3)
+            .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let t18 = c.chain_m_2_times_chain_l_1 * chain_w_1_squared;
     let t19 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t20 = p.chain_l_2
-        * (t18 * t0 + t19 * t0 - c.chain_m_2_times_chain_gravity * sin_chain_th_2
-            - t16 * t6 - c.chain_m_3_times_chain_gravity * sin_chain_th_2) + t8 * t17;
+    let t20 = (p.chain_l_2
+        * (t18 * t0)
+            .add_product(t19, t0)
+            .sub_product(c.chain_m_2_times_chain_gravity, sin_chain_th_2)
+            .sub_product(t16, t6)
+            .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2))
+        .add_product(t8, t17);
     let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
-        * (chain_l_1_times_chain_w_1_squared * t3
-            + chain_l_2_times_chain_w_2_squared * t6 - p.chain_gravity * sin_chain_th_3)
-        + t9 * t17 - t12 * t20) * t13;
-    let chain_w_2_dot = t20 * t10 - t12 * chain_w_3_dot;
-    let chain_w_1_dot = -(t17 * c.t4) - t8 * chain_w_2_dot - t9 * chain_w_3_dot;
+        * (chain_l_1_times_chain_w_1_squared * t3)
+            .add_product(chain_l_2_times_chain_w_2_squared, t6)
+            .sub_product(p.chain_gravity, sin_chain_th_3))
+        .add_product(t9, t17)
+        .sub_product(t12, t20) * t13;
+    let chain_w_2_dot = (t20 * t10).sub_product(t12, chain_w_3_dot);
+    let chain_w_1_dot = (-(t17 * c.t4))
+        .sub_product(t8, chain_w_2_dot)
+        .sub_product(t9, chain_w_3_dot);
     let t21 = c.t0 * t0;
     let t22 = t21 * chain_w_2_dot;
     let t23 = t21 * chain_w_1_dot;
     let t24 = c.t1 * t3;
     let t25 = t24 * chain_w_3_dot;
     let t26 = t22
-        - p.chain_l_1
-            * (c.chain_m_1_times_chain_gravity * cos_chain_th_1 + t14 * t1
-                + c.chain_m_2_times_chain_gravity * cos_chain_th_1 + t15 * t1 + t16 * t4
-                + c.chain_m_3_times_chain_gravity * cos_chain_th_1) + t25;
+        .sub_product(
+            p.chain_l_1,
+            (c.chain_m_1_times_chain_gravity * cos_chain_th_1)
+                .add_product(t14, t1)
+                .add_product(c.chain_m_2_times_chain_gravity, cos_chain_th_1)
+                .add_product(t15, t1)
+                .add_product(t16, t4)
+                .add_product(c.chain_m_3_times_chain_gravity, cos_chain_th_1),
+        ) + t25;
     let t27 = t24 * chain_w_1_dot;
-    let t28 = c.t0 * chain_w_1_squared * t1 + t23 - t8 * t26;
-    let chain_w_3_dot_by_chain_th_1 = (c.t1 * chain_w_1_squared * t4 + t27 - t9 * t26
-        - t12 * t28) * t13;
-    let chain_w_2_dot_by_chain_th_1 = t28 * t10 - t12 * chain_w_3_dot_by_chain_th_1;
-    let chain_w_1_dot_by_chain_th_1 = t26 * c.t4 - t8 * chain_w_2_dot_by_chain_th_1
-        - t9 * chain_w_3_dot_by_chain_th_1;
-    let t29 = c.t0 * chain_w_2_squared * t1 - t22;
+    let t28 = t23.add_product(c.t0 * chain_w_1_squared, t1).sub_product(t8, t26);
+    let chain_w_3_dot_by_chain_th_1 = t27
+        .add_product(c.t1 * chain_w_1_squared, t4)
+        .sub_product(t9, t26)
+        .sub_product(t12, t28) * t13;
+    let chain_w_2_dot_by_chain_th_1 = (t28 * t10)
+        .sub_product(t12, chain_w_3_dot_by_chain_th_1);
+    let chain_w_1_dot_by_chain_th_1 = (t26 * c.t4)
+        .sub_product(t8, chain_w_2_dot_by_chain_th_1)
+        .sub_product(t9, chain_w_3_dot_by_chain_th_1);
+    let t29 = (-t22).add_product(c.t0 * chain_w_2_squared, t1);
     let t30 = c.t3 * t6;
     let t31 = t30 * chain_w_3_dot;
     let t32 = t30 * chain_w_2_dot;
-    let t33 = p.chain_l_2
-        * (-(t18 * t1) - c.chain_m_2_times_chain_gravity * cos_chain_th_2 - t19 * t1
-            - t16 * t7 - c.chain_m_3_times_chain_gravity * cos_chain_th_2) - t23 + t31
-        - t8 * t29;
-    let chain_w_3_dot_by_chain_th_2 = (c.t3 * chain_w_2_squared * t7 + t32 - t9 * t29
-        - t12 * t33) * t13;
-    let chain_w_2_dot_by_chain_th_2 = t33 * t10 - t12 * chain_w_3_dot_by_chain_th_2;
-    let chain_w_1_dot_by_chain_th_2 = t29 * c.t4 - t8 * chain_w_2_dot_by_chain_th_2
-        - t9 * chain_w_3_dot_by_chain_th_2;
-    let t34 = c.t1 * chain_w_3_squared * t4 - t25;
-    let t35 = c.t3 * chain_w_3_squared * t7 - t31 - t8 * t34;
-    let chain_w_3_dot_by_chain_th_3 = (c.chain_m_3_times_chain_l_3
-        * (-(chain_l_1_times_chain_w_1_squared * t4)
-            - chain_l_2_times_chain_w_2_squared * t7 - p.chain_gravity * cos_chain_th_3)
-        - t27 - t32 - t9 * t34 - t12 * t35) * t13;
-    let chain_w_2_dot_by_chain_th_3 = t35 * t10 - t12 * chain_w_3_dot_by_chain_th_3;
-    let chain_w_1_dot_by_chain_th_3 = t34 * c.t4 - t8 * chain_w_2_dot_by_chain_th_3
-        - t9 * chain_w_3_dot_by_chain_th_3;
+    let t33 = ((-t23)
+        .add_product(
+            p.chain_l_2,
+            (-(c.chain_m_2_times_chain_gravity * cos_chain_th_2))
+                .sub_product(t18, t1)
+                .sub_product(t19, t1)
+                .sub_product(t16, t7)
+                .sub_product(c.chain_m_3_times_chain_gravity, cos_chain_th_2),
+        ) + t31)
+        .sub_product(t8, t29);
+    let chain_w_3_dot_by_chain_th_2 = t32
+        .add_product(c.t3 * chain_w_2_squared, t7)
+        .sub_product(t9, t29)
+        .sub_product(t12, t33) * t13;
+    let chain_w_2_dot_by_chain_th_2 = (t33 * t10)
+        .sub_product(t12, chain_w_3_dot_by_chain_th_2);
+    let chain_w_1_dot_by_chain_th_2 = (t29 * c.t4)
+        .sub_product(t8, chain_w_2_dot_by_chain_th_2)
+        .sub_product(t9, chain_w_3_dot_by_chain_th_2);
+    let t34 = (-t25).add_product(c.t1 * chain_w_3_squared, t4);
+    let t35 = (-t31).add_product(c.t3 * chain_w_3_squared, t7).sub_product(t8, t34);
+    let chain_w_3_dot_by_chain_th_3 = ((-t27)
+        .add_product(
+            c.chain_m_3_times_chain_l_3,
+            (-(chain_l_1_times_chain_w_1_squared * t4))
+                .sub_product(chain_l_2_times_chain_w_2_squared, t7)
+                .sub_product(p.chain_gravity, cos_chain_th_3),
+        ) - t32)
+        .sub_product(t9, t34)
+        .sub_product(t12, t35) * t13;
+    let chain_w_2_dot_by_chain_th_3 = (t35 * t10)
+        .sub_product(t12, chain_w_3_dot_by_chain_th_3);
+    let chain_w_1_dot_by_chain_th_3 = (t34 * c.t4)
+        .sub_product(t8, chain_w_2_dot_by_chain_th_3)
+        .sub_product(t9, chain_w_3_dot_by_chain_th_3);
     let t36 = c.t5 * chain_w_1 * t0;
-    let chain_w_3_dot_by_chain_w_1 = (c.t7 * chain_w_1 * t3 - t12 * t36) * t13;
-    let chain_w_2_dot_by_chain_w_1 = t36 * t10 - t12 * chain_w_3_dot_by_chain_w_1;
-    let chain_w_1_dot_by_chain_w_1 = -(t8 * chain_w_2_dot_by_chain_w_1)
-        - t9 * chain_w_3_dot_by_chain_w_1;
+    let chain_w_3_dot_by_chain_w_1 = (c.t7 * chain_w_1 * t3).sub_product(t12, t36) * t13;
+    let chain_w_2_dot_by_chain_w_1 = (t36 * t10)
+        .sub_product(t12, chain_w_3_dot_by_chain_w_1);
+    let chain_w_1_dot_by_chain_w_1 = (-(t9 * chain_w_3_dot_by_chain_w_1))
+        .sub_product(t8, chain_w_2_dot_by_chain_w_1);
     let t37 = c.t5 * chain_w_2 * t0;
     let t38 = t8 * t37;
-    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_w_2 * t6 + t9 * t37 - t12 * t38)
-        * t13;
-    let chain_w_2_dot_by_chain_w_2 = t38 * t10 - t12 * chain_w_3_dot_by_chain_w_2;
-    let chain_w_1_dot_by_chain_w_2 = -(t37 * c.t4) - t8 * chain_w_2_dot_by_chain_w_2
-        - t9 * chain_w_3_dot_by_chain_w_2;
+    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_w_2 * t6)
+        .add_product(t9, t37)
+        .sub_product(t12, t38) * t13;
+    let chain_w_2_dot_by_chain_w_2 = (t38 * t10)
+        .sub_product(t12, chain_w_3_dot_by_chain_w_2);
+    let chain_w_1_dot_by_chain_w_2 = (-(t37 * c.t4))
+        .sub_product(t8, chain_w_2_dot_by_chain_w_2)
+        .sub_product(t9, chain_w_3_dot_by_chain_w_2);
     let t39 = c.t7 * chain_w_3 * t3;
-    let t40 = t8 * t39 - c.t8 * chain_w_3 * t6;
-    let chain_w_3_dot_by_chain_w_3 = (t9 * t39 - t12 * t40) * t13;
-    let chain_w_2_dot_by_chain_w_3 = t40 * t10 - t12 * chain_w_3_dot_by_chain_w_3;
-    let chain_w_1_dot_by_chain_w_3 = -(t39 * c.t4) - t8 * chain_w_2_dot_by_chain_w_3
-        - t9 * chain_w_3_dot_by_chain_w_3;
+    let t40 = (-(c.t8 * chain_w_3 * t6)).add_product(t8, t39);
+    let chain_w_3_dot_by_chain_w_3 = (t9 * t39).sub_product(t12, t40) * t13;
+    let chain_w_2_dot_by_chain_w_3 = (t40 * t10)
+        .sub_product(t12, chain_w_3_dot_by_chain_w_3);
+    let chain_w_1_dot_by_chain_w_3 = (-(t39 * c.t4))
+        .sub_product(t8, chain_w_2_dot_by_chain_w_3)
+        .sub_product(t9, chain_w_3_dot_by_chain_w_3);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -711,11 +788,13 @@ pub fn parameter_jacobian<R: Real>(
     let t3 = R::literal(1.0) / (t0 * chain_l_1_squared);
     let t4 = t1 * t3;
     let t5 = t2 * t3;
-    let t6 = R::literal(1.0) / (chain_m_2_plus_chain_m_3 * chain_l_2_squared - t4 * t1);
-    let t7 = chain_m_3_times_chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3
-        - t5 * t1;
+    let t6 = R::literal(1.0)
+        / (chain_m_2_plus_chain_m_3 * chain_l_2_squared).sub_product(t4, t1);
+    let t7 = (chain_m_3_times_chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3)
+        .sub_product(t5, t1);
     let t8 = t7 * t6;
-    let t9 = R::literal(1.0) / (p.chain_m_3 * chain_l_3_squared - t5 * t2 - t8 * t7);
+    let t9 = R::literal(1.0)
+        / (p.chain_m_3 * chain_l_3_squared).sub_product(t5, t2).sub_product(t8, t7);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
     let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
@@ -724,12 +803,18 @@ pub fn parameter_jacobian<R: Real>(
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t10 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t11 = p.chain_m_1 * p.chain_gravity * sin_chain_th_1
-        + p.chain_m_2 * p.chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2
-        + chain_m_2_times_chain_gravity * sin_chain_th_1
-        + chain_m_3_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2
-        + t10 * sin_chain_th_1_minus_chain_th_3
-        + chain_m_3_times_chain_gravity * sin_chain_th_1;
+    let t11 = (p.chain_m_1 * p.chain_gravity * sin_chain_th_1)
+        .add_product(
+            p.chain_m_2 * p.chain_l_2 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_th_2,
+        )
+        .add_product(chain_m_2_times_chain_gravity, sin_chain_th_1)
+        .add_product(
+            chain_m_3_times_chain_l_2 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_th_2,
+        )
+        .add_product(t10, sin_chain_th_1_minus_chain_th_3)
+        .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
     let t12 = p.chain_l_1 * t11;
     let t13 = chain_m_2_times_chain_gravity * sin_chain_th_2;
     let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
@@ -742,98 +827,153 @@ pub fn parameter_jacobian<R: Real>(
         * sin_chain_th_1_minus_chain_th_2;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t18 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3
-        + chain_l_2_times_chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
-        - p.chain_gravity * sin_chain_th_3;
-    let t19 = p.chain_l_2 * (t16 + t17 - t13 - t14 - t15) + t4 * t12;
-    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t18 + t5 * t12 - t8 * t19) * t9;
-    let chain_w_2_dot = t19 * t6 - t8 * chain_w_3_dot;
-    let chain_w_1_dot = -(t12 * t3) - t4 * chain_w_2_dot - t5 * chain_w_3_dot;
+    let t18 = (chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+        .add_product(chain_l_2_times_chain_w_2_squared, sin_chain_th_2_minus_chain_th_3)
+        .sub_product(p.chain_gravity, sin_chain_th_3);
+    let t19 = (p.chain_l_2 * (t16 + t17 - t13 - t14 - t15)).add_product(t4, t12);
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t18)
+        .add_product(t5, t12)
+        .sub_product(t8, t19) * t9;
+    let chain_w_2_dot = (t19 * t6).sub_product(t8, chain_w_3_dot);
+    let chain_w_1_dot = (-(t12 * t3))
+        .sub_product(t4, chain_w_2_dot)
+        .sub_product(t5, chain_w_3_dot);
     let t20 = chain_l_1_squared * chain_w_1_dot;
-    let t21 = -(p.chain_gravity * chain_x_1) - t20;
+    let t21 = (-t20).sub_product(p.chain_gravity, chain_x_1);
     let t22 = t4 * t21;
-    let chain_w_3_dot_by_chain_m_1 = (t8 * t22 - t5 * t21) * t9;
-    let chain_w_2_dot_by_chain_m_1 = -(t22 * t6) - t8 * chain_w_3_dot_by_chain_m_1;
-    let chain_w_1_dot_by_chain_m_1 = t21 * t3 - t4 * chain_w_2_dot_by_chain_m_1
-        - t5 * chain_w_3_dot_by_chain_m_1;
+    let chain_w_3_dot_by_chain_m_1 = (-(t5 * t21)).add_product(t8, t22) * t9;
+    let chain_w_2_dot_by_chain_m_1 = (-(t22 * t6))
+        .sub_product(t8, chain_w_3_dot_by_chain_m_1);
+    let chain_w_1_dot_by_chain_m_1 = (t21 * t3)
+        .sub_product(t4, chain_w_2_dot_by_chain_m_1)
+        .sub_product(t5, chain_w_3_dot_by_chain_m_1);
     let t23 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
     let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
     let t24 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
     let t25 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
     let t26 = t25 * chain_w_2_dot;
-    let t27 = -(p.chain_l_1 * (t23 + chain_gravity_times_sin_chain_th_1)) - t20 - t26;
+    let t27 = (-t20).sub_product(p.chain_l_1, t23 + chain_gravity_times_sin_chain_th_1)
+        - t26;
     let t28 = t25 * chain_w_1_dot;
     let t29 = chain_l_2_squared * chain_w_2_dot;
-    let t30 = p.chain_l_2 * (t24 - chain_gravity_times_sin_chain_th_2) - t28 - t29
-        - t4 * t27;
-    let chain_w_3_dot_by_chain_m_2 = (-(t5 * t27) - t8 * t30) * t9;
-    let chain_w_2_dot_by_chain_m_2 = t30 * t6 - t8 * chain_w_3_dot_by_chain_m_2;
-    let chain_w_1_dot_by_chain_m_2 = t27 * t3 - t4 * chain_w_2_dot_by_chain_m_2
-        - t5 * chain_w_3_dot_by_chain_m_2;
+    let t30 = ((-t28).add_product(p.chain_l_2, t24 - chain_gravity_times_sin_chain_th_2)
+        - t29)
+        .sub_product(t4, t27);
+    let chain_w_3_dot_by_chain_m_2 = (-(t5 * t27)).sub_product(t8, t30) * t9;
+    let chain_w_2_dot_by_chain_m_2 = (t30 * t6)
+        .sub_product(t8, chain_w_3_dot_by_chain_m_2);
+    let chain_w_1_dot_by_chain_m_2 = (t27 * t3)
+        .sub_product(t4, chain_w_2_dot_by_chain_m_2)
+        .sub_product(t5, chain_w_3_dot_by_chain_m_2);
     let chain_l_3_times_chain_w_3_squared = p.chain_l_3 * chain_w_3_squared;
     let t31 = p.chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t32 = -(p.chain_l_1
-        * (t23 + chain_l_3_times_chain_w_3_squared * sin_chain_th_1_minus_chain_th_3
-            + chain_gravity_times_sin_chain_th_1)) - t20 - t26 - t31 * chain_w_3_dot;
+    let t32 = ((-t20)
+        .sub_product(
+            p.chain_l_1,
+            t23
+                .add_product(
+                    chain_l_3_times_chain_w_3_squared,
+                    sin_chain_th_1_minus_chain_th_3,
+                ) + chain_gravity_times_sin_chain_th_1,
+        ) - t26)
+        .sub_product(t31, chain_w_3_dot);
     let t33 = p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t34 = p.chain_l_2
-        * (t24 - chain_l_3_times_chain_w_3_squared * sin_chain_th_2_minus_chain_th_3
-            - chain_gravity_times_sin_chain_th_2) - t28 - t29 - t33 * chain_w_3_dot
-        - t4 * t32;
-    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t18 - t31 * chain_w_1_dot
-        - t33 * chain_w_2_dot - chain_l_3_squared * chain_w_3_dot - t5 * t32 - t8 * t34)
-        * t9;
-    let chain_w_2_dot_by_chain_m_3 = t34 * t6 - t8 * chain_w_3_dot_by_chain_m_3;
-    let chain_w_1_dot_by_chain_m_3 = t32 * t3 - t4 * chain_w_2_dot_by_chain_m_3
-        - t5 * chain_w_3_dot_by_chain_m_3;
+    let t34 = ((-t28)
+        .add_product(
+            p.chain_l_2,
+            t24
+                .sub_product(
+                    chain_l_3_times_chain_w_3_squared,
+                    sin_chain_th_2_minus_chain_th_3,
+                ) - chain_gravity_times_sin_chain_th_2,
+        ) - t29)
+        .sub_product(t33, chain_w_3_dot)
+        .sub_product(t4, t32);
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t18)
+        .sub_product(t31, chain_w_1_dot)
+        .sub_product(t33, chain_w_2_dot)
+        .sub_product(chain_l_3_squared, chain_w_3_dot)
+        .sub_product(t5, t32)
+        .sub_product(t8, t34) * t9;
+    let chain_w_2_dot_by_chain_m_3 = (t34 * t6)
+        .sub_product(t8, chain_w_3_dot_by_chain_m_3);
+    let chain_w_1_dot_by_chain_m_3 = (t32 * t3)
+        .sub_product(t4, chain_w_2_dot_by_chain_m_3)
+        .sub_product(t5, chain_w_3_dot_by_chain_m_3);
     let t35 = p.chain_l_2 * chain_m_2_plus_chain_m_3;
     let t36 = t35 * cos_chain_th_1_minus_chain_th_2;
     let t37 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t38 = -t11 - R::literal(2.0) * p.chain_l_1 * t0 * chain_w_1_dot
-        - t36 * chain_w_2_dot - t37 * chain_w_3_dot;
-    let t39 = t35 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2
-        - t36 * chain_w_1_dot - t4 * t38;
+    let t38 = (-t11)
+        .sub_product(R::literal(2.0) * p.chain_l_1 * t0, chain_w_1_dot)
+        .sub_product(t36, chain_w_2_dot)
+        .sub_product(t37, chain_w_3_dot);
+    let t39 = (t35 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2)
+        .sub_product(t36, chain_w_1_dot)
+        .sub_product(t4, t38);
     let chain_w_3_dot_by_chain_l_1 = (chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3 - t37 * chain_w_1_dot - t5 * t38 - t8 * t39)
-        * t9;
-    let chain_w_2_dot_by_chain_l_1 = t39 * t6 - t8 * chain_w_3_dot_by_chain_l_1;
-    let chain_w_1_dot_by_chain_l_1 = t38 * t3 - t4 * chain_w_2_dot_by_chain_l_1
-        - t5 * chain_w_3_dot_by_chain_l_1;
+        * sin_chain_th_1_minus_chain_th_3)
+        .sub_product(t37, chain_w_1_dot)
+        .sub_product(t5, t38)
+        .sub_product(t8, t39) * t9;
+    let chain_w_2_dot_by_chain_l_1 = (t39 * t6)
+        .sub_product(t8, chain_w_3_dot_by_chain_l_1);
+    let chain_w_1_dot_by_chain_l_1 = (t38 * t3)
+        .sub_product(t4, chain_w_2_dot_by_chain_l_1)
+        .sub_product(t5, chain_w_3_dot_by_chain_l_1);
     let t40 = p.chain_l_1 * chain_m_2_plus_chain_m_3;
     let t41 = t40 * cos_chain_th_1_minus_chain_th_2;
-    let t42 = -(t40 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2)
-        - t41 * chain_w_2_dot;
+    let t42 = (-(t40 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2))
+        .sub_product(t41, chain_w_2_dot);
     let t43 = chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t44 = t17 - (t13 + t14 + t15 - t16) - t41 * chain_w_1_dot
-        - R::literal(2.0) * p.chain_l_2 * chain_m_2_plus_chain_m_3 * chain_w_2_dot
-        - t43 * chain_w_3_dot - t4 * t42;
+    let t44 = (t17 - (t13 + t14 + t15 - t16))
+        .sub_product(t41, chain_w_1_dot)
+        .sub_product(
+            R::literal(2.0) * p.chain_l_2 * chain_m_2_plus_chain_m_3,
+            chain_w_2_dot,
+        )
+        .sub_product(t43, chain_w_3_dot)
+        .sub_product(t4, t42);
     let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * chain_w_2_squared
-        * sin_chain_th_2_minus_chain_th_3 - t43 * chain_w_2_dot - t5 * t42 - t8 * t44)
-        * t9;
-    let chain_w_2_dot_by_chain_l_2 = t44 * t6 - t8 * chain_w_3_dot_by_chain_l_2;
-    let chain_w_1_dot_by_chain_l_2 = t42 * t3 - t4 * chain_w_2_dot_by_chain_l_2
-        - t5 * chain_w_3_dot_by_chain_l_2;
+        * sin_chain_th_2_minus_chain_th_3)
+        .sub_product(t43, chain_w_2_dot)
+        .sub_product(t5, t42)
+        .sub_product(t8, t44) * t9;
+    let chain_w_2_dot_by_chain_l_2 = (t44 * t6)
+        .sub_product(t8, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = (t42 * t3)
+        .sub_product(t4, chain_w_2_dot_by_chain_l_2)
+        .sub_product(t5, chain_w_3_dot_by_chain_l_2);
     let t45 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
-    let t46 = -(chain_m_3_times_chain_l_1 * chain_w_3_squared
-        * sin_chain_th_1_minus_chain_th_3) - t45 * chain_w_3_dot;
+    let t46 = (-(chain_m_3_times_chain_l_1 * chain_w_3_squared
+        * sin_chain_th_1_minus_chain_th_3))
+        .sub_product(t45, chain_w_3_dot);
     let t47 = chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
-    let t48 = -(chain_m_3_times_chain_l_2 * chain_w_3_squared
-        * sin_chain_th_2_minus_chain_th_3) - t47 * chain_w_3_dot - t4 * t46;
-    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t18 - t45 * chain_w_1_dot
-        - t47 * chain_w_2_dot
-        - R::literal(2.0) * p.chain_m_3 * p.chain_l_3 * chain_w_3_dot - t5 * t46
-        - t8 * t48) * t9;
-    let chain_w_2_dot_by_chain_l_3 = t48 * t6 - t8 * chain_w_3_dot_by_chain_l_3;
-    let chain_w_1_dot_by_chain_l_3 = t46 * t3 - t4 * chain_w_2_dot_by_chain_l_3
-        - t5 * chain_w_3_dot_by_chain_l_3;
+    let t48 = (-(chain_m_3_times_chain_l_2 * chain_w_3_squared
+        * sin_chain_th_2_minus_chain_th_3))
+        .sub_product(t47, chain_w_3_dot)
+        .sub_product(t4, t46);
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t18)
+        .sub_product(t45, chain_w_1_dot)
+        .sub_product(t47, chain_w_2_dot)
+        .sub_product(R::literal(2.0) * p.chain_m_3 * p.chain_l_3, chain_w_3_dot)
+        .sub_product(t5, t46)
+        .sub_product(t8, t48) * t9;
+    let chain_w_2_dot_by_chain_l_3 = (t48 * t6)
+        .sub_product(t8, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = (t46 * t3)
+        .sub_product(t4, chain_w_2_dot_by_chain_l_3)
+        .sub_product(t5, chain_w_3_dot_by_chain_l_3);
     let t49 = t0 * chain_x_1;
-    let t50 = t4 * t49 - t35 * sin_chain_th_2;
-    let chain_w_3_dot_by_chain_gravity = (t5 * t49
-        - chain_m_3_times_chain_l_3 * sin_chain_th_3 - t8 * t50) * t9;
-    let chain_w_2_dot_by_chain_gravity = t50 * t6 - t8 * chain_w_3_dot_by_chain_gravity;
-    let chain_w_1_dot_by_chain_gravity = -(t49 * t3)
-        - t4 * chain_w_2_dot_by_chain_gravity - t5 * chain_w_3_dot_by_chain_gravity;
+    let t50 = (-(t35 * sin_chain_th_2)).add_product(t4, t49);
+    let chain_w_3_dot_by_chain_gravity = (-(chain_m_3_times_chain_l_3 * sin_chain_th_3))
+        .add_product(t5, t49)
+        .sub_product(t8, t50) * t9;
+    let chain_w_2_dot_by_chain_gravity = (t50 * t6)
+        .sub_product(t8, chain_w_3_dot_by_chain_gravity);
+    let chain_w_1_dot_by_chain_gravity = (-(t49 * t3))
+        .sub_product(t4, chain_w_2_dot_by_chain_gravity)
+        .sub_product(t5, chain_w_3_dot_by_chain_gravity);
     [
         chain_w_1_dot_by_chain_m_1,
         chain_w_1_dot_by_chain_m_2,
@@ -886,10 +1026,10 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
     let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
     let chain_y_1 = -(p.chain_l_1 * chain_th_1.cos());
-    let chain_x_2 = chain_x_1 + p.chain_l_2 * chain_th_2.sin();
-    let chain_y_2 = chain_y_1 - p.chain_l_2 * chain_th_2.cos();
-    let chain_x_3 = chain_x_2 + p.chain_l_3 * chain_th_3.sin();
-    let chain_y_3 = chain_y_2 - p.chain_l_3 * chain_th_3.cos();
+    let chain_x_2 = chain_x_1.add_product(p.chain_l_2, chain_th_2.sin());
+    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, chain_th_2.cos());
+    let chain_x_3 = chain_x_2.add_product(p.chain_l_3, chain_th_3.sin());
+    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, chain_th_3.cos());
     Outputs {
         end_x: chain_x_3,
         end_y: chain_y_3,
@@ -908,25 +1048,30 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
     let chain_vy_1 = chain_w_1 * chain_x_1;
     let cos_chain_th_2 = chain_th_2.cos();
-    let chain_y_2 = chain_y_1 - p.chain_l_2 * cos_chain_th_2;
+    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_th_2);
     let chain_l_2_times_chain_w_2 = p.chain_l_2 * chain_w_2;
-    let chain_vx_2 = chain_vx_1 + chain_l_2_times_chain_w_2 * cos_chain_th_2;
-    let chain_vy_2 = chain_vy_1 + chain_l_2_times_chain_w_2 * chain_th_2.sin();
+    let chain_vx_2 = chain_vx_1.add_product(chain_l_2_times_chain_w_2, cos_chain_th_2);
+    let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_w_2, chain_th_2.sin());
     let cos_chain_th_3 = chain_th_3.cos();
-    let chain_y_3 = chain_y_2 - p.chain_l_3 * cos_chain_th_3;
+    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_th_3);
     let chain_l_3_times_chain_w_3 = p.chain_l_3 * chain_w_3;
-    let chain_vx_3 = chain_vx_2 + chain_l_3_times_chain_w_3 * cos_chain_th_3;
-    let chain_vy_3 = chain_vy_2 + chain_l_3_times_chain_w_3 * chain_th_3.sin();
+    let chain_vx_3 = chain_vx_2.add_product(chain_l_3_times_chain_w_3, cos_chain_th_3);
+    let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_w_3, chain_th_3.sin());
     Energy {
-        kinetic: R::literal(0.5) * p.chain_m_1
-            * (chain_vx_1 * chain_vx_1 + chain_vy_1 * chain_vy_1)
-            + R::literal(0.5) * p.chain_m_2
-                * (chain_vx_2 * chain_vx_2 + chain_vy_2 * chain_vy_2)
-            + R::literal(0.5) * p.chain_m_3
-                * (chain_vx_3 * chain_vx_3 + chain_vy_3 * chain_vy_3),
+        kinetic: (R::literal(0.5) * p.chain_m_1
+            * (chain_vx_1 * chain_vx_1).add_product(chain_vy_1, chain_vy_1))
+            .add_product(
+                R::literal(0.5) * p.chain_m_2,
+                (chain_vx_2 * chain_vx_2).add_product(chain_vy_2, chain_vy_2),
+            )
+            .add_product(
+                R::literal(0.5) * p.chain_m_3,
+                (chain_vx_3 * chain_vx_3).add_product(chain_vy_3, chain_vy_3),
+            ),
         potential: p.chain_gravity
-            * (p.chain_m_2 * chain_y_2 - p.chain_m_1 * chain_l_1_times_cos_chain_th_1
-                + p.chain_m_3 * chain_y_3),
+            * (-(p.chain_m_1 * chain_l_1_times_cos_chain_th_1))
+                .add_product(p.chain_m_2, chain_y_2)
+                .add_product(p.chain_m_3, chain_y_3),
         stored: R::literal(0.0),
     }
 }
@@ -949,13 +1094,13 @@ pub fn power_balance<R: Real>(
     let sin_chain_th_2 = chain_th_2.sin();
     let cos_chain_th_2 = chain_th_2.cos();
     let chain_l_2_times_chain_w_2 = p.chain_l_2 * chain_w_2;
-    let chain_vx_2 = chain_vx_1 + chain_l_2_times_chain_w_2 * cos_chain_th_2;
-    let chain_vy_2 = chain_vy_1 + chain_l_2_times_chain_w_2 * sin_chain_th_2;
+    let chain_vx_2 = chain_vx_1.add_product(chain_l_2_times_chain_w_2, cos_chain_th_2);
+    let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_w_2, sin_chain_th_2);
     let sin_chain_th_3 = chain_th_3.sin();
     let cos_chain_th_3 = chain_th_3.cos();
     let chain_l_3_times_chain_w_3 = p.chain_l_3 * chain_w_3;
-    let chain_vx_3 = chain_vx_2 + chain_l_3_times_chain_w_3 * cos_chain_th_3;
-    let chain_vy_3 = chain_vy_2 + chain_l_3_times_chain_w_3 * sin_chain_th_3;
+    let chain_vx_3 = chain_vx_2.add_product(chain_l_3_times_chain_w_3, cos_chain_th_3);
+    let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_w_3, sin_chain_th_3);
     let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
     let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
     let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3
@@ -970,9 +1115,10 @@ pub fn power_balance<R: Real>(
     let t3 = t0 * t2;
     let t4 = t1 * t2;
     let t5 = R::literal(1.0)
-        / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2) - t3 * t0);
-    let t6 = chain_m_3_times_chain_l_2 * p.chain_l_3 * chain_th_2_minus_chain_th_3.cos()
-        - t4 * t0;
+        / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2)).sub_product(t3, t0);
+    let t6 = (chain_m_3_times_chain_l_2 * p.chain_l_3
+        * chain_th_2_minus_chain_th_3.cos())
+        .sub_product(t4, t0);
     let t7 = t6 * t5;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
     let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
@@ -983,67 +1129,119 @@ pub fn power_balance<R: Real>(
     let t8 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
     let t9 = p.chain_l_1
-        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1
-            + chain_m_2_times_chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2
-            + chain_m_2_times_chain_gravity * sin_chain_th_1
-            + chain_m_3_times_chain_l_2 * chain_w_2_squared
-                * sin_chain_th_1_minus_chain_th_2 + t8 * sin_chain_th_1_minus_chain_th_3
-            + chain_m_3_times_chain_gravity * sin_chain_th_1);
+        * (p.chain_m_1 * p.chain_gravity * sin_chain_th_1)
+            .add_product(
+                chain_m_2_times_chain_l_2 * chain_w_2_squared,
+                sin_chain_th_1_minus_chain_th_2,
+            )
+            .add_product(chain_m_2_times_chain_gravity, sin_chain_th_1)
+            .add_product(
+                chain_m_3_times_chain_l_2 * chain_w_2_squared,
+                sin_chain_th_1_minus_chain_th_2,
+            )
+            .add_product(t8, sin_chain_th_1_minus_chain_th_3)
+            .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
     let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t10 = p.chain_l_2
+    let t10 = (p.chain_l_2
         * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-            * sin_chain_th_1_minus_chain_th_2
-            + chain_m_3_times_chain_l_1 * chain_w_1_squared
-                * sin_chain_th_1_minus_chain_th_2
-            - chain_m_2_times_chain_gravity * sin_chain_th_2
-            - t8 * sin_chain_th_2_minus_chain_th_3
-            - chain_m_3_times_chain_gravity * sin_chain_th_2) + t3 * t9;
+            * sin_chain_th_1_minus_chain_th_2)
+            .add_product(
+                chain_m_3_times_chain_l_1 * chain_w_1_squared,
+                sin_chain_th_1_minus_chain_th_2,
+            )
+            .sub_product(chain_m_2_times_chain_gravity, sin_chain_th_2)
+            .sub_product(t8, sin_chain_th_2_minus_chain_th_3)
+            .sub_product(chain_m_3_times_chain_gravity, sin_chain_th_2))
+        .add_product(t3, t9);
     let chain_w_3_dot = (chain_m_3_times_chain_l_3
-        * (p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3
-            + p.chain_l_2 * chain_w_2_squared * sin_chain_th_2_minus_chain_th_3
-            - p.chain_gravity * sin_chain_th_3) + t4 * t9 - t7 * t10)
+        * (p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+            .add_product(
+                p.chain_l_2 * chain_w_2_squared,
+                sin_chain_th_2_minus_chain_th_3,
+            )
+            .sub_product(p.chain_gravity, sin_chain_th_3))
+        .add_product(t4, t9)
+        .sub_product(t7, t10)
         * (R::literal(1.0)
-            / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3) - t4 * t1 - t7 * t6));
-    let chain_w_2_dot = t10 * t5 - t7 * chain_w_3_dot;
-    let chain_w_1_dot = -(t9 * t2) - t3 * chain_w_2_dot - t4 * chain_w_3_dot;
+            / (p.chain_m_3 * (p.chain_l_3 * p.chain_l_3))
+                .sub_product(t4, t1)
+                .sub_product(t7, t6));
+    let chain_w_2_dot = (t10 * t5).sub_product(t7, chain_w_3_dot);
+    let chain_w_1_dot = (-(t9 * t2))
+        .sub_product(t3, chain_w_2_dot)
+        .sub_product(t4, chain_w_3_dot);
     let t11 = R::literal(2.0) * p.chain_l_2;
     let t12 = R::literal(0.5) * p.chain_m_2;
     let t13 = R::literal(0.5) * p.chain_m_3;
     let t14 = R::literal(2.0) * chain_vx_1;
     let t15 = t11 * chain_w_2;
     let t16 = (t12
-        * (t15 * chain_vy_2 * cos_chain_th_2 - t15 * chain_vx_2 * sin_chain_th_2)
-        + t13 * (t15 * chain_vy_3 * cos_chain_th_2 - t15 * chain_vx_3 * sin_chain_th_2)
-        + p.chain_gravity
-            * (chain_m_2_times_chain_l_2 * sin_chain_th_2
-                + chain_m_3_times_chain_l_2 * sin_chain_th_2)) * chain_w_2;
-    let t17 = (t12 * (t14 * chain_vy_2 - R::literal(2.0) * chain_vx_2 * chain_vy_1)
-        + t13 * (t14 * chain_vy_3 - R::literal(2.0) * chain_vx_3 * chain_vy_1)
-        + p.chain_gravity
-            * (p.chain_m_1 * chain_x_1 + p.chain_m_2 * chain_x_1
-                + p.chain_m_3 * chain_x_1)) * chain_w_1 + t16;
-    let t18 = R::literal(2.0) * p.chain_l_3;
-    let t19 = t18 * chain_w_3;
+        * (t15 * chain_vy_2 * cos_chain_th_2)
+            .sub_product(t15 * chain_vx_2, sin_chain_th_2))
+        .add_product(
+            t13,
+            (t15 * chain_vy_3 * cos_chain_th_2)
+                .sub_product(t15 * chain_vx_3, sin_chain_th_2),
+        )
+        .add_product(
+            p.chain_gravity,
+            (chain_m_2_times_chain_l_2 * sin_chain_th_2)
+                .add_product(chain_m_3_times_chain_l_2, sin_chain_th_2),
+        );
+    let t17 = R::literal(2.0) * p.chain_l_3;
+    let t18 = t17 * chain_w_3;
+    let t19 = ((t12
+        * (t14 * chain_vy_2).sub_product(R::literal(2.0) * chain_vx_2, chain_vy_1))
+        .add_product(
+            t13,
+            (t14 * chain_vy_3).sub_product(R::literal(2.0) * chain_vx_3, chain_vy_1),
+        )
+        .add_product(
+            p.chain_gravity,
+            (p.chain_m_1 * chain_x_1)
+                .add_product(p.chain_m_2, chain_x_1)
+                .add_product(p.chain_m_3, chain_x_1),
+        ) * chain_w_1)
+        .add_product(t16, chain_w_2)
+        .add_product(
+            (chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_th_3)
+                .add_product(
+                    t13,
+                    (t18 * chain_vy_3 * cos_chain_th_3)
+                        .sub_product(t18 * chain_vx_3, sin_chain_th_3),
+                ),
+            chain_w_3,
+        );
     let t20 = R::literal(2.0) * chain_l_1_times_cos_chain_th_1;
     let t21 = R::literal(2.0) * chain_x_1;
-    let t22 = (R::literal(0.5) * p.chain_m_1 * (t21 * chain_vy_1 + t20 * chain_vx_1)
-        + t12 * (t21 * chain_vy_2 + t20 * chain_vx_2)
-        + t13 * (t21 * chain_vy_3 + t20 * chain_vx_3)) * chain_w_1_dot;
-    let t23 = (t12
-        * (t11 * chain_vx_2 * cos_chain_th_2 + t11 * chain_vy_2 * sin_chain_th_2)
-        + t13 * (t11 * chain_vx_3 * cos_chain_th_2 + t11 * chain_vy_3 * sin_chain_th_2))
-        * chain_w_2_dot;
+    let t22 = t19
+        .add_product(
+            (R::literal(0.5) * p.chain_m_1
+                * (t21 * chain_vy_1).add_product(t20, chain_vx_1))
+                .add_product(t12, (t21 * chain_vy_2).add_product(t20, chain_vx_2))
+                .add_product(t13, (t21 * chain_vy_3).add_product(t20, chain_vx_3)),
+            chain_w_1_dot,
+        )
+        .add_product(
+            (t12
+                * (t11 * chain_vx_2 * cos_chain_th_2)
+                    .add_product(t11 * chain_vy_2, sin_chain_th_2))
+                .add_product(
+                    t13,
+                    (t11 * chain_vx_3 * cos_chain_th_2)
+                        .add_product(t11 * chain_vy_3, sin_chain_th_2),
+                ),
+            chain_w_2_dot,
+        );
     PowerBalance {
-        stored_rate: t17
-            + (t13
-                * (t19 * chain_vy_3 * cos_chain_th_3 - t19 * chain_vx_3 * sin_chain_th_3)
-                + chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_th_3)
-                * chain_w_3 + t22 + t23
-            + t13
-                * (t18 * chain_vx_3 * cos_chain_th_3 + t18 * chain_vy_3 * sin_chain_th_3)
-                * chain_w_3_dot,
+        stored_rate: t22
+            .add_product(
+                t13
+                    * (t17 * chain_vx_3 * cos_chain_th_3)
+                        .add_product(t17 * chain_vy_3, sin_chain_th_3),
+                chain_w_3_dot,
+            ),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }

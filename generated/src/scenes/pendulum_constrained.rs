@@ -537,13 +537,13 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     let l_1_times_sin_th_1 = p.l_1 * p.th_1.sin();
-    let t0 = l_1_times_sin_th_1 + p.l_2 * p.th_2.sin();
+    let t0 = l_1_times_sin_th_1.add_product(p.l_2, p.th_2.sin());
     [
         l_1_times_sin_th_1,
         R::literal(-0.5),
         t0,
         R::literal(-1.0),
-        t0 + p.l_3 * p.th_3.sin(),
+        t0.add_product(p.l_3, p.th_3.sin()),
         R::literal(-1.1),
         R::literal(0.0),
         R::literal(0.0),
@@ -605,41 +605,59 @@ pub fn prepared_rate<R: Real>(
     let t16 = t6 * c.inverse_third_mass;
     let t17 = t7 * c.inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
-    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+        / (-(t8 * inverse_l_1_times_first_x))
+            .sub_product(t10, inverse_l_1_times_first_y);
+    let t19 = (-(t9 * inverse_l_1_times_first_x))
+        .sub_product(t11, inverse_l_1_times_first_y);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
-    let t22 = -(t13 * t2) - t15 * t4;
+        / (-(t9 * t0))
+            .sub_product(t11, t1)
+            .sub_product(t12, t2)
+            .sub_product(t14, t4)
+            .sub_product(t20, t19);
+    let t22 = (-(t13 * t2)).sub_product(t15, t4);
     let t23 = t22 * t21;
     let first_v_x_squared = first_v_x * first_v_x;
     let first_v_y_squared = first_v_y * first_v_y;
     let second_v_x_squared = second_v_x * second_v_x;
     let second_v_y_squared = second_v_y * second_v_y;
-    let t24 = t10 * c.first_mass_times_first_gravity
-        - c.inverse_l_1 * (first_v_x_squared + first_v_y_squared);
-    let t25 = c.inverse_l_2
-        * (R::literal(2.0) * first_v_x * second_v_x
-            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
-            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
-        + t11 * c.first_mass_times_first_gravity
-        + t14 * c.second_mass_times_second_gravity - t20 * t24;
-    let t26 = c.inverse_l_3
-        * (R::literal(2.0) * second_v_x * third_v_x
-            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
-            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
-        + t15 * c.second_mass_times_second_gravity
-        + t17 * c.third_mass_times_third_gravity - t23 * t25;
-    let t27 = t26
-        * (R::literal(1.0) / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22));
-    let t28 = t25 * t21 - t23 * t27;
-    let t29 = t24 * t18 - t20 * t28;
-    let third_v_y_dot = c.t2 - t17 * t27;
-    let third_v_x_dot = -(t16 * t27);
-    let second_v_y_dot = c.t1 - t14 * t28 - t15 * t27;
-    let second_v_x_dot = -(t12 * t28) - t13 * t27;
-    let first_v_y_dot = c.t0 - t10 * t29 - t11 * t28;
-    let first_v_x_dot = -(t8 * t29) - t9 * t28;
+    let t24 = (t10 * c.first_mass_times_first_gravity)
+        .sub_product(c.inverse_l_1, first_v_x_squared + first_v_y_squared);
+    let t25 = (t11 * c.first_mass_times_first_gravity)
+        .add_product(
+            c.inverse_l_2,
+            (R::literal(2.0) * first_v_x * second_v_x)
+                .add_product(R::literal(2.0) * first_v_y, second_v_y) - first_v_x_squared
+                - first_v_y_squared - second_v_x_squared - second_v_y_squared,
+        )
+        .add_product(t14, c.second_mass_times_second_gravity)
+        .sub_product(t20, t24);
+    let t26 = (t15 * c.second_mass_times_second_gravity)
+        .add_product(
+            c.inverse_l_3,
+            ((R::literal(2.0) * second_v_x * third_v_x)
+                .add_product(R::literal(2.0) * second_v_y, third_v_y)
+                - second_v_x_squared - second_v_y_squared)
+                .sub_product(third_v_x, third_v_x)
+                .sub_product(third_v_y, third_v_y),
+        )
+        .add_product(t17, c.third_mass_times_third_gravity)
+        .sub_product(t23, t25)
+        * (R::literal(1.0)
+            / (-(t13 * t3))
+                .sub_product(t15, t5)
+                .sub_product(t16, t6)
+                .sub_product(t17, t7)
+                .sub_product(t23, t22));
+    let t27 = (t25 * t21).sub_product(t23, t26);
+    let t28 = (t24 * t18).sub_product(t20, t27);
+    let third_v_y_dot = c.t2.sub_product(t17, t26);
+    let third_v_x_dot = -(t16 * t26);
+    let second_v_y_dot = c.t1.sub_product(t14, t27).sub_product(t15, t26);
+    let second_v_x_dot = (-(t13 * t26)).sub_product(t12, t27);
+    let first_v_y_dot = c.t0.sub_product(t10, t28).sub_product(t11, t27);
+    let first_v_x_dot = (-(t9 * t27)).sub_product(t8, t28);
     [
         first_v_x,
         first_v_y,
@@ -743,195 +761,223 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t16 = t6 * c.inverse_third_mass;
     let t17 = t7 * c.inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
-    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+        / (-(t8 * inverse_l_1_times_first_x))
+            .sub_product(t10, inverse_l_1_times_first_y);
+    let t19 = (-(t9 * inverse_l_1_times_first_x))
+        .sub_product(t11, inverse_l_1_times_first_y);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
-    let t22 = -(t13 * t2) - t15 * t4;
+        / (-(t9 * t0))
+            .sub_product(t11, t1)
+            .sub_product(t12, t2)
+            .sub_product(t14, t4)
+            .sub_product(t20, t19);
+    let t22 = (-(t13 * t2)).sub_product(t15, t4);
     let t23 = t22 * t21;
     let t24 = R::literal(1.0)
-        / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22);
+        / (-(t13 * t3))
+            .sub_product(t15, t5)
+            .sub_product(t16, t6)
+            .sub_product(t17, t7)
+            .sub_product(t23, t22);
     let first_v_x_squared = first_v_x * first_v_x;
     let first_v_y_squared = first_v_y * first_v_y;
     let second_v_x_squared = second_v_x * second_v_x;
     let second_v_y_squared = second_v_y * second_v_y;
-    let t25 = t10 * c.first_mass_times_first_gravity
-        - c.inverse_l_1 * (first_v_x_squared + first_v_y_squared);
-    let t26 = c.inverse_l_2
-        * (R::literal(2.0) * first_v_x * second_v_x
-            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
-            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
-        + t11 * c.first_mass_times_first_gravity
-        + t14 * c.second_mass_times_second_gravity - t20 * t25;
-    let t27 = (c.inverse_l_3
-        * (R::literal(2.0) * second_v_x * third_v_x
-            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
-            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
-        + t15 * c.second_mass_times_second_gravity
-        + t17 * c.third_mass_times_third_gravity - t23 * t26) * t24;
-    let t28 = t26 * t21 - t23 * t27;
-    let t29 = t25 * t18 - t20 * t28;
-    let third_v_y_dot = c.t2 - t17 * t27;
-    let second_v_y_dot = c.t1 - t14 * t28 - t15 * t27;
-    let second_v_x_dot = -(t12 * t28) - t13 * t27;
-    let first_v_y_dot = c.t0 - t10 * t29 - t11 * t28;
-    let first_v_x_dot = -(t8 * t29) - t9 * t28;
+    let t25 = (t10 * c.first_mass_times_first_gravity)
+        .sub_product(c.inverse_l_1, first_v_x_squared + first_v_y_squared);
+    let t26 = (t11 * c.first_mass_times_first_gravity)
+        .add_product(
+            c.inverse_l_2,
+            (R::literal(2.0) * first_v_x * second_v_x)
+                .add_product(R::literal(2.0) * first_v_y, second_v_y) - first_v_x_squared
+                - first_v_y_squared - second_v_x_squared - second_v_y_squared,
+        )
+        .add_product(t14, c.second_mass_times_second_gravity)
+        .sub_product(t20, t25);
+    let t27 = (t15 * c.second_mass_times_second_gravity)
+        .add_product(
+            c.inverse_l_3,
+            ((R::literal(2.0) * second_v_x * third_v_x)
+                .add_product(R::literal(2.0) * second_v_y, third_v_y)
+                - second_v_x_squared - second_v_y_squared)
+                .sub_product(third_v_x, third_v_x)
+                .sub_product(third_v_y, third_v_y),
+        )
+        .add_product(t17, c.third_mass_times_third_gravity)
+        .sub_product(t23, t26) * t24;
+    let t28 = (t26 * t21).sub_product(t23, t27);
+    let t29 = (t25 * t18).sub_product(t20, t28);
+    let third_v_y_dot = c.t2.sub_product(t17, t27);
+    let second_v_y_dot = c.t1.sub_product(t14, t28).sub_product(t15, t27);
+    let second_v_x_dot = (-(t13 * t27)).sub_product(t12, t28);
+    let first_v_y_dot = c.t0.sub_product(t10, t29).sub_product(t11, t28);
+    let first_v_x_dot = (-(t9 * t28)).sub_product(t8, t29);
     let t30 = c.inverse_l_2 * t28;
-    let t31 = -(c.inverse_l_1 * t29) - t30;
+    let t31 = (-t30).sub_product(c.inverse_l_1, t29);
     let inverse_l_2_times_first_v_x_dot = c.inverse_l_2 * first_v_x_dot;
     let inverse_l_2_times_second_v_x_dot = c.inverse_l_2 * second_v_x_dot;
-    let t32 = -(c.inverse_l_1 * first_v_x_dot) - t8 * t31;
-    let t33 = inverse_l_2_times_second_v_x_dot - inverse_l_2_times_first_v_x_dot
-        - t9 * t31 - t12 * t30 - t20 * t32;
+    let t32 = (-(c.inverse_l_1 * first_v_x_dot)).sub_product(t8, t31);
+    let t33 = (inverse_l_2_times_second_v_x_dot - inverse_l_2_times_first_v_x_dot)
+        .sub_product(t9, t31)
+        .sub_product(t12, t30)
+        .sub_product(t20, t32);
     let t34 = t31 * c.inverse_first_mass;
     let t35 = t30 * c.inverse_second_mass;
-    let t36 = (-(t13 * t30) - t23 * t33) * t24;
-    let t37 = t33 * t21 - t23 * t36;
-    let t38 = t32 * t18 - t20 * t37;
+    let t36 = (-(t13 * t30)).sub_product(t23, t33) * t24;
+    let t37 = (t33 * t21).sub_product(t23, t36);
+    let t38 = (t32 * t18).sub_product(t20, t37);
     let third_v_y_dot_by_first_x = -(t17 * t36);
     let third_v_x_dot_by_first_x = -(t16 * t36);
-    let second_v_y_dot_by_first_x = -(t14 * t37) - t15 * t36;
-    let second_v_x_dot_by_first_x = t35 - t12 * t37 - t13 * t36;
-    let first_v_y_dot_by_first_x = -(t10 * t38) - t11 * t37;
-    let first_v_x_dot_by_first_x = t34 - t8 * t38 - t9 * t37;
+    let second_v_y_dot_by_first_x = (-(t15 * t36)).sub_product(t14, t37);
+    let second_v_x_dot_by_first_x = t35.sub_product(t12, t37).sub_product(t13, t36);
+    let first_v_y_dot_by_first_x = (-(t11 * t37)).sub_product(t10, t38);
+    let first_v_x_dot_by_first_x = t34.sub_product(t8, t38).sub_product(t9, t37);
     let inverse_l_2_times_first_v_y_dot = c.inverse_l_2 * first_v_y_dot;
     let inverse_l_2_times_second_v_y_dot = c.inverse_l_2 * second_v_y_dot;
-    let t39 = -(c.inverse_l_1 * first_v_y_dot) - t10 * t31;
-    let t40 = inverse_l_2_times_second_v_y_dot - inverse_l_2_times_first_v_y_dot
-        - t11 * t31 - t14 * t30 - t20 * t39;
-    let t41 = (-(t15 * t30) - t23 * t40) * t24;
-    let t42 = t40 * t21 - t23 * t41;
-    let t43 = t39 * t18 - t20 * t42;
+    let t39 = (-(t10 * t31)).sub_product(c.inverse_l_1, first_v_y_dot);
+    let t40 = (inverse_l_2_times_second_v_y_dot - inverse_l_2_times_first_v_y_dot)
+        .sub_product(t11, t31)
+        .sub_product(t14, t30)
+        .sub_product(t20, t39);
+    let t41 = (-(t15 * t30)).sub_product(t23, t40) * t24;
+    let t42 = (t40 * t21).sub_product(t23, t41);
+    let t43 = (t39 * t18).sub_product(t20, t42);
     let third_v_y_dot_by_first_y = -(t17 * t41);
     let third_v_x_dot_by_first_y = -(t16 * t41);
-    let second_v_y_dot_by_first_y = t35 - t14 * t42 - t15 * t41;
-    let second_v_x_dot_by_first_y = -(t12 * t42) - t13 * t41;
-    let first_v_y_dot_by_first_y = t34 - t10 * t43 - t11 * t42;
-    let first_v_x_dot_by_first_y = -(t8 * t43) - t9 * t42;
+    let second_v_y_dot_by_first_y = t35.sub_product(t14, t42).sub_product(t15, t41);
+    let second_v_x_dot_by_first_y = (-(t13 * t41)).sub_product(t12, t42);
+    let first_v_y_dot_by_first_y = t34.sub_product(t10, t43).sub_product(t11, t42);
+    let first_v_x_dot_by_first_y = (-(t9 * t42)).sub_product(t8, t43);
     let t44 = c.inverse_l_3 * t27;
     let t45 = -t30 - t44;
     let inverse_l_3_times_second_v_x_dot = c.inverse_l_3 * second_v_x_dot;
     let t46 = c.inverse_l_3 * (t16 * t27);
     let t47 = t8 * t30;
-    let t48 = inverse_l_2_times_first_v_x_dot - inverse_l_2_times_second_v_x_dot
-        - t9 * t30 - t12 * t45 + t20 * t47;
+    let t48 = (inverse_l_2_times_first_v_x_dot - inverse_l_2_times_second_v_x_dot)
+        .sub_product(t9, t30)
+        .sub_product(t12, t45)
+        .add_product(t20, t47);
     let t49 = t16 * t44;
     let t50 = t30 * c.inverse_first_mass;
     let t51 = t45 * c.inverse_second_mass;
     let t52 = t44 * c.inverse_third_mass;
-    let t53 = (-inverse_l_3_times_second_v_x_dot - t46 - t13 * t45 - t49 - t23 * t48)
-        * t24;
-    let t54 = t48 * t21 - t23 * t53;
-    let t55 = -(t47 * t18) - t20 * t54;
+    let t53 = ((-inverse_l_3_times_second_v_x_dot - t46).sub_product(t13, t45) - t49)
+        .sub_product(t23, t48) * t24;
+    let t54 = (t48 * t21).sub_product(t23, t53);
+    let t55 = (-(t47 * t18)).sub_product(t20, t54);
     let third_v_y_dot_by_second_x = -(t17 * t53);
-    let third_v_x_dot_by_second_x = t52 - t16 * t53;
-    let second_v_y_dot_by_second_x = -(t14 * t54) - t15 * t53;
-    let second_v_x_dot_by_second_x = t51 - t12 * t54 - t13 * t53;
-    let first_v_y_dot_by_second_x = -(t10 * t55) - t11 * t54;
-    let first_v_x_dot_by_second_x = t50 - t8 * t55 - t9 * t54;
+    let third_v_x_dot_by_second_x = t52.sub_product(t16, t53);
+    let second_v_y_dot_by_second_x = (-(t15 * t53)).sub_product(t14, t54);
+    let second_v_x_dot_by_second_x = t51.sub_product(t12, t54).sub_product(t13, t53);
+    let first_v_y_dot_by_second_x = (-(t11 * t54)).sub_product(t10, t55);
+    let first_v_x_dot_by_second_x = t50.sub_product(t8, t55).sub_product(t9, t54);
     let inverse_l_3_times_second_v_y_dot = c.inverse_l_3 * second_v_y_dot;
     let inverse_l_3_times_third_v_y_dot = c.inverse_l_3 * third_v_y_dot;
     let t56 = t10 * t30;
-    let t57 = inverse_l_2_times_first_v_y_dot - inverse_l_2_times_second_v_y_dot
-        - t11 * t30 - t14 * t45 + t20 * t56;
+    let t57 = (inverse_l_2_times_first_v_y_dot - inverse_l_2_times_second_v_y_dot)
+        .sub_product(t11, t30)
+        .sub_product(t14, t45)
+        .add_product(t20, t56);
     let t58 = t17 * t44;
-    let t59 = (inverse_l_3_times_third_v_y_dot - inverse_l_3_times_second_v_y_dot
-        - t15 * t45 - t58 - t23 * t57) * t24;
-    let t60 = t57 * t21 - t23 * t59;
-    let t61 = -(t56 * t18) - t20 * t60;
-    let third_v_y_dot_by_second_y = t52 - t17 * t59;
+    let t59 = ((inverse_l_3_times_third_v_y_dot - inverse_l_3_times_second_v_y_dot)
+        .sub_product(t15, t45) - t58)
+        .sub_product(t23, t57) * t24;
+    let t60 = (t57 * t21).sub_product(t23, t59);
+    let t61 = (-(t56 * t18)).sub_product(t20, t60);
+    let third_v_y_dot_by_second_y = t52.sub_product(t17, t59);
     let third_v_x_dot_by_second_y = -(t16 * t59);
-    let second_v_y_dot_by_second_y = t51 - t14 * t60 - t15 * t59;
-    let second_v_x_dot_by_second_y = -(t12 * t60) - t13 * t59;
-    let first_v_y_dot_by_second_y = t50 - t10 * t61 - t11 * t60;
-    let first_v_x_dot_by_second_y = -(t8 * t61) - t9 * t60;
+    let second_v_y_dot_by_second_y = t51.sub_product(t14, t60).sub_product(t15, t59);
+    let second_v_x_dot_by_second_y = (-(t13 * t59)).sub_product(t12, t60);
+    let first_v_y_dot_by_second_y = t50.sub_product(t10, t61).sub_product(t11, t60);
+    let first_v_x_dot_by_second_y = (-(t9 * t60)).sub_product(t8, t61);
     let t62 = t12 * t44;
     let t63 = t44 * c.inverse_second_mass;
     let t64 = -t52;
-    let t65 = (inverse_l_3_times_second_v_x_dot + t46 - t13 * t44 + t49 + t23 * t62)
-        * t24;
-    let t66 = -(t62 * t21) - t23 * t65;
+    let t65 = ((inverse_l_3_times_second_v_x_dot + t46).sub_product(t13, t44) + t49)
+        .add_product(t23, t62) * t24;
+    let t66 = (-(t62 * t21)).sub_product(t23, t65);
     let t67 = t20 * t66;
     let third_v_y_dot_by_third_x = -(t17 * t65);
-    let third_v_x_dot_by_third_x = t64 - t16 * t65;
-    let second_v_y_dot_by_third_x = -(t14 * t66) - t15 * t65;
-    let second_v_x_dot_by_third_x = t63 - t12 * t66 - t13 * t65;
-    let first_v_y_dot_by_third_x = t10 * t67 - t11 * t66;
-    let first_v_x_dot_by_third_x = t8 * t67 - t9 * t66;
+    let third_v_x_dot_by_third_x = t64.sub_product(t16, t65);
+    let second_v_y_dot_by_third_x = (-(t15 * t65)).sub_product(t14, t66);
+    let second_v_x_dot_by_third_x = t63.sub_product(t12, t66).sub_product(t13, t65);
+    let first_v_y_dot_by_third_x = (-(t11 * t66)).add_product(t10, t67);
+    let first_v_x_dot_by_third_x = (-(t9 * t66)).add_product(t8, t67);
     let t68 = t14 * t44;
-    let t69 = (inverse_l_3_times_second_v_y_dot - inverse_l_3_times_third_v_y_dot
-        - t15 * t44 + t58 + t23 * t68) * t24;
-    let t70 = -(t68 * t21) - t23 * t69;
+    let t69 = ((inverse_l_3_times_second_v_y_dot - inverse_l_3_times_third_v_y_dot)
+        .sub_product(t15, t44) + t58)
+        .add_product(t23, t68) * t24;
+    let t70 = (-(t68 * t21)).sub_product(t23, t69);
     let t71 = t20 * t70;
-    let third_v_y_dot_by_third_y = t64 - t17 * t69;
+    let third_v_y_dot_by_third_y = t64.sub_product(t17, t69);
     let third_v_x_dot_by_third_y = -(t16 * t69);
-    let second_v_y_dot_by_third_y = t63 - t14 * t70 - t15 * t69;
-    let second_v_x_dot_by_third_y = -(t12 * t70) - t13 * t69;
-    let first_v_y_dot_by_third_y = t10 * t71 - t11 * t70;
-    let first_v_x_dot_by_third_y = t8 * t71 - t9 * t70;
+    let second_v_y_dot_by_third_y = t63.sub_product(t14, t70).sub_product(t15, t69);
+    let second_v_x_dot_by_third_y = (-(t13 * t69)).sub_product(t12, t70);
+    let first_v_y_dot_by_third_y = (-(t11 * t70)).add_product(t10, t71);
+    let first_v_x_dot_by_third_y = (-(t9 * t70)).add_product(t8, t71);
     let t72 = c.t3 * first_v_x;
     let t73 = c.t4 * (first_v_x - second_v_x);
-    let t74 = t20 * t72 - t73;
+    let t74 = (-t73).add_product(t20, t72);
     let t75 = t23 * t74 * t24;
-    let t76 = t74 * t21 + t23 * t75;
-    let t77 = -(t72 * t18) - t20 * t76;
+    let t76 = (t74 * t21).add_product(t23, t75);
+    let t77 = (-(t72 * t18)).sub_product(t20, t76);
     let third_v_y_dot_by_first_v_x = t17 * t75;
     let third_v_x_dot_by_first_v_x = t16 * t75;
-    let second_v_y_dot_by_first_v_x = t15 * t75 - t14 * t76;
-    let second_v_x_dot_by_first_v_x = t13 * t75 - t12 * t76;
-    let first_v_y_dot_by_first_v_x = -(t10 * t77) - t11 * t76;
-    let first_v_x_dot_by_first_v_x = -(t8 * t77) - t9 * t76;
+    let second_v_y_dot_by_first_v_x = (t15 * t75).sub_product(t14, t76);
+    let second_v_x_dot_by_first_v_x = (t13 * t75).sub_product(t12, t76);
+    let first_v_y_dot_by_first_v_x = (-(t11 * t76)).sub_product(t10, t77);
+    let first_v_x_dot_by_first_v_x = (-(t9 * t76)).sub_product(t8, t77);
     let t78 = c.t3 * first_v_y;
     let t79 = c.t4 * (first_v_y - second_v_y);
-    let t80 = t20 * t78 - t79;
+    let t80 = (-t79).add_product(t20, t78);
     let t81 = t23 * t80 * t24;
-    let t82 = t80 * t21 + t23 * t81;
-    let t83 = -(t78 * t18) - t20 * t82;
+    let t82 = (t80 * t21).add_product(t23, t81);
+    let t83 = (-(t78 * t18)).sub_product(t20, t82);
     let third_v_y_dot_by_first_v_y = t17 * t81;
     let third_v_x_dot_by_first_v_y = t16 * t81;
-    let second_v_y_dot_by_first_v_y = t15 * t81 - t14 * t82;
-    let second_v_x_dot_by_first_v_y = t13 * t81 - t12 * t82;
-    let first_v_y_dot_by_first_v_y = -(t10 * t83) - t11 * t82;
-    let first_v_x_dot_by_first_v_y = -(t8 * t83) - t9 * t82;
+    let second_v_y_dot_by_first_v_y = (t15 * t81).sub_product(t14, t82);
+    let second_v_x_dot_by_first_v_y = (t13 * t81).sub_product(t12, t82);
+    let first_v_y_dot_by_first_v_y = (-(t11 * t82)).sub_product(t10, t83);
+    let first_v_x_dot_by_first_v_y = (-(t9 * t82)).sub_product(t8, t83);
     let t84 = c.t5 * (second_v_x - third_v_x);
-    let t85 = (-t84 - t23 * t73) * t24;
-    let t86 = t73 * t21 - t23 * t85;
+    let t85 = (-t84).sub_product(t23, t73) * t24;
+    let t86 = (t73 * t21).sub_product(t23, t85);
     let t87 = t20 * t86;
     let third_v_y_dot_by_second_v_x = -(t17 * t85);
     let third_v_x_dot_by_second_v_x = -(t16 * t85);
-    let second_v_y_dot_by_second_v_x = -(t14 * t86) - t15 * t85;
-    let second_v_x_dot_by_second_v_x = -(t12 * t86) - t13 * t85;
-    let first_v_y_dot_by_second_v_x = t10 * t87 - t11 * t86;
-    let first_v_x_dot_by_second_v_x = t8 * t87 - t9 * t86;
+    let second_v_y_dot_by_second_v_x = (-(t15 * t85)).sub_product(t14, t86);
+    let second_v_x_dot_by_second_v_x = (-(t13 * t85)).sub_product(t12, t86);
+    let first_v_y_dot_by_second_v_x = (-(t11 * t86)).add_product(t10, t87);
+    let first_v_x_dot_by_second_v_x = (-(t9 * t86)).add_product(t8, t87);
     let t88 = c.t5 * (second_v_y - third_v_y);
-    let t89 = (-t88 - t23 * t79) * t24;
-    let t90 = t79 * t21 - t23 * t89;
+    let t89 = (-t88).sub_product(t23, t79) * t24;
+    let t90 = (t79 * t21).sub_product(t23, t89);
     let t91 = t20 * t90;
     let third_v_y_dot_by_second_v_y = -(t17 * t89);
     let third_v_x_dot_by_second_v_y = -(t16 * t89);
-    let second_v_y_dot_by_second_v_y = -(t14 * t90) - t15 * t89;
-    let second_v_x_dot_by_second_v_y = -(t12 * t90) - t13 * t89;
-    let first_v_y_dot_by_second_v_y = t10 * t91 - t11 * t90;
-    let first_v_x_dot_by_second_v_y = t8 * t91 - t9 * t90;
+    let second_v_y_dot_by_second_v_y = (-(t15 * t89)).sub_product(t14, t90);
+    let second_v_x_dot_by_second_v_y = (-(t13 * t89)).sub_product(t12, t90);
+    let first_v_y_dot_by_second_v_y = (-(t11 * t90)).add_product(t10, t91);
+    let first_v_x_dot_by_second_v_y = (-(t9 * t90)).add_product(t8, t91);
     let t92 = t84 * t24;
     let t93 = t23 * t92;
     let t94 = t20 * t93;
     let third_v_y_dot_by_third_v_x = -(t17 * t92);
     let third_v_x_dot_by_third_v_x = -(t16 * t92);
-    let second_v_y_dot_by_third_v_x = t14 * t93 - t15 * t92;
-    let second_v_x_dot_by_third_v_x = t12 * t93 - t13 * t92;
-    let first_v_y_dot_by_third_v_x = t11 * t93 - t10 * t94;
-    let first_v_x_dot_by_third_v_x = t9 * t93 - t8 * t94;
+    let second_v_y_dot_by_third_v_x = (-(t15 * t92)).add_product(t14, t93);
+    let second_v_x_dot_by_third_v_x = (-(t13 * t92)).add_product(t12, t93);
+    let first_v_y_dot_by_third_v_x = (t11 * t93).sub_product(t10, t94);
+    let first_v_x_dot_by_third_v_x = (t9 * t93).sub_product(t8, t94);
     let t95 = t88 * t24;
     let t96 = t23 * t95;
     let t97 = t20 * t96;
     let third_v_y_dot_by_third_v_y = -(t17 * t95);
     let third_v_x_dot_by_third_v_y = -(t16 * t95);
-    let second_v_y_dot_by_third_v_y = t14 * t96 - t15 * t95;
-    let second_v_x_dot_by_third_v_y = t12 * t96 - t13 * t95;
-    let first_v_y_dot_by_third_v_y = t11 * t96 - t10 * t97;
-    let first_v_x_dot_by_third_v_y = t9 * t96 - t8 * t97;
+    let second_v_y_dot_by_third_v_y = (-(t15 * t95)).add_product(t14, t96);
+    let second_v_x_dot_by_third_v_y = (-(t13 * t95)).add_product(t12, t96);
+    let first_v_y_dot_by_third_v_y = (t11 * t96).sub_product(t10, t97);
+    let first_v_x_dot_by_third_v_y = (t9 * t96).sub_product(t8, t97);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1060,15 +1106,25 @@ pub fn parameter_jacobian<R: Real>(
     let t16 = t6 * inverse_third_mass;
     let t17 = t7 * inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
-    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+        / (-(t8 * inverse_l_1_times_first_x))
+            .sub_product(t10, inverse_l_1_times_first_y);
+    let t19 = (-(t9 * inverse_l_1_times_first_x))
+        .sub_product(t11, inverse_l_1_times_first_y);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
-    let t22 = -(t13 * t2) - t15 * t4;
+        / (-(t9 * t0))
+            .sub_product(t11, t1)
+            .sub_product(t12, t2)
+            .sub_product(t14, t4)
+            .sub_product(t20, t19);
+    let t22 = (-(t13 * t2)).sub_product(t15, t4);
     let t23 = t22 * t21;
     let t24 = R::literal(1.0)
-        / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22);
+        / (-(t13 * t3))
+            .sub_product(t15, t5)
+            .sub_product(t16, t6)
+            .sub_product(t17, t7)
+            .sub_product(t23, t22);
     let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
     let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
     let third_mass_times_third_gravity = p.third_mass * p.third_gravity;
@@ -1083,27 +1139,37 @@ pub fn parameter_jacobian<R: Real>(
     let third_v_y_squared = third_v_y * third_v_y;
     let t28 = R::literal(2.0) * second_v_x * third_v_x;
     let t29 = R::literal(2.0) * second_v_y * third_v_y;
-    let t30 = t10 * first_mass_times_first_gravity - inverse_l_1 * t25;
-    let t31 = inverse_l_2
-        * (t26 + t27 - first_v_x_squared - first_v_y_squared - second_v_x_squared
-            - second_v_y_squared) + t11 * first_mass_times_first_gravity
-        + t14 * second_mass_times_second_gravity - t20 * t30;
-    let t32 = (inverse_l_3
-        * (t28 + t29 - second_v_x_squared - second_v_y_squared - third_v_x_squared
-            - third_v_y_squared) + t15 * second_mass_times_second_gravity
-        + t17 * third_mass_times_third_gravity - t23 * t31) * t24;
-    let t33 = t31 * t21 - t23 * t32;
-    let t34 = t30 * t18 - t20 * t33;
-    let third_v_y_dot = -(third_mass_times_third_gravity * inverse_third_mass)
-        - t17 * t32;
+    let t30 = (-(inverse_l_1 * t25)).add_product(t10, first_mass_times_first_gravity);
+    let t31 = (t11 * first_mass_times_first_gravity)
+        .add_product(
+            inverse_l_2,
+            t26 + t27 - first_v_x_squared - first_v_y_squared - second_v_x_squared
+                - second_v_y_squared,
+        )
+        .add_product(t14, second_mass_times_second_gravity)
+        .sub_product(t20, t30);
+    let t32 = (t15 * second_mass_times_second_gravity)
+        .add_product(
+            inverse_l_3,
+            t28 + t29 - second_v_x_squared - second_v_y_squared - third_v_x_squared
+                - third_v_y_squared,
+        )
+        .add_product(t17, third_mass_times_third_gravity)
+        .sub_product(t23, t31) * t24;
+    let t33 = (t31 * t21).sub_product(t23, t32);
+    let t34 = (t30 * t18).sub_product(t20, t33);
+    let third_v_y_dot = (-(third_mass_times_third_gravity * inverse_third_mass))
+        .sub_product(t17, t32);
     let t35 = t16 * t32;
-    let second_v_y_dot = -(second_mass_times_second_gravity * inverse_second_mass)
-        - t14 * t33 - t15 * t32;
+    let second_v_y_dot = (-(second_mass_times_second_gravity * inverse_second_mass))
+        .sub_product(t14, t33)
+        .sub_product(t15, t32);
     let t36 = t12 * t33;
     let t37 = t13 * t32;
     let second_v_x_dot = -t36 - t37;
-    let first_v_y_dot = -(first_mass_times_first_gravity * inverse_first_mass)
-        - t10 * t34 - t11 * t33;
+    let first_v_y_dot = (-(first_mass_times_first_gravity * inverse_first_mass))
+        .sub_product(t10, t34)
+        .sub_product(t11, t33);
     let t38 = t8 * t34;
     let t39 = t9 * t33;
     let first_v_x_dot = -t38 - t39;
@@ -1112,19 +1178,25 @@ pub fn parameter_jacobian<R: Real>(
     let t40 = inverse_l_1_squared_times_first_x * t34;
     let inverse_l_1_squared_times_first_y = inverse_l_1_squared * first_y;
     let t41 = inverse_l_1_squared_times_first_y * t34;
-    let t42 = inverse_l_1_squared * t25
-        + inverse_l_1_squared_times_first_x * first_v_x_dot
-        + inverse_l_1_squared_times_first_y * first_v_y_dot - t8 * t40 - t10 * t41;
-    let t43 = -(t9 * t40) - t11 * t41 - t20 * t42;
+    let t42 = (inverse_l_1_squared * t25)
+        .add_product(inverse_l_1_squared_times_first_x, first_v_x_dot)
+        .add_product(inverse_l_1_squared_times_first_y, first_v_y_dot)
+        .sub_product(t8, t40)
+        .sub_product(t10, t41);
+    let t43 = (-(t9 * t40)).sub_product(t11, t41).sub_product(t20, t42);
     let t44 = t23 * t43 * t24;
-    let t45 = t43 * t21 + t23 * t44;
-    let t46 = t42 * t18 - t20 * t45;
+    let t45 = (t43 * t21).add_product(t23, t44);
+    let t46 = (t42 * t18).sub_product(t20, t45);
     let third_v_y_dot_by_l_1 = t17 * t44;
     let third_v_x_dot_by_l_1 = t16 * t44;
-    let second_v_y_dot_by_l_1 = t15 * t44 - t14 * t45;
-    let second_v_x_dot_by_l_1 = t13 * t44 - t12 * t45;
-    let first_v_y_dot_by_l_1 = t41 * inverse_first_mass - t10 * t46 - t11 * t45;
-    let first_v_x_dot_by_l_1 = t40 * inverse_first_mass - t8 * t46 - t9 * t45;
+    let second_v_y_dot_by_l_1 = (t15 * t44).sub_product(t14, t45);
+    let second_v_x_dot_by_l_1 = (t13 * t44).sub_product(t12, t45);
+    let first_v_y_dot_by_l_1 = (t41 * inverse_first_mass)
+        .sub_product(t10, t46)
+        .sub_product(t11, t45);
+    let first_v_x_dot_by_l_1 = (t40 * inverse_first_mass)
+        .sub_product(t8, t46)
+        .sub_product(t9, t45);
     let inverse_l_2_squared = R::literal(1.0) / (p.l_2 * p.l_2);
     let t47 = inverse_l_2_squared * second_x_minus_first_x;
     let t48 = t47 * t33;
@@ -1134,21 +1206,35 @@ pub fn parameter_jacobian<R: Real>(
     let t52 = t51 * t33;
     let t53 = inverse_l_2_squared * first_y_minus_second_y;
     let t54 = t53 * t33;
-    let t55 = t8 * t48 + t10 * t50;
-    let t56 = inverse_l_2_squared
-        * (t25 + second_v_x_squared + second_v_y_squared - t26 - t27)
-        - t47 * first_v_x_dot - t49 * first_v_y_dot - t51 * second_v_x_dot
-        - t53 * second_v_y_dot + t9 * t48 + t11 * t50 + t12 * t52 + t14 * t54
-        - t20 * t55;
-    let t57 = (t13 * t52 + t15 * t54 - t23 * t56) * t24;
-    let t58 = t56 * t21 - t23 * t57;
-    let t59 = t55 * t18 - t20 * t58;
+    let t55 = (t8 * t48).add_product(t10, t50);
+    let t56 = (inverse_l_2_squared
+        * (t25 + second_v_x_squared + second_v_y_squared - t26 - t27))
+        .sub_product(t47, first_v_x_dot)
+        .sub_product(t49, first_v_y_dot)
+        .sub_product(t51, second_v_x_dot)
+        .sub_product(t53, second_v_y_dot)
+        .add_product(t9, t48)
+        .add_product(t11, t50)
+        .add_product(t12, t52)
+        .add_product(t14, t54)
+        .sub_product(t20, t55);
+    let t57 = (t13 * t52).add_product(t15, t54).sub_product(t23, t56) * t24;
+    let t58 = (t56 * t21).sub_product(t23, t57);
+    let t59 = (t55 * t18).sub_product(t20, t58);
     let third_v_y_dot_by_l_2 = -(t17 * t57);
     let third_v_x_dot_by_l_2 = -(t16 * t57);
-    let second_v_y_dot_by_l_2 = -(t54 * inverse_second_mass) - t14 * t58 - t15 * t57;
-    let second_v_x_dot_by_l_2 = -(t52 * inverse_second_mass) - t12 * t58 - t13 * t57;
-    let first_v_y_dot_by_l_2 = -(t50 * inverse_first_mass) - t10 * t59 - t11 * t58;
-    let first_v_x_dot_by_l_2 = -(t48 * inverse_first_mass) - t8 * t59 - t9 * t58;
+    let second_v_y_dot_by_l_2 = (-(t54 * inverse_second_mass))
+        .sub_product(t14, t58)
+        .sub_product(t15, t57);
+    let second_v_x_dot_by_l_2 = (-(t52 * inverse_second_mass))
+        .sub_product(t12, t58)
+        .sub_product(t13, t57);
+    let first_v_y_dot_by_l_2 = (-(t50 * inverse_first_mass))
+        .sub_product(t10, t59)
+        .sub_product(t11, t58);
+    let first_v_x_dot_by_l_2 = (-(t48 * inverse_first_mass))
+        .sub_product(t8, t59)
+        .sub_product(t9, t58);
     let inverse_l_3_squared = R::literal(1.0) / (p.l_3 * p.l_3);
     let t60 = inverse_l_3_squared * third_x_minus_second_x;
     let t61 = t60 * t32;
@@ -1158,91 +1244,109 @@ pub fn parameter_jacobian<R: Real>(
     let t65 = t64 * t32;
     let t66 = inverse_l_3_squared * second_y_minus_third_y;
     let t67 = t66 * t32;
-    let t68 = t12 * t61 + t14 * t63;
-    let t69 = inverse_l_3_squared
+    let t68 = (t12 * t61).add_product(t14, t63);
+    let t69 = (inverse_l_3_squared
         * (second_v_x_squared + second_v_y_squared + third_v_x_squared
-            + third_v_y_squared - t28 - t29) - t60 * second_v_x_dot
-        - t62 * second_v_y_dot + t64 * t35 - t66 * third_v_y_dot + t13 * t61 + t15 * t63
-        + t16 * t65 + t17 * t67 - t23 * t68;
-    let t70 = t69 * t24;
-    let t71 = t68 * t21 - t23 * t70;
-    let t72 = t20 * t71;
-    let third_v_y_dot_by_l_3 = -(t67 * inverse_third_mass) - t17 * t70;
-    let third_v_x_dot_by_l_3 = -(t65 * inverse_third_mass) - t16 * t70;
-    let second_v_y_dot_by_l_3 = -(t63 * inverse_second_mass) - t14 * t71 - t15 * t70;
-    let second_v_x_dot_by_l_3 = -(t61 * inverse_second_mass) - t12 * t71 - t13 * t70;
-    let first_v_y_dot_by_l_3 = t10 * t72 - t11 * t71;
-    let first_v_x_dot_by_l_3 = t8 * t72 - t9 * t71;
-    let t73 = t39 + t38;
-    let t74 = -p.first_gravity - first_v_y_dot;
-    let t75 = -(t8 * t73) - t10 * t74;
-    let t76 = -(t9 * t73) - t11 * t74 - t20 * t75;
-    let t77 = t23 * t76 * t24;
-    let t78 = t76 * t21 + t23 * t77;
-    let t79 = t75 * t18 - t20 * t78;
-    let third_v_y_dot_by_first_mass = t17 * t77;
-    let third_v_x_dot_by_first_mass = t16 * t77;
-    let second_v_y_dot_by_first_mass = t15 * t77 - t14 * t78;
-    let second_v_x_dot_by_first_mass = t13 * t77 - t12 * t78;
-    let first_v_y_dot_by_first_mass = t74 * inverse_first_mass - t10 * t79 - t11 * t78;
-    let first_v_x_dot_by_first_mass = t73 * inverse_first_mass - t8 * t79 - t9 * t78;
-    let t80 = t10 * p.first_mass;
-    let t81 = t11 * p.first_mass - t20 * t80;
-    let t82 = t23 * t81 * t24;
-    let t83 = t81 * t21 + t23 * t82;
-    let t84 = t80 * t18 - t20 * t83;
-    let third_v_y_dot_by_first_gravity = t17 * t82;
-    let third_v_x_dot_by_first_gravity = t16 * t82;
-    let second_v_y_dot_by_first_gravity = t15 * t82 - t14 * t83;
-    let second_v_x_dot_by_first_gravity = t13 * t82 - t12 * t83;
-    let first_v_y_dot_by_first_gravity = -(p.first_mass * inverse_first_mass) - t10 * t84
-        - t11 * t83;
-    let first_v_x_dot_by_first_gravity = -(t8 * t84) - t9 * t83;
-    let t85 = t37 + t36;
-    let t86 = -p.second_gravity - second_v_y_dot;
-    let t87 = -(t12 * t85) - t14 * t86;
-    let t88 = (-(t13 * t85) - t15 * t86 - t23 * t87) * t24;
-    let t89 = t87 * t21 - t23 * t88;
-    let t90 = t20 * t89;
-    let third_v_y_dot_by_second_mass = -(t17 * t88);
-    let third_v_x_dot_by_second_mass = -(t16 * t88);
-    let second_v_y_dot_by_second_mass = t86 * inverse_second_mass - t14 * t89
-        - t15 * t88;
-    let second_v_x_dot_by_second_mass = t85 * inverse_second_mass - t12 * t89
-        - t13 * t88;
-    let first_v_y_dot_by_second_mass = t10 * t90 - t11 * t89;
-    let first_v_x_dot_by_second_mass = t8 * t90 - t9 * t89;
-    let t91 = t14 * p.second_mass;
-    let t92 = (t15 * p.second_mass - t23 * t91) * t24;
-    let t93 = t91 * t21 - t23 * t92;
-    let t94 = t20 * t93;
-    let third_v_y_dot_by_second_gravity = -(t17 * t92);
-    let third_v_x_dot_by_second_gravity = -(t16 * t92);
-    let second_v_y_dot_by_second_gravity = -(p.second_mass * inverse_second_mass)
-        - t14 * t93 - t15 * t92;
-    let second_v_x_dot_by_second_gravity = -(t12 * t93) - t13 * t92;
-    let first_v_y_dot_by_second_gravity = t10 * t94 - t11 * t93;
-    let first_v_x_dot_by_second_gravity = t8 * t94 - t9 * t93;
-    let t95 = -p.third_gravity - third_v_y_dot;
-    let t96 = (-(t16 * t35) - t17 * t95) * t24;
-    let t97 = t23 * t96;
-    let t98 = t20 * t97;
-    let third_v_y_dot_by_third_mass = t95 * inverse_third_mass - t17 * t96;
-    let third_v_x_dot_by_third_mass = t35 * inverse_third_mass - t16 * t96;
-    let second_v_y_dot_by_third_mass = t14 * t97 - t15 * t96;
-    let second_v_x_dot_by_third_mass = t12 * t97 - t13 * t96;
-    let first_v_y_dot_by_third_mass = t11 * t97 - t10 * t98;
-    let first_v_x_dot_by_third_mass = t9 * t97 - t8 * t98;
-    let t99 = t17 * p.third_mass * t24;
-    let t100 = t23 * t99;
-    let t101 = t20 * t100;
-    let third_v_y_dot_by_third_gravity = -(p.third_mass * inverse_third_mass)
-        - t17 * t99;
-    let third_v_x_dot_by_third_gravity = -(t16 * t99);
-    let second_v_y_dot_by_third_gravity = t14 * t100 - t15 * t99;
-    let second_v_x_dot_by_third_gravity = t12 * t100 - t13 * t99;
-    let first_v_y_dot_by_third_gravity = t11 * t100 - t10 * t101;
-    let first_v_x_dot_by_third_gravity = t9 * t100 - t8 * t101;
+            + third_v_y_squared - t28 - t29))
+        .sub_product(t60, second_v_x_dot)
+        .sub_product(t62, second_v_y_dot)
+        .add_product(t64, t35)
+        .sub_product(t66, third_v_y_dot)
+        .add_product(t13, t61)
+        .add_product(t15, t63)
+        .add_product(t16, t65)
+        .add_product(t17, t67)
+        .sub_product(t23, t68) * t24;
+    let t70 = (t68 * t21).sub_product(t23, t69);
+    let t71 = t20 * t70;
+    let third_v_y_dot_by_l_3 = (-(t67 * inverse_third_mass)).sub_product(t17, t69);
+    let third_v_x_dot_by_l_3 = (-(t65 * inverse_third_mass)).sub_product(t16, t69);
+    let second_v_y_dot_by_l_3 = (-(t63 * inverse_second_mass))
+        .sub_product(t14, t70)
+        .sub_product(t15, t69);
+    let second_v_x_dot_by_l_3 = (-(t61 * inverse_second_mass))
+        .sub_product(t12, t70)
+        .sub_product(t13, t69);
+    let first_v_y_dot_by_l_3 = (-(t11 * t70)).add_product(t10, t71);
+    let first_v_x_dot_by_l_3 = (-(t9 * t70)).add_product(t8, t71);
+    let t72 = t39 + t38;
+    let t73 = -p.first_gravity - first_v_y_dot;
+    let t74 = (-(t8 * t72)).sub_product(t10, t73);
+    let t75 = (-(t9 * t72)).sub_product(t11, t73).sub_product(t20, t74);
+    let t76 = t23 * t75 * t24;
+    let t77 = (t75 * t21).add_product(t23, t76);
+    let t78 = (t74 * t18).sub_product(t20, t77);
+    let third_v_y_dot_by_first_mass = t17 * t76;
+    let third_v_x_dot_by_first_mass = t16 * t76;
+    let second_v_y_dot_by_first_mass = (t15 * t76).sub_product(t14, t77);
+    let second_v_x_dot_by_first_mass = (t13 * t76).sub_product(t12, t77);
+    let first_v_y_dot_by_first_mass = (t73 * inverse_first_mass)
+        .sub_product(t10, t78)
+        .sub_product(t11, t77);
+    let first_v_x_dot_by_first_mass = (t72 * inverse_first_mass)
+        .sub_product(t8, t78)
+        .sub_product(t9, t77);
+    let t79 = t10 * p.first_mass;
+    let t80 = (t11 * p.first_mass).sub_product(t20, t79);
+    let t81 = t23 * t80 * t24;
+    let t82 = (t80 * t21).add_product(t23, t81);
+    let t83 = (t79 * t18).sub_product(t20, t82);
+    let third_v_y_dot_by_first_gravity = t17 * t81;
+    let third_v_x_dot_by_first_gravity = t16 * t81;
+    let second_v_y_dot_by_first_gravity = (t15 * t81).sub_product(t14, t82);
+    let second_v_x_dot_by_first_gravity = (t13 * t81).sub_product(t12, t82);
+    let first_v_y_dot_by_first_gravity = (-(p.first_mass * inverse_first_mass))
+        .sub_product(t10, t83)
+        .sub_product(t11, t82);
+    let first_v_x_dot_by_first_gravity = (-(t9 * t82)).sub_product(t8, t83);
+    let t84 = t37 + t36;
+    let t85 = -p.second_gravity - second_v_y_dot;
+    let t86 = (-(t12 * t84)).sub_product(t14, t85);
+    let t87 = (-(t13 * t84)).sub_product(t15, t85).sub_product(t23, t86) * t24;
+    let t88 = (t86 * t21).sub_product(t23, t87);
+    let t89 = t20 * t88;
+    let third_v_y_dot_by_second_mass = -(t17 * t87);
+    let third_v_x_dot_by_second_mass = -(t16 * t87);
+    let second_v_y_dot_by_second_mass = (t85 * inverse_second_mass)
+        .sub_product(t14, t88)
+        .sub_product(t15, t87);
+    let second_v_x_dot_by_second_mass = (t84 * inverse_second_mass)
+        .sub_product(t12, t88)
+        .sub_product(t13, t87);
+    let first_v_y_dot_by_second_mass = (-(t11 * t88)).add_product(t10, t89);
+    let first_v_x_dot_by_second_mass = (-(t9 * t88)).add_product(t8, t89);
+    let t90 = t14 * p.second_mass;
+    let t91 = (t15 * p.second_mass).sub_product(t23, t90) * t24;
+    let t92 = (t90 * t21).sub_product(t23, t91);
+    let t93 = t20 * t92;
+    let third_v_y_dot_by_second_gravity = -(t17 * t91);
+    let third_v_x_dot_by_second_gravity = -(t16 * t91);
+    let second_v_y_dot_by_second_gravity = (-(p.second_mass * inverse_second_mass))
+        .sub_product(t14, t92)
+        .sub_product(t15, t91);
+    let second_v_x_dot_by_second_gravity = (-(t13 * t91)).sub_product(t12, t92);
+    let first_v_y_dot_by_second_gravity = (-(t11 * t92)).add_product(t10, t93);
+    let first_v_x_dot_by_second_gravity = (-(t9 * t92)).add_product(t8, t93);
+    let t94 = -p.third_gravity - third_v_y_dot;
+    let t95 = (-(t16 * t35)).sub_product(t17, t94) * t24;
+    let t96 = t23 * t95;
+    let t97 = t20 * t96;
+    let third_v_y_dot_by_third_mass = (t94 * inverse_third_mass).sub_product(t17, t95);
+    let third_v_x_dot_by_third_mass = (t35 * inverse_third_mass).sub_product(t16, t95);
+    let second_v_y_dot_by_third_mass = (-(t15 * t95)).add_product(t14, t96);
+    let second_v_x_dot_by_third_mass = (-(t13 * t95)).add_product(t12, t96);
+    let first_v_y_dot_by_third_mass = (t11 * t96).sub_product(t10, t97);
+    let first_v_x_dot_by_third_mass = (t9 * t96).sub_product(t8, t97);
+    let t98 = t17 * p.third_mass * t24;
+    let t99 = t23 * t98;
+    let t100 = t20 * t99;
+    let third_v_y_dot_by_third_gravity = (-(p.third_mass * inverse_third_mass))
+        .sub_product(t17, t98);
+    let third_v_x_dot_by_third_gravity = -(t16 * t98);
+    let second_v_y_dot_by_third_gravity = (-(t15 * t98)).add_product(t14, t99);
+    let second_v_x_dot_by_third_gravity = (-(t13 * t98)).add_product(t12, t99);
+    let first_v_y_dot_by_third_gravity = (t11 * t99).sub_product(t10, t100);
+    let first_v_x_dot_by_third_gravity = (t9 * t99).sub_product(t8, t100);
     [
         first_v_x_dot_by_l_1,
         first_v_x_dot_by_l_2,
@@ -1357,13 +1461,18 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let inverse_third_mass = R::literal(1.0) / p.third_mass;
     let t14 = t7 * inverse_third_mass;
     let t15 = R::literal(1.0)
-        / (-(inverse_l_1_times_first_x * inverse_first_mass * inverse_l_1_times_first_x)
-            - t9 * inverse_l_1_times_first_y);
-    let t16 = -(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y;
+        / (-(inverse_l_1_times_first_x * inverse_first_mass * inverse_l_1_times_first_x))
+            .sub_product(t9, inverse_l_1_times_first_y);
+    let t16 = (-(t8 * inverse_l_1_times_first_x))
+        .sub_product(t10, inverse_l_1_times_first_y);
     let t17 = t16 * t15;
     let t18 = R::literal(1.0)
-        / (-(t8 * t0) - t10 * t1 - t2 * inverse_second_mass * t2 - t12 * t4 - t17 * t16);
-    let t19 = -(t11 * t2) - t13 * t4;
+        / (-(t8 * t0))
+            .sub_product(t10, t1)
+            .sub_product(t2 * inverse_second_mass, t2)
+            .sub_product(t12, t4)
+            .sub_product(t17, t16);
+    let t19 = (-(t11 * t2)).sub_product(t13, t4);
     let t20 = t19 * t18;
     let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
     let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
@@ -1371,29 +1480,39 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let first_v_y_squared = first_v_y * first_v_y;
     let second_v_x_squared = second_v_x * second_v_x;
     let second_v_y_squared = second_v_y * second_v_y;
-    let t21 = t9 * first_mass_times_first_gravity
-        - inverse_l_1 * (first_v_x_squared + first_v_y_squared);
-    let t22 = inverse_l_2
-        * (R::literal(2.0) * first_v_x * second_v_x
-            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
-            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
-        + t10 * first_mass_times_first_gravity + t12 * second_mass_times_second_gravity
-        - t17 * t21;
-    let t23 = inverse_l_3
-        * (R::literal(2.0) * second_v_x * third_v_x
-            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
-            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
-        + t13 * second_mass_times_second_gravity + t14 * (p.third_mass * p.third_gravity)
-        - t20 * t22;
-    let t24 = t22 * t18;
-    let t25 = t23
+    let t21 = (-(inverse_l_1 * (first_v_x_squared + first_v_y_squared)))
+        .add_product(t9, first_mass_times_first_gravity);
+    let t22 = (t10 * first_mass_times_first_gravity)
+        .add_product(
+            inverse_l_2,
+            (R::literal(2.0) * first_v_x * second_v_x)
+                .add_product(R::literal(2.0) * first_v_y, second_v_y) - first_v_x_squared
+                - first_v_y_squared - second_v_x_squared - second_v_y_squared,
+        )
+        .add_product(t12, second_mass_times_second_gravity)
+        .sub_product(t17, t21);
+    let t23 = t22 * t18;
+    let t24 = (t13 * second_mass_times_second_gravity)
+        .add_product(
+            inverse_l_3,
+            ((R::literal(2.0) * second_v_x * third_v_x)
+                .add_product(R::literal(2.0) * second_v_y, third_v_y)
+                - second_v_x_squared - second_v_y_squared)
+                .sub_product(third_v_x, third_v_x)
+                .sub_product(third_v_y, third_v_y),
+        )
+        .add_product(t14, p.third_mass * p.third_gravity)
+        .sub_product(t20, t22)
         * (R::literal(1.0)
-            / (-(t11 * t3) - t13 * t5 - t6 * inverse_third_mass * t6 - t14 * t7
-                - t20 * t19));
-    let t26 = t20 * t25;
-    let link_1 = t17 * (t24 - t26) - t21 * t15;
-    let link_2 = t26 - t24;
-    let link_3 = -t25;
+            / (-(t11 * t3))
+                .sub_product(t13, t5)
+                .sub_product(t6 * inverse_third_mass, t6)
+                .sub_product(t14, t7)
+                .sub_product(t20, t19));
+    let t25 = t20 * t24;
+    let link_1 = (-(t21 * t15)).add_product(t17, t23 - t25);
+    let link_2 = t25 - t23;
+    let link_3 = -t24;
     Outputs {
         end_x: third_x,
         end_y: third_y,
@@ -1411,15 +1530,19 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [_, first_y, _, second_y, _, third_y, first_v_x, first_v_y, second_v_x,
     second_v_y, third_v_x, third_v_y] = *state;
     Energy {
-        kinetic: R::literal(0.5) * p.first_mass
-            * (first_v_x * first_v_x + first_v_y * first_v_y)
-            + R::literal(0.5) * p.second_mass
-                * (second_v_x * second_v_x + second_v_y * second_v_y)
-            + R::literal(0.5) * p.third_mass
-                * (third_v_x * third_v_x + third_v_y * third_v_y),
-        potential: p.first_mass * p.first_gravity * first_y
-            + p.second_mass * p.second_gravity * second_y
-            + p.third_mass * p.third_gravity * third_y,
+        kinetic: (R::literal(0.5) * p.first_mass
+            * (first_v_x * first_v_x).add_product(first_v_y, first_v_y))
+            .add_product(
+                R::literal(0.5) * p.second_mass,
+                (second_v_x * second_v_x).add_product(second_v_y, second_v_y),
+            )
+            .add_product(
+                R::literal(0.5) * p.third_mass,
+                (third_v_x * third_v_x).add_product(third_v_y, third_v_y),
+            ),
+        potential: (p.first_mass * p.first_gravity * first_y)
+            .add_product(p.second_mass * p.second_gravity, second_y)
+            .add_product(p.third_mass * p.third_gravity, third_y),
         stored: R::literal(0.0),
     }
 }
@@ -1462,12 +1585,18 @@ pub fn power_balance<R: Real>(
     let t16 = t6 * inverse_third_mass;
     let t17 = t7 * inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x) - t10 * inverse_l_1_times_first_y);
-    let t19 = -(t9 * inverse_l_1_times_first_x) - t11 * inverse_l_1_times_first_y;
+        / (-(t8 * inverse_l_1_times_first_x))
+            .sub_product(t10, inverse_l_1_times_first_y);
+    let t19 = (-(t9 * inverse_l_1_times_first_x))
+        .sub_product(t11, inverse_l_1_times_first_y);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0) - t11 * t1 - t12 * t2 - t14 * t4 - t20 * t19);
-    let t22 = -(t13 * t2) - t15 * t4;
+        / (-(t9 * t0))
+            .sub_product(t11, t1)
+            .sub_product(t12, t2)
+            .sub_product(t14, t4)
+            .sub_product(t20, t19);
+    let t22 = (-(t13 * t2)).sub_product(t15, t4);
     let t23 = t22 * t21;
     let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
     let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
@@ -1476,42 +1605,56 @@ pub fn power_balance<R: Real>(
     let first_v_y_squared = first_v_y * first_v_y;
     let second_v_x_squared = second_v_x * second_v_x;
     let second_v_y_squared = second_v_y * second_v_y;
-    let t24 = t10 * first_mass_times_first_gravity
-        - inverse_l_1 * (first_v_x_squared + first_v_y_squared);
-    let t25 = inverse_l_2
-        * (R::literal(2.0) * first_v_x * second_v_x
-            + R::literal(2.0) * first_v_y * second_v_y - first_v_x_squared
-            - first_v_y_squared - second_v_x_squared - second_v_y_squared)
-        + t11 * first_mass_times_first_gravity + t14 * second_mass_times_second_gravity
-        - t20 * t24;
-    let t26 = inverse_l_3
-        * (R::literal(2.0) * second_v_x * third_v_x
-            + R::literal(2.0) * second_v_y * third_v_y - second_v_x_squared
-            - second_v_y_squared - third_v_x * third_v_x - third_v_y * third_v_y)
-        + t15 * second_mass_times_second_gravity + t17 * third_mass_times_third_gravity
-        - t23 * t25;
-    let t27 = t26
-        * (R::literal(1.0) / (-(t13 * t3) - t15 * t5 - t16 * t6 - t17 * t7 - t23 * t22));
-    let t28 = t25 * t21 - t23 * t27;
-    let t29 = t24 * t18 - t20 * t28;
-    let third_v_y_dot = -(third_mass_times_third_gravity * inverse_third_mass)
-        - t17 * t27;
-    let second_v_y_dot = -(second_mass_times_second_gravity * inverse_second_mass)
-        - t14 * t28 - t15 * t27;
-    let second_v_x_dot = -(t12 * t28) - t13 * t27;
-    let first_v_y_dot = -(first_mass_times_first_gravity * inverse_first_mass)
-        - t10 * t29 - t11 * t28;
-    let first_v_x_dot = -(t8 * t29) - t9 * t28;
+    let t24 = (-(inverse_l_1 * (first_v_x_squared + first_v_y_squared)))
+        .add_product(t10, first_mass_times_first_gravity);
+    let t25 = (t11 * first_mass_times_first_gravity)
+        .add_product(
+            inverse_l_2,
+            (R::literal(2.0) * first_v_x * second_v_x)
+                .add_product(R::literal(2.0) * first_v_y, second_v_y) - first_v_x_squared
+                - first_v_y_squared - second_v_x_squared - second_v_y_squared,
+        )
+        .add_product(t14, second_mass_times_second_gravity)
+        .sub_product(t20, t24);
+    let t26 = (t15 * second_mass_times_second_gravity)
+        .add_product(
+            inverse_l_3,
+            ((R::literal(2.0) * second_v_x * third_v_x)
+                .add_product(R::literal(2.0) * second_v_y, third_v_y)
+                - second_v_x_squared - second_v_y_squared)
+                .sub_product(third_v_x, third_v_x)
+                .sub_product(third_v_y, third_v_y),
+        )
+        .add_product(t17, third_mass_times_third_gravity)
+        .sub_product(t23, t25)
+        * (R::literal(1.0)
+            / (-(t13 * t3))
+                .sub_product(t15, t5)
+                .sub_product(t16, t6)
+                .sub_product(t17, t7)
+                .sub_product(t23, t22));
+    let t27 = (t25 * t21).sub_product(t23, t26);
+    let t28 = (t24 * t18).sub_product(t20, t27);
+    let third_v_y_dot = (-(third_mass_times_third_gravity * inverse_third_mass))
+        .sub_product(t17, t26);
+    let second_v_y_dot = (-(second_mass_times_second_gravity * inverse_second_mass))
+        .sub_product(t14, t27)
+        .sub_product(t15, t26);
+    let second_v_x_dot = (-(t13 * t26)).sub_product(t12, t27);
+    let first_v_y_dot = (-(first_mass_times_first_gravity * inverse_first_mass))
+        .sub_product(t10, t28)
+        .sub_product(t11, t27);
+    let first_v_x_dot = (-(t9 * t27)).sub_product(t8, t28);
     PowerBalance {
-        stored_rate: first_mass_times_first_gravity * first_v_y
-            + second_mass_times_second_gravity * second_v_y
-            + third_mass_times_third_gravity * third_v_y
-            + p.first_mass * first_v_x * first_v_x_dot
-            + p.first_mass * first_v_y * first_v_y_dot
-            + p.second_mass * second_v_x * second_v_x_dot
-            + p.second_mass * second_v_y * second_v_y_dot
-            - p.third_mass * third_v_x * (t16 * t27)
-            + p.third_mass * third_v_y * third_v_y_dot,
+        stored_rate: (first_mass_times_first_gravity * first_v_y)
+            .add_product(second_mass_times_second_gravity, second_v_y)
+            .add_product(third_mass_times_third_gravity, third_v_y)
+            .add_product(p.first_mass * first_v_x, first_v_x_dot)
+            .add_product(p.first_mass * first_v_y, first_v_y_dot)
+            .add_product(p.second_mass * second_v_x, second_v_x_dot)
+            .add_product(p.second_mass * second_v_y, second_v_y_dot)
+            .sub_product(p.third_mass * third_v_x, t16 * t26)
+            .add_product(p.third_mass * third_v_y, third_v_y_dot),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }
@@ -1532,13 +1675,15 @@ pub fn constraint_values<R: Real>(
     let third_x_minus_second_x = third_x - second_x;
     let third_y_minus_second_y = third_y - second_y;
     let link_1_value = R::literal(0.5) / p.l_1
-        * (first_x * first_x - p.l_1 * p.l_1 + first_y * first_y);
+        * (first_x * first_x).sub_product(p.l_1, p.l_1).add_product(first_y, first_y);
     let link_2_value = R::literal(0.5) / p.l_2
-        * (second_x_minus_first_x * second_x_minus_first_x - p.l_2 * p.l_2
-            + second_y_minus_first_y * second_y_minus_first_y);
+        * (-(p.l_2 * p.l_2))
+            .add_product(second_x_minus_first_x, second_x_minus_first_x)
+            .add_product(second_y_minus_first_y, second_y_minus_first_y);
     let link_3_value = R::literal(0.5) / p.l_3
-        * (third_x_minus_second_x * third_x_minus_second_x - p.l_3 * p.l_3
-            + third_y_minus_second_y * third_y_minus_second_y);
+        * (-(p.l_3 * p.l_3))
+            .add_product(third_x_minus_second_x, third_x_minus_second_x)
+            .add_product(third_y_minus_second_y, third_y_minus_second_y);
     [link_1_value, link_2_value, link_3_value]
 }
 
@@ -1560,15 +1705,15 @@ pub fn constraint_rates<R: Real>(
     let third_x_minus_second_x = third_x - second_x;
     let third_y_minus_second_y = third_y - second_y;
     let link_1_rate = R::literal(1.0) / p.l_1
-        * (first_x * first_v_x + first_y * first_v_y);
-    let link_2_rate = inverse_l_2 * second_v_x * second_x_minus_first_x
-        + inverse_l_2 * second_v_y * second_y_minus_first_y
-        - inverse_l_2 * first_v_x * second_x_minus_first_x
-        - inverse_l_2 * first_v_y * second_y_minus_first_y;
-    let link_3_rate = inverse_l_3 * third_v_x * third_x_minus_second_x
-        + inverse_l_3 * third_v_y * third_y_minus_second_y
-        - inverse_l_3 * second_v_x * third_x_minus_second_x
-        - inverse_l_3 * second_v_y * third_y_minus_second_y;
+        * (first_x * first_v_x).add_product(first_y, first_v_y);
+    let link_2_rate = (inverse_l_2 * second_v_x * second_x_minus_first_x)
+        .add_product(inverse_l_2 * second_v_y, second_y_minus_first_y)
+        .sub_product(inverse_l_2 * first_v_x, second_x_minus_first_x)
+        .sub_product(inverse_l_2 * first_v_y, second_y_minus_first_y);
+    let link_3_rate = (inverse_l_3 * third_v_x * third_x_minus_second_x)
+        .add_product(inverse_l_3 * third_v_y, third_y_minus_second_y)
+        .sub_product(inverse_l_3 * second_v_x, third_x_minus_second_x)
+        .sub_product(inverse_l_3 * second_v_y, third_y_minus_second_y);
     [link_1_rate, link_2_rate, link_3_rate]
 }
 

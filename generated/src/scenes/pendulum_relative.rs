@@ -363,9 +363,10 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
     let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
     let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
-    let t6 = p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
-        + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
-        + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared;
+    let t6 = ((p.chain_m_1 * chain_l_1_squared)
+        .add_product(p.chain_m_2, chain_l_1_squared) + chain_m_2_times_chain_l_2_squared)
+        .add_product(p.chain_m_3, chain_l_1_squared) + chain_m_3_times_chain_l_2_squared
+        + chain_m_3_times_chain_l_3_squared;
     let t7 = p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
     let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
     let t8 = chain_m_3_times_chain_l_1 * p.chain_l_2;
@@ -461,28 +462,32 @@ pub fn prepared_rate<R: Real>(
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let cos_chain_th_2 = chain_th_2.cos();
-    let t0 = sin_chain_th_1 * cos_chain_th_2 + cos_chain_th_1 * sin_chain_th_2;
-    let t1 = cos_chain_th_1 * cos_chain_th_2 - sin_chain_th_1 * sin_chain_th_2;
+    let t0 = (sin_chain_th_1 * cos_chain_th_2)
+        .add_product(cos_chain_th_1, sin_chain_th_2);
+    let t1 = (cos_chain_th_1 * cos_chain_th_2)
+        .sub_product(sin_chain_th_1, sin_chain_th_2);
     let sin_chain_th_3 = chain_th_3.sin();
     let cos_chain_th_3 = chain_th_3.cos();
-    let t2 = sin_chain_th_3 * t1 + cos_chain_th_3 * t0;
-    let t3 = cos_chain_th_3 * t1 - sin_chain_th_3 * t0;
-    let t4 = sin_chain_th_1 * t1 - cos_chain_th_1 * t0;
-    let t5 = cos_chain_th_1 * t1 + sin_chain_th_1 * t0;
-    let t6 = sin_chain_th_1 * t3 - cos_chain_th_1 * t2;
-    let t7 = cos_chain_th_1 * t3 + sin_chain_th_1 * t2;
-    let t8 = t0 * t3 - t1 * t2;
-    let t9 = t1 * t3 + t0 * t2;
+    let t2 = (sin_chain_th_3 * t1).add_product(cos_chain_th_3, t0);
+    let t3 = (cos_chain_th_3 * t1).sub_product(sin_chain_th_3, t0);
+    let t4 = (sin_chain_th_1 * t1).sub_product(cos_chain_th_1, t0);
+    let t5 = (cos_chain_th_1 * t1).add_product(sin_chain_th_1, t0);
+    let t6 = (sin_chain_th_1 * t3).sub_product(cos_chain_th_1, t2);
+    let t7 = (cos_chain_th_1 * t3).add_product(sin_chain_th_1, t2);
+    let t8 = (t0 * t3).sub_product(t1, t2);
+    let t9 = (t1 * t3).add_product(t0, t2);
     let t10 = c.t5 * t9;
     let t11 = c.t10 + t10;
-    let t12 = t11 + c.t7 * t5 + c.t8 * t5 + c.t9 * t7;
+    let t12 = t11.add_product(c.t7, t5).add_product(c.t8, t5).add_product(c.t9, t7);
     let t13 = p.chain_l_2 * t9;
-    let t14 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + p.chain_l_1 * t7 + t13);
-    let t15 = R::literal(1.0) / (c.t6 + c.t0 * t5 + c.t3 * t5 + c.t4 * t7 + t10);
+    let t14 = c.chain_m_3_times_chain_l_3
+        * (p.chain_l_3.add_product(p.chain_l_1, t7) + t13);
+    let t15 = R::literal(1.0)
+        / (c.t6.add_product(c.t0, t5).add_product(c.t3, t5).add_product(c.t4, t7) + t10);
     let t16 = t12 * t15;
     let t17 = t14 * t15;
-    let t18 = R::literal(1.0) / (t11 - t16 * t12);
-    let t19 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t13) - t17 * t12;
+    let t18 = R::literal(1.0) / t11.sub_product(t16, t12);
+    let t19 = (c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t13)).sub_product(t17, t12);
     let t20 = t19 * t18;
     let t21 = c.t4 * chain_w_1;
     let t22 = c.t5 * chain_w_1 * chain_w_3 * t8;
@@ -493,28 +498,43 @@ pub fn prepared_rate<R: Real>(
     let t25 = c.t12 * chain_w_3_squared * t8;
     let t26 = c.t13 * t0;
     let t27 = c.t14 * t2;
-    let t28 = -(c.t0 * chain_w_1 * chain_w_2 * t4) - c.t3 * chain_w_1 * chain_w_2 * t4
-        - t21 * chain_w_2 * t6 - t21 * chain_w_3 * t6 - t22
-        - c.t4 * chain_w_2 * chain_w_3 * t6 - t23
-        - c.chain_m_1_times_chain_gravity * chain_x_1;
-    let t29 = t28 - c.t7 * chain_w_2_squared * t4 - t24
-        - c.chain_m_2_times_chain_gravity * chain_x_1 - c.t8 * chain_w_2_squared * t4
-        - c.t9 * chain_w_2_squared * t6 - c.t9 * chain_w_3_squared * t6 - t25 - t26 - t27
-        - c.chain_m_3_times_chain_gravity * chain_x_1;
+    let t28 = ((((-(c.t0 * chain_w_1 * chain_w_2 * t4))
+        .sub_product(c.t3 * chain_w_1 * chain_w_2, t4)
+        .sub_product(t21 * chain_w_2, t6)
+        .sub_product(t21 * chain_w_3, t6) - t22)
+        .sub_product(c.t4 * chain_w_2 * chain_w_3, t6) - t23)
+        .sub_product(c.chain_m_1_times_chain_gravity, chain_x_1)
+        .sub_product(c.t7 * chain_w_2_squared, t4) - t24)
+        .sub_product(c.chain_m_2_times_chain_gravity, chain_x_1)
+        .sub_product(c.t8 * chain_w_2_squared, t4);
+    let t29 = (t28
+        .sub_product(c.t9 * chain_w_2_squared, t6)
+        .sub_product(c.t9 * chain_w_3_squared, t6) - t25 - t26 - t27)
+        .sub_product(c.chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t30 = sin_chain_th_2 * cos_chain_th_3 + cos_chain_th_2 * sin_chain_th_3;
-    let t31 = -t22 - t23 - c.t7 * chain_w_1_squared * sin_chain_th_2 - t24
-        - c.t8 * chain_w_1_squared * sin_chain_th_2 - c.t9 * chain_w_1_squared * t30
-        - t25 - t26 - t27 - t16 * t29;
-    let t32 = c.chain_m_3_times_chain_l_3
-        * (c.t15 * chain_w_1 * chain_w_2 * t8 - p.chain_l_1 * chain_w_1_squared * t30
-            + p.chain_l_2 * chain_w_1_squared * t8 + p.chain_l_2 * chain_w_2_squared * t8
-            - p.chain_gravity * t2) - t17 * t29 - t20 * t31;
-    let chain_w_3_dot = t32
+    let t30 = (sin_chain_th_2 * cos_chain_th_3)
+        .add_product(cos_chain_th_2, sin_chain_th_3);
+    let t31 = (((-t22 - t23).sub_product(c.t7 * chain_w_1_squared, sin_chain_th_2) - t24)
+        .sub_product(c.t8 * chain_w_1_squared, sin_chain_th_2)
+        .sub_product(c.t9 * chain_w_1_squared, t30) - t25 - t26 - t27)
+        .sub_product(t16, t29);
+    let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
+        * (-(p.chain_l_1 * chain_w_1_squared * t30))
+            .add_product(c.t15 * chain_w_1 * chain_w_2, t8)
+            .add_product(p.chain_l_2 * chain_w_1_squared, t8)
+            .add_product(p.chain_l_2 * chain_w_2_squared, t8)
+            .sub_product(p.chain_gravity, t2))
+        .sub_product(t17, t29)
+        .sub_product(t20, t31)
         * (R::literal(1.0)
-            / (c.chain_m_3_times_chain_l_3_squared - t17 * t14 - t20 * t19));
-    let chain_w_2_dot = t31 * t18 - t20 * chain_w_3_dot;
-    let chain_w_1_dot = t29 * t15 - t16 * chain_w_2_dot - t17 * chain_w_3_dot;
+            / c
+                .chain_m_3_times_chain_l_3_squared
+                .sub_product(t17, t14)
+                .sub_product(t20, t19));
+    let chain_w_2_dot = (t31 * t18).sub_product(t20, chain_w_3_dot);
+    let chain_w_1_dot = (t29 * t15)
+        .sub_product(t16, chain_w_2_dot)
+        .sub_product(t17, chain_w_3_dot);
     [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
 }
 
@@ -541,22 +561,34 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     let t3 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
         + chain_m_3_times_chain_l_3_squared + t2;
     let t4 = t3
-        + p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * cos_chain_th_1_minus_chain_a_2
-        + chain_m_3_times_chain_l_1 * p.chain_l_2 * cos_chain_th_1_minus_chain_a_2
-        + chain_m_3_times_chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_a_3;
+        .add_product(
+            p.chain_m_2 * p.chain_l_1 * p.chain_l_2,
+            cos_chain_th_1_minus_chain_a_2,
+        )
+        .add_product(
+            chain_m_3_times_chain_l_1 * p.chain_l_2,
+            cos_chain_th_1_minus_chain_a_2,
+        )
+        .add_product(
+            chain_m_3_times_chain_l_1 * p.chain_l_3,
+            cos_chain_th_1_minus_chain_a_3,
+        );
     let t5 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t6 = chain_m_3_times_chain_l_3
-        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t5);
+        * (p.chain_l_3.add_product(p.chain_l_1, cos_chain_th_1_minus_chain_a_3) + t5);
     let t7 = chain_m_3_times_chain_l_3 * (p.chain_l_3 + t5);
     [
-        p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
-            + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
-            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared
-            + R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2
-                * cos_chain_th_1_minus_chain_a_2
-            + t1 * p.chain_l_2 * cos_chain_th_1_minus_chain_a_2
-            + t1 * p.chain_l_3 * cos_chain_th_1_minus_chain_a_3 + t2,
+        (((p.chain_m_1 * chain_l_1_squared).add_product(p.chain_m_2, chain_l_1_squared)
+            + chain_m_2_times_chain_l_2_squared)
+            .add_product(p.chain_m_3, chain_l_1_squared)
+            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared)
+            .add_product(
+                R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2,
+                cos_chain_th_1_minus_chain_a_2,
+            )
+            .add_product(t1 * p.chain_l_2, cos_chain_th_1_minus_chain_a_2)
+            .add_product(t1 * p.chain_l_3, cos_chain_th_1_minus_chain_a_3) + t2,
         t4,
         t6,
         t4,
@@ -606,32 +638,41 @@ pub fn forcing<R: Real>(
         * sin_chain_a_2_minus_chain_a_3;
     let t12 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
     let t13 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let t14 = -(R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * chain_w_1
-        * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
-        - t1 * p.chain_l_2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
-        - t7 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
-        - t7 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t8
-        - t2 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t9;
-    let t15 = t14 - p.chain_m_1 * p.chain_gravity * chain_x_1
-        - t4 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t10
-        - p.chain_m_2 * p.chain_gravity * chain_x_1
-        - t5 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - t6 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
-        - t6 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t11 - t12 - t13;
-    let chain_th_1_forcing = t15 - p.chain_m_3 * p.chain_gravity * chain_x_1;
+    let t14 = (((-(R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * chain_w_1
+        * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(
+            t1 * p.chain_l_2 * chain_w_1 * chain_w_2,
+            sin_chain_th_1_minus_chain_a_2,
+        )
+        .sub_product(t7 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t7 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t8)
+        .sub_product(t2 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t9)
+        .sub_product(p.chain_m_1 * p.chain_gravity, chain_x_1)
+        .sub_product(t4 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2);
+    let chain_th_1_forcing = ((t14 - t10)
+        .sub_product(p.chain_m_2 * p.chain_gravity, chain_x_1)
+        .sub_product(t5 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
+        .sub_product(t6 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t6 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) - t11 - t12
+        - t13)
+        .sub_product(p.chain_m_3 * p.chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
-    let chain_th_2_forcing = -t8 - t9 - t4 * chain_w_1_squared * sin_chain_th_2 - t10
-        - t5 * chain_w_1_squared * sin_chain_th_2
-        - t6 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t11 - t12 - t13;
+    let chain_th_2_forcing = ((-t8 - t9)
+        .sub_product(t4 * chain_w_1_squared, sin_chain_th_2) - t10)
+        .sub_product(t5 * chain_w_1_squared, sin_chain_th_2)
+        .sub_product(t6 * chain_w_1_squared, sin_chain_th_2_plus_chain_th_3) - t11 - t12
+        - t13;
     let chain_th_3_forcing = chain_m_3_times_chain_l_3
-        * (R::literal(2.0) * p.chain_l_2 * chain_w_1 * chain_w_2
-            * sin_chain_a_2_minus_chain_a_3
-            - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
-            + p.chain_l_2 * chain_w_1_squared * sin_chain_a_2_minus_chain_a_3
-            + p.chain_l_2 * chain_w_2_squared * sin_chain_a_2_minus_chain_a_3
-            - p.chain_gravity * sin_chain_a_3);
+        * (-(p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3))
+            .add_product(
+                R::literal(2.0) * p.chain_l_2 * chain_w_1 * chain_w_2,
+                sin_chain_a_2_minus_chain_a_3,
+            )
+            .add_product(p.chain_l_2 * chain_w_1_squared, sin_chain_a_2_minus_chain_a_3)
+            .add_product(p.chain_l_2 * chain_w_2_squared, sin_chain_a_2_minus_chain_a_3)
+            .sub_product(p.chain_gravity, sin_chain_a_3);
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
@@ -667,31 +708,38 @@ pub fn prepared_rate_jacobian<R: Real>(
     let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let cos_chain_th_2 = chain_th_2.cos();
-    let t0 = sin_chain_th_1 * cos_chain_th_2 + cos_chain_th_1 * sin_chain_th_2;
-    let t1 = cos_chain_th_1 * cos_chain_th_2 - sin_chain_th_1 * sin_chain_th_2;
+    let t0 = (sin_chain_th_1 * cos_chain_th_2)
+        .add_product(cos_chain_th_1, sin_chain_th_2);
+    let t1 = (cos_chain_th_1 * cos_chain_th_2)
+        .sub_product(sin_chain_th_1, sin_chain_th_2);
     let sin_chain_th_3 = chain_th_3.sin();
     let cos_chain_th_3 = chain_th_3.cos();
-    let t2 = sin_chain_th_3 * t1 + cos_chain_th_3 * t0;
-    let t3 = cos_chain_th_3 * t1 - sin_chain_th_3 * t0;
-    let t4 = sin_chain_th_1 * t1 - cos_chain_th_1 * t0;
-    let t5 = cos_chain_th_1 * t1 + sin_chain_th_1 * t0;
-    let t6 = sin_chain_th_1 * t3 - cos_chain_th_1 * t2;
-    let t7 = cos_chain_th_1 * t3 + sin_chain_th_1 * t2;
-    let t8 = t0 * t3 - t1 * t2;
-    let t9 = t1 * t3 + t0 * t2;
+    let t2 = (sin_chain_th_3 * t1).add_product(cos_chain_th_3, t0);
+    let t3 = (cos_chain_th_3 * t1).sub_product(sin_chain_th_3, t0);
+    let t4 = (sin_chain_th_1 * t1).sub_product(cos_chain_th_1, t0);
+    let t5 = (cos_chain_th_1 * t1).add_product(sin_chain_th_1, t0);
+    let t6 = (sin_chain_th_1 * t3).sub_product(cos_chain_th_1, t2);
+    let t7 = (cos_chain_th_1 * t3).add_product(sin_chain_th_1, t2);
+    let t8 = (t0 * t3).sub_product(t1, t2);
+    let t9 = (t1 * t3).add_product(t0, t2);
     let t10 = c.t5 * t9;
     let t11 = c.t10 + t10;
-    let t12 = t11 + c.t7 * t5 + c.t8 * t5 + c.t9 * t7;
+    let t12 = t11.add_product(c.t7, t5).add_product(c.t8, t5).add_product(c.t9, t7);
     let t13 = p.chain_l_2 * t9;
-    let t14 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + p.chain_l_1 * t7 + t13);
-    let t15 = R::literal(1.0) / (c.t6 + c.t0 * t5 + c.t3 * t5 + c.t4 * t7 + t10);
+    let t14 = c.chain_m_3_times_chain_l_3
+        * (p.chain_l_3.add_product(p.chain_l_1, t7) + t13);
+    let t15 = R::literal(1.0)
+        / (c.t6.add_product(c.t0, t5).add_product(c.t3, t5).add_product(c.t4, t7) + t10);
     let t16 = t12 * t15;
     let t17 = t14 * t15;
-    let t18 = R::literal(1.0) / (t11 - t16 * t12);
-    let t19 = c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t13) - t17 * t12;
+    let t18 = R::literal(1.0) / t11.sub_product(t16, t12);
+    let t19 = (c.chain_m_3_times_chain_l_3 * (p.chain_l_3 + t13)).sub_product(t17, t12);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (c.chain_m_3_times_chain_l_3_squared - t17 * t14 - t20 * t19);
+        / c
+            .chain_m_3_times_chain_l_3_squared
+            .sub_product(t17, t14)
+            .sub_product(t20, t19);
     let t22 = c.t0 * chain_w_1 * chain_w_2;
     let t23 = c.t3 * chain_w_1 * chain_w_2;
     let t24 = c.t4 * chain_w_1;
@@ -710,118 +758,179 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t35 = c.t12 * chain_w_3_squared * t8;
     let t36 = c.t13 * t0;
     let t37 = c.t14 * t2;
-    let t38 = -(t22 * t4) - t23 * t4 - t25 * t6 - t26 * t6 - t27 - t28 * t6 - t29
-        - c.chain_m_1_times_chain_gravity * chain_x_1 - t30 * t4 - t31
-        - c.chain_m_2_times_chain_gravity * chain_x_1 - t32 * t4 - t33 * t6;
-    let t39 = t38 - t34 * t6 - t35 - t36 - t37
-        - c.chain_m_3_times_chain_gravity * chain_x_1;
+    let t38 = (((((-(t22 * t4))
+        .sub_product(t23, t4)
+        .sub_product(t25, t6)
+        .sub_product(t26, t6) - t27)
+        .sub_product(t28, t6) - t29)
+        .sub_product(c.chain_m_1_times_chain_gravity, chain_x_1)
+        .sub_product(t30, t4) - t31)
+        .sub_product(c.chain_m_2_times_chain_gravity, chain_x_1)
+        .sub_product(t32, t4)
+        .sub_product(t33, t6)
+        .sub_product(t34, t6) - t35 - t36 - t37)
+        .sub_product(c.chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t40 = c.t7 * chain_w_1_squared;
-    let t41 = c.t8 * chain_w_1_squared;
-    let t42 = sin_chain_th_2 * cos_chain_th_3 + cos_chain_th_2 * sin_chain_th_3;
-    let t43 = cos_chain_th_2 * cos_chain_th_3 - sin_chain_th_2 * sin_chain_th_3;
-    let t44 = c.t9 * chain_w_1_squared;
-    let t45 = c.t15 * chain_w_1;
-    let t46 = t45 * chain_w_2;
+    let t39 = c.t7 * chain_w_1_squared;
+    let t40 = c.t8 * chain_w_1_squared;
+    let t41 = (sin_chain_th_2 * cos_chain_th_3)
+        .add_product(cos_chain_th_2, sin_chain_th_3);
+    let t42 = (cos_chain_th_2 * cos_chain_th_3)
+        .sub_product(sin_chain_th_2, sin_chain_th_3);
+    let t43 = c.t9 * chain_w_1_squared;
+    let t44 = c.t15 * chain_w_1;
+    let t45 = t44 * chain_w_2;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_1_squared = p.chain_l_2 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t47 = -t27 - t29 - t40 * sin_chain_th_2 - t31 - t41 * sin_chain_th_2 - t44 * t42
-        - t35 - t36 - t37 - t16 * t39;
+    let t46 = (((-t27 - t29).sub_product(t39, sin_chain_th_2) - t31)
+        .sub_product(t40, sin_chain_th_2)
+        .sub_product(t43, t41) - t35 - t36 - t37)
+        .sub_product(t16, t38);
     let chain_w_3_dot = (c.chain_m_3_times_chain_l_3
-        * (t46 * t8 - chain_l_1_times_chain_w_1_squared * t42
-            + chain_l_2_times_chain_w_1_squared * t8
-            + chain_l_2_times_chain_w_2_squared * t8 - p.chain_gravity * t2) - t17 * t39
-        - t20 * t47) * t21;
-    let chain_w_2_dot = t47 * t18 - t20 * chain_w_3_dot;
-    let chain_w_1_dot = t39 * t15 - t16 * chain_w_2_dot - t17 * chain_w_3_dot;
-    let t48 = c.chain_m_2_times_chain_l_2 * t1 + c.chain_m_3_times_chain_l_2 * t1
-        + c.chain_m_3_times_chain_l_3 * t3;
-    let t49 = p.chain_gravity
-        * (t48 + p.chain_m_1 * chain_l_1_times_cos_chain_th_1
-            + p.chain_m_2 * chain_l_1_times_cos_chain_th_1
-            + p.chain_m_3 * chain_l_1_times_cos_chain_th_1);
-    let t50 = c.t14 * t3;
-    let t51 = t16 * t49 - p.chain_gravity * t48;
-    let chain_w_3_dot_by_chain_th_1 = (t17 * t49 - t50 - t20 * t51) * t21;
-    let chain_w_2_dot_by_chain_th_1 = t51 * t18 - t20 * chain_w_3_dot_by_chain_th_1;
-    let chain_w_1_dot_by_chain_th_1 = -(t49 * t15) - t16 * chain_w_2_dot_by_chain_th_1
-        - t17 * chain_w_3_dot_by_chain_th_1;
-    let t52 = c.t11 * t1;
-    let t53 = c.t13 * t1;
-    let t54 = chain_l_1_times_chain_w_1_squared * t43;
-    let t55 = p.chain_gravity * t3;
-    let t56 = c.chain_m_2_times_chain_l_2 * t4 + c.chain_m_3_times_chain_l_2 * t4
-        + c.chain_m_3_times_chain_l_3 * t6;
-    let t57 = t22 * t5 + t23 * t5 + t25 * t7 + t26 * t7 + t28 * t7 + t30 * t5 + t32 * t5
-        + t33 * t7 + t34 * t7 - t52 - t53 - t50 - c.t16 * t56 * chain_w_1_dot;
-    let t58 = p.chain_l_1 * t56;
-    let t59 = c.t9 * t6;
-    let t60 = t57 - t58 * chain_w_2_dot - t59 * chain_w_3_dot;
-    let t61 = -(t40 * cos_chain_th_2) - t52 - t41 * cos_chain_th_2 - t44 * t43 - t53
-        - t50 - t58 * chain_w_1_dot - t16 * t60;
-    let chain_w_3_dot_by_chain_th_2 = (c.chain_m_3_times_chain_l_3 * (-t54 - t55)
-        - t59 * chain_w_1_dot - t17 * t60 - t20 * t61) * t21;
-    let chain_w_2_dot_by_chain_th_2 = t61 * t18 - t20 * chain_w_3_dot_by_chain_th_2;
-    let chain_w_1_dot_by_chain_th_2 = t60 * t15 - t16 * chain_w_2_dot_by_chain_th_2
-        - t17 * chain_w_3_dot_by_chain_th_2;
-    let t62 = c.t16 * chain_w_1;
-    let t63 = t45 * chain_w_3 * t9;
-    let t64 = c.t15 * chain_w_2;
-    let t65 = t64 * chain_w_3 * t9;
-    let t66 = p.chain_l_2 * chain_w_3_squared * t9;
-    let t67 = p.chain_l_1 * t6;
-    let t68 = t67 + p.chain_l_2 * t8;
-    let t69 = c.chain_m_3_times_chain_l_3
-        * (t62 * chain_w_2 * t7 + t62 * chain_w_3 * t7 + t63
-            + c.t16 * chain_w_2 * chain_w_3 * t7 + t65
-            + p.chain_l_1 * chain_w_2_squared * t7 + p.chain_l_1 * chain_w_3_squared * t7
-            + t66 - t55) - c.t17 * t68 * chain_w_1_dot;
-    let t70 = c.chain_m_3_times_chain_l_3 * (c.t15 * t8 + t67);
-    let t71 = c.chain_m_3_times_chain_l_3 * t68;
-    let t72 = t69 - t70 * chain_w_2_dot - t71 * chain_w_3_dot;
-    let t73 = c.t12 * t8;
-    let t74 = c.chain_m_3_times_chain_l_3 * (t63 + t65 + t66 - t54 - t55)
-        - t70 * chain_w_1_dot - c.t5 * t8 * chain_w_2_dot - t73 * chain_w_3_dot
-        - t16 * t72;
-    let chain_w_3_dot_by_chain_th_3 = (c.chain_m_3_times_chain_l_3
-        * (-(t46 * t9) - t54 - chain_l_2_times_chain_w_1_squared * t9
-            - chain_l_2_times_chain_w_2_squared * t9 - t55) - t71 * chain_w_1_dot
-        - t73 * chain_w_2_dot - t17 * t72 - t20 * t74) * t21;
-    let chain_w_2_dot_by_chain_th_3 = t74 * t18 - t20 * chain_w_3_dot_by_chain_th_3;
-    let chain_w_1_dot_by_chain_th_3 = t72 * t15 - t16 * chain_w_2_dot_by_chain_th_3
-        - t17 * chain_w_3_dot_by_chain_th_3;
-    let t75 = c.t7 * chain_w_2 * t4;
-    let t76 = c.t8 * chain_w_2 * t4;
-    let t77 = c.t9 * chain_w_2 * t6;
-    let t78 = c.t9 * chain_w_3 * t6;
-    let t79 = c.t12 * chain_w_3 * t8;
-    let t80 = R::literal(2.0) * (t75 + t76 + t77 + t78 + t79);
-    let t81 = c.t7 * chain_w_1;
-    let t82 = c.t8 * chain_w_1;
-    let t83 = c.t9 * chain_w_1;
-    let t84 = t16 * t80
-        - R::literal(2.0)
-            * (t81 * sin_chain_th_2 + t82 * sin_chain_th_2 + t83 * t42 + t79);
-    let chain_w_3_dot_by_chain_w_1 = (c.chain_m_3_times_chain_l_3
-        * (t45 * t8 - t62 * t42 + t64 * t8) + t17 * t80 - t20 * t84) * t21;
-    let chain_w_2_dot_by_chain_w_1 = t84 * t18 - t20 * chain_w_3_dot_by_chain_w_1;
-    let chain_w_1_dot_by_chain_w_1 = -(t80 * t15) - t16 * chain_w_2_dot_by_chain_w_1
-        - t17 * chain_w_3_dot_by_chain_w_1;
-    let t85 = R::literal(2.0)
-        * (t81 * t4 + t82 * t4 + t83 * t6 + t75 + t76 + t77 + t78 + t79);
-    let t86 = t16 * t85 - c.t5 * chain_w_3 * t8;
-    let chain_w_3_dot_by_chain_w_2 = (c.t5 * chain_s_2 * t8 + t17 * t85 - t20 * t86)
+        * (-(chain_l_1_times_chain_w_1_squared * t41))
+            .add_product(t45, t8)
+            .add_product(chain_l_2_times_chain_w_1_squared, t8)
+            .add_product(chain_l_2_times_chain_w_2_squared, t8)
+            .sub_product(p.chain_gravity, t2))
+        .sub_product(t17, t38)
+        .sub_product(t20, t46) * t21;
+    let chain_w_2_dot = (t46 * t18).sub_product(t20, chain_w_3_dot);
+    let chain_w_1_dot = (t38 * t15)
+        .sub_product(t16, chain_w_2_dot)
+        .sub_product(t17, chain_w_3_dot);
+    let t47 = (c.chain_m_2_times_chain_l_2 * t1)
+        .add_product(c.chain_m_3_times_chain_l_2, t1)
+        .add_product(c.chain_m_3_times_chain_l_3, t3);
+    let t48 = p.chain_gravity
+        * t47
+            .add_product(p.chain_m_1, chain_l_1_times_cos_chain_th_1)
+            .add_product(p.chain_m_2, chain_l_1_times_cos_chain_th_1)
+            .add_product(p.chain_m_3, chain_l_1_times_cos_chain_th_1);
+    let t49 = c.t14 * t3;
+    let t50 = (-(p.chain_gravity * t47)).add_product(t16, t48);
+    let chain_w_3_dot_by_chain_th_1 = (-t49).add_product(t17, t48).sub_product(t20, t50)
         * t21;
-    let chain_w_2_dot_by_chain_w_2 = t86 * t18 - t20 * chain_w_3_dot_by_chain_w_2;
-    let chain_w_1_dot_by_chain_w_2 = -(t85 * t15) - t16 * chain_w_2_dot_by_chain_w_2
-        - t17 * chain_w_3_dot_by_chain_w_2;
-    let t87 = c.t17 * chain_s_3 * t68;
-    let t88 = t16 * t87 - c.t5 * chain_s_3 * t8;
-    let chain_w_3_dot_by_chain_w_3 = (t17 * t87 - t20 * t88) * t21;
-    let chain_w_2_dot_by_chain_w_3 = t88 * t18 - t20 * chain_w_3_dot_by_chain_w_3;
-    let chain_w_1_dot_by_chain_w_3 = -(t87 * t15) - t16 * chain_w_2_dot_by_chain_w_3
-        - t17 * chain_w_3_dot_by_chain_w_3;
+    let chain_w_2_dot_by_chain_th_1 = (t50 * t18)
+        .sub_product(t20, chain_w_3_dot_by_chain_th_1);
+    let chain_w_1_dot_by_chain_th_1 = (-(t48 * t15))
+        .sub_product(t16, chain_w_2_dot_by_chain_th_1)
+        .sub_product(t17, chain_w_3_dot_by_chain_th_1);
+    let t51 = c.t11 * t1;
+    let t52 = c.t13 * t1;
+    let t53 = chain_l_1_times_chain_w_1_squared * t42;
+    let t54 = p.chain_gravity * t3;
+    let t55 = (c.chain_m_2_times_chain_l_2 * t4)
+        .add_product(c.chain_m_3_times_chain_l_2, t4)
+        .add_product(c.chain_m_3_times_chain_l_3, t6);
+    let t56 = p.chain_l_1 * t55;
+    let t57 = c.t9 * t6;
+    let t58 = ((t22 * t5)
+        .add_product(t23, t5)
+        .add_product(t25, t7)
+        .add_product(t26, t7)
+        .add_product(t28, t7)
+        .add_product(t30, t5)
+        .add_product(t32, t5)
+        .add_product(t33, t7)
+        .add_product(t34, t7) - t51 - t52 - t49)
+        .sub_product(c.t16 * t55, chain_w_1_dot)
+        .sub_product(t56, chain_w_2_dot)
+        .sub_product(t57, chain_w_3_dot);
+    let t59 = ((-t51)
+        .sub_product(t39, cos_chain_th_2)
+        .sub_product(t40, cos_chain_th_2)
+        .sub_product(t43, t42) - t52 - t49)
+        .sub_product(t56, chain_w_1_dot)
+        .sub_product(t16, t58);
+    let chain_w_3_dot_by_chain_th_2 = (c.chain_m_3_times_chain_l_3 * (-t53 - t54))
+        .sub_product(t57, chain_w_1_dot)
+        .sub_product(t17, t58)
+        .sub_product(t20, t59) * t21;
+    let chain_w_2_dot_by_chain_th_2 = (t59 * t18)
+        .sub_product(t20, chain_w_3_dot_by_chain_th_2);
+    let chain_w_1_dot_by_chain_th_2 = (t58 * t15)
+        .sub_product(t16, chain_w_2_dot_by_chain_th_2)
+        .sub_product(t17, chain_w_3_dot_by_chain_th_2);
+    let t60 = c.t16 * chain_w_1;
+    let t61 = t44 * chain_w_3 * t9;
+    let t62 = c.t15 * chain_w_2;
+    let t63 = t62 * chain_w_3 * t9;
+    let t64 = p.chain_l_2 * chain_w_3_squared * t9;
+    let t65 = p.chain_l_1 * t6;
+    let t66 = t65.add_product(p.chain_l_2, t8);
+    let t67 = c.chain_m_3_times_chain_l_3 * t65.add_product(c.t15, t8);
+    let t68 = c.chain_m_3_times_chain_l_3 * t66;
+    let t69 = (c.chain_m_3_times_chain_l_3
+        * ((((t60 * chain_w_2 * t7).add_product(t60 * chain_w_3, t7) + t61)
+            .add_product(c.t16 * chain_w_2 * chain_w_3, t7) + t63)
+            .add_product(p.chain_l_1 * chain_w_2_squared, t7)
+            .add_product(p.chain_l_1 * chain_w_3_squared, t7) + t64 - t54))
+        .sub_product(c.t17 * t66, chain_w_1_dot)
+        .sub_product(t67, chain_w_2_dot)
+        .sub_product(t68, chain_w_3_dot);
+    let t70 = c.t12 * t8;
+    let t71 = (c.chain_m_3_times_chain_l_3 * (t61 + t63 + t64 - t53 - t54))
+        .sub_product(t67, chain_w_1_dot)
+        .sub_product(c.t5 * t8, chain_w_2_dot)
+        .sub_product(t70, chain_w_3_dot)
+        .sub_product(t16, t69);
+    let chain_w_3_dot_by_chain_th_3 = (c.chain_m_3_times_chain_l_3
+        * ((-t53)
+            .sub_product(t45, t9)
+            .sub_product(chain_l_2_times_chain_w_1_squared, t9)
+            .sub_product(chain_l_2_times_chain_w_2_squared, t9) - t54))
+        .sub_product(t68, chain_w_1_dot)
+        .sub_product(t70, chain_w_2_dot)
+        .sub_product(t17, t69)
+        .sub_product(t20, t71) * t21;
+    let chain_w_2_dot_by_chain_th_3 = (t71 * t18)
+        .sub_product(t20, chain_w_3_dot_by_chain_th_3);
+    let chain_w_1_dot_by_chain_th_3 = (t69 * t15)
+        .sub_product(t16, chain_w_2_dot_by_chain_th_3)
+        .sub_product(t17, chain_w_3_dot_by_chain_th_3);
+    let t72 = c.t7 * chain_w_2 * t4;
+    let t73 = c.t8 * chain_w_2 * t4;
+    let t74 = c.t9 * chain_w_2 * t6;
+    let t75 = c.t9 * chain_w_3 * t6;
+    let t76 = c.t12 * chain_w_3 * t8;
+    let t77 = R::literal(2.0) * (t72 + t73 + t74 + t75 + t76);
+    let t78 = c.t7 * chain_w_1;
+    let t79 = c.t8 * chain_w_1;
+    let t80 = c.t9 * chain_w_1;
+    let t81 = (-(R::literal(2.0)
+        * ((t78 * sin_chain_th_2).add_product(t79, sin_chain_th_2).add_product(t80, t41)
+            + t76)))
+        .add_product(t16, t77);
+    let chain_w_3_dot_by_chain_w_1 = (c.chain_m_3_times_chain_l_3
+        * (-(t60 * t41)).add_product(t44, t8).add_product(t62, t8))
+        .add_product(t17, t77)
+        .sub_product(t20, t81) * t21;
+    let chain_w_2_dot_by_chain_w_1 = (t81 * t18)
+        .sub_product(t20, chain_w_3_dot_by_chain_w_1);
+    let chain_w_1_dot_by_chain_w_1 = (-(t77 * t15))
+        .sub_product(t16, chain_w_2_dot_by_chain_w_1)
+        .sub_product(t17, chain_w_3_dot_by_chain_w_1);
+    let t82 = R::literal(2.0)
+        * ((t78 * t4).add_product(t79, t4).add_product(t80, t6) + t72 + t73 + t74 + t75
+            + t76);
+    let t83 = (-(c.t5 * chain_w_3 * t8)).add_product(t16, t82);
+    let chain_w_3_dot_by_chain_w_2 = (c.t5 * chain_s_2 * t8)
+        .add_product(t17, t82)
+        .sub_product(t20, t83) * t21;
+    let chain_w_2_dot_by_chain_w_2 = (t83 * t18)
+        .sub_product(t20, chain_w_3_dot_by_chain_w_2);
+    let chain_w_1_dot_by_chain_w_2 = (-(t82 * t15))
+        .sub_product(t16, chain_w_2_dot_by_chain_w_2)
+        .sub_product(t17, chain_w_3_dot_by_chain_w_2);
+    let t84 = c.t17 * chain_s_3 * t66;
+    let t85 = (-(c.t5 * chain_s_3 * t8)).add_product(t16, t84);
+    let chain_w_3_dot_by_chain_w_3 = (t17 * t84).sub_product(t20, t85) * t21;
+    let chain_w_2_dot_by_chain_w_3 = (t85 * t18)
+        .sub_product(t20, chain_w_3_dot_by_chain_w_3);
+    let chain_w_1_dot_by_chain_w_3 = (-(t84 * t15))
+        .sub_product(t16, chain_w_2_dot_by_chain_w_3)
+        .sub_product(t17, chain_w_3_dot_by_chain_w_3);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -893,8 +1002,10 @@ pub fn parameter_jacobian<R: Real>(
     let t12 = chain_m_3_times_chain_l_1 * p.chain_l_3;
     let t13 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
         + chain_m_3_times_chain_l_3_squared + t9;
-    let t14 = t13 + t10 * cos_chain_th_1_minus_chain_a_2
-        + t11 * cos_chain_th_1_minus_chain_a_2 + t12 * cos_chain_th_1_minus_chain_a_3;
+    let t14 = t13
+        .add_product(t10, cos_chain_th_1_minus_chain_a_2)
+        .add_product(t11, cos_chain_th_1_minus_chain_a_2)
+        .add_product(t12, cos_chain_th_1_minus_chain_a_3);
     let t15 = p.chain_l_1 * cos_chain_th_1_minus_chain_a_3;
     let t16 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
     let t17 = p.chain_l_3 + t15 + t16;
@@ -902,18 +1013,21 @@ pub fn parameter_jacobian<R: Real>(
     let t18 = chain_m_3_times_chain_l_3 * t17;
     let t19 = p.chain_l_3 + t16;
     let t20 = R::literal(1.0)
-        / (p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
-            + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
-            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared
-            + t2 * cos_chain_th_1_minus_chain_a_2 + t5 * cos_chain_th_1_minus_chain_a_2
-            + t6 * cos_chain_th_1_minus_chain_a_3 + t9);
+        / ((((p.chain_m_1 * chain_l_1_squared)
+            .add_product(p.chain_m_2, chain_l_1_squared)
+            + chain_m_2_times_chain_l_2_squared)
+            .add_product(p.chain_m_3, chain_l_1_squared)
+            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared)
+            .add_product(t2, cos_chain_th_1_minus_chain_a_2)
+            .add_product(t5, cos_chain_th_1_minus_chain_a_2)
+            .add_product(t6, cos_chain_th_1_minus_chain_a_3) + t9);
     let t21 = t14 * t20;
     let t22 = t18 * t20;
-    let t23 = R::literal(1.0) / (t13 - t21 * t14);
-    let t24 = chain_m_3_times_chain_l_3 * t19 - t22 * t14;
+    let t23 = R::literal(1.0) / t13.sub_product(t21, t14);
+    let t24 = (chain_m_3_times_chain_l_3 * t19).sub_product(t22, t14);
     let t25 = t24 * t23;
     let t26 = R::literal(1.0)
-        / (chain_m_3_times_chain_l_3_squared - t22 * t18 - t25 * t24);
+        / chain_m_3_times_chain_l_3_squared.sub_product(t22, t18).sub_product(t25, t24);
     let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
     let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
     let t27 = t6 * chain_w_1;
@@ -932,18 +1046,20 @@ pub fn parameter_jacobian<R: Real>(
     let t32 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
     let t33 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t34 = -(t2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
-        - t5 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
-        - t27 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
-        - t27 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t28
-        - t6 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t29
-        - chain_m_1_times_chain_gravity * chain_x_1;
-    let t35 = t34 - t10 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t30
-        - chain_m_2_times_chain_gravity * chain_x_1
-        - t11 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - t12 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
-        - t12 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t31 - t32 - t33
-        - chain_m_3_times_chain_gravity * chain_x_1;
+    let t34 = ((((-(t2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t5 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
+        .sub_product(t27 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t27 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t28)
+        .sub_product(t6 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t29)
+        .sub_product(chain_m_1_times_chain_gravity, chain_x_1)
+        .sub_product(t10 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) - t30)
+        .sub_product(chain_m_2_times_chain_gravity, chain_x_1)
+        .sub_product(t11 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2);
+    let t35 = (t34
+        .sub_product(t12 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t12 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) - t31 - t32
+        - t33)
+        .sub_product(chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
@@ -952,27 +1068,36 @@ pub fn parameter_jacobian<R: Real>(
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let t38 = chain_l_1_times_chain_w_1_squared * sin_chain_th_2_plus_chain_th_3;
     let chain_gravity_times_sin_chain_a_3 = p.chain_gravity * sin_chain_a_3;
-    let t39 = t37 * chain_w_2 * sin_chain_a_2_minus_chain_a_3 - t38
-        + p.chain_l_2 * chain_w_1_squared * sin_chain_a_2_minus_chain_a_3
-        + p.chain_l_2 * chain_w_2_squared * sin_chain_a_2_minus_chain_a_3
+    let t39 = (-t38)
+        .add_product(t37 * chain_w_2, sin_chain_a_2_minus_chain_a_3)
+        .add_product(p.chain_l_2 * chain_w_1_squared, sin_chain_a_2_minus_chain_a_3)
+        .add_product(p.chain_l_2 * chain_w_2_squared, sin_chain_a_2_minus_chain_a_3)
         - chain_gravity_times_sin_chain_a_3;
-    let t40 = -t28 - t29 - t10 * chain_w_1_squared * sin_chain_th_2 - t30
-        - t11 * chain_w_1_squared * sin_chain_th_2
-        - t12 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t31 - t32 - t33
-        - t21 * t35;
-    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t39 - t22 * t35 - t25 * t40) * t26;
-    let chain_w_2_dot = t40 * t23 - t25 * chain_w_3_dot;
-    let chain_w_1_dot = t35 * t20 - t21 * chain_w_2_dot - t22 * chain_w_3_dot;
+    let t40 = (((-t28 - t29).sub_product(t10 * chain_w_1_squared, sin_chain_th_2) - t30)
+        .sub_product(t11 * chain_w_1_squared, sin_chain_th_2)
+        .sub_product(t12 * chain_w_1_squared, sin_chain_th_2_plus_chain_th_3) - t31 - t32
+        - t33)
+        .sub_product(t21, t35);
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t39)
+        .sub_product(t22, t35)
+        .sub_product(t25, t40) * t26;
+    let chain_w_2_dot = (t40 * t23).sub_product(t25, chain_w_3_dot);
+    let chain_w_1_dot = (t35 * t20)
+        .sub_product(t21, chain_w_2_dot)
+        .sub_product(t22, chain_w_3_dot);
     let t41 = R::literal(2.0) * p.chain_l_1;
     let t42 = t41 * chain_w_1;
     let t43 = t3 * p.chain_l_3;
     let chain_gravity_times_chain_x_1 = p.chain_gravity * chain_x_1;
-    let t44 = -chain_gravity_times_chain_x_1 - chain_l_1_squared * chain_w_1_dot;
+    let t44 = (-chain_gravity_times_chain_x_1)
+        .sub_product(chain_l_1_squared, chain_w_1_dot);
     let t45 = t21 * t44;
-    let chain_w_3_dot_by_chain_m_1 = (t25 * t45 - t22 * t44) * t26;
-    let chain_w_2_dot_by_chain_m_1 = -(t45 * t23) - t25 * chain_w_3_dot_by_chain_m_1;
-    let chain_w_1_dot_by_chain_m_1 = t44 * t20 - t21 * chain_w_2_dot_by_chain_m_1
-        - t22 * chain_w_3_dot_by_chain_m_1;
+    let chain_w_3_dot_by_chain_m_1 = (-(t22 * t44)).add_product(t25, t45) * t26;
+    let chain_w_2_dot_by_chain_m_1 = (-(t45 * t23))
+        .sub_product(t25, chain_w_3_dot_by_chain_m_1);
+    let chain_w_1_dot_by_chain_m_1 = (t44 * t20)
+        .sub_product(t21, chain_w_2_dot_by_chain_m_1)
+        .sub_product(t22, chain_w_3_dot_by_chain_m_1);
     let t46 = t41 * p.chain_l_2;
     let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
     let t47 = chain_l_1_times_chain_l_2 * chain_w_2_squared
@@ -981,17 +1106,23 @@ pub fn parameter_jacobian<R: Real>(
     let t49 = -(t46 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2);
     let t50 = t46 * cos_chain_th_1_minus_chain_a_2;
     let t51 = chain_l_1_squared + chain_l_2_squared;
-    let t52 = p.chain_l_2 * (p.chain_l_2 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_2);
-    let t53 = t49 - t47 - t48 - chain_gravity_times_chain_x_1
-        - (t51 + t50) * chain_w_1_dot - t52 * chain_w_2_dot;
-    let t54 = -(p.chain_l_2
-        * (chain_l_1_times_chain_w_1_squared * sin_chain_th_2
-            + p.chain_gravity * sin_chain_a_2)) - t52 * chain_w_1_dot
-        - chain_l_2_squared * chain_w_2_dot - t21 * t53;
-    let chain_w_3_dot_by_chain_m_2 = (-(t22 * t53) - t25 * t54) * t26;
-    let chain_w_2_dot_by_chain_m_2 = t54 * t23 - t25 * chain_w_3_dot_by_chain_m_2;
-    let chain_w_1_dot_by_chain_m_2 = t53 * t20 - t21 * chain_w_2_dot_by_chain_m_2
-        - t22 * chain_w_3_dot_by_chain_m_2;
+    let t52 = p.chain_l_2
+        * p.chain_l_2.add_product(p.chain_l_1, cos_chain_th_1_minus_chain_a_2);
+    let t53 = (t49 - t47 - t48 - chain_gravity_times_chain_x_1)
+        .sub_product(t51 + t50, chain_w_1_dot)
+        .sub_product(t52, chain_w_2_dot);
+    let t54 = (-(p.chain_l_2
+        * (chain_l_1_times_chain_w_1_squared * sin_chain_th_2)
+            .add_product(p.chain_gravity, sin_chain_a_2)))
+        .sub_product(t52, chain_w_1_dot)
+        .sub_product(chain_l_2_squared, chain_w_2_dot)
+        .sub_product(t21, t53);
+    let chain_w_3_dot_by_chain_m_2 = (-(t22 * t53)).sub_product(t25, t54) * t26;
+    let chain_w_2_dot_by_chain_m_2 = (t54 * t23)
+        .sub_product(t25, chain_w_3_dot_by_chain_m_2);
+    let chain_w_1_dot_by_chain_m_2 = (t53 * t20)
+        .sub_product(t21, chain_w_2_dot_by_chain_m_2)
+        .sub_product(t22, chain_w_3_dot_by_chain_m_2);
     let t55 = t41 * p.chain_l_3;
     let t56 = t55 * chain_w_1;
     let t57 = t36 * p.chain_l_3;
@@ -1001,129 +1132,203 @@ pub fn parameter_jacobian<R: Real>(
     let t60 = p.chain_l_2 * p.chain_l_3 * chain_w_3_squared
         * sin_chain_a_2_minus_chain_a_3;
     let t61 = p.chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let t62 = t49 - t56 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
-        - t56 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t58
-        - t55 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t59 - t47
-        - chain_l_1_times_chain_l_3 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
-        - chain_l_1_times_chain_l_3 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3
-        - t60 - t48 - t61 - chain_gravity_times_chain_x_1;
-    let t63 = t57 * cos_chain_a_2_minus_chain_a_3;
-    let t64 = chain_l_2_squared + chain_l_3_squared + t63;
-    let t65 = t64 + chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2
-        + chain_l_1_times_chain_l_3 * cos_chain_th_1_minus_chain_a_3;
+    let t62 = t57 * cos_chain_a_2_minus_chain_a_3;
+    let t63 = chain_l_2_squared + chain_l_3_squared + t62;
+    let t64 = t63
+        .add_product(chain_l_1_times_chain_l_2, cos_chain_th_1_minus_chain_a_2)
+        .add_product(chain_l_1_times_chain_l_3, cos_chain_th_1_minus_chain_a_3);
+    let t65 = (((t49
+        .sub_product(t56 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t56 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t58)
+        .sub_product(t55 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t59
+        - t47)
+        .sub_product(
+            chain_l_1_times_chain_l_3 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_a_3,
+        )
+        .sub_product(
+            chain_l_1_times_chain_l_3 * chain_w_3_squared,
+            sin_chain_th_1_minus_chain_a_3,
+        ) - t60 - t48 - t61 - chain_gravity_times_chain_x_1)
+        .sub_product(
+            (t51 + chain_l_3_squared + t50)
+                .add_product(t55, cos_chain_th_1_minus_chain_a_3) + t62,
+            chain_w_1_dot,
+        )
+        .sub_product(t64, chain_w_2_dot);
     let t66 = p.chain_l_3 * t17;
-    let t67 = t62
-        - (t51 + chain_l_3_squared + t50 + t55 * cos_chain_th_1_minus_chain_a_3 + t63)
-            * chain_w_1_dot - t65 * chain_w_2_dot - t66 * chain_w_3_dot;
+    let t67 = t65.sub_product(t66, chain_w_3_dot);
     let t68 = p.chain_l_3 * t19;
-    let t69 = -t58 - t59 - chain_l_1_times_chain_l_2 * chain_w_1_squared * sin_chain_th_2
-        - chain_l_1_times_chain_l_3 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
-        - t60 - t48 - t61 - t65 * chain_w_1_dot - t64 * chain_w_2_dot
-        - t68 * chain_w_3_dot - t21 * t67;
-    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t39 - t66 * chain_w_1_dot
-        - t68 * chain_w_2_dot - chain_l_3_squared * chain_w_3_dot - t22 * t67
-        - t25 * t69) * t26;
-    let chain_w_2_dot_by_chain_m_3 = t69 * t23 - t25 * chain_w_3_dot_by_chain_m_3;
-    let chain_w_1_dot_by_chain_m_3 = t67 * t20 - t21 * chain_w_2_dot_by_chain_m_3
-        - t22 * chain_w_3_dot_by_chain_m_3;
+    let t69 = ((-t58 - t59)
+        .sub_product(chain_l_1_times_chain_l_2 * chain_w_1_squared, sin_chain_th_2)
+        .sub_product(
+            chain_l_1_times_chain_l_3 * chain_w_1_squared,
+            sin_chain_th_2_plus_chain_th_3,
+        ) - t60 - t48 - t61)
+        .sub_product(t64, chain_w_1_dot)
+        .sub_product(t63, chain_w_2_dot)
+        .sub_product(t68, chain_w_3_dot)
+        .sub_product(t21, t67);
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t39)
+        .sub_product(t66, chain_w_1_dot)
+        .sub_product(t68, chain_w_2_dot)
+        .sub_product(chain_l_3_squared, chain_w_3_dot)
+        .sub_product(t22, t67)
+        .sub_product(t25, t69) * t26;
+    let chain_w_2_dot_by_chain_m_3 = (t69 * t23)
+        .sub_product(t25, chain_w_3_dot_by_chain_m_3);
+    let chain_w_1_dot_by_chain_m_3 = (t67 * t20)
+        .sub_product(t21, chain_w_2_dot_by_chain_m_3)
+        .sub_product(t22, chain_w_3_dot_by_chain_m_3);
     let t70 = t0 * p.chain_l_2;
     let t71 = t43 * chain_w_1;
     let t72 = t71 * chain_w_3;
     let t73 = t43 * chain_w_2 * chain_w_3;
     let t74 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let t75 = -(t70 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
-        - t7 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
-        - t71 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
-        - t72 * sin_chain_th_1_minus_chain_a_3 - t73 * sin_chain_th_1_minus_chain_a_3
-        - chain_m_1_times_chain_gravity * sin_chain_th_1
-        - chain_m_2_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - chain_m_2_times_chain_gravity * sin_chain_th_1;
+    let t75 = (-(t70 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t7 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
+        .sub_product(t71 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t72, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t73, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(chain_m_1_times_chain_gravity, sin_chain_th_1)
+        .sub_product(
+            chain_m_2_times_chain_l_2 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_a_2,
+        )
+        .sub_product(chain_m_2_times_chain_gravity, sin_chain_th_1)
+        .sub_product(
+            chain_m_3_times_chain_l_2 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_a_2,
+        )
+        .sub_product(
+            chain_m_3_times_chain_l_3 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_a_3,
+        )
+        .sub_product(t74, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
     let t76 = chain_m_2_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
     let t77 = chain_m_3_times_chain_l_2 * cos_chain_th_1_minus_chain_a_2;
     let t78 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_a_3;
     let t79 = t76 + t77 + t78;
     let t80 = t75
-        - chain_m_3_times_chain_l_2 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - chain_m_3_times_chain_l_3 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
-        - t74 * sin_chain_th_1_minus_chain_a_3
-        - chain_m_3_times_chain_gravity * sin_chain_th_1
-        - R::literal(2.0)
-            * (p.chain_m_1 * p.chain_l_1 + chain_m_2_times_chain_l_1
-                + chain_m_3_times_chain_l_1 + t76 + t77 + t78) * chain_w_1_dot
-        - t79 * chain_w_2_dot - t78 * chain_w_3_dot;
-    let t81 = -((chain_m_2_times_chain_l_2 * sin_chain_th_2
-        + chain_m_3_times_chain_l_2 * sin_chain_th_2
-        + chain_m_3_times_chain_l_3 * sin_chain_th_2_plus_chain_th_3)
-        * chain_w_1_squared) - t79 * chain_w_1_dot - t21 * t80;
+        .sub_product(
+            R::literal(2.0)
+                * (chain_m_2_times_chain_l_1.add_product(p.chain_m_1, p.chain_l_1)
+                    + chain_m_3_times_chain_l_1 + t76 + t77 + t78),
+            chain_w_1_dot,
+        )
+        .sub_product(t79, chain_w_2_dot)
+        .sub_product(t78, chain_w_3_dot);
+    let t81 = (-((chain_m_2_times_chain_l_2 * sin_chain_th_2)
+        .add_product(chain_m_3_times_chain_l_2, sin_chain_th_2)
+        .add_product(chain_m_3_times_chain_l_3, sin_chain_th_2_plus_chain_th_3)
+        * chain_w_1_squared))
+        .sub_product(t79, chain_w_1_dot)
+        .sub_product(t21, t80);
     let chain_w_3_dot_by_chain_l_1 = (-(chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_2_plus_chain_th_3) - t78 * chain_w_1_dot - t22 * t80 - t25 * t81)
-        * t26;
-    let chain_w_2_dot_by_chain_l_1 = t81 * t23 - t25 * chain_w_3_dot_by_chain_l_1;
-    let chain_w_1_dot_by_chain_l_1 = t80 * t20 - t21 * chain_w_2_dot_by_chain_l_1
-        - t22 * chain_w_3_dot_by_chain_l_1;
+        * sin_chain_th_2_plus_chain_th_3))
+        .sub_product(t78, chain_w_1_dot)
+        .sub_product(t22, t80)
+        .sub_product(t25, t81) * t26;
+    let chain_w_2_dot_by_chain_l_1 = (t81 * t23)
+        .sub_product(t25, chain_w_3_dot_by_chain_l_1);
+    let chain_w_1_dot_by_chain_l_1 = (t80 * t20)
+        .sub_product(t21, chain_w_2_dot_by_chain_l_1)
+        .sub_product(t22, chain_w_3_dot_by_chain_l_1);
     let t82 = t72 * sin_chain_a_2_minus_chain_a_3;
     let t83 = t73 * sin_chain_a_2_minus_chain_a_3;
     let t84 = chain_m_2_times_chain_gravity * sin_chain_a_2;
     let t85 = t74 * sin_chain_a_2_minus_chain_a_3;
     let t86 = chain_m_3_times_chain_gravity * sin_chain_a_2;
-    let t87 = -(t1 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
-        - t4 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2 - t82 - t83
-        - chain_m_2_times_chain_l_1 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - t84
-        - chain_m_3_times_chain_l_1 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - t85 - t86;
-    let t88 = chain_m_2_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
-    let t89 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
-    let t90 = chain_m_3_times_chain_l_3 * cos_chain_a_2_minus_chain_a_3;
-    let t91 = chain_m_2_times_chain_l_2 + chain_m_3_times_chain_l_2;
-    let t92 = t70 + t7 + t43 * cos_chain_a_2_minus_chain_a_3 + t88 + t89;
-    let t93 = t90 * chain_w_3_dot;
-    let t94 = t87 - R::literal(2.0) * (t91 + t88 + t89 + t90) * chain_w_1_dot
-        - t92 * chain_w_2_dot - t93;
-    let t95 = -t82 - t83 - chain_m_2_times_chain_l_1 * chain_w_1_squared * sin_chain_th_2
-        - t84 - chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_2 - t85
-        - t86 - t92 * chain_w_1_dot - R::literal(2.0) * (t91 + t90) * chain_w_2_dot - t93
-        - t21 * t94;
+    let t87 = chain_m_2_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
+    let t88 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_a_2;
+    let t89 = chain_m_3_times_chain_l_3 * cos_chain_a_2_minus_chain_a_3;
+    let t90 = chain_m_2_times_chain_l_2 + chain_m_3_times_chain_l_2;
+    let t91 = (t70 + t7).add_product(t43, cos_chain_a_2_minus_chain_a_3) + t87 + t88;
+    let t92 = t89 * chain_w_3_dot;
+    let t93 = ((((-(t1 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t4 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2) - t82
+        - t83)
+        .sub_product(
+            chain_m_2_times_chain_l_1 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_a_2,
+        ) - t84)
+        .sub_product(
+            chain_m_3_times_chain_l_1 * chain_w_2_squared,
+            sin_chain_th_1_minus_chain_a_2,
+        ) - t85 - t86)
+        .sub_product(R::literal(2.0) * (t90 + t87 + t88 + t89), chain_w_1_dot)
+        .sub_product(t91, chain_w_2_dot) - t92;
+    let t94 = ((((-t82 - t83)
+        .sub_product(chain_m_2_times_chain_l_1 * chain_w_1_squared, sin_chain_th_2)
+        - t84)
+        .sub_product(chain_m_3_times_chain_l_1 * chain_w_1_squared, sin_chain_th_2) - t85
+        - t86)
+        .sub_product(t91, chain_w_1_dot)
+        .sub_product(R::literal(2.0) * (t90 + t89), chain_w_2_dot) - t92)
+        .sub_product(t21, t93);
     let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * (chain_s_2 * chain_s_2)
-        * sin_chain_a_2_minus_chain_a_3 - t90 * chain_w_1_dot - t90 * chain_w_2_dot
-        - t22 * t94 - t25 * t95) * t26;
-    let chain_w_2_dot_by_chain_l_2 = t95 * t23 - t25 * chain_w_3_dot_by_chain_l_2;
-    let chain_w_1_dot_by_chain_l_2 = t94 * t20 - t21 * chain_w_2_dot_by_chain_l_2
-        - t22 * chain_w_3_dot_by_chain_l_2;
-    let t96 = t37 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t97 = t36 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
-    let t98 = p.chain_l_2 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
-    let t99 = p.chain_m_3
-        * (-(t42 * chain_w_2 * sin_chain_th_1_minus_chain_a_3)
-            - t42 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t96
-            - t41 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t97
-            - p.chain_l_1 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
-            - p.chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t98
-            - chain_gravity_times_sin_chain_a_3) - t3 * t17 * chain_w_1_dot;
-    let t100 = R::literal(2.0) * p.chain_l_3;
-    let t101 = p.chain_m_3 * (t100 + t36 * cos_chain_a_2_minus_chain_a_3 + t15);
-    let t102 = p.chain_m_3 * (t100 + t15 + t16);
-    let t103 = t99 - t101 * chain_w_2_dot - t102 * chain_w_3_dot;
-    let t104 = p.chain_m_3 * (t100 + t16);
-    let t105 = p.chain_m_3 * (-t96 - t97 - t38 - t98 - chain_gravity_times_sin_chain_a_3)
-        - t101 * chain_w_1_dot - t3 * t19 * chain_w_2_dot - t104 * chain_w_3_dot
-        - t21 * t103;
-    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t39 - t102 * chain_w_1_dot
-        - t104 * chain_w_2_dot - t43 * chain_w_3_dot - t22 * t103 - t25 * t105) * t26;
-    let chain_w_2_dot_by_chain_l_3 = t105 * t23 - t25 * chain_w_3_dot_by_chain_l_3;
-    let chain_w_1_dot_by_chain_l_3 = t103 * t20 - t21 * chain_w_2_dot_by_chain_l_3
-        - t22 * chain_w_3_dot_by_chain_l_3;
-    let t106 = chain_m_2_times_chain_l_2 * sin_chain_a_2;
-    let t107 = chain_m_3_times_chain_l_2 * sin_chain_a_2;
-    let t108 = chain_m_3_times_chain_l_3 * sin_chain_a_3;
-    let t109 = -(p.chain_m_1 * chain_x_1) - t106 - p.chain_m_2 * chain_x_1 - t107 - t108
-        - p.chain_m_3 * chain_x_1;
-    let t110 = -t106 - t107 - t108 - t21 * t109;
-    let chain_w_3_dot_by_chain_gravity = (-t108 - t22 * t109 - t25 * t110) * t26;
-    let chain_w_2_dot_by_chain_gravity = t110 * t23
-        - t25 * chain_w_3_dot_by_chain_gravity;
-    let chain_w_1_dot_by_chain_gravity = t109 * t20
-        - t21 * chain_w_2_dot_by_chain_gravity - t22 * chain_w_3_dot_by_chain_gravity;
+        * sin_chain_a_2_minus_chain_a_3)
+        .sub_product(t89, chain_w_1_dot)
+        .sub_product(t89, chain_w_2_dot)
+        .sub_product(t22, t93)
+        .sub_product(t25, t94) * t26;
+    let chain_w_2_dot_by_chain_l_2 = (t94 * t23)
+        .sub_product(t25, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = (t93 * t20)
+        .sub_product(t21, chain_w_2_dot_by_chain_l_2)
+        .sub_product(t22, chain_w_3_dot_by_chain_l_2);
+    let t95 = t37 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t96 = t36 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
+    let t97 = p.chain_l_2 * chain_w_3_squared * sin_chain_a_2_minus_chain_a_3;
+    let t98 = R::literal(2.0) * p.chain_l_3;
+    let t99 = p.chain_m_3 * (t98.add_product(t36, cos_chain_a_2_minus_chain_a_3) + t15);
+    let t100 = p.chain_m_3 * (t98 + t15 + t16);
+    let t101 = (p.chain_m_3
+        * ((((-(t42 * chain_w_2 * sin_chain_th_1_minus_chain_a_3))
+            .sub_product(t42 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t95)
+            .sub_product(t41 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3)
+            - t96)
+            .sub_product(p.chain_l_1 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
+            .sub_product(p.chain_l_1 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3)
+            - t97 - chain_gravity_times_sin_chain_a_3))
+        .sub_product(t3 * t17, chain_w_1_dot)
+        .sub_product(t99, chain_w_2_dot)
+        .sub_product(t100, chain_w_3_dot);
+    let t102 = p.chain_m_3 * (t98 + t16);
+    let t103 = (p.chain_m_3
+        * (-t95 - t96 - t38 - t97 - chain_gravity_times_sin_chain_a_3))
+        .sub_product(t99, chain_w_1_dot)
+        .sub_product(t3 * t19, chain_w_2_dot)
+        .sub_product(t102, chain_w_3_dot)
+        .sub_product(t21, t101);
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t39)
+        .sub_product(t100, chain_w_1_dot)
+        .sub_product(t102, chain_w_2_dot)
+        .sub_product(t43, chain_w_3_dot)
+        .sub_product(t22, t101)
+        .sub_product(t25, t103) * t26;
+    let chain_w_2_dot_by_chain_l_3 = (t103 * t23)
+        .sub_product(t25, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = (t101 * t20)
+        .sub_product(t21, chain_w_2_dot_by_chain_l_3)
+        .sub_product(t22, chain_w_3_dot_by_chain_l_3);
+    let t104 = chain_m_2_times_chain_l_2 * sin_chain_a_2;
+    let t105 = chain_m_3_times_chain_l_2 * sin_chain_a_2;
+    let t106 = chain_m_3_times_chain_l_3 * sin_chain_a_3;
+    let t107 = ((-t104)
+        .sub_product(p.chain_m_1, chain_x_1)
+        .sub_product(p.chain_m_2, chain_x_1) - t105 - t106)
+        .sub_product(p.chain_m_3, chain_x_1);
+    let t108 = (-t104 - t105 - t106).sub_product(t21, t107);
+    let chain_w_3_dot_by_chain_gravity = (-t106)
+        .sub_product(t22, t107)
+        .sub_product(t25, t108) * t26;
+    let chain_w_2_dot_by_chain_gravity = (t108 * t23)
+        .sub_product(t25, chain_w_3_dot_by_chain_gravity);
+    let chain_w_1_dot_by_chain_gravity = (t107 * t20)
+        .sub_product(t21, chain_w_2_dot_by_chain_gravity)
+        .sub_product(t22, chain_w_3_dot_by_chain_gravity);
     [
         chain_w_1_dot_by_chain_m_1,
         chain_w_1_dot_by_chain_m_2,
@@ -1178,10 +1383,10 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let chain_a_3 = chain_th_3 + chain_a_2;
     let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
     let chain_y_1 = -(p.chain_l_1 * chain_th_1.cos());
-    let chain_x_2 = chain_x_1 + p.chain_l_2 * chain_a_2.sin();
-    let chain_y_2 = chain_y_1 - p.chain_l_2 * chain_a_2.cos();
-    let chain_x_3 = chain_x_2 + p.chain_l_3 * chain_a_3.sin();
-    let chain_y_3 = chain_y_2 - p.chain_l_3 * chain_a_3.cos();
+    let chain_x_2 = chain_x_1.add_product(p.chain_l_2, chain_a_2.sin());
+    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, chain_a_2.cos());
+    let chain_x_3 = chain_x_2.add_product(p.chain_l_3, chain_a_3.sin());
+    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, chain_a_3.cos());
     Outputs {
         end_x: chain_x_3,
         end_y: chain_y_3,
@@ -1204,25 +1409,30 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
     let chain_vy_1 = chain_w_1 * chain_x_1;
     let cos_chain_a_2 = chain_a_2.cos();
-    let chain_y_2 = chain_y_1 - p.chain_l_2 * cos_chain_a_2;
+    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_a_2);
     let chain_l_2_times_chain_s_2 = p.chain_l_2 * chain_s_2;
-    let chain_vx_2 = chain_vx_1 + chain_l_2_times_chain_s_2 * cos_chain_a_2;
-    let chain_vy_2 = chain_vy_1 + chain_l_2_times_chain_s_2 * chain_a_2.sin();
+    let chain_vx_2 = chain_vx_1.add_product(chain_l_2_times_chain_s_2, cos_chain_a_2);
+    let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_s_2, chain_a_2.sin());
     let cos_chain_a_3 = chain_a_3.cos();
-    let chain_y_3 = chain_y_2 - p.chain_l_3 * cos_chain_a_3;
+    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_a_3);
     let chain_l_3_times_chain_s_3 = p.chain_l_3 * chain_s_3;
-    let chain_vx_3 = chain_vx_2 + chain_l_3_times_chain_s_3 * cos_chain_a_3;
-    let chain_vy_3 = chain_vy_2 + chain_l_3_times_chain_s_3 * chain_a_3.sin();
+    let chain_vx_3 = chain_vx_2.add_product(chain_l_3_times_chain_s_3, cos_chain_a_3);
+    let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_s_3, chain_a_3.sin());
     Energy {
-        kinetic: R::literal(0.5) * p.chain_m_1
-            * (chain_vx_1 * chain_vx_1 + chain_vy_1 * chain_vy_1)
-            + R::literal(0.5) * p.chain_m_2
-                * (chain_vx_2 * chain_vx_2 + chain_vy_2 * chain_vy_2)
-            + R::literal(0.5) * p.chain_m_3
-                * (chain_vx_3 * chain_vx_3 + chain_vy_3 * chain_vy_3),
+        kinetic: (R::literal(0.5) * p.chain_m_1
+            * (chain_vx_1 * chain_vx_1).add_product(chain_vy_1, chain_vy_1))
+            .add_product(
+                R::literal(0.5) * p.chain_m_2,
+                (chain_vx_2 * chain_vx_2).add_product(chain_vy_2, chain_vy_2),
+            )
+            .add_product(
+                R::literal(0.5) * p.chain_m_3,
+                (chain_vx_3 * chain_vx_3).add_product(chain_vy_3, chain_vy_3),
+            ),
         potential: p.chain_gravity
-            * (p.chain_m_2 * chain_y_2 - p.chain_m_1 * chain_l_1_times_cos_chain_th_1
-                + p.chain_m_3 * chain_y_3),
+            * (-(p.chain_m_1 * chain_l_1_times_cos_chain_th_1))
+                .add_product(p.chain_m_2, chain_y_2)
+                .add_product(p.chain_m_3, chain_y_3),
         stored: R::literal(0.0),
     }
 }
@@ -1292,22 +1502,27 @@ pub fn power_balance<R: Real>(
     let t13 = chain_m_3_times_chain_l_1 * p.chain_l_3;
     let t14 = chain_m_2_times_chain_l_2_squared + chain_m_3_times_chain_l_2_squared
         + chain_m_3_times_chain_l_3_squared + t10;
-    let t15 = t14 + t11 * cos_chain_th_1_minus_chain_a_2
-        + t12 * cos_chain_th_1_minus_chain_a_2 + t13 * cos_chain_th_1_minus_chain_a_3;
+    let t15 = t14
+        .add_product(t11, cos_chain_th_1_minus_chain_a_2)
+        .add_product(t12, cos_chain_th_1_minus_chain_a_2)
+        .add_product(t13, cos_chain_th_1_minus_chain_a_3);
     let t16 = p.chain_l_2 * cos_chain_a_2_minus_chain_a_3;
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t17 = chain_m_3_times_chain_l_3
-        * (p.chain_l_3 + p.chain_l_1 * cos_chain_th_1_minus_chain_a_3 + t16);
+        * (p.chain_l_3.add_product(p.chain_l_1, cos_chain_th_1_minus_chain_a_3) + t16);
     let t18 = R::literal(1.0)
-        / (p.chain_m_1 * chain_l_1_squared + p.chain_m_2 * chain_l_1_squared
-            + chain_m_2_times_chain_l_2_squared + p.chain_m_3 * chain_l_1_squared
-            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared
-            + t4 * cos_chain_th_1_minus_chain_a_2 + t7 * cos_chain_th_1_minus_chain_a_2
-            + t8 * cos_chain_th_1_minus_chain_a_3 + t10);
+        / ((((p.chain_m_1 * chain_l_1_squared)
+            .add_product(p.chain_m_2, chain_l_1_squared)
+            + chain_m_2_times_chain_l_2_squared)
+            .add_product(p.chain_m_3, chain_l_1_squared)
+            + chain_m_3_times_chain_l_2_squared + chain_m_3_times_chain_l_3_squared)
+            .add_product(t4, cos_chain_th_1_minus_chain_a_2)
+            .add_product(t7, cos_chain_th_1_minus_chain_a_2)
+            .add_product(t8, cos_chain_th_1_minus_chain_a_3) + t10);
     let t19 = t15 * t18;
     let t20 = t17 * t18;
-    let t21 = R::literal(1.0) / (t14 - t19 * t15);
-    let t22 = chain_m_3_times_chain_l_3 * (p.chain_l_3 + t16) - t20 * t15;
+    let t21 = R::literal(1.0) / t14.sub_product(t19, t15);
+    let t22 = (chain_m_3_times_chain_l_3 * (p.chain_l_3 + t16)).sub_product(t20, t15);
     let t23 = t22 * t21;
     let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
     let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
@@ -1324,75 +1539,119 @@ pub fn power_balance<R: Real>(
         * sin_chain_a_2_minus_chain_a_3;
     let t29 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
     let t30 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let t31 = -(t4 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2)
-        - t7 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2
-        - t24 * chain_w_2 * sin_chain_th_1_minus_chain_a_3
-        - t24 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t25
-        - t8 * chain_w_2 * chain_w_3 * sin_chain_th_1_minus_chain_a_3 - t26
-        - p.chain_m_1 * p.chain_gravity * chain_x_1;
-    let t32 = t31 - t11 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2 - t27
-        - p.chain_m_2 * p.chain_gravity * chain_x_1
-        - t12 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_2
-        - t13 * chain_w_2_squared * sin_chain_th_1_minus_chain_a_3
-        - t13 * chain_w_3_squared * sin_chain_th_1_minus_chain_a_3 - t28 - t29 - t30
-        - p.chain_m_3 * p.chain_gravity * chain_x_1;
+    let t31 = ((((-(t4 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t7 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
+        .sub_product(t24 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t24 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t25)
+        .sub_product(t8 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t26)
+        .sub_product(p.chain_m_1 * p.chain_gravity, chain_x_1)
+        .sub_product(t11 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) - t27)
+        .sub_product(p.chain_m_2 * p.chain_gravity, chain_x_1);
+    let t32 = (t31
+        .sub_product(t12 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
+        .sub_product(t13 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
+        .sub_product(t13 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) - t28 - t29
+        - t30)
+        .sub_product(p.chain_m_3 * p.chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let sin_chain_th_2 = chain_th_2.sin();
     let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
     let t33 = R::literal(2.0) * p.chain_l_2;
-    let t34 = -t25 - t26 - t11 * chain_w_1_squared * sin_chain_th_2 - t27
-        - t12 * chain_w_1_squared * sin_chain_th_2
-        - t13 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3 - t28 - t29 - t30
-        - t19 * t32;
-    let t35 = chain_m_3_times_chain_l_3
-        * (t33 * chain_w_1 * chain_w_2 * sin_chain_a_2_minus_chain_a_3
-            - p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3
-            + p.chain_l_2 * chain_w_1_squared * sin_chain_a_2_minus_chain_a_3
-            + p.chain_l_2 * chain_w_2_squared * sin_chain_a_2_minus_chain_a_3
-            - p.chain_gravity * sin_chain_a_3) - t20 * t32 - t23 * t34;
-    let chain_w_3_dot = t35
+    let t34 = (((-t25 - t26).sub_product(t11 * chain_w_1_squared, sin_chain_th_2) - t27)
+        .sub_product(t12 * chain_w_1_squared, sin_chain_th_2)
+        .sub_product(t13 * chain_w_1_squared, sin_chain_th_2_plus_chain_th_3) - t28 - t29
+        - t30)
+        .sub_product(t19, t32);
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3
+        * (-(p.chain_l_1 * chain_w_1_squared * sin_chain_th_2_plus_chain_th_3))
+            .add_product(t33 * chain_w_1 * chain_w_2, sin_chain_a_2_minus_chain_a_3)
+            .add_product(p.chain_l_2 * chain_w_1_squared, sin_chain_a_2_minus_chain_a_3)
+            .add_product(p.chain_l_2 * chain_w_2_squared, sin_chain_a_2_minus_chain_a_3)
+            .sub_product(p.chain_gravity, sin_chain_a_3))
+        .sub_product(t20, t32)
+        .sub_product(t23, t34)
         * (R::literal(1.0)
-            / (chain_m_3_times_chain_l_3_squared - t20 * t17 - t23 * t22));
-    let chain_w_2_dot = t34 * t21 - t23 * chain_w_3_dot;
-    let chain_w_1_dot = t32 * t18 - t19 * chain_w_2_dot - t20 * chain_w_3_dot;
-    let t36 = R::literal(2.0) * p.chain_l_3;
-    let t37 = R::literal(0.5) * p.chain_m_2;
-    let t38 = R::literal(0.5) * p.chain_m_3;
-    let t39 = R::literal(2.0) * chain_vx_3;
-    let t40 = t33 * chain_s_2;
-    let t41 = R::literal(2.0) * chain_vy_3;
-    let t42 = chain_l_2_times_sin_chain_a_2 + chain_l_3_times_sin_chain_a_3;
-    let t43 = (t37
-        * (t40 * chain_vy_2 * cos_chain_a_2 - t40 * chain_vx_2 * sin_chain_a_2)
-        + t38 * (t39 * (-t1 - t3) + t41 * (t0 + t2))
-        + p.chain_gravity
-            * (chain_m_2_times_chain_l_2 * sin_chain_a_2 + p.chain_m_3 * t42))
-        * chain_w_2;
-    let t44 = t36 * chain_s_3;
-    let t45 = (R::literal(0.5) * p.chain_m_1
-        * (R::literal(2.0) * chain_x_1 * chain_vy_1
-            + R::literal(2.0) * chain_l_1_times_cos_chain_th_1 * chain_vx_1)
-        + t37
-            * (R::literal(2.0) * chain_x_2 * chain_vy_2
-                - R::literal(2.0) * chain_y_2 * chain_vx_2)
-        + t38
-            * (R::literal(2.0) * chain_x_3 * chain_vy_3
-                - R::literal(2.0) * chain_y_3 * chain_vx_3)) * chain_w_1_dot;
-    let t46 = p.chain_gravity
-        * (p.chain_m_1 * chain_x_1 + p.chain_m_2 * chain_x_2 + p.chain_m_3 * chain_x_3)
-        * chain_w_1 + t43
-        + (t38 * (t44 * chain_vy_3 * cos_chain_a_3 - t44 * chain_vx_3 * sin_chain_a_3)
-            + t30) * chain_w_3 + t45;
+            / chain_m_3_times_chain_l_3_squared
+                .sub_product(t20, t17)
+                .sub_product(t23, t22));
+    let chain_w_2_dot = (t34 * t21).sub_product(t23, chain_w_3_dot);
+    let chain_w_1_dot = (t32 * t18)
+        .sub_product(t19, chain_w_2_dot)
+        .sub_product(t20, chain_w_3_dot);
+    let t35 = R::literal(2.0) * p.chain_l_3;
+    let t36 = R::literal(0.5) * p.chain_m_2;
+    let t37 = R::literal(0.5) * p.chain_m_3;
+    let t38 = R::literal(2.0) * chain_vx_3;
+    let t39 = t33 * chain_s_2;
+    let t40 = R::literal(2.0) * chain_vy_3;
+    let t41 = chain_l_2_times_sin_chain_a_2 + chain_l_3_times_sin_chain_a_3;
+    let t42 = (p.chain_gravity
+        * (p.chain_m_1 * chain_x_1)
+            .add_product(p.chain_m_2, chain_x_2)
+            .add_product(p.chain_m_3, chain_x_3) * chain_w_1)
+        .add_product(
+            (t36
+                * (t39 * chain_vy_2 * cos_chain_a_2)
+                    .sub_product(t39 * chain_vx_2, sin_chain_a_2))
+                .add_product(t37, (t38 * (-t1 - t3)).add_product(t40, t0 + t2))
+                .add_product(
+                    p.chain_gravity,
+                    (chain_m_2_times_chain_l_2 * sin_chain_a_2)
+                        .add_product(p.chain_m_3, t41),
+                ),
+            chain_w_2,
+        );
+    let t43 = t35 * chain_s_3;
+    let t44 = t42
+        .add_product(
+            t30
+                .add_product(
+                    t37,
+                    (t43 * chain_vy_3 * cos_chain_a_3)
+                        .sub_product(t43 * chain_vx_3, sin_chain_a_3),
+                ),
+            chain_w_3,
+        )
+        .add_product(
+            (R::literal(0.5) * p.chain_m_1
+                * (R::literal(2.0) * chain_x_1 * chain_vy_1)
+                    .add_product(
+                        R::literal(2.0) * chain_l_1_times_cos_chain_th_1,
+                        chain_vx_1,
+                    ))
+                .add_product(
+                    t36,
+                    (R::literal(2.0) * chain_x_2 * chain_vy_2)
+                        .sub_product(R::literal(2.0) * chain_y_2, chain_vx_2),
+                )
+                .add_product(
+                    t37,
+                    (R::literal(2.0) * chain_x_3 * chain_vy_3)
+                        .sub_product(R::literal(2.0) * chain_y_3, chain_vx_3),
+                ),
+            chain_w_1_dot,
+        );
     PowerBalance {
-        stored_rate: t46
-            + (t37
-                * (t33 * chain_vx_2 * cos_chain_a_2 + t33 * chain_vy_2 * sin_chain_a_2)
-                + t38
-                    * (t39
-                        * (chain_l_2_times_cos_chain_a_2 + chain_l_3_times_cos_chain_a_3)
-                        + t41 * t42)) * chain_w_2_dot
-            + t38 * (t36 * chain_vx_3 * cos_chain_a_3 + t36 * chain_vy_3 * sin_chain_a_3)
-                * chain_w_3_dot,
+        stored_rate: t44
+            .add_product(
+                (t36
+                    * (t33 * chain_vx_2 * cos_chain_a_2)
+                        .add_product(t33 * chain_vy_2, sin_chain_a_2))
+                    .add_product(
+                        t37,
+                        (t38
+                            * (chain_l_2_times_cos_chain_a_2
+                                + chain_l_3_times_cos_chain_a_3))
+                            .add_product(t40, t41),
+                    ),
+                chain_w_2_dot,
+            )
+            .add_product(
+                t37
+                    * (t35 * chain_vx_3 * cos_chain_a_3)
+                        .add_product(t35 * chain_vy_3, sin_chain_a_3),
+                chain_w_3_dot,
+            ),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }

@@ -487,8 +487,9 @@ pub fn prepared_rate<R: Real>(
     let fell_torque = p.fell_stiffness * reed_angle;
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force
-        - p.drive_stiffness * (shaft_driven - drive_angle))
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.drive_stiffness, shaft_driven - drive_angle)
         * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0)
         * c.inverse_shaft_reed_field_inertia;
@@ -536,8 +537,9 @@ pub fn forcing<R: Real>(
     let [shaft_driven, shaft_reed, _, reed_angle, ..] = *state;
     let fell_torque = p.fell_stiffness * reed_angle;
     let drive_angle = p.drive_amplitude * (p.drive_frequency * time).sin();
-    let shaft_driven_forcing = p.shaft_driven_field_force
-        - p.drive_stiffness * (shaft_driven - drive_angle);
+    let shaft_driven_forcing = p
+        .shaft_driven_field_force
+        .sub_product(p.drive_stiffness, shaft_driven - drive_angle);
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
     let shaft_reed_forcing = p.shaft_reed_field_force - t0;
     let reed_angle_forcing = t0 - fell_torque;
@@ -608,8 +610,9 @@ pub fn parameter_jacobian<R: Real>(
     let t0 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t1 = p.reed_stiffness * shaft_reed_minus_reed_angle;
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force
-        - p.drive_stiffness * (shaft_driven - drive_angle))
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.drive_stiffness, shaft_driven - drive_angle)
         * inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t1)
         * inverse_shaft_reed_field_inertia;
@@ -710,19 +713,29 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let shaft_driven_minus_drive_angle = shaft_driven - drive_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     Energy {
-        kinetic: R::literal(0.5) * p.reed_mass * (p.reed_arm * p.reed_arm)
-            * (reed_speed * reed_speed)
-            + R::literal(0.5) * p.shaft_driven_field_inertia
-                * (shaft_driven_dot * shaft_driven_dot)
-            + R::literal(0.5) * p.shaft_reed_field_inertia
-                * (shaft_reed_dot * shaft_reed_dot)
-            + R::literal(0.5) * p.shaft_middle_field_inertia
-                * (shaft_middle_dot * shaft_middle_dot),
-        potential: R::literal(0.5) * reed_angle * fell_torque
-            + R::literal(0.5) * p.drive_stiffness
-                * (shaft_driven_minus_drive_angle * shaft_driven_minus_drive_angle)
-            + R::literal(0.5) * p.reed_stiffness
-                * (shaft_reed_minus_reed_angle * shaft_reed_minus_reed_angle),
+        kinetic: (R::literal(0.5) * p.shaft_driven_field_inertia
+            * (shaft_driven_dot * shaft_driven_dot))
+            .add_product(
+                R::literal(0.5) * p.reed_mass * (p.reed_arm * p.reed_arm),
+                reed_speed * reed_speed,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_reed_field_inertia,
+                shaft_reed_dot * shaft_reed_dot,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_middle_field_inertia,
+                shaft_middle_dot * shaft_middle_dot,
+            ),
+        potential: (R::literal(0.5) * reed_angle * fell_torque)
+            .add_product(
+                R::literal(0.5) * p.drive_stiffness,
+                shaft_driven_minus_drive_angle * shaft_driven_minus_drive_angle,
+            )
+            .add_product(
+                R::literal(0.5) * p.reed_stiffness,
+                shaft_reed_minus_reed_angle * shaft_reed_minus_reed_angle,
+            ),
         stored: R::literal(0.0),
     }
 }
@@ -756,15 +769,23 @@ pub fn power_balance<R: Real>(
     let t2 = p.drive_stiffness * p.drive_amplitude * p.drive_frequency
         * shaft_driven_minus_drive_angle * drive_frequency_times_time.cos();
     PowerBalance {
-        stored_rate: t0 * shaft_driven_dot - t2 + t1 * shaft_reed_dot
-            + (fell_torque - t1) * reed_speed
-            + p.shaft_driven_field_inertia * shaft_driven_dot * shaft_driven_dot_dot
-            + p.shaft_reed_field_inertia * shaft_reed_dot * shaft_reed_dot_dot
-            + p.shaft_middle_field_inertia * shaft_middle_dot * shaft_middle_dot_dot
-            + reed_mass_times_reed_arm_squared * reed_speed * reed_speed_dot,
-        supplied: p.shaft_driven_field_force * shaft_driven_dot
-            + p.shaft_reed_field_force * shaft_reed_dot
-            + p.shaft_middle_field_force * shaft_middle_dot - t2,
+        stored_rate: (-t2)
+            .add_product(t0, shaft_driven_dot)
+            .add_product(t1, shaft_reed_dot)
+            .add_product(fell_torque - t1, reed_speed)
+            .add_product(
+                p.shaft_driven_field_inertia * shaft_driven_dot,
+                shaft_driven_dot_dot,
+            )
+            .add_product(p.shaft_reed_field_inertia * shaft_reed_dot, shaft_reed_dot_dot)
+            .add_product(
+                p.shaft_middle_field_inertia * shaft_middle_dot,
+                shaft_middle_dot_dot,
+            )
+            .add_product(reed_mass_times_reed_arm_squared * reed_speed, reed_speed_dot),
+        supplied: (p.shaft_driven_field_force * shaft_driven_dot)
+            .add_product(p.shaft_reed_field_force, shaft_reed_dot)
+            .add_product(p.shaft_middle_field_force, shaft_middle_dot) - t2,
         dissipated: R::literal(0.0),
     }
 }
@@ -1290,7 +1311,7 @@ pub mod shaft_u {
             R::literal(0.0),
             -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
                 * (shaft_radius_squared * shaft_radius_squared)
-                * (u_x_2 + p.shaft_damping_time * u_x_dot)),
+                * u_x_2.add_product(p.shaft_damping_time, u_x_dot)),
         ]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
@@ -1332,7 +1353,7 @@ pub mod shaft_u {
         let [_, u_x_2, _, u_x_dot] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
-        let t0 = u_x_2 + p.shaft_damping_time * u_x_dot;
+        let t0 = u_x_2.add_product(p.shaft_damping_time, u_x_dot);
         [
             R::literal(0.0),
             R::literal(0.0),
@@ -1508,7 +1529,7 @@ pub mod shaft_u {
         let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
             * (shaft_radius_squared * shaft_radius_squared);
         for ((&u_x_2, &u_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(t0 * (u_x_2 + p.shaft_damping_time * u_x_dot));
+            *force = -(t0 * u_x_2.add_product(p.shaft_damping_time, u_x_dot));
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

@@ -597,33 +597,47 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry] = *state;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(c.inverse_load_engagement_width * (time - p.load_engagement_time)))
                 .exp());
     let motor_torque = c.t2
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let load_resistance = load_engagement
-        * (p.load_mean + p.load_amplitude * (p.load_phase + c.t3 * time).sin())
+        * p
+            .load_mean
+            .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin())
         * (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let cylinder_omega_dot = (c.t4 * coupling_twist + c.t5 * coupling_twist_rate
-        - load_resistance) * c.inverse_cylinder_inertia;
-    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + c.motor_alpha_r_times_motor_omega_0
-            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
-        * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
+    let cylinder_omega_dot = ((c.t4 * coupling_twist)
+        .add_product(c.t5, coupling_twist_rate) - load_resistance)
+        * c.inverse_cylinder_inertia;
+    let motor_psi_sx_dot = c
+        .motor_u_x
+        .add_product(c.motor_omega_0, motor_psi_sy)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx),
+        );
+    let motor_psi_sy_dot = c
+        .motor_u_y
+        .sub_product(c.motor_omega_0, motor_psi_sx)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry),
+        );
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            c.motor_alpha_r_times_motor_omega_0,
+            (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx),
+        );
+    let motor_psi_ry_dot = (c.motor_alpha_r_times_motor_omega_0
+        * (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     [
         coupling_twist_rate,
         motor_omega_dot,
@@ -660,10 +674,10 @@ pub fn forcing<R: Real>(
     motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
@@ -671,17 +685,21 @@ pub fn forcing<R: Real>(
                 .exp());
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+        * p
+            .load_mean
+            .add_product(
+                p.load_amplitude,
+                p
+                    .load_phase
+                    .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time)
+                    .sin(),
+            ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let motor_phi_forcing = motor_torque - coupling_torque;
-    let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance;
+    let cylinder_phi_forcing = (p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - load_resistance;
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
@@ -719,10 +737,18 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = (c.t6
-        - c.inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t0 * t0)
-            * (p.load_mean + p.load_amplitude * (p.load_phase + c.t3 * time).sin()))
-        * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_cylinder_omega = c
+        .t6
+        .sub_product(
+            c.inverse_load_standstill_band * load_engagement
+                * R::literal(1.0).sub_product(t0, t0),
+            p
+                .load_mean
+                .add_product(
+                    p.load_amplitude,
+                    p.load_phase.add_product(c.t3, time).sin(),
+                ),
+        ) * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_psi_sx = c.t7 * motor_psi_ry * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
@@ -782,36 +808,38 @@ pub fn parameter_jacobian<R: Real>(
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
     let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
     let time_minus_load_engagement_time = time - p.load_engagement_time;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t2 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
     let t3 = R::literal(1.0) + t2;
     let load_engagement = R::literal(1.0) / t3;
-    let t4 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let t4 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t5 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t5 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
     let t6 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
     let t7 = R::literal(1.5) * p.motor_pole_pairs;
     let motor_torque = t7 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
         * t6;
-    let t8 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t8 = p
+        .load_phase
+        .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let t9 = t8.sin();
-    let t10 = p.load_mean + p.load_amplitude * t9;
+    let t10 = p.load_mean.add_product(p.load_amplitude, t9);
     let t11 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let load_resistance = load_engagement * t10 * t11;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
-        * inverse_cylinder_inertia;
+    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - load_resistance) * inverse_cylinder_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t12 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let t12 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t13 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t13 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let t14 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
@@ -823,15 +851,21 @@ pub fn parameter_jacobian<R: Real>(
     ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t6
         * inverse_motor_inertia;
     let t15 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
-    let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t15 * t4;
-    let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t15 * t5;
+    let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_sy)
+        .sub_product(t15, t4);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_sx))
+        .sub_product(t15, t5);
     let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
-    let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t16 * t12;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t16 * t13
-        - R::literal(core::f64::consts::TAU) * motor_psi_rx;
+    let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_ry)
+        .add_product(t16, t12);
+    let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_rx))
+        .add_product(t16, t13);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
         * motor_omega_0 / motor_x_s_times_motor_sigma * t6 * inverse_motor_inertia;
@@ -862,9 +896,12 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
         * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = (t1 + p.coupling_damping * motor_omega
-        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * cylinder_omega)
-        * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = t1
+        .add_product(p.coupling_damping, motor_omega)
+        .sub_product(
+            R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
+            cylinder_omega,
+        ) * inverse_cylinder_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
@@ -887,7 +924,7 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
-        * load_engagement * (R::literal(1.0) - t11 * t11) * t10
+        * load_engagement * R::literal(1.0).sub_product(t11, t11) * t10
         * inverse_cylinder_inertia;
     [
         coupling_twist_dot_by_coupling_ratio,
@@ -947,12 +984,17 @@ pub fn time_derivative<R: Real>(
     let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
     let t1 = R::literal(1.0) + t0;
     let load_engagement = R::literal(1.0) / t1;
-    let t2 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t2 = p
+        .load_phase
+        .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let t3 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(R::literal(core::f64::consts::PI)
-        * p.load_amplitude * load_omega_2 * load_engagement * t2.cos() * t3)
-        - inverse_load_engagement_width * (p.load_mean + p.load_amplitude * t2.sin())
-            * t0 * t3 / (t1 * t1)) * (R::literal(1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width
+        * p.load_mean.add_product(p.load_amplitude, t2.sin()) * t0 * t3 / (t1 * t1)))
+        .sub_product(
+            R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
+                * load_engagement * t2.cos(),
+            t3,
+        ) * (R::literal(1.0) / p.cylinder_inertia);
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -973,10 +1015,10 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
@@ -984,21 +1026,24 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
                 .exp());
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t0 = motor_omega_0 / motor_x_s_times_motor_sigma;
-    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_i_sy = t0 * motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
-        * (R::literal(1.0) / p.cylinder_inertia);
+        * p
+            .load_mean
+            .add_product(
+                p.load_amplitude,
+                p
+                    .load_phase
+                    .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time)
+                    .sin(),
+            ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - load_resistance) * (R::literal(1.0) / p.cylinder_inertia);
     Outputs {
         motor_speed: motor_omega,
         cylinder_speed: cylinder_omega,
@@ -1007,7 +1052,9 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         load_torque: load_resistance,
         twist: coupling_twist,
         cylinder_acceleration: cylinder_omega_dot,
-        stator_current: (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy).sqrt(),
+        stator_current: (motor_i_sx * motor_i_sx)
+            .add_product(motor_i_sy, motor_i_sy)
+            .sqrt(),
     }
 }
 
@@ -1019,22 +1066,27 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
-    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_i_sy = t0 * motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
-    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
-    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
+    let motor_i_rx = t1 * motor_psi_rx.sub_product(p.motor_k_s, motor_psi_sx);
+    let motor_i_ry = t1 * motor_psi_ry.sub_product(p.motor_k_s, motor_psi_sy);
     Energy {
-        kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
-            + R::literal(0.5) * p.cylinder_inertia * (cylinder_omega * cylinder_omega),
+        kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
+            .add_product(
+                R::literal(0.5) * p.cylinder_inertia,
+                cylinder_omega * cylinder_omega,
+            ),
         potential: R::literal(0.5) * p.coupling_stiffness
             * (coupling_twist * coupling_twist),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -1051,25 +1103,25 @@ pub fn power_balance<R: Real>(
     motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_i_sx = t3 * t2;
-    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t4 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_i_sy = t3 * t4;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
     let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
@@ -1078,54 +1130,86 @@ pub fn power_balance<R: Real>(
     let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+        * p
+            .load_mean
+            .add_product(
+                p.load_amplitude,
+                p
+                    .load_phase
+                    .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time)
+                    .sin(),
+            ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let t6 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + t6 * coupling_twist_rate - load_resistance)
+    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(t6, coupling_twist_rate) - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0 * t2;
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0 * t4;
+    let motor_psi_sx_dot = motor_u_x
+        .add_product(motor_omega_0, motor_psi_sy)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t2);
+    let motor_psi_sy_dot = motor_u_y
+        .sub_product(motor_omega_0, motor_psi_sx)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t4);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
-            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
-        * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            motor_alpha_r_times_motor_omega_0,
+            motor_k_s_times_motor_psi_sx - motor_psi_rx,
+        );
+    let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
+        * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     let t7 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t8 = t1 * coupling_twist_rate + p.motor_inertia * motor_omega * motor_omega_dot
-        + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot
-        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t7 * motor_psi_rx)
-            * motor_psi_sx_dot
-        + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t7 * motor_psi_ry)
-            * motor_psi_sy_dot;
     PowerBalance {
-        stored_rate: t8
-            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t7 * motor_psi_sx)
-                * motor_psi_rx_dot
-            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t7 * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy)
-            - cylinder_omega * load_resistance,
-        dissipated: R::literal(1.5)
-            * (p.motor_x_s * p.motor_alpha_s * motor_sigma
-                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
-                + p.motor_alpha_r * motor_sigma * motor_x_r
-                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry))
-            + p.coupling_damping * motor_omega * coupling_twist_rate
-            - t6 * cylinder_omega * coupling_twist_rate,
+        stored_rate: (t1 * coupling_twist_rate)
+            .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
+            .add_product(p.cylinder_inertia * cylinder_omega, cylinder_omega_dot)
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sx
+                        .add_product(t3, motor_psi_sx)
+                        .sub_product(t7, motor_psi_rx),
+                motor_psi_sx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(t3, motor_psi_sy)
+                        .sub_product(t7, motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(t5, motor_psi_rx)
+                        .sub_product(t7, motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(t5, motor_psi_ry)
+                        .sub_product(t7, motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: (R::literal(1.5)
+            * (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy))
+            .sub_product(cylinder_omega, load_resistance),
+        dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
+            .add_product(
+                R::literal(1.5),
+                (p.motor_x_s * p.motor_alpha_s * motor_sigma
+                    * (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy))
+                    .add_product(
+                        p.motor_alpha_r * motor_sigma * motor_x_r,
+                        (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
+                    ),
+            )
+            .sub_product(t6 * cylinder_omega, coupling_twist_rate),
     }
 }
 

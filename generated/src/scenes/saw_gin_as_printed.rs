@@ -603,35 +603,44 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
-    let motor_rotor_term = p.motor_literal * motor_phi + c.t0 * motor_omega;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let motor_rotor_term = (p.motor_literal * motor_phi).add_product(c.t0, motor_omega);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(c.inverse_load_engagement_width * (time - p.load_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = c.t1
-        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+        * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let load_resistance = load_engagement
-        * (p.load_mean + p.load_amplitude * (p.load_phase + c.t2 * time).sin())
+        * p
+            .load_mean
+            .add_product(p.load_amplitude, p.load_phase.add_product(c.t2, time).sin())
         * (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let cylinder_omega_dot = (c.t3 * coupling_twist + c.t4 * coupling_twist_rate
-        - load_resistance) * c.inverse_cylinder_inertia;
-    let motor_psi_x1_dot = c.motor_u_m_times_cos_motor_gamma
-        + p.motor_omega_0 * motor_psi_y1 + c.t5 * motor_psi_x2
-        - c.motor_omega_0_times_motor_alpha_s * motor_psi_x1;
-    let motor_psi_y1_dot = c.motor_u_m_times_sin_motor_gamma + c.t5 * motor_psi_y2
-        - p.motor_omega_0 * motor_psi_x1
-        - c.motor_omega_0_times_motor_alpha_s * motor_psi_y1;
-    let motor_psi_x2_dot = c.t6 * motor_psi_x1 + p.motor_omega_0 * motor_psi_y2
-        - c.motor_omega_0_times_motor_alpha_r * motor_psi_x2
-        - motor_psi_y2 * motor_rotor_term;
-    let motor_psi_y2_dot = c.t6 * motor_psi_y1 + motor_psi_x2 * motor_rotor_term
-        - p.motor_omega_0 * motor_psi_x2
-        - c.motor_omega_0_times_motor_alpha_r * motor_psi_y2;
+    let cylinder_omega_dot = ((c.t3 * coupling_twist)
+        .add_product(c.t4, coupling_twist_rate) - load_resistance)
+        * c.inverse_cylinder_inertia;
+    let motor_psi_x1_dot = c
+        .motor_u_m_times_cos_motor_gamma
+        .add_product(p.motor_omega_0, motor_psi_y1)
+        .add_product(c.t5, motor_psi_x2)
+        .sub_product(c.motor_omega_0_times_motor_alpha_s, motor_psi_x1);
+    let motor_psi_y1_dot = c
+        .motor_u_m_times_sin_motor_gamma
+        .add_product(c.t5, motor_psi_y2)
+        .sub_product(p.motor_omega_0, motor_psi_x1)
+        .sub_product(c.motor_omega_0_times_motor_alpha_s, motor_psi_y1);
+    let motor_psi_x2_dot = (c.t6 * motor_psi_x1)
+        .add_product(p.motor_omega_0, motor_psi_y2)
+        .sub_product(c.motor_omega_0_times_motor_alpha_r, motor_psi_x2)
+        .sub_product(motor_psi_y2, motor_rotor_term);
+    let motor_psi_y2_dot = (c.t6 * motor_psi_y1)
+        .add_product(motor_psi_x2, motor_rotor_term)
+        .sub_product(p.motor_omega_0, motor_psi_x2)
+        .sub_product(c.motor_omega_0_times_motor_alpha_r, motor_psi_y2);
     [
         motor_omega,
         cylinder_omega,
@@ -668,28 +677,32 @@ pub fn forcing<R: Real>(
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
         * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
-        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+        * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+        * p
+            .load_mean
+            .add_product(
+                p.load_amplitude,
+                p
+                    .load_phase
+                    .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time)
+                    .sin(),
+            ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let motor_phi_forcing = motor_torque - coupling_torque;
-    let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance;
+    let cylinder_phi_forcing = (p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - load_resistance;
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
@@ -718,7 +731,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 ) -> [R; 30] {
     let [motor_phi, _, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
     motor_psi_x2, motor_psi_y2] = *state;
-    let motor_rotor_term = p.motor_literal * motor_phi + c.t0 * motor_omega;
+    let motor_rotor_term = (p.motor_literal * motor_phi).add_product(c.t0, motor_omega);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(c.inverse_load_engagement_width * (time - p.load_engagement_time)))
@@ -728,10 +741,18 @@ pub fn prepared_rate_jacobian<R: Real>(
     let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
     let motor_psi_x2_dot_by_motor_omega = c.t7 * motor_psi_y2;
     let motor_psi_y2_dot_by_motor_omega = c.t0 * motor_psi_x2;
-    let cylinder_omega_dot_by_cylinder_omega = (c.t8
-        - c.inverse_load_standstill_band * load_engagement * (R::literal(1.0) - t0 * t0)
-            * (p.load_mean + p.load_amplitude * (p.load_phase + c.t2 * time).sin()))
-        * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_cylinder_omega = c
+        .t8
+        .sub_product(
+            c.inverse_load_standstill_band * load_engagement
+                * R::literal(1.0).sub_product(t0, t0),
+            p
+                .load_mean
+                .add_product(
+                    p.load_amplitude,
+                    p.load_phase.add_product(c.t2, time).sin(),
+                ),
+        ) * c.inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_psi_x1 = -(c.t1 * motor_psi_y2
         * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_y1 = c.t1 * motor_psi_x2 * c.inverse_motor_inertia;
@@ -795,8 +816,8 @@ pub fn parameter_jacobian<R: Real>(
     let t0 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
     let t1 = R::literal(1.0) + t0;
     let load_engagement = R::literal(1.0) / t1;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_psi_x1_times_motor_psi_y2 = motor_psi_x1 * motor_psi_y2;
     let motor_psi_y1_times_motor_psi_x2 = motor_psi_y1 * motor_psi_x2;
     let t2 = motor_psi_y1_times_motor_psi_x2 - motor_psi_x1_times_motor_psi_y2;
@@ -805,17 +826,19 @@ pub fn parameter_jacobian<R: Real>(
     let t5 = t4 * p.motor_k_r;
     let motor_sigma_times_motor_x_s = p.motor_sigma * p.motor_x_s;
     let motor_torque = t5 / motor_sigma_times_motor_x_s * t2;
-    let t6 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t6 = p
+        .load_phase
+        .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let t7 = t6.sin();
-    let t8 = p.load_mean + p.load_amplitude * t7;
+    let t8 = p.load_mean.add_product(p.load_amplitude, t7);
     let t9 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let load_resistance = load_engagement * t8 * t9;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
-        * inverse_cylinder_inertia;
+    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - load_resistance) * inverse_cylinder_inertia;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
     let cos_motor_gamma = p.motor_gamma.cos();
     let motor_psi_y1_dot_by_motor_gamma = p.motor_u_m * cos_motor_gamma;
@@ -827,14 +850,18 @@ pub fn parameter_jacobian<R: Real>(
         * p.motor_k_r / motor_sigma_times_motor_x_s * t2 * inverse_motor_inertia;
     let motor_k_r_times_motor_alpha_s = p.motor_k_r * p.motor_alpha_s;
     let motor_psi_x1_dot_by_motor_omega_0 = motor_psi_y1
-        + motor_k_r_times_motor_alpha_s * motor_psi_x2 - p.motor_alpha_s * motor_psi_x1;
-    let motor_psi_y1_dot_by_motor_omega_0 = motor_k_r_times_motor_alpha_s * motor_psi_y2
-        - motor_psi_x1 - p.motor_alpha_s * motor_psi_y1;
+        .add_product(motor_k_r_times_motor_alpha_s, motor_psi_x2)
+        .sub_product(p.motor_alpha_s, motor_psi_x1);
+    let motor_psi_y1_dot_by_motor_omega_0 = (-motor_psi_x1)
+        .add_product(motor_k_r_times_motor_alpha_s, motor_psi_y2)
+        .sub_product(p.motor_alpha_s, motor_psi_y1);
     let motor_k_s_times_motor_alpha_r = p.motor_k_s * p.motor_alpha_r;
     let motor_psi_x2_dot_by_motor_omega_0 = motor_psi_y2
-        + motor_k_s_times_motor_alpha_r * motor_psi_x1 - p.motor_alpha_r * motor_psi_x2;
-    let motor_psi_y2_dot_by_motor_omega_0 = motor_k_s_times_motor_alpha_r * motor_psi_y1
-        - motor_psi_x2 - p.motor_alpha_r * motor_psi_y2;
+        .add_product(motor_k_s_times_motor_alpha_r, motor_psi_x1)
+        .sub_product(p.motor_alpha_r, motor_psi_x2);
+    let motor_psi_y2_dot_by_motor_omega_0 = (-motor_psi_x2)
+        .add_product(motor_k_s_times_motor_alpha_r, motor_psi_y1)
+        .sub_product(p.motor_alpha_r, motor_psi_y2);
     let motor_omega_dot_by_motor_pole_pairs = t3 * p.motor_k_r
         / motor_sigma_times_motor_x_s * t2 * inverse_motor_inertia;
     let motor_psi_x2_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_x1;
@@ -849,13 +876,13 @@ pub fn parameter_jacobian<R: Real>(
     let motor_omega_dot_by_motor_x_s = t5 / (p.motor_sigma * (p.motor_x_s * p.motor_x_s))
         * t10 * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_alpha_s = p.motor_omega_0
-        * (p.motor_k_r * motor_psi_x2 - motor_psi_x1);
+        * (-motor_psi_x1).add_product(p.motor_k_r, motor_psi_x2);
     let motor_psi_y1_dot_by_motor_alpha_s = p.motor_omega_0
-        * (p.motor_k_r * motor_psi_y2 - motor_psi_y1);
+        * (-motor_psi_y1).add_product(p.motor_k_r, motor_psi_y2);
     let motor_psi_x2_dot_by_motor_alpha_r = p.motor_omega_0
-        * (p.motor_k_s * motor_psi_x1 - motor_psi_x2);
+        * (-motor_psi_x2).add_product(p.motor_k_s, motor_psi_x1);
     let motor_psi_y2_dot_by_motor_alpha_r = p.motor_omega_0
-        * (p.motor_k_s * motor_psi_y1 - motor_psi_y2);
+        * (-motor_psi_y2).add_product(p.motor_k_s, motor_psi_y1);
     let motor_psi_x2_dot_by_motor_literal = motor_psi_y2 * (motor_omega - motor_phi);
     let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * (motor_phi - motor_omega);
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi
@@ -866,13 +893,18 @@ pub fn parameter_jacobian<R: Real>(
         - motor_omega) * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_cylinder_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi
-        + p.coupling_damping * cylinder_omega) * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi
-        + p.coupling_damping * motor_omega
-        - R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio * cylinder_phi
-        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * cylinder_omega)
-        * inverse_cylinder_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * cylinder_phi)
+        .add_product(p.coupling_damping, cylinder_omega) * inverse_motor_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
+        .add_product(p.coupling_damping, motor_omega)
+        .sub_product(
+            R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio,
+            cylinder_phi,
+        )
+        .sub_product(
+            R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
+            cylinder_omega,
+        ) * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_mean = -(load_engagement * t9
@@ -894,7 +926,8 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
-        * load_engagement * (R::literal(1.0) - t9 * t9) * t8 * inverse_cylinder_inertia;
+        * load_engagement * R::literal(1.0).sub_product(t9, t9) * t8
+        * inverse_cylinder_inertia;
     [
         motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_omega_0,
@@ -952,12 +985,17 @@ pub fn time_derivative<R: Real>(
     let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
     let t1 = R::literal(1.0) + t0;
     let load_engagement = R::literal(1.0) / t1;
-    let t2 = p.load_phase + R::literal(core::f64::consts::PI) * load_omega_2 * time;
+    let t2 = p
+        .load_phase
+        .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let t3 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(R::literal(core::f64::consts::PI)
-        * p.load_amplitude * load_omega_2 * load_engagement * t2.cos() * t3)
-        - inverse_load_engagement_width * (p.load_mean + p.load_amplitude * t2.sin())
-            * t0 * t3 / (t1 * t1)) * (R::literal(1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width
+        * p.load_mean.add_product(p.load_amplitude, t2.sin()) * t0 * t3 / (t1 * t1)))
+        .sub_product(
+            R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
+                * load_engagement * t2.cos(),
+            t3,
+        ) * (R::literal(1.0) / p.cylinder_inertia);
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -978,28 +1016,31 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
         * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
-        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+        * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - load_resistance)
-        * (R::literal(1.0) / p.cylinder_inertia);
+        * p
+            .load_mean
+            .add_product(
+                p.load_amplitude,
+                p
+                    .load_phase
+                    .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time)
+                    .sin(),
+            ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - load_resistance) * (R::literal(1.0) / p.cylinder_inertia);
     Outputs {
         motor_speed: motor_omega,
         cylinder_speed: cylinder_omega,
@@ -1015,10 +1056,13 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, ..] = *state;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
     Energy {
-        kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
-            + R::literal(0.5) * p.cylinder_inertia * (cylinder_omega * cylinder_omega),
+        kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
+            .add_product(
+                R::literal(0.5) * p.cylinder_inertia,
+                cylinder_omega * cylinder_omega,
+            ),
         potential: R::literal(0.5) * p.coupling_stiffness
             * (coupling_twist * coupling_twist),
         stored: R::literal(0.0),
@@ -1037,38 +1081,43 @@ pub fn power_balance<R: Real>(
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let coupling_twist = motor_phi - p.coupling_ratio * cylinder_phi;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * cylinder_omega;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
     let t0 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs
         * p.motor_k_r / (p.motor_sigma * p.motor_x_s)
-        * (motor_psi_y1 * motor_psi_x2 - motor_psi_x1 * motor_psi_y2);
+        * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let load_resistance = load_engagement
-        * (p.load_mean
-            + p.load_amplitude
-                * (p.load_phase
-                    + R::literal(core::f64::consts::PI) * load_omega_2 * time)
-                    .sin())
-        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+        * p
+            .load_mean
+            .add_product(
+                p.load_amplitude,
+                p
+                    .load_phase
+                    .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time)
+                    .sin(),
+            ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let t1 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t2 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let cylinder_omega_dot = (t1 + t2 * coupling_twist_rate - load_resistance)
+    let cylinder_omega_dot = (t1.add_product(t2, coupling_twist_rate) - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
     PowerBalance {
-        stored_rate: t0 * motor_omega - t1 * cylinder_omega
-            + p.motor_inertia * motor_omega * motor_omega_dot
-            + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot,
-        supplied: motor_omega * motor_torque - cylinder_omega * load_resistance,
-        dissipated: p.coupling_damping * motor_omega * coupling_twist_rate
-            - t2 * cylinder_omega * coupling_twist_rate,
+        stored_rate: (t0 * motor_omega)
+            .sub_product(t1, cylinder_omega)
+            .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
+            .add_product(p.cylinder_inertia * cylinder_omega, cylinder_omega_dot),
+        supplied: (motor_omega * motor_torque)
+            .sub_product(cylinder_omega, load_resistance),
+        dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
+            .sub_product(t2 * cylinder_omega, coupling_twist_rate),
     }
 }
 

@@ -664,28 +664,41 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, saws_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let coupling_twist = motor_phi - p.coupling_ratio * saws_driven;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * saws_driven_dot;
-    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, saws_driven);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, saws_driven_dot);
+    let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = c.t2
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let saws_driven_dot_dot = (p.saws_driven_field_force + c.t3 * coupling_twist
-        + c.t4 * coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
+    let saws_driven_dot_dot = p
+        .saws_driven_field_force
+        .add_product(c.t3, coupling_twist)
+        .add_product(c.t4, coupling_twist_rate) * c.inverse_saws_driven_field_inertia;
     let saws_end_dot_dot = p.saws_end_field_force * c.inverse_saws_end_field_inertia;
-    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + c.motor_alpha_r_times_motor_omega_0
-            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
-        * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
+    let motor_psi_sx_dot = c
+        .motor_u_x
+        .add_product(c.motor_omega_0, motor_psi_sy)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx),
+        );
+    let motor_psi_sy_dot = c
+        .motor_u_y
+        .sub_product(c.motor_omega_0, motor_psi_sx)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry),
+        );
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            c.motor_alpha_r_times_motor_omega_0,
+            (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx),
+        );
+    let motor_psi_ry_dot = (c.motor_alpha_r_times_motor_omega_0
+        * (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     [
         motor_omega,
         saws_driven_dot,
@@ -724,18 +737,19 @@ pub fn forcing<R: Real>(
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, _, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * saws_driven;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * saws_driven_dot;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, saws_driven);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, saws_driven_dot);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_phi_forcing = motor_torque - coupling_torque;
-    let saws_driven_forcing = p.saws_driven_field_force
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate;
+    let saws_driven_forcing = p
+        .saws_driven_field_force
+        .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate);
     [motor_phi_forcing, saws_driven_forcing, p.saws_end_field_force]
 }
 
@@ -830,11 +844,11 @@ pub fn parameter_jacobian<R: Real>(
     let coupling_twist = motor_phi - coupling_ratio_times_saws_driven;
     let coupling_ratio_times_saws_driven_dot = p.coupling_ratio * saws_driven_dot;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_saws_driven_dot;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let t1 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
+    let t1 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t2 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t2 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
     let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
@@ -846,15 +860,16 @@ pub fn parameter_jacobian<R: Real>(
         / p.saws_driven_field_inertia;
     let inverse_saws_end_field_inertia = R::literal(1.0) / p.saws_end_field_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let saws_driven_dot_dot = (p.saws_driven_field_force
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate)
+    let saws_driven_dot_dot = p
+        .saws_driven_field_force
+        .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         * inverse_saws_driven_field_inertia;
     let saws_end_dot_dot = p.saws_end_field_force * inverse_saws_end_field_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t5 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let t5 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t6 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t6 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let t7 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
@@ -866,15 +881,21 @@ pub fn parameter_jacobian<R: Real>(
     ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
         * inverse_motor_inertia;
     let t8 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
-    let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t8 * t1;
-    let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t8 * t2;
+    let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_sy)
+        .sub_product(t8, t1);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_sx))
+        .sub_product(t8, t2);
     let t9 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
-    let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t9 * t5;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t9 * t6
-        - R::literal(core::f64::consts::TAU) * motor_psi_rx;
+    let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_ry)
+        .add_product(t9, t5);
+    let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_rx))
+        .add_product(t9, t6);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
         * motor_omega_0 / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
@@ -903,13 +924,18 @@ pub fn parameter_jacobian<R: Real>(
         - motor_omega) * inverse_motor_inertia;
     let saws_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * inverse_saws_driven_field_inertia;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven
-        + p.coupling_damping * saws_driven_dot) * inverse_motor_inertia;
-    let saws_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi
-        + p.coupling_damping * motor_omega
-        - R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio * saws_driven
-        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * saws_driven_dot)
-        * inverse_saws_driven_field_inertia;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * saws_driven)
+        .add_product(p.coupling_damping, saws_driven_dot) * inverse_motor_inertia;
+    let saws_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
+        .add_product(p.coupling_damping, motor_omega)
+        .sub_product(
+            R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio,
+            saws_driven,
+        )
+        .sub_product(
+            R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
+            saws_driven_dot,
+        ) * inverse_saws_driven_field_inertia;
     let saws_driven_dot_dot_by_saws_driven_field_inertia = -(saws_driven_dot_dot
         * inverse_saws_driven_field_inertia);
     let saws_end_dot_dot_by_saws_end_field_inertia = -(saws_end_dot_dot
@@ -983,14 +1009,14 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let [motor_phi, saws_driven, saws_end, motor_omega, saws_driven_dot, saws_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * saws_driven;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * saws_driven_dot;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, saws_driven);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, saws_driven_dot);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     Outputs {
         motor_speed: motor_omega,
         driven_speed: saws_driven_dot,
@@ -1012,25 +1038,32 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, saws_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * saws_driven;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, saws_driven);
     let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
-    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_i_sy = t0 * motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
-    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
-    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
+    let motor_i_rx = t1 * motor_psi_rx.sub_product(p.motor_k_s, motor_psi_sx);
+    let motor_i_ry = t1 * motor_psi_ry.sub_product(p.motor_k_s, motor_psi_sy);
     Energy {
-        kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
-            + R::literal(0.5) * p.saws_driven_field_inertia
-                * (saws_driven_dot * saws_driven_dot)
-            + R::literal(0.5) * p.saws_end_field_inertia * (saws_end_dot * saws_end_dot),
+        kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
+            .add_product(
+                R::literal(0.5) * p.saws_driven_field_inertia,
+                saws_driven_dot * saws_driven_dot,
+            )
+            .add_product(
+                R::literal(0.5) * p.saws_end_field_inertia,
+                saws_end_dot * saws_end_dot,
+            ),
         potential: R::literal(0.5) * p.coupling_stiffness
             * (coupling_twist * coupling_twist),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -1046,21 +1079,21 @@ pub fn power_balance<R: Real>(
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, saws_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let coupling_twist = motor_phi - p.coupling_ratio * saws_driven;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * saws_driven_dot;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, saws_driven);
+    let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, saws_driven_dot);
+    let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
-    let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
+    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_i_sx = t3 * t2;
-    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t4 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_i_sy = t3 * t4;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
     let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
@@ -1069,52 +1102,87 @@ pub fn power_balance<R: Real>(
     let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t7 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let saws_driven_dot_dot = (p.saws_driven_field_force + t6 + t7 * coupling_twist_rate)
+    let saws_driven_dot_dot = (p.saws_driven_field_force + t6)
+        .add_product(t7, coupling_twist_rate)
         * (R::literal(1.0) / p.saws_driven_field_inertia);
     let saws_end_dot_dot = p.saws_end_field_force
         * (R::literal(1.0) / p.saws_end_field_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0 * t2;
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0 * t4;
+    let motor_psi_sx_dot = motor_u_x
+        .add_product(motor_omega_0, motor_psi_sy)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t2);
+    let motor_psi_sy_dot = motor_u_y
+        .sub_product(motor_omega_0, motor_psi_sx)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t4);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
-            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
-        * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            motor_alpha_r_times_motor_omega_0,
+            motor_k_s_times_motor_psi_sx - motor_psi_rx,
+        );
+    let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
+        * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     let t8 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t9 = t1 * motor_omega - t6 * saws_driven_dot
-        + p.motor_inertia * motor_omega * motor_omega_dot
-        + p.saws_driven_field_inertia * saws_driven_dot * saws_driven_dot_dot
-        + p.saws_end_field_inertia * saws_end_dot * saws_end_dot_dot
-        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t8 * motor_psi_rx)
-            * motor_psi_sx_dot;
     PowerBalance {
-        stored_rate: t9
-            + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t8 * motor_psi_ry)
-                * motor_psi_sy_dot
-            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t8 * motor_psi_sx)
-                * motor_psi_rx_dot
-            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t8 * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy)
-            + p.saws_driven_field_force * saws_driven_dot
-            + p.saws_end_field_force * saws_end_dot,
-        dissipated: R::literal(1.5)
-            * (p.motor_x_s * p.motor_alpha_s * motor_sigma
-                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
-                + p.motor_alpha_r * motor_sigma * motor_x_r
-                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry))
-            + p.coupling_damping * motor_omega * coupling_twist_rate
-            - t7 * saws_driven_dot * coupling_twist_rate,
+        stored_rate: (t1 * motor_omega)
+            .sub_product(t6, saws_driven_dot)
+            .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
+            .add_product(
+                p.saws_driven_field_inertia * saws_driven_dot,
+                saws_driven_dot_dot,
+            )
+            .add_product(p.saws_end_field_inertia * saws_end_dot, saws_end_dot_dot)
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sx
+                        .add_product(t3, motor_psi_sx)
+                        .sub_product(t8, motor_psi_rx),
+                motor_psi_sx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(t3, motor_psi_sy)
+                        .sub_product(t8, motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(t5, motor_psi_rx)
+                        .sub_product(t8, motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(t5, motor_psi_ry)
+                        .sub_product(t8, motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: (p.saws_driven_field_force * saws_driven_dot)
+            .add_product(
+                R::literal(1.5),
+                (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy),
+            )
+            .add_product(p.saws_end_field_force, saws_end_dot),
+        dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
+            .add_product(
+                R::literal(1.5),
+                (p.motor_x_s * p.motor_alpha_s * motor_sigma
+                    * (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy))
+                    .add_product(
+                        p.motor_alpha_r * motor_sigma * motor_x_r,
+                        (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
+                    ),
+            )
+            .sub_product(t7 * saws_driven_dot, coupling_twist_rate),
     }
 }
 
@@ -1643,22 +1711,28 @@ pub mod saws_phi {
         p: &Parameters<R>,
     ) -> [R; 2] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
-        let t0 = (p.saws_mean
-            + p.saws_amplitude
-                * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin())
-            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
-                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x)
-            * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
         [
-            -(t0
+            -(p
+                .saws_mean
+                .add_product(
+                    p.saws_amplitude,
+                    (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                        * time)
+                        .sin(),
+                )
+                * ((R::literal(1.0) - p.saws_growing) / p.saws_length)
+                    .add_product(
+                        R::literal(2.0) * p.saws_growing
+                            / (p.saws_length * p.saws_length),
+                        x,
+                    ) * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh()
                 / (R::literal(1.0)
                     + (-(R::literal(1.0) / p.saws_engagement_width
                         * (time - p.saws_engagement_time)))
                         .exp())),
             -(p.saws_shear_modulus * p.saws_polar_moment
-                * (phi_x + p.saws_damping_time * phi_x_dot)),
+                * phi_x.add_product(p.saws_damping_time, phi_x_dot)),
         ]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
@@ -1676,20 +1750,25 @@ pub mod saws_phi {
         let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
         let t0 = (inverse_saws_standstill_band * phi_dot).tanh();
         let t1 = p.saws_shear_modulus * p.saws_polar_moment;
-        let t2 = inverse_saws_standstill_band * (R::literal(1.0) - t0 * t0)
-            * (p.saws_mean
-                + p.saws_amplitude
-                    * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                        * time)
-                        .sin())
-            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
-                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length)
-                    * x);
         [
             R::literal(0.0),
             R::literal(0.0),
-            -(t2
+            -(inverse_saws_standstill_band * R::literal(1.0).sub_product(t0, t0)
+                * p
+                    .saws_mean
+                    .add_product(
+                        p.saws_amplitude,
+                        (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+                            * time)
+                            .sin(),
+                    )
+                * ((R::literal(1.0) - p.saws_growing) / p.saws_length)
+                    .add_product(
+                        R::literal(2.0) * p.saws_growing
+                            / (p.saws_length * p.saws_length),
+                        x,
+                    )
                 / (R::literal(1.0)
                     + (-(R::literal(1.0) / p.saws_engagement_width
                         * (time - p.saws_engagement_time)))
@@ -1717,17 +1796,17 @@ pub mod saws_phi {
         let t0 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
             * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
         let t1 = t0.sin();
-        let t2 = p.saws_mean + p.saws_amplitude * t1;
+        let t2 = p.saws_mean.add_product(p.saws_amplitude, t1);
         let t3 = R::literal(2.0) * p.saws_growing / saws_length_squared;
         let t4 = R::literal(1.0) - p.saws_growing;
-        let t5 = t4 / p.saws_length + t3 * x;
+        let t5 = (t4 / p.saws_length).add_product(t3, x);
         let time_minus_saws_engagement_time = time - p.saws_engagement_time;
         let inverse_saws_engagement_width = R::literal(1.0) / p.saws_engagement_width;
         let t6 = (-(inverse_saws_engagement_width * time_minus_saws_engagement_time))
             .exp();
         let t7 = R::literal(1.0) + t6;
         let t8 = (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
-        let t9 = phi_x + p.saws_damping_time * phi_x_dot;
+        let t9 = phi_x.add_product(p.saws_damping_time, phi_x_dot);
         let t10 = t7 * t7;
         let t11 = inverse_saws_engagement_width * t2 * t5 * t6 * t8 / t10;
         let t12 = t0.cos();
@@ -1741,9 +1820,12 @@ pub mod saws_phi {
                     * t12 * t8 / t7,
             R::literal(0.0),
             -(t2
-                * (-(t4 / saws_length_squared)
-                    - R::literal(4.0) * p.saws_growing
-                        / (saws_length_squared * p.saws_length) * x) * t8 / t7),
+                * (-(t4 / saws_length_squared))
+                    .sub_product(
+                        R::literal(4.0) * p.saws_growing
+                            / (saws_length_squared * p.saws_length),
+                        x,
+                    ) * t8 / t7),
             R::literal(0.0),
             R::literal(0.0),
             R::literal(0.0),
@@ -1759,17 +1841,20 @@ pub mod saws_phi {
             R::literal(0.0),
             p.saws_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
                 / saws_length_squared * time
-                * (t13 * p.saws_growing - t13
-                    - R::literal(0.066_666_666_666_666_67) * p.saws_growing * x) * t12
-                * t8
+                * (-t13)
+                    .add_product(t13, p.saws_growing)
+                    .sub_product(
+                        R::literal(0.066_666_666_666_666_67) * p.saws_growing,
+                        x,
+                    ) * t12 * t8
                 / (R::literal(1.0)
-                    + (p.saws_engagement_time / p.saws_engagement_width
-                        - inverse_saws_engagement_width * time)
+                    + (p.saws_engagement_time / p.saws_engagement_width)
+                        .sub_product(inverse_saws_engagement_width, time)
                         .exp()),
             R::literal(0.0),
             -(t2
-                * (R::literal(2.0) / saws_length_squared * x
-                    - R::literal(1.0) / p.saws_length) * t8 / t7),
+                * (-(R::literal(1.0) / p.saws_length))
+                    .add_product(R::literal(2.0) / saws_length_squared, x) * t8 / t7),
             R::literal(0.0),
             t11,
             R::literal(0.0),
@@ -1777,7 +1862,7 @@ pub mod saws_phi {
                 * time_minus_saws_engagement_time * t2 * t5 * t6 * t8 / t10,
             R::literal(0.0),
             R::literal(1.0) / (p.saws_standstill_band * p.saws_standstill_band) * phi_dot
-                * (R::literal(1.0) - t8 * t8) * t2 * t5 / t7,
+                * R::literal(1.0).sub_product(t8, t8) * t2 * t5 / t7,
             R::literal(0.0),
         ]
     }
@@ -1813,24 +1898,25 @@ pub mod saws_phi {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
         let t0 = p.saws_shear_modulus * p.saws_polar_moment;
         let t1 = phi_dot
-            * (p.saws_mean
-                + p.saws_amplitude
-                    * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+            * p
+                .saws_mean
+                .add_product(
+                    p.saws_amplitude,
+                    (R::literal(0.033_333_333_333_333_33) * p.saws_speed
                         * R::literal(core::f64::consts::PI * core::f64::consts::PI)
                         * time)
-                        .sin())
-            * ((R::literal(1.0) - p.saws_growing) / p.saws_length
-                + R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length) * x)
-            * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
-        [
-            t0 * phi_x * phi_x_dot,
-            -(t1
-                / (R::literal(1.0)
-                    + (-(R::literal(1.0) / p.saws_engagement_width
-                        * (time - p.saws_engagement_time)))
-                        .exp())),
-            t0 * p.saws_damping_time * (phi_x_dot * phi_x_dot),
-        ]
+                        .sin(),
+                )
+            * ((R::literal(1.0) - p.saws_growing) / p.saws_length)
+                .add_product(
+                    R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length),
+                    x,
+                ) * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh()
+            / (R::literal(1.0)
+                + (-(R::literal(1.0) / p.saws_engagement_width
+                    * (time - p.saws_engagement_time)))
+                    .exp());
+        [t0 * phi_x * phi_x_dot, -t1, t0 * p.saws_damping_time * (phi_x_dot * phi_x_dot)]
     }
     /// x of the attachments, then the length \[m\].
     ///
@@ -1904,11 +1990,14 @@ pub mod saws_phi {
         p: &Parameters<R>,
         force: &mut [R],
     ) {
-        let t0 = p.saws_mean
-            + p.saws_amplitude
-                * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+        let t0 = p
+            .saws_mean
+            .add_product(
+                p.saws_amplitude,
+                (R::literal(0.033_333_333_333_333_33) * p.saws_speed
                     * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin();
+                    .sin(),
+            );
         let t1 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
         let t2 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
         let t3 = R::literal(1.0)
@@ -1917,7 +2006,7 @@ pub mod saws_phi {
                 .exp();
         let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
         for (((&x, _), &phi_dot), force) in at.iter().zip(u).zip(u_t).zip(force) {
-            *force = -(t0 * (t2 + t1 * x)
+            *force = -(t0 * t2.add_product(t1, x)
                 * (inverse_saws_standstill_band * phi_dot).tanh() / t3);
         }
     }
@@ -1933,11 +2022,14 @@ pub mod saws_phi {
         by_u: &mut [R],
         by_u_t: &mut [R],
     ) {
-        let t0 = p.saws_mean
-            + p.saws_amplitude
-                * (R::literal(0.033_333_333_333_333_33) * p.saws_speed
+        let t0 = p
+            .saws_mean
+            .add_product(
+                p.saws_amplitude,
+                (R::literal(0.033_333_333_333_333_33) * p.saws_speed
                     * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin();
+                    .sin(),
+            );
         let t1 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
         let t2 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
         let t3 = R::literal(1.0)
@@ -1954,8 +2046,9 @@ pub mod saws_phi {
         {
             let t0_2 = (inverse_saws_standstill_band * phi_dot).tanh();
             *by_u = R::literal(0.0);
-            *by_u_t = -(inverse_saws_standstill_band * (R::literal(1.0) - t0_2 * t0_2)
-                * t0 * (t2 + t1 * x) / t3);
+            *by_u_t = -(inverse_saws_standstill_band
+                * R::literal(1.0).sub_product(t0_2, t0_2) * t0 * t2.add_product(t1, x)
+                / t3);
         }
     }
     /// df_0/dt, at many points.
@@ -1980,12 +2073,12 @@ pub mod saws_phi {
         let t5 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
             * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
         let t6 = inverse_saws_engagement_width
-            * (p.saws_mean + p.saws_amplitude * t5.sin());
+            * p.saws_mean.add_product(p.saws_amplitude, t5.sin());
         let t7 = t5.cos();
         let t8 = R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
             * R::literal(core::f64::consts::PI * core::f64::consts::PI);
         for (((&x, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
-            let t1_plus_t0_times_x = t1 + t0 * x;
+            let t1_plus_t0_times_x = t1.add_product(t0, x);
             let t0_2 = (inverse_saws_standstill_band * phi_dot).tanh();
             *by_time = -(t6 * t1_plus_t0_times_x * t2 * t0_2 / t4)
                 - t8 * t1_plus_t0_times_x * t7 * t0_2 / t3;
@@ -1997,7 +2090,7 @@ pub mod saws_phi {
     pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         let t0 = p.saws_shear_modulus * p.saws_polar_moment;
         for ((&phi_x, &phi_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(t0 * (phi_x + p.saws_damping_time * phi_x_dot));
+            *force = -(t0 * phi_x.add_product(p.saws_damping_time, phi_x_dot));
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

@@ -812,7 +812,7 @@ pub mod shaft_phi {
         let [_, phi_x, _, phi_x_dot] = *point;
         [
             R::literal(0.0),
-            -(p.shaft_stiffness * (phi_x + p.shaft_damping_time * phi_x_dot)),
+            -(p.shaft_stiffness * phi_x.add_product(p.shaft_damping_time, phi_x_dot)),
         ]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
@@ -859,7 +859,7 @@ pub mod shaft_phi {
             R::literal(0.0),
             R::literal(0.0),
             R::literal(0.0),
-            -(phi_x + p.shaft_damping_time * phi_x_dot),
+            -phi_x.add_product(p.shaft_damping_time, phi_x_dot),
             R::literal(0.0),
             -(p.shaft_stiffness * phi_x_dot),
         ]
@@ -994,7 +994,8 @@ pub mod shaft_phi {
     /// 0 operations for all points, 4 for each.
     pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         for ((&phi_x, &phi_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(p.shaft_stiffness * (phi_x + p.shaft_damping_time * phi_x_dot));
+            *force = -(p.shaft_stiffness
+                * phi_x.add_product(p.shaft_damping_time, phi_x_dot));
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

@@ -450,10 +450,16 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let shaft_end_dot_squared = shaft_end_dot * shaft_end_dot;
     let shaft_start_dot_squared = shaft_start_dot * shaft_start_dot;
     Energy {
-        kinetic: R::literal(0.5) * p.driven_inertia * shaft_end_dot_squared
-            + R::literal(0.5) * p.driving_inertia * shaft_start_dot_squared
-            + R::literal(0.5) * p.shaft_start_field_inertia * shaft_start_dot_squared
-            + R::literal(0.5) * p.shaft_end_field_inertia * shaft_end_dot_squared,
+        kinetic: (R::literal(0.5) * p.driven_inertia * shaft_end_dot_squared)
+            .add_product(R::literal(0.5) * p.driving_inertia, shaft_start_dot_squared)
+            .add_product(
+                R::literal(0.5) * p.shaft_start_field_inertia,
+                shaft_start_dot_squared,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_end_field_inertia,
+                shaft_end_dot_squared,
+            ),
         potential: R::literal(0.0),
         stored: R::literal(0.0),
     }
@@ -474,12 +480,16 @@ pub fn power_balance<R: Real>(
     let shaft_end_dot_dot = p.shaft_end_field_force
         * (R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia));
     PowerBalance {
-        stored_rate: (p.driving_inertia * shaft_start_dot
-            + p.shaft_start_field_inertia * shaft_start_dot) * shaft_start_dot_dot
-            + (p.driven_inertia * shaft_end_dot
-                + p.shaft_end_field_inertia * shaft_end_dot) * shaft_end_dot_dot,
-        supplied: p.shaft_start_field_force * shaft_start_dot
-            + p.shaft_end_field_force * shaft_end_dot,
+        stored_rate: ((p.driving_inertia * shaft_start_dot)
+            .add_product(p.shaft_start_field_inertia, shaft_start_dot)
+            * shaft_start_dot_dot)
+            .add_product(
+                (p.driven_inertia * shaft_end_dot)
+                    .add_product(p.shaft_end_field_inertia, shaft_end_dot),
+                shaft_end_dot_dot,
+            ),
+        supplied: (p.shaft_start_field_force * shaft_start_dot)
+            .add_product(p.shaft_end_field_force, shaft_end_dot),
         dissipated: R::literal(0.0),
     }
 }
@@ -875,7 +885,7 @@ pub mod shaft_phi {
         let [_, phi_x, _, phi_x_dot] = *point;
         [
             R::literal(0.0),
-            -(p.shaft_stiffness * (phi_x + p.shaft_damping_time * phi_x_dot)),
+            -(p.shaft_stiffness * phi_x.add_product(p.shaft_damping_time, phi_x_dot)),
         ]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
@@ -922,7 +932,7 @@ pub mod shaft_phi {
             R::literal(0.0),
             R::literal(0.0),
             R::literal(0.0),
-            -(phi_x + p.shaft_damping_time * phi_x_dot),
+            -phi_x.add_product(p.shaft_damping_time, phi_x_dot),
             R::literal(0.0),
             -(p.shaft_stiffness * phi_x_dot),
         ]
@@ -1060,7 +1070,8 @@ pub mod shaft_phi {
     /// 0 operations for all points, 4 for each.
     pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         for ((&phi_x, &phi_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(p.shaft_stiffness * (phi_x + p.shaft_damping_time * phi_x_dot));
+            *force = -(p.shaft_stiffness
+                * phi_x.add_product(p.shaft_damping_time, phi_x_dot));
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

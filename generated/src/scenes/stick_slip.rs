@@ -312,12 +312,15 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let slider_held = p.slider_stiffness * slider_x + p.slider_damping * slider_v;
+    let slider_held = (p.slider_stiffness * slider_x)
+        .add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(c.inverse_slider_stribeck_speed * slider_slip * slider_sliding))
-                    .exp());
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(c.inverse_slider_stribeck_speed * slider_slip * slider_sliding)).exp(),
+            );
     let slider_friction = R::select_less(
         slider_slip,
         R::literal(-0.5),
@@ -351,13 +354,17 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let slider_held = p.slider_stiffness * slider_x + p.slider_damping * slider_v;
+    let slider_held = (p.slider_stiffness * slider_x)
+        .add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
                     * slider_sliding))
-                    .exp());
+                    .exp(),
+            );
     let slider_friction = R::select_less(
         slider_slip,
         R::literal(-0.5),
@@ -433,11 +440,12 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 8] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let slider_held = p.slider_stiffness * slider_x + p.slider_damping * slider_v;
+    let slider_held = (p.slider_stiffness * slider_x)
+        .add_product(p.slider_damping, slider_v);
     let t0 = (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
         * slider_sliding))
         .exp();
-    let t1 = p.slider_kinetic_friction + p.slider_stribeck_friction * t0;
+    let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
     let slider_dragged = p.slider_normal_force * t1;
     let slider_friction = R::select_less(
         slider_slip,
@@ -531,13 +539,17 @@ pub fn time_derivative<R: Real>(
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let slider_held = p.slider_stiffness * slider_x + p.slider_damping * slider_v;
+    let slider_held = (p.slider_stiffness * slider_x)
+        .add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
                     * slider_sliding))
-                    .exp());
+                    .exp(),
+            );
     let slider_friction = R::select_less(
         slider_slip,
         R::literal(-0.5),
@@ -577,13 +589,17 @@ pub fn power_balance<R: Real>(
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_stiffness_times_slider_x = p.slider_stiffness * slider_x;
-    let slider_held = slider_stiffness_times_slider_x + p.slider_damping * slider_v;
+    let slider_held = slider_stiffness_times_slider_x
+        .add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
                     * slider_sliding))
-                    .exp());
+                    .exp(),
+            );
     let slider_friction = R::select_less(
         slider_slip,
         R::literal(-0.5),
@@ -593,8 +609,8 @@ pub fn power_balance<R: Real>(
     let slider_v_dot = (slider_friction - slider_held)
         * (R::literal(1.0) / p.slider_mass);
     PowerBalance {
-        stored_rate: slider_stiffness_times_slider_x * slider_v
-            + p.slider_mass * slider_v * slider_v_dot,
+        stored_rate: (slider_stiffness_times_slider_x * slider_v)
+            .add_product(p.slider_mass * slider_v, slider_v_dot),
         supplied: slider_v * slider_friction,
         dissipated: p.slider_damping * (slider_v * slider_v),
     }
@@ -608,7 +624,8 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let [slider_x, slider_v, ..] = *state;
     let slider_limit = p.slider_normal_force * p.slider_static_friction;
     let slider_sliding = slider_v - p.belt_speed;
-    let slider_held = p.slider_stiffness * slider_x + p.slider_damping * slider_v;
+    let slider_held = (p.slider_stiffness * slider_x)
+        .add_product(p.slider_damping, slider_v);
     let slider_breaks_back_guard = slider_held - slider_limit;
     let slider_breaks_forth_guard = slider_limit + slider_held;
     [slider_breaks_back_guard, slider_breaks_forth_guard, slider_sliding, slider_sliding]
@@ -625,13 +642,17 @@ pub fn guard_rates<R: Real>(
 ) -> [R; EVENTS] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let slider_held = p.slider_stiffness * slider_x + p.slider_damping * slider_v;
+    let slider_held = (p.slider_stiffness * slider_x)
+        .add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip
                     * slider_sliding))
-                    .exp());
+                    .exp(),
+            );
     let slider_friction = R::select_less(
         slider_slip,
         R::literal(-0.5),
@@ -640,8 +661,8 @@ pub fn guard_rates<R: Real>(
     );
     let slider_v_dot = (slider_friction - slider_held)
         * (R::literal(1.0) / p.slider_mass);
-    let slider_breaks_back_guard_rate = p.slider_stiffness * slider_v
-        + p.slider_damping * slider_v_dot;
+    let slider_breaks_back_guard_rate = (p.slider_stiffness * slider_v)
+        .add_product(p.slider_damping, slider_v_dot);
     [
         slider_breaks_back_guard_rate,
         slider_breaks_back_guard_rate,
@@ -657,7 +678,8 @@ pub fn guard_rates<R: Real>(
 pub fn resets<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; RESETS] {
     let [slider_x, slider_v, ..] = *state;
     let slider_limit = p.slider_normal_force * p.slider_static_friction;
-    let slider_held = p.slider_stiffness * slider_x + p.slider_damping * slider_v;
+    let slider_held = (p.slider_stiffness * slider_x)
+        .add_product(p.slider_damping, slider_v);
     let slider_slip_after_slider_ends_back = R::literal(0.5)
         * (R::literal(1.0)
             - R::select_less(

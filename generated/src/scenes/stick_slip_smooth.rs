@@ -309,13 +309,17 @@ pub fn prepared_rate<R: Real>(
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(c.inverse_slider_stribeck_speed * slider_sliding.abs())).exp());
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(c.inverse_slider_stribeck_speed * slider_sliding.abs())).exp(),
+            );
     let slider_friction = -(slider_dragged
         * (c.inverse_slider_width * slider_sliding).tanh());
-    let slider_v_dot = (slider_friction - p.slider_stiffness * slider_x
-        - p.slider_damping * slider_v) * c.inverse_slider_mass;
+    let slider_v_dot = slider_friction
+        .sub_product(p.slider_stiffness, slider_x)
+        .sub_product(p.slider_damping, slider_v) * c.inverse_slider_mass;
     [slider_v, slider_v_dot]
 }
 
@@ -343,14 +347,18 @@ pub fn forcing<R: Real>(
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(R::literal(1.0) / p.slider_stribeck_speed * slider_sliding.abs()))
-                    .exp());
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_sliding.abs()))
+                    .exp(),
+            );
     let slider_friction = -(slider_dragged
         * (R::literal(1.0) / p.slider_width * slider_sliding).tanh());
-    let slider_x_forcing = slider_friction - p.slider_stiffness * slider_x
-        - p.slider_damping * slider_v;
+    let slider_x_forcing = slider_friction
+        .sub_product(p.slider_stiffness, slider_x)
+        .sub_product(p.slider_damping, slider_v);
     [slider_x_forcing]
 }
 
@@ -381,17 +389,22 @@ pub fn prepared_rate_jacobian<R: Real>(
     let slider_sliding = slider_v - p.belt_speed;
     let t0 = (-(c.inverse_slider_stribeck_speed * slider_sliding.abs())).exp();
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction + p.slider_stribeck_friction * t0);
+        * p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
     let t1 = (c.inverse_slider_width * slider_sliding).tanh();
-    let slider_v_dot_by_slider_v = (c.t0 * t0 * t1
-        * R::select_less(
-            slider_sliding,
-            R::literal(0.0),
-            R::literal(-1.0),
-            R::literal(1.0),
-        ) - p.slider_damping
-        - c.inverse_slider_width * slider_dragged * (R::literal(1.0) - t1 * t1))
-        * c.inverse_slider_mass;
+    let slider_v_dot_by_slider_v = (-p.slider_damping)
+        .add_product(
+            c.t0 * t0 * t1,
+            R::select_less(
+                slider_sliding,
+                R::literal(0.0),
+                R::literal(-1.0),
+                R::literal(1.0),
+            ),
+        )
+        .sub_product(
+            c.inverse_slider_width * slider_dragged,
+            R::literal(1.0).sub_product(t1, t1),
+        ) * c.inverse_slider_mass;
     [R::literal(1.0), c.slider_v_dot_by_slider_x, slider_v_dot_by_slider_v]
 }
 
@@ -408,24 +421,25 @@ pub fn parameter_jacobian<R: Real>(
     let slider_sliding = slider_v - p.belt_speed;
     let abs_slider_sliding = slider_sliding.abs();
     let t0 = (-(R::literal(1.0) / p.slider_stribeck_speed * abs_slider_sliding)).exp();
-    let t1 = p.slider_kinetic_friction + p.slider_stribeck_friction * t0;
+    let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
     let slider_dragged = p.slider_normal_force * t1;
     let inverse_slider_width = R::literal(1.0) / p.slider_width;
     let t2 = (inverse_slider_width * slider_sliding).tanh();
     let slider_friction = -(slider_dragged * t2);
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let slider_v_dot = (slider_friction - p.slider_stiffness * slider_x
-        - p.slider_damping * slider_v) * inverse_slider_mass;
-    let t3 = R::literal(1.0) - t2 * t2;
+    let slider_v_dot = slider_friction
+        .sub_product(p.slider_stiffness, slider_x)
+        .sub_product(p.slider_damping, slider_v) * inverse_slider_mass;
+    let t3 = R::literal(1.0).sub_product(t2, t2);
     let t4 = p.slider_normal_force * p.slider_stribeck_friction;
-    let slider_v_dot_by_belt_speed = (inverse_slider_width * slider_dragged * t3
-        - t4 / p.slider_stribeck_speed * t0 * t2
-            * R::select_less(
-                slider_sliding,
-                R::literal(0.0),
-                R::literal(-1.0),
-                R::literal(1.0),
-            )) * inverse_slider_mass;
+    let slider_v_dot_by_belt_speed = (-(t4 / p.slider_stribeck_speed * t0 * t2
+        * R::select_less(
+            slider_sliding,
+            R::literal(0.0),
+            R::literal(-1.0),
+            R::literal(1.0),
+        )))
+        .add_product(inverse_slider_width * slider_dragged, t3) * inverse_slider_mass;
     let slider_v_dot_by_slider_mass = -(slider_v_dot * inverse_slider_mass);
     let slider_v_dot_by_slider_stiffness = -(slider_x * inverse_slider_mass);
     let slider_v_dot_by_slider_damping = -(slider_v * inverse_slider_mass);
@@ -473,10 +487,13 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(R::literal(1.0) / p.slider_stribeck_speed * slider_sliding.abs()))
-                    .exp());
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_sliding.abs()))
+                    .exp(),
+            );
     let slider_friction = -(slider_dragged
         * (R::literal(1.0) / p.slider_width * slider_sliding).tanh());
     Outputs {
@@ -511,18 +528,21 @@ pub fn power_balance<R: Real>(
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force
-        * (p.slider_kinetic_friction
-            + p.slider_stribeck_friction
-                * (-(R::literal(1.0) / p.slider_stribeck_speed * slider_sliding.abs()))
-                    .exp());
+        * p
+            .slider_kinetic_friction
+            .add_product(
+                p.slider_stribeck_friction,
+                (-(R::literal(1.0) / p.slider_stribeck_speed * slider_sliding.abs()))
+                    .exp(),
+            );
     let t0 = slider_dragged * (R::literal(1.0) / p.slider_width * slider_sliding).tanh();
     let slider_friction = -t0;
     let slider_stiffness_times_slider_x = p.slider_stiffness * slider_x;
-    let slider_v_dot = (slider_friction - slider_stiffness_times_slider_x
-        - p.slider_damping * slider_v) * (R::literal(1.0) / p.slider_mass);
+    let slider_v_dot = (slider_friction - slider_stiffness_times_slider_x)
+        .sub_product(p.slider_damping, slider_v) * (R::literal(1.0) / p.slider_mass);
     PowerBalance {
-        stored_rate: slider_stiffness_times_slider_x * slider_v
-            + p.slider_mass * slider_v * slider_v_dot,
+        stored_rate: (slider_stiffness_times_slider_x * slider_v)
+            .add_product(p.slider_mass * slider_v, slider_v_dot),
         supplied: -(slider_v * t0),
         dissipated: p.slider_damping * (slider_v * slider_v),
     }

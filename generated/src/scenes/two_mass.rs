@@ -371,13 +371,16 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
-    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
-    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_twist_rate = driver_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let resistance = p
+        .load_torque
+        .add_product(p.load_amplitude, (p.load_frequency * time).sin());
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let driver_omega_dot = (p.drive_torque - coupling_torque) * c.inverse_driver_inertia;
-    let cylinder_omega_dot = (c.t0 * coupling_twist + c.t1 * coupling_twist_rate
-        - resistance) * c.inverse_cylinder_inertia;
+    let cylinder_omega_dot = ((c.t0 * coupling_twist)
+        .add_product(c.t1, coupling_twist_rate) - resistance)
+        * c.inverse_cylinder_inertia;
     [coupling_twist_rate, driver_omega_dot, cylinder_omega_dot]
 }
 
@@ -403,13 +406,16 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
-    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
-    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_twist_rate = driver_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let resistance = p
+        .load_torque
+        .add_product(p.load_amplitude, (p.load_frequency * time).sin());
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let driver_phi_forcing = p.drive_torque - coupling_torque;
-    let cylinder_phi_forcing = p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance;
+    let cylinder_phi_forcing = (p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - resistance;
     [driver_phi_forcing, cylinder_phi_forcing]
 }
 
@@ -462,15 +468,17 @@ pub fn parameter_jacobian<R: Real>(
     let coupling_twist_rate = driver_omega - coupling_ratio_times_cylinder_omega;
     let load_frequency_times_time = p.load_frequency * time;
     let sin_load_frequency_times_time = load_frequency_times_time.sin();
-    let resistance = p.load_torque + p.load_amplitude * sin_load_frequency_times_time;
+    let resistance = p
+        .load_torque
+        .add_product(p.load_amplitude, sin_load_frequency_times_time);
     let t0 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let inverse_driver_inertia = R::literal(1.0) / p.driver_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let driver_omega_dot = (p.drive_torque - coupling_torque) * inverse_driver_inertia;
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - resistance)
-        * inverse_cylinder_inertia;
+    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        - resistance) * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_torque = -inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_amplitude = -(sin_load_frequency_times_time
         * inverse_cylinder_inertia);
@@ -488,9 +496,12 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia;
     let driver_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
         * inverse_driver_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = (t0 + p.coupling_damping * driver_omega
-        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * cylinder_omega)
-        * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_coupling_ratio = t0
+        .add_product(p.coupling_damping, driver_omega)
+        .sub_product(
+            R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
+            cylinder_omega,
+        ) * inverse_cylinder_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
@@ -531,9 +542,9 @@ pub fn time_derivative<R: Real>(
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
-    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_twist_rate = driver_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     Outputs {
         twist: coupling_twist,
         coupling_torque,
@@ -549,8 +560,11 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
     Energy {
-        kinetic: R::literal(0.5) * p.driver_inertia * (driver_omega * driver_omega)
-            + R::literal(0.5) * p.cylinder_inertia * (cylinder_omega * cylinder_omega),
+        kinetic: (R::literal(0.5) * p.driver_inertia * (driver_omega * driver_omega))
+            .add_product(
+                R::literal(0.5) * p.cylinder_inertia,
+                cylinder_omega * cylinder_omega,
+            ),
         potential: R::literal(0.5) * p.coupling_stiffness
             * (coupling_twist * coupling_twist),
         stored: R::literal(0.0),
@@ -567,23 +581,26 @@ pub fn power_balance<R: Real>(
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
-    let coupling_twist_rate = driver_omega - p.coupling_ratio * cylinder_omega;
-    let resistance = p.load_torque + p.load_amplitude * (p.load_frequency * time).sin();
+    let coupling_twist_rate = driver_omega.sub_product(p.coupling_ratio, cylinder_omega);
+    let resistance = p
+        .load_torque
+        .add_product(p.load_amplitude, (p.load_frequency * time).sin());
     let t0 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t0 + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let t1 = p.coupling_damping * p.coupling_ratio;
     let driver_omega_dot = (p.drive_torque - coupling_torque)
         * (R::literal(1.0) / p.driver_inertia);
-    let cylinder_omega_dot = (p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + t1 * coupling_twist_rate - resistance)
+    let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
+        .add_product(t1, coupling_twist_rate) - resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
     PowerBalance {
-        stored_rate: t0 * coupling_twist_rate
-            + p.driver_inertia * driver_omega * driver_omega_dot
-            + p.cylinder_inertia * cylinder_omega * cylinder_omega_dot,
-        supplied: p.drive_torque * driver_omega - cylinder_omega * resistance,
-        dissipated: p.coupling_damping * driver_omega * coupling_twist_rate
-            - t1 * cylinder_omega * coupling_twist_rate,
+        stored_rate: (t0 * coupling_twist_rate)
+            .add_product(p.driver_inertia * driver_omega, driver_omega_dot)
+            .add_product(p.cylinder_inertia * cylinder_omega, cylinder_omega_dot),
+        supplied: (p.drive_torque * driver_omega)
+            .sub_product(cylinder_omega, resistance),
+        dissipated: (p.coupling_damping * driver_omega * coupling_twist_rate)
+            .sub_product(t1 * cylinder_omega, coupling_twist_rate),
     }
 }
 

@@ -584,7 +584,8 @@ pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
         R::literal(0.0),
         p.initial_velocity,
         p.winding_speed / p.pair_package_radius,
-        p.eccentricity + p.ovality * p.ovality_phase.cos() - p.initial_deflection,
+        p.eccentricity.add_product(p.ovality, p.ovality_phase.cos())
+            - p.initial_deflection,
         R::literal(1.0),
         p.pair_package_radius,
         R::literal(0.0),
@@ -621,24 +622,33 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
-    let layer_swelling = p.holder_preload + p.layer_stiffness * layer_surface
-        + p.layer_cubic_stiffness * (layer_surface * layer_surface * layer_surface);
+    let layer_swelling = p
+        .holder_preload
+        .add_product(p.layer_stiffness, layer_surface)
+        .add_product(
+            p.layer_cubic_stiffness,
+            layer_surface * layer_surface * layer_surface,
+        );
     let pair_growth = c.t1 * pair_omega;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = c.t2 * (pair_radius_squared - c.pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + c.t3
-            * (pair_radius_squared * pair_radius_squared
-                - c.pair_bobbin_radius_squared_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            c.t3,
+            (-c.pair_bobbin_radius_squared_squared)
+                .add_product(pair_radius_squared, pair_radius_squared),
+        );
     let drum_speed_times_time = c.drum_speed * time;
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + pair_phi).cos();
+    let force = (p.package_force * (p.package_phase + pair_phi).cos())
+        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
     let holder_mass = c.t4 + pair_package_mass;
-    let t0 = p.ovality_phase + c.t5 * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
+    let t0 = p.ovality_phase.add_product(c.t5, time);
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
     let layer_compression = shape - holder_x;
-    let shape_rate = -(c.t6 * t0.sin())
-        - c.eccentricity_times_drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
+        .sub_product(c.t6, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
     let t1 = p.layer_stiffness * layer_compression;
     let t2 = p.layer_cubic_stiffness
@@ -677,10 +687,10 @@ pub fn prepared_rate<R: Real>(
             ),
         ),
     );
-    let holder_v_dot = (force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3)
-        - c.t8 * holder_v * pair_omega * pair_radius
-        - (p.holder_preload + p.holder_stiffness * holder_x
+    let holder_v_dot = ((force
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3))
+        .sub_product(c.t8 * holder_v * pair_omega, pair_radius)
+        - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
@@ -721,11 +731,14 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = R::literal(core::f64::consts::PI) * p.pair_package_width
         * p.pair_yarn_density * (pair_radius_squared - pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
@@ -748,19 +761,23 @@ pub fn forcing<R: Real>(
         / (R::literal(core::f64::consts::PI) * p.pair_package_width) * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let drum_speed_times_time = drum_speed * time;
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + pair_phi).cos();
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
+    let force = (p.package_force * (p.package_phase + pair_phi).cos())
+        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
     let t1 = p.layer_stiffness * layer_compression;
     let t2 = p.layer_cubic_stiffness
@@ -799,10 +816,13 @@ pub fn forcing<R: Real>(
             ),
         ),
     );
-    let holder_x_forcing = force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3)
-        - p.pair_yarn_density * p.pair_thread_area * holder_v * pair_omega * pair_radius
-        - (p.holder_preload + p.holder_stiffness * holder_x
+    let holder_x_forcing = (force
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3))
+        .sub_product(
+            p.pair_yarn_density * p.pair_thread_area * holder_v * pair_omega,
+            pair_radius,
+        )
+        - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
@@ -846,20 +866,24 @@ pub fn prepared_rate_jacobian<R: Real>(
     let pair_growth = c.t1 * pair_omega;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = c.t2 * (pair_radius_squared - c.pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + c.t3
-            * (pair_radius_squared * pair_radius_squared
-                - c.pair_bobbin_radius_squared_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            c.t3,
+            (-c.pair_bobbin_radius_squared_squared)
+                .add_product(pair_radius_squared, pair_radius_squared),
+        );
     let drum_speed_times_time = c.drum_speed * time;
     let package_phase_plus_pair_phi = p.package_phase + pair_phi;
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * package_phase_plus_pair_phi.cos();
+    let force = (p.package_force * package_phase_plus_pair_phi.cos())
+        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
     let holder_mass = c.t4 + pair_package_mass;
-    let t0 = p.ovality_phase + c.t5 * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
+    let t0 = p.ovality_phase.add_product(c.t5, time);
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
     let layer_compression = shape - holder_x;
-    let shape_rate = -(c.t6 * t0.sin())
-        - c.eccentricity_times_drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
+        .sub_product(c.t6, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
     let t1 = p.layer_stiffness * layer_compression;
     let layer_compression_squared = layer_compression * layer_compression;
@@ -903,10 +927,10 @@ pub fn prepared_rate_jacobian<R: Real>(
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
     let t5 = c.t8 * holder_v;
     let t6 = t5 * pair_omega;
-    let holder_v_dot = (force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3)
-        - t6 * pair_radius
-        - (p.holder_preload + p.holder_stiffness * holder_x
+    let holder_v_dot = ((force
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3))
+        .sub_product(t6, pair_radius)
+        - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
@@ -951,12 +975,13 @@ pub fn prepared_rate_jacobian<R: Real>(
     let holder_v_dot_by_pair_phi = -(p.package_force * package_phase_plus_pair_phi.sin()
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
-    let holder_v_dot_by_holder_v = (R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        c.minus_layer_viscosity,
-    ) - c.t8 * pair_omega * pair_radius) * inverse_holder_mass;
+    let holder_v_dot_by_holder_v = R::select_less(
+            layer_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            c.minus_layer_viscosity,
+        )
+        .sub_product(c.t8 * pair_omega, pair_radius) * inverse_holder_mass;
     let pair_omega_dot_by_holder_v = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1004,39 +1029,43 @@ pub fn prepared_rate_jacobian<R: Real>(
         layer_closed,
         R::literal(0.5),
         -(c.inverse_layer_viscosity
-            * (p.layer_stiffness + c.t9 * (layer_surface * layer_surface))),
+            * p.layer_stiffness.add_product(c.t9, layer_surface * layer_surface)),
         R::literal(0.0),
     );
     let t12 = t4 / pair_radius_squared;
     let t13 = pair_radius_squared * pair_radius;
-    let holder_v_dot_by_pair_radius = (-t6 - c.t11 * pair_radius * holder_v_dot)
-        * inverse_holder_mass;
-    let pair_omega_dot_by_pair_radius = (R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        pair_carried
-            + pair_radius
-                * (R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t12)
-                    + R::select_less(
-                        pair_slip,
-                        R::literal(-0.5),
-                        R::literal(0.0),
-                        R::select_less(
+    let holder_v_dot_by_pair_radius = (-t6)
+        .sub_product(c.t11 * pair_radius, holder_v_dot) * inverse_holder_mass;
+    let pair_omega_dot_by_pair_radius = R::select_less(
+            pair_slip,
+            R::literal(-1.5),
+            R::literal(0.0),
+            pair_carried
+                .add_product(
+                    pair_radius,
+                    R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t12)
+                        + R::select_less(
                             pair_slip,
-                            R::literal(0.5),
-                            R::literal(2.0) * pair_omega * pair_growth * pair_inertia
-                                / t13
-                                + R::select_less(
-                                    layer_closed,
-                                    R::literal(0.5),
-                                    R::literal(0.0),
-                                    -t12,
-                                ) - c.t8 * pair_radius * (pair_omega * pair_omega),
+                            R::literal(-0.5),
                             R::literal(0.0),
+                            R::select_less(
+                                pair_slip,
+                                R::literal(0.5),
+                                (R::literal(2.0) * pair_omega * pair_growth * pair_inertia
+                                    / t13
+                                    + R::select_less(
+                                        layer_closed,
+                                        R::literal(0.5),
+                                        R::literal(0.0),
+                                        -t12,
+                                    ))
+                                    .sub_product(c.t8 * pair_radius, pair_omega * pair_omega),
+                                R::literal(0.0),
+                            ),
                         ),
-                    )) - pair_resistance,
-    ) - c.t11 * t13 * pair_omega_dot) * inverse_pair_inertia;
+                ) - pair_resistance,
+        )
+        .sub_product(c.t11 * t13, pair_omega_dot) * inverse_pair_inertia;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1068,8 +1097,10 @@ pub fn parameter_jacobian<R: Real>(
     pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let t0 = layer_surface * layer_surface * layer_surface;
-    let layer_swelling = p.holder_preload + p.layer_stiffness * layer_surface
-        + p.layer_cubic_stiffness * t0;
+    let layer_swelling = p
+        .holder_preload
+        .add_product(p.layer_stiffness, layer_surface)
+        .add_product(p.layer_cubic_stiffness, t0);
     let t1 = R::literal(core::f64::consts::PI) * p.pair_package_width;
     let pair_growth = R::literal(0.5) * p.pair_thread_area / t1 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
@@ -1078,33 +1109,33 @@ pub fn parameter_jacobian<R: Real>(
     let pair_package_mass = t1 * p.pair_yarn_density * t2;
     let pair_bobbin_radius_squared_squared = pair_bobbin_radius_squared
         * pair_bobbin_radius_squared;
-    let t3 = pair_radius_squared * pair_radius_squared
-        - pair_bobbin_radius_squared_squared;
+    let t3 = (-pair_bobbin_radius_squared_squared)
+        .add_product(pair_radius_squared, pair_radius_squared);
     let t4 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width;
-    let pair_inertia = p.pair_bobbin_inertia + t4 * p.pair_yarn_density * t3;
+    let pair_inertia = p.pair_bobbin_inertia.add_product(t4 * p.pair_yarn_density, t3);
     let drum_speed_times_time = drum_speed * time;
     let t5 = p.force_phase + drum_speed_times_time;
     let t6 = t5.cos();
     let package_phase_plus_pair_phi = p.package_phase + pair_phi;
     let cos_package_phase_plus_pair_phi = package_phase_plus_pair_phi.cos();
-    let force = p.force_amplitude * t6
-        + p.package_force * cos_package_phase_plus_pair_phi;
+    let force = (p.package_force * cos_package_phase_plus_pair_phi)
+        .add_product(p.force_amplitude, t6);
     let t7 = p.holder_link_mass * p.holder_link_arm;
     let holder_mass = p.holder_bobbin_mass + t7 / p.holder_holder_arm
         + pair_package_mass;
     let t8 = R::literal(2.0) * drum_speed;
-    let t9 = p.ovality_phase + t8 * time;
+    let t9 = p.ovality_phase.add_product(t8, time);
     let t10 = t9.cos();
     let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = p.ovality * t10 + p.eccentricity * cos_drum_speed_times_time;
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t10);
     let layer_compression = shape - holder_x;
     let t11 = t9.sin();
     let t12 = R::literal(2.0) * p.ovality;
     let t13 = t12 * drum_speed;
     let sin_drum_speed_times_time = drum_speed_times_time.sin();
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let shape_rate = -(t13 * t11)
-        - eccentricity_times_drum_speed * sin_drum_speed_times_time;
+    let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
+        .sub_product(t13, t11);
     let layer_compression_rate = shape_rate - holder_v;
     let t14 = p.layer_stiffness * layer_compression;
     let layer_compression_squared = layer_compression * layer_compression;
@@ -1149,10 +1180,10 @@ pub fn parameter_jacobian<R: Real>(
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
     let t19 = p.pair_yarn_density * p.pair_thread_area;
-    let holder_v_dot = (force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t17)
-        - t19 * holder_v * pair_omega * pair_radius
-        - (p.holder_preload + p.holder_stiffness * holder_x
+    let holder_v_dot = ((force
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t17))
+        .sub_product(t19 * holder_v * pair_omega, pair_radius)
+        - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
@@ -1193,26 +1224,29 @@ pub fn parameter_jacobian<R: Real>(
     let t25 = t5.sin();
     let t26 = t12 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t27 = -(t26 * time * t11)
-        - eccentricity_over_drum_radius * time * sin_drum_speed_times_time;
+    let t27 = (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time))
+        .sub_product(t26 * time, t11);
     let t28 = t20 * t27 * layer_compression_squared;
     let t29 = p.layer_stiffness * t27;
     let t30 = R::literal(4.0) * p.ovality;
     let t31 = eccentricity_times_drum_speed / p.drum_radius;
     let t32 = t31 * time;
-    let t33 = -(t30 * drum_speed / p.drum_radius * time * t10) - t26 * t11
-        - t32 * cos_drum_speed_times_time
-        - eccentricity_over_drum_radius * sin_drum_speed_times_time;
+    let t33 = (-(t30 * drum_speed / p.drum_radius * time * t10))
+        .sub_product(t26, t11)
+        .sub_product(t32, cos_drum_speed_times_time)
+        .sub_product(eccentricity_over_drum_radius, sin_drum_speed_times_time);
     let t34 = p.layer_viscosity * t33;
     let t35 = t28 + t29 + t34;
     let t36 = t18 * t35 / pair_radius;
     let t37 = p.pair_friction * t35;
-    let holder_v_dot_by_winding_speed = (R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        t34 - (-t28 - t29),
-    ) - p.force_amplitude / p.drum_radius * time * t25) * inverse_holder_mass;
+    let holder_v_dot_by_winding_speed = R::select_less(
+            layer_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            t34 - (-t28 - t29),
+        )
+        .sub_product(p.force_amplitude / p.drum_radius * time, t25)
+        * inverse_holder_mass;
     let pair_omega_dot_by_winding_speed = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1232,25 +1266,29 @@ pub fn parameter_jacobian<R: Real>(
         t33,
     );
     let t38 = t13 / p.drum_radius;
-    let t39 = t38 * time * t11 + t32 * sin_drum_speed_times_time;
+    let t39 = (t32 * sin_drum_speed_times_time).add_product(t38 * time, t11);
     let t40 = t20 * t39 * layer_compression_squared;
     let t41 = p.layer_stiffness * t39;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t42 = t38 * t11 + t30 * drum_speed_squared / p.drum_radius * time * t10
-        + p.eccentricity * drum_speed_squared / p.drum_radius * time
-            * cos_drum_speed_times_time + t31 * sin_drum_speed_times_time;
+    let t42 = (t38 * t11)
+        .add_product(t30 * drum_speed_squared / p.drum_radius * time, t10)
+        .add_product(
+            p.eccentricity * drum_speed_squared / p.drum_radius * time,
+            cos_drum_speed_times_time,
+        )
+        .add_product(t31, sin_drum_speed_times_time);
     let t43 = p.layer_viscosity * t42;
     let t44 = t40 + t41 + t43;
     let t45 = t18 * t44 / pair_radius;
     let t46 = p.pair_friction * t44;
-    let holder_v_dot_by_drum_radius = (p.force_amplitude * drum_speed / p.drum_radius
-        * time * t25
-        + R::select_less(
+    let holder_v_dot_by_drum_radius = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
             t43 - (-t40 - t41),
-        )) * inverse_holder_mass;
+        )
+        .add_product(p.force_amplitude * drum_speed / p.drum_radius * time, t25)
+        * inverse_holder_mass;
     let pair_omega_dot_by_drum_radius = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1488,48 +1526,58 @@ pub fn parameter_jacobian<R: Real>(
     let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
         * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density
         * holder_v_dot * inverse_holder_mass;
-    let pair_omega_dot_by_pair_bobbin_radius = (R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        t19 * t71 * pair_omega_squared * t23 * t24 / pair_radius,
-    )
-        + R::literal(core::f64::consts::TAU) * p.pair_package_width * p.pair_yarn_density
-            * t71 * pair_omega_dot) * inverse_pair_inertia;
+    let pair_omega_dot_by_pair_bobbin_radius = R::select_less(
+            pair_slip,
+            R::literal(-1.5),
+            R::literal(0.0),
+            t19 * t71 * pair_omega_squared * t23 * t24 / pair_radius,
+        )
+        .add_product(
+            R::literal(core::f64::consts::TAU) * p.pair_package_width
+                * p.pair_yarn_density * t71,
+            pair_omega_dot,
+        ) * inverse_pair_inertia;
     let holder_v_dot_by_pair_package_width = -(R::literal(core::f64::consts::PI)
         * p.pair_yarn_density * t2 * holder_v_dot * inverse_holder_mass);
-    let pair_omega_dot_by_pair_package_width = (R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        p.pair_bobbin_inertia / p.pair_package_width * pair_omega * pair_growth * t23
-            * t24 / pair_radius,
-    )
-        - R::literal(core::f64::consts::FRAC_PI_2) * p.pair_yarn_density * t3
-            * pair_omega_dot) * inverse_pair_inertia;
+    let pair_omega_dot_by_pair_package_width = R::select_less(
+            pair_slip,
+            R::literal(-1.5),
+            R::literal(0.0),
+            p.pair_bobbin_inertia / p.pair_package_width * pair_omega * pair_growth * t23
+                * t24 / pair_radius,
+        )
+        .sub_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_yarn_density * t3,
+            pair_omega_dot,
+        ) * inverse_pair_inertia;
     let pair_radius_dot_by_pair_package_width = -(R::literal(1.0) / p.pair_package_width
         * pair_growth);
     let t72 = R::literal(0.25) * p.pair_thread_area;
     let holder_v_dot_by_pair_yarn_density = (-(p.pair_thread_area * holder_v * pair_omega
-        * pair_radius) - t1 * t2 * holder_v_dot) * inverse_holder_mass;
-    let pair_omega_dot_by_pair_yarn_density = (R::select_less(
-        pair_slip,
-        R::literal(-1.5),
-        R::literal(0.0),
-        R::select_less(
+        * pair_radius))
+        .sub_product(t1 * t2, holder_v_dot) * inverse_holder_mass;
+    let pair_omega_dot_by_pair_yarn_density = R::select_less(
             pair_slip,
-            R::literal(-0.5),
+            R::literal(-1.5),
             R::literal(0.0),
             R::select_less(
                 pair_slip,
-                R::literal(0.5),
-                t72 * pair_bobbin_radius_squared_squared * pair_omega_squared
-                    / pair_radius
-                    - t72 * pair_omega_squared * (pair_radius_squared * pair_radius),
+                R::literal(-0.5),
                 R::literal(0.0),
+                R::select_less(
+                    pair_slip,
+                    R::literal(0.5),
+                    (t72 * pair_bobbin_radius_squared_squared * pair_omega_squared
+                        / pair_radius)
+                        .sub_product(
+                            t72 * pair_omega_squared,
+                            pair_radius_squared * pair_radius,
+                        ),
+                    R::literal(0.0),
+                ),
             ),
-        ),
-    ) - t4 * t3 * pair_omega_dot) * inverse_pair_inertia;
+        )
+        .sub_product(t4 * t3, pair_omega_dot) * inverse_pair_inertia;
     let t73 = R::literal(0.5) / t1;
     let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
         * pair_radius * inverse_holder_mass);
@@ -1657,41 +1705,47 @@ pub fn time_derivative<R: Real>(
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = R::literal(core::f64::consts::PI) * p.pair_package_width
         * p.pair_yarn_density * (pair_radius_squared - pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let drum_speed_times_time = drum_speed * time;
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let t1 = t0.cos();
     let cos_drum_speed_times_time = drum_speed_times_time.cos();
     let t2 = p.eccentricity * cos_drum_speed_times_time;
-    let shape = p.ovality * t1 + t2;
+    let shape = t2.add_product(p.ovality, t1);
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let t3 = R::literal(4.0) * p.ovality;
     let drum_speed_squared = drum_speed * drum_speed;
     let t4 = R::literal(3.0) * p.layer_cubic_stiffness * shape_rate
         * (layer_compression * layer_compression);
     let layer_stiffness_times_shape_rate = p.layer_stiffness * shape_rate;
     let t5 = p.layer_viscosity
-        * (-(t3 * drum_speed_squared * t1)
-            - p.eccentricity * drum_speed_squared * cos_drum_speed_times_time);
+        * (-(p.eccentricity * drum_speed_squared * cos_drum_speed_times_time))
+            .sub_product(t3 * drum_speed_squared, t1);
     let t6 = t4 + layer_stiffness_times_shape_rate + t5;
     let t7 = (p.pair_support_arm + p.pair_rolling_arm) * t6 / pair_radius;
     let t8 = p.pair_friction * t6;
-    let holder_v_dot_by_time = (R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        t5 - (-t4 - layer_stiffness_times_shape_rate),
-    ) - p.force_amplitude * drum_speed * (p.force_phase + drum_speed_times_time).sin())
-        * (R::literal(1.0) / holder_mass);
+    let holder_v_dot_by_time = R::select_less(
+            layer_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            t5 - (-t4 - layer_stiffness_times_shape_rate),
+        )
+        .sub_product(
+            p.force_amplitude * drum_speed,
+            (p.force_phase + drum_speed_times_time).sin(),
+        ) * (R::literal(1.0) / holder_mass);
     let pair_omega_dot_by_time = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1714,7 +1768,7 @@ pub fn time_derivative<R: Real>(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        drum_speed_squared * (-(t3 * t1) - t2),
+        drum_speed_squared * (-t2).sub_product(t3, t1),
     );
     [
         R::literal(0.0),
@@ -1736,34 +1790,42 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [holder_x, pair_phi, holder_v, pair_omega, _, layer_closed, pair_radius,
     pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
-    let pair_sliding = pair_omega * pair_radius - p.winding_speed;
+    let pair_sliding = (-p.winding_speed).add_product(pair_omega, pair_radius);
     let t0 = R::literal(core::f64::consts::PI) * p.pair_package_width;
     let pair_growth = R::literal(0.5) * p.pair_thread_area / t0 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = t0 * p.pair_yarn_density
         * (pair_radius_squared - pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let drum_speed_times_time = drum_speed * time;
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + pair_phi).cos();
+    let force = (p.package_force * (p.package_phase + pair_phi).cos())
+        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t1 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
-    let shape = p.ovality * t1.cos() + p.eccentricity * drum_speed_times_time.cos();
+    let t1 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t1.cos());
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t1.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1.sin());
     let layer_compression_rate = shape_rate - holder_v;
-    let layer_push = p.holder_preload + p.layer_stiffness * layer_compression
-        + p.layer_cubic_stiffness
-            * (layer_compression * layer_compression * layer_compression)
-        + p.layer_viscosity * layer_compression_rate;
+    let layer_push = p
+        .holder_preload
+        .add_product(p.layer_stiffness, layer_compression)
+        .add_product(
+            p.layer_cubic_stiffness,
+            layer_compression * layer_compression * layer_compression,
+        )
+        .add_product(p.layer_viscosity, layer_compression_rate);
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -1826,38 +1888,48 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = R::literal(core::f64::consts::PI) * p.pair_package_width
         * p.pair_yarn_density * (pair_radius_squared - pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let shape = p.ovality * (p.ovality_phase + R::literal(2.0) * drum_speed * time).cos()
-        + p.eccentricity * (drum_speed * time).cos();
+    let shape = (p.eccentricity * (drum_speed * time).cos())
+        .add_product(
+            p.ovality,
+            p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
     let t0 = R::literal(0.25) * p.layer_cubic_stiffness;
     let t1 = R::literal(0.5) * p.layer_stiffness;
     Energy {
-        kinetic: R::literal(0.5) * holder_mass * (holder_v * holder_v)
-            + R::literal(0.5) * pair_inertia * (pair_omega * pair_omega),
-        potential: R::literal(0.5) * p.holder_stiffness * (holder_x * holder_x)
-            + p.holder_preload * holder_x
+        kinetic: (R::literal(0.5) * pair_inertia * (pair_omega * pair_omega))
+            .add_product(R::literal(0.5) * holder_mass, holder_v * holder_v),
+        potential: (p.holder_preload * holder_x)
+            .add_product(R::literal(0.5) * p.holder_stiffness, holder_x * holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                t0 * (layer_compression_squared * layer_compression_squared)
-                    + t1 * layer_compression_squared
-                    + p.holder_preload * layer_compression,
+                (t1 * layer_compression_squared)
+                    .add_product(
+                        t0,
+                        layer_compression_squared * layer_compression_squared,
+                    )
+                    .add_product(p.holder_preload, layer_compression),
             ),
         stored: R::select_less(
             layer_closed,
             R::literal(0.5),
-            t0 * (layer_surface_squared * layer_surface_squared)
-                + t1 * layer_surface_squared + p.holder_preload * layer_surface,
+            (t1 * layer_surface_squared)
+                .add_product(t0, layer_surface_squared * layer_surface_squared)
+                .add_product(p.holder_preload, layer_surface),
             R::literal(0.0),
         ),
     }
@@ -1875,30 +1947,39 @@ pub fn power_balance<R: Real>(
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
-    let layer_swelling = p.holder_preload + p.layer_stiffness * layer_surface
-        + p.layer_cubic_stiffness * (layer_surface * layer_surface * layer_surface);
+    let layer_swelling = p
+        .holder_preload
+        .add_product(p.layer_stiffness, layer_surface)
+        .add_product(
+            p.layer_cubic_stiffness,
+            layer_surface * layer_surface * layer_surface,
+        );
     let t0 = R::literal(core::f64::consts::PI) * p.pair_package_width;
     let pair_growth = R::literal(0.5) * p.pair_thread_area / t0 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
     let t1 = t0 * p.pair_yarn_density;
     let pair_package_mass = t1 * (pair_radius_squared - pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let drum_speed_times_time = drum_speed * time;
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + pair_phi).cos();
+    let force = (p.package_force * (p.package_phase + pair_phi).cos())
+        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t2 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
-    let shape = p.ovality * t2.cos() + p.eccentricity * drum_speed_times_time.cos();
+    let t2 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t2.cos());
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t2.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2.sin());
     let layer_compression_rate = shape_rate - holder_v;
     let t3 = p.layer_stiffness * layer_compression;
     let t4 = layer_compression * layer_compression * layer_compression;
@@ -1938,7 +2019,7 @@ pub fn power_balance<R: Real>(
         ),
     );
     let t7 = p.pair_yarn_density * p.pair_thread_area;
-    let t8 = p.holder_preload + p.holder_stiffness * holder_x
+    let t8 = p.holder_preload.add_product(p.holder_stiffness, holder_x)
         + R::select_less(
             layer_closed,
             R::literal(0.5),
@@ -1951,9 +2032,9 @@ pub fn power_balance<R: Real>(
         R::literal(0.0),
         pair_radius * (pair_carried - pair_resistance),
     );
-    let holder_v_dot = (force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6)
-        - t7 * holder_v * pair_omega * pair_radius - t8)
+    let holder_v_dot = ((force
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
+        .sub_product(t7 * holder_v * pair_omega, pair_radius) - t8)
         * (R::literal(1.0) / holder_mass);
     let pair_omega_dot = t9 * (R::literal(1.0) / pair_inertia);
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
@@ -1969,22 +2050,29 @@ pub fn power_balance<R: Real>(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        p.holder_preload * shape_rate + t3 * shape_rate
-            + p.layer_cubic_stiffness * shape_rate * t4,
+        (p.holder_preload * shape_rate)
+            .add_product(t3, shape_rate)
+            .add_product(p.layer_cubic_stiffness * shape_rate, t4),
     );
-    let t12 = (t1 * pair_radius * (holder_v * holder_v) + t1 * pair_omega_squared * t10)
-        * pair_growth;
+    let t12 = (t1 * pair_radius * (holder_v * holder_v))
+        .add_product(t1 * pair_omega_squared, t10) * pair_growth;
     PowerBalance {
-        stored_rate: t11 + t8 * holder_v + holder_v * holder_mass * holder_v_dot
-            + pair_omega * pair_inertia * pair_omega_dot
-            + R::select_less(
-                layer_closed,
-                R::literal(0.5),
-                layer_swelling,
-                R::literal(0.0),
-            ) * layer_surface_dot + t12,
-        supplied: holder_v * force + pair_omega * (t7 * pair_omega_squared * t10 + t9)
-            + t11 - t12,
+        stored_rate: t11
+            .add_product(t8, holder_v)
+            .add_product(holder_v * holder_mass, holder_v_dot)
+            .add_product(pair_omega * pair_inertia, pair_omega_dot)
+            .add_product(
+                R::select_less(
+                    layer_closed,
+                    R::literal(0.5),
+                    layer_swelling,
+                    R::literal(0.0),
+                ),
+                layer_surface_dot,
+            ) + t12,
+        supplied: (holder_v * force)
+            .add_product(pair_omega, t9.add_product(t7 * pair_omega_squared, t10)) + t11
+            - t12,
         dissipated: R::select_less(
             layer_closed,
             R::literal(0.5),
@@ -2002,27 +2090,35 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
     let [holder_x, _, holder_v, pair_omega, layer_surface, layer_closed, pair_radius, ..,
     ] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
-    let pair_sliding = pair_omega * pair_radius - p.winding_speed;
+    let pair_sliding = (-p.winding_speed).add_product(pair_omega, pair_radius);
     let pair_growth = R::literal(0.5) * p.pair_thread_area
         / (R::literal(core::f64::consts::PI) * p.pair_package_width) * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let drum_speed_times_time = drum_speed * time;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
-    let layer_push = p.holder_preload + p.layer_stiffness * layer_compression
-        + p.layer_cubic_stiffness
-            * (layer_compression * layer_compression * layer_compression)
-        + p.layer_viscosity * layer_compression_rate;
+    let layer_push = p
+        .holder_preload
+        .add_product(p.layer_stiffness, layer_compression)
+        .add_product(
+            p.layer_cubic_stiffness,
+            layer_compression * layer_compression * layer_compression,
+        )
+        .add_product(p.layer_viscosity, layer_compression_rate);
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -2075,35 +2171,43 @@ pub fn guard_rates<R: Real>(
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
-    let layer_swelling = p.holder_preload + p.layer_stiffness * layer_surface
-        + p.layer_cubic_stiffness * (layer_surface * layer_surface * layer_surface);
+    let layer_swelling = p
+        .holder_preload
+        .add_product(p.layer_stiffness, layer_surface)
+        .add_product(
+            p.layer_cubic_stiffness,
+            layer_surface * layer_surface * layer_surface,
+        );
     let t0 = R::literal(core::f64::consts::PI) * p.pair_package_width;
     let pair_growth = R::literal(0.5) * p.pair_thread_area / t0 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = t0 * p.pair_yarn_density
         * (pair_radius_squared - pair_bobbin_radius_squared);
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let drum_speed_times_time = drum_speed * time;
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + pair_phi).cos();
+    let force = (p.package_force * (p.package_phase + pair_phi).cos())
+        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t1 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let t1 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let t2 = t1.cos();
     let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = p.ovality * t2 + p.eccentricity * cos_drum_speed_times_time;
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
     let t3 = t1.sin();
     let t4 = R::literal(2.0) * p.ovality;
     let sin_drum_speed_times_time = drum_speed_times_time.sin();
-    let shape_rate = -(t4 * drum_speed * t3)
-        - p.eccentricity * drum_speed * sin_drum_speed_times_time;
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(t4 * drum_speed, t3);
     let layer_compression_rate = shape_rate - holder_v;
     let t5 = p.layer_stiffness * layer_compression;
     let layer_compression_squared = layer_compression * layer_compression;
@@ -2146,10 +2250,10 @@ pub fn guard_rates<R: Real>(
         ),
     );
     let t10 = p.pair_yarn_density * p.pair_thread_area;
-    let holder_v_dot = (force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t7)
-        - t10 * holder_v * pair_omega * pair_radius
-        - (p.holder_preload + p.holder_stiffness * holder_x
+    let holder_v_dot = ((force
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t7))
+        .sub_product(t10 * holder_v * pair_omega, pair_radius)
+        - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
@@ -2169,76 +2273,99 @@ pub fn guard_rates<R: Real>(
         layer_compression_rate,
     );
     let t11 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t12 = -p.layer_stiffness - t11 * layer_compression_squared;
+    let t12 = (-p.layer_stiffness).sub_product(t11, layer_compression_squared);
     let t13 = t8 * t12 / pair_radius;
     let t14 = p.pair_friction * t12;
     let t15 = t9 / pair_radius_squared;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t16 = t11 * shape_rate * layer_compression_squared
-        + p.layer_stiffness * shape_rate
-        + p.layer_viscosity
-            * (-(R::literal(4.0) * p.ovality * drum_speed_squared * t2)
-                - p.eccentricity * drum_speed_squared * cos_drum_speed_times_time);
+    let t16 = (p.layer_stiffness * shape_rate)
+        .add_product(t11 * shape_rate, layer_compression_squared)
+        .add_product(
+            p.layer_viscosity,
+            (-(p.eccentricity * drum_speed_squared * cos_drum_speed_times_time))
+                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t2),
+        );
     let t17 = t8 * t16 / pair_radius;
     let t18 = p.pair_friction * t16;
-    let layer_touches_guard_rate = drum_speed
-        * (-(t4 * t3) - p.eccentricity * sin_drum_speed_times_time) - holder_v
-        - layer_surface_dot;
-    let layer_opens_guard_rate = t16 + t12 * holder_v - p.layer_viscosity * holder_v_dot;
+    let layer_touches_guard_rate = (-holder_v)
+        .add_product(
+            drum_speed,
+            (-(p.eccentricity * sin_drum_speed_times_time)).sub_product(t4, t3),
+        ) - layer_surface_dot;
+    let layer_opens_guard_rate = t16
+        .add_product(t12, holder_v)
+        .sub_product(p.layer_viscosity, holder_v_dot);
     let t19 = p.layer_viscosity * t8 / pair_radius;
     let layer_viscosity_times_pair_friction = p.layer_viscosity * p.pair_friction;
     let t20 = R::literal(2.0) * pair_growth * pair_inertia / pair_radius_squared
         * pair_omega_dot;
     let t21 = (R::literal(2.0) * pair_omega * pair_growth * pair_inertia
         / (pair_radius_squared * pair_radius)
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t15)
-        - t10 * pair_radius * (pair_omega * pair_omega)) * pair_growth;
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t15))
+        .sub_product(t10 * pair_radius, pair_omega * pair_omega) * pair_growth;
     let pair_breaks_back_guard_rate = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        t17 - t18,
-    )
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t13 - t14)
-            * holder_v
-        + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            layer_viscosity_times_pair_friction - t19,
-        ) * holder_v_dot - t20 + t21;
+            t17 - t18,
+        )
+        .add_product(
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t13 - t14),
+            holder_v,
+        )
+        .add_product(
+            R::select_less(
+                layer_closed,
+                R::literal(0.5),
+                R::literal(0.0),
+                layer_viscosity_times_pair_friction - t19,
+            ),
+            holder_v_dot,
+        ) - t20 + t21;
     let pair_breaks_forth_guard_rate = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        t18 + t17,
-    )
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t14 + t13)
-            * holder_v
-        + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -layer_viscosity_times_pair_friction - t19,
-        ) * holder_v_dot - t20 + t21;
-    let pair_ends_back_guard_rate = pair_radius * pair_omega_dot
-        + pair_omega_times_pair_growth;
+            t18 + t17,
+        )
+        .add_product(
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t14 + t13),
+            holder_v,
+        )
+        .add_product(
+            R::select_less(
+                layer_closed,
+                R::literal(0.5),
+                R::literal(0.0),
+                -layer_viscosity_times_pair_friction - t19,
+            ),
+            holder_v_dot,
+        ) - t20 + t21;
+    let pair_ends_back_guard_rate = pair_omega_times_pair_growth
+        .add_product(pair_radius, pair_omega_dot);
     let pair_turns_guard_rate = R::select_less(
-        layer_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        t18 - t17,
-    )
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t14 - t13)
-            * holder_v
-        + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t19 - layer_viscosity_times_pair_friction,
-        ) * holder_v_dot
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15)
-            * pair_growth;
+            t18 - t17,
+        )
+        .add_product(
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t14 - t13),
+            holder_v,
+        )
+        .add_product(
+            R::select_less(
+                layer_closed,
+                R::literal(0.5),
+                R::literal(0.0),
+                t19 - layer_viscosity_times_pair_friction,
+            ),
+            holder_v_dot,
+        )
+        .add_product(
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15),
+            pair_growth,
+        );
     [
         layer_touches_guard_rate,
         layer_opens_guard_rate,
@@ -2263,22 +2390,30 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
         / (R::literal(core::f64::consts::PI) * p.pair_package_width) * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
-    let pair_inertia = p.pair_bobbin_inertia
-        + R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
-            * p.pair_yarn_density
-            * (pair_radius_squared * pair_radius_squared
-                - pair_bobbin_radius_squared * pair_bobbin_radius_squared);
+    let pair_inertia = p
+        .pair_bobbin_inertia
+        .add_product(
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width
+                * p.pair_yarn_density,
+            (pair_radius_squared * pair_radius_squared)
+                .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
+        );
     let drum_speed_times_time = drum_speed * time;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
-    let layer_push = p.holder_preload + p.layer_stiffness * layer_compression
-        + p.layer_cubic_stiffness
-            * (layer_compression * layer_compression * layer_compression)
-        + p.layer_viscosity * layer_compression_rate;
+    let layer_push = p
+        .holder_preload
+        .add_product(p.layer_stiffness, layer_compression)
+        .add_product(
+            p.layer_cubic_stiffness,
+            layer_compression * layer_compression * layer_compression,
+        )
+        .add_product(p.layer_viscosity, layer_compression_rate);
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,

@@ -849,26 +849,31 @@ pub fn prepared_rate<R: Real>(
     let t6 = R::literal(0.06) * cos_rod_phi;
     let sin_rod_phi = rod_phi.sin();
     let t7 = R::literal(0.06) * sin_rod_phi;
-    let stop_gap = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
-    let t8 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
+    let t8 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
     let stop_rate = post_omega * t8;
     let t9 = bobbin_x - R::literal(0.328);
     let t10 = bobbin_y - R::literal(0.058);
-    let between = (t9 * t9 + t10 * t10).sqrt();
+    let between = (t9 * t9).add_product(t10, t10).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let contact_rate = (bobbin_v_x * t9 + bobbin_v_y * t10) / between;
-    let t11 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t11 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let contact_rate = (bobbin_v_x * t9).add_product(bobbin_v_y, t10) / between;
+    let t11 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t11)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t12 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t13 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let t12 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t13 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let t14 = t1 * R::literal(370.370_370_370_370_3);
     let t15 = t0 * R::literal(370.370_370_370_370_3);
     let t16 = t3 * R::literal(400.0);
@@ -895,15 +900,17 @@ pub fn prepared_rate<R: Real>(
     let t37 = R::literal(-1.25) - t36;
     let t38 = t33 * t32;
     let t39 = R::literal(1.0) / (t37 - t38);
-    let t40 = t14 * t0 - t35 * t32;
+    let t40 = (t14 * t0).sub_product(t35, t32);
     let t41 = t40 * t39;
     let t42 = R::literal(1.25) - t36 - t38;
     let t43 = t42 * t39;
     let t44 = t16 * t3;
     let t45 = R::literal(1.0)
-        / (t30 - R::literal(0.833_333_333_333_333_4) - t44 - t35 * t34 - t41 * t40);
+        / (t30 - R::literal(0.833_333_333_333_333_4) - t44)
+            .sub_product(t35, t34)
+            .sub_product(t41, t40);
     let t46 = t17 * t3;
-    let t47 = t32 + t46 - t33 * t34 - t43 * t40;
+    let t47 = (t32 + t46).sub_product(t33, t34).sub_product(t43, t40);
     let t48 = t47 * t45;
     let t49 = R::literal(0.833_333_333_333_333_4) - t44;
     let t50 = t49 * t45;
@@ -915,150 +922,214 @@ pub fn prepared_rate<R: Real>(
     let t56 = t55 * t45;
     let t57 = t17 * t2;
     let t58 = R::literal(1.0)
-        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38 - t43 * t42
-            - t48 * t47);
-    let t59 = t16 * t2 - t50 * t47;
+        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38)
+            .sub_product(t43, t42)
+            .sub_product(t48, t47);
+    let t59 = (t16 * t2).sub_product(t50, t47);
     let t60 = t59 * t58;
-    let t61 = R::literal(0.833_333_333_333_333_4) - t57 - t51 * t47;
+    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
     let t62 = t61 * t58;
     let t63 = -(t18 * t2);
-    let t64 = t63 - t54 * t47;
+    let t64 = t63.sub_product(t54, t47);
     let t65 = t64 * t58;
     let t66 = t19 * t2;
-    let t67 = R::literal(0.833_333_333_333_333_4) + t66 + t56 * t47;
+    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
     let t68 = t67 * t58;
     let t69 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t44
-            - R::literal(3.333_333_333_333_333_5) - t22 * t5 - t50 * t49 - t60 * t59);
-    let t70 = t46 + t23 * t5 - t51 * t49 - t62 * t59;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t5)
+            .sub_product(t50, t49)
+            .sub_product(t60, t59);
+    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
     let t71 = t70 * t69;
     let t72 = R::literal(-2_777.777_777_777_778) * t5;
     let t73 = t72 * t69;
-    let t74 = t24 * t5 - t20;
+    let t74 = (-t20).add_product(t24, t5);
     let t75 = t74 * t69;
-    let t76 = R::literal(-0.833_333_333_333_333_4) + t52 - t54 * t49 - t65 * t59;
+    let t76 = (R::literal(-0.833_333_333_333_333_4) + t52)
+        .sub_product(t54, t49)
+        .sub_product(t65, t59);
     let t77 = t76 * t69;
-    let t78 = t56 * t49 - t55 - t68 * t59;
+    let t78 = (-t55).add_product(t56, t49).sub_product(t68, t59);
     let t79 = t78 * t69;
     let t80 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t57
-            - R::literal(3.333_333_333_333_333_5) - t23 * t4 - t51 * t46 - t62 * t61
-            - t71 * t70);
-    let t81 = R::literal(-2_777.777_777_777_778) * t4 + t73 * t70;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t23, t4)
+            .sub_product(t51, t46)
+            .sub_product(t62, t61)
+            .sub_product(t71, t70);
+    let t81 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t73, t70);
     let t82 = t81 * t80;
-    let t83 = t21 - t24 * t4 - t75 * t70;
+    let t83 = t21.sub_product(t24, t4).sub_product(t75, t70);
     let t84 = t83 * t80;
-    let t85 = t63 - t54 * t46 - t65 * t61 - t77 * t70;
+    let t85 = t63.sub_product(t54, t46).sub_product(t65, t61).sub_product(t77, t70);
     let t86 = t85 * t80;
-    let t87 = R::literal(-0.833_333_333_333_333_4) + t66 + t56 * t46 - t68 * t61
-        - t79 * t70;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t66)
+        .add_product(t56, t46)
+        .sub_product(t68, t61)
+        .sub_product(t79, t70);
     let t88 = t87 * t80;
     let t89 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t73 * t72 - t82 * t81);
-    let t90 = t75 * t72 - t24 - t84 * t81;
+        / R::literal(-6_944.444_444_444_445).sub_product(t73, t72).sub_product(t82, t81);
+    let t90 = (-t24).add_product(t75, t72).sub_product(t84, t81);
     let t91 = t90 * t89;
     let t92 = t27 * t89;
     let t93 = t28 * t89;
-    let t94 = t77 * t72 - t86 * t81;
+    let t94 = (t77 * t72).sub_product(t86, t81);
     let t95 = t94 * t89;
-    let t96 = t79 * t72 - t88 * t81;
+    let t96 = (t79 * t72).sub_product(t88, t81);
     let t97 = t96 * t89;
     let t98 = R::literal(1.0)
-        / (-(t20 * sin_cylinder_phi) - t21 * cos_cylinder_phi - t24 * slide
-            - t25 * sin_cylinder_phi - t26 * cos_cylinder_phi - t75 * t74 - t84 * t83
-            - t91 * t90);
-    let t99 = t25 - t92 * t90;
+        / (-(t20 * sin_cylinder_phi))
+            .sub_product(t21, cos_cylinder_phi)
+            .sub_product(t24, slide)
+            .sub_product(t25, sin_cylinder_phi)
+            .sub_product(t26, cos_cylinder_phi)
+            .sub_product(t75, t74)
+            .sub_product(t84, t83)
+            .sub_product(t91, t90);
+    let t99 = t25.sub_product(t92, t90);
     let t100 = t99 * t98;
-    let t101 = t93 * t90 - t26;
+    let t101 = (-t26).add_product(t93, t90);
     let t102 = t101 * t98;
-    let t103 = -(t77 * t74) - t86 * t83 - t95 * t90;
+    let t103 = (-(t77 * t74)).sub_product(t86, t83).sub_product(t95, t90);
     let t104 = t103 * t98;
-    let t105 = -(t79 * t74) - t88 * t83 - t97 * t90;
+    let t105 = (-(t79 * t74)).sub_product(t88, t83).sub_product(t97, t90);
     let t106 = t105 * t98;
-    let t107 = R::literal(1.0) / (R::literal(-5.0) - t27 * t7 - t92 * t27 - t100 * t99);
-    let t108 = t28 * t7 + t93 * t27 - t102 * t99;
+    let t107 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t27, t7)
+            .sub_product(t92, t27)
+            .sub_product(t100, t99);
+    let t108 = (t28 * t7).add_product(t93, t27).sub_product(t102, t99);
     let t109 = t108 * t107;
-    let t110 = -(t95 * t27) - t104 * t99;
+    let t110 = (-(t95 * t27)).sub_product(t104, t99);
     let t111 = t110 * t107;
-    let t112 = -(t97 * t27) - t106 * t99;
+    let t112 = (-(t97 * t27)).sub_product(t106, t99);
     let t113 = t112 * t107;
     let t114 = R::literal(1.0)
-        / (R::literal(-5.0) - t28 * t6 - t93 * t28 - t102 * t101 - t109 * t108);
-    let t115 = t95 * t28 - t104 * t101 - t111 * t108;
+        / R::literal(-5.0)
+            .sub_product(t28, t6)
+            .sub_product(t93, t28)
+            .sub_product(t102, t101)
+            .sub_product(t109, t108);
+    let t115 = (t95 * t28).sub_product(t104, t101).sub_product(t111, t108);
     let t116 = t115 * t114;
-    let t117 = t97 * t28 - t106 * t101 - t113 * t108;
+    let t117 = (t97 * t28).sub_product(t106, t101).sub_product(t113, t108);
     let t118 = t117 * t114;
     let t119 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t12
-            - R::literal(1.428_571_428_571_428_6) - t54 * t53 - t65 * t64 - t77 * t76
-            - t86 * t85 - t95 * t94 - t104 * t103 - t111 * t110 - t116 * t115);
-    let t120 = t19 * t12 + t56 * t53 - t68 * t64 - t79 * t76 - t88 * t85 - t97 * t94
-        - t106 * t103 - t113 * t110 - t118 * t115;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t54, t53)
+            .sub_product(t65, t64)
+            .sub_product(t77, t76)
+            .sub_product(t86, t85)
+            .sub_product(t95, t94)
+            .sub_product(t104, t103)
+            .sub_product(t111, t110)
+            .sub_product(t116, t115);
+    let t120 = (t19 * t12)
+        .add_product(t56, t53)
+        .sub_product(t68, t64)
+        .sub_product(t79, t76)
+        .sub_product(t88, t85)
+        .sub_product(t97, t94)
+        .sub_product(t106, t103)
+        .sub_product(t113, t110)
+        .sub_product(t118, t115);
     let t121 = t120 * t119;
-    let t122 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t19 * t13
-            - R::literal(1.428_571_428_571_428_6) - t56 * t55 - t68 * t67 - t79 * t78
-            - t88 * t87 - t97 * t96 - t106 * t105 - t113 * t112 - t118 * t117
-            - t121 * t120);
-    let t123 = R::select_less(
+    let t122 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(R::literal(1_000_000.0) * stop_gap * t8) - R::literal(1500.0) * stop_rate * t8,
+        (-(R::literal(1_000_000.0) * stop_gap * t8))
+            .sub_product(R::literal(1500.0) * stop_rate, t8),
     );
-    let t124 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t125 = t124 * cos_cylinder_phi;
+    let t123 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t124 = t123 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t126 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t127 = t125 + t126;
-    let t128 = t124 * sin_cylinder_phi;
-    let t129 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t130 = t129 - (R::literal(2.943) - t128);
-    let t131 = -(t124 * t11) - spring_damping_times_slide_rate * t11;
-    let t132 = -t125 - t126;
-    let t133 = -t129 - (R::literal(1.962) + t128);
-    let t134 = R::literal(0.1) * (post_omega * post_omega);
-    let t135 = t134 * cos_post_phi;
-    let t136 = t134 * sin_post_phi;
+    let t125 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t126 = t124 + t125;
+    let t127 = t123 * sin_cylinder_phi;
+    let t128 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t129 = t128 - (R::literal(2.943) - t127);
+    let t130 = (-(t123 * t11)).sub_product(spring_damping_times_slide_rate, t11);
+    let t131 = -t124 - t125;
+    let t132 = -t128 - (R::literal(1.962) + t127);
+    let t133 = R::literal(0.1) * (post_omega * post_omega);
+    let t134 = t133 * cos_post_phi;
+    let t135 = t133 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t137 = R::literal(0.06) * plate_omega_squared;
+    let t136 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t138 = cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi
-            + R::literal(2.0) * rod_v_y * sin_cylinder_phi
-            + cylinder_x * cylinder_omega * sin_cylinder_phi
-            + rod_y * cylinder_omega * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_x * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_y * sin_cylinder_phi
-            - cylinder_y * cylinder_omega * cos_cylinder_phi
-            - rod_x * cylinder_omega * sin_cylinder_phi);
-    let t139 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t140 = t14 * t123;
-    let t141 = -t135 - t140;
-    let t142 = t15 * t123;
-    let t143 = t33 * t141;
-    let t144 = -t136 - R::literal(-9.81) + t142 - t143;
-    let t145 = -(t137 * cos_plate_phi + t135) - t140 - t35 * t141 - t41 * t144;
-    let t146 = -(t137 * sin_plate_phi + t136) - R::literal(9.81) + t142
-        - R::literal(-9.81) - t143 - t43 * t144 - t48 * t145;
-    let t147 = R::literal(3.333_333_333_333_333_5) * t127;
-    let t148 = -(R::literal(0.06)
-        * (plate_omega_squared * cos_plate_phi
-            + cylinder_omega_squared * cos_cylinder_phi)) - t147 - t22 * t131
-        - t50 * t145 - t60 * t146;
-    let t149 = R::literal(3.333_333_333_333_333_5) * t130;
-    let t150 = -(R::literal(0.06)
-        * (plate_omega_squared * sin_plate_phi
-            + cylinder_omega_squared * sin_cylinder_phi)) - R::literal(9.81) - t149
-        + t23 * t131 - t51 * t145 - t62 * t146 - t71 * t148;
-    let t151 = t73 * t148 - R::literal(-2_777.777_777_777_778) * t131 - t82 * t150;
-    let t152 = t138 - t20 * t127 + t21 * t130 + t24 * t131 + t25 * t132 - t26 * t133
-        - t75 * t148 - t84 * t150 - t91 * t151;
-    let t153 = R::literal(5.0) * t132;
-    let t154 = t139 * cos_rod_phi - t153 - t92 * t151 - t100 * t152;
-    let t155 = R::literal(5.0) * t133;
-    let t156 = t139 * sin_rod_phi - t155 + t93 * t151 - t102 * t152 - t109 * t154;
-    let t157 = R::literal(1.428_571_428_571_428_6)
+    let t137 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t138 = t14 * t122;
+    let t139 = -t134 - t138;
+    let t140 = t15 * t122;
+    let t141 = t33 * t139;
+    let t142 = -t135 - R::literal(-9.81) + t140 - t141;
+    let t143 = (-t134.add_product(t136, cos_plate_phi) - t138)
+        .sub_product(t35, t139)
+        .sub_product(t41, t142);
+    let t144 = (-t135.add_product(t136, sin_plate_phi) - R::literal(9.81) + t140
+        - R::literal(-9.81) - t141)
+        .sub_product(t43, t142)
+        .sub_product(t48, t143);
+    let t145 = R::literal(3.333_333_333_333_333_5) * t126;
+    let t146 = (-t145)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * cos_plate_phi)
+                .add_product(cylinder_omega_squared, cos_cylinder_phi),
+        )
+        .sub_product(t22, t130)
+        .sub_product(t50, t143)
+        .sub_product(t60, t144);
+    let t147 = R::literal(3.333_333_333_333_333_5) * t129;
+    let t148 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        ) - t147)
+        .add_product(t23, t130)
+        .sub_product(t51, t143)
+        .sub_product(t62, t144)
+        .sub_product(t71, t146);
+    let t149 = (-(R::literal(-2_777.777_777_777_778) * t130))
+        .add_product(t73, t146)
+        .sub_product(t82, t148);
+    let t150 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t20, t126)
+        .add_product(t21, t129)
+        .add_product(t24, t130)
+        .add_product(t25, t131)
+        .sub_product(t26, t132)
+        .sub_product(t75, t146)
+        .sub_product(t84, t148);
+    let t151 = t150.sub_product(t91, t149);
+    let t152 = R::literal(5.0) * t131;
+    let t153 = (-t152)
+        .add_product(t137, cos_rod_phi)
+        .sub_product(t92, t149)
+        .sub_product(t100, t151);
+    let t154 = R::literal(5.0) * t132;
+    let t155 = (-t154)
+        .add_product(t137, sin_rod_phi)
+        .add_product(t93, t149)
+        .sub_product(t102, t151)
+        .sub_product(t109, t153);
+    let t156 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
@@ -1066,9 +1137,17 @@ pub fn prepared_rate<R: Real>(
             -(contact_stiffness_times_contact_gap * t9 / between)
                 - contact_damping_times_contact_rate * t9 / between,
         );
-    let t158 = t13 * plate_omega_squared - t157 - t54 * t145 - t65 * t146 - t77 * t148
-        - t86 * t150 - t95 * t151 - t104 * t152 - t111 * t154 - t116 * t156;
-    let t159 = R::literal(1.428_571_428_571_428_6)
+    let t157 = (-t156)
+        .add_product(t13, plate_omega_squared)
+        .sub_product(t54, t143)
+        .sub_product(t65, t144)
+        .sub_product(t77, t146)
+        .sub_product(t86, t148)
+        .sub_product(t95, t149)
+        .sub_product(t104, t151)
+        .sub_product(t111, t153)
+        .sub_product(t116, t155);
+    let t158 = R::literal(1.428_571_428_571_428_6)
         * (R::select_less(
             contact_closed,
             R::literal(0.5),
@@ -1082,48 +1161,112 @@ pub fn prepared_rate<R: Real>(
                     R::literal(0.0),
                     contact_stiffness_times_contact_gap * t10 / between,
                 )));
-    let t160 = (t12 * plate_omega_squared - R::literal(9.81) - t159 + t56 * t145
-        - t68 * t146 - t79 * t148 - t88 * t150 - t97 * t151 - t106 * t152 - t113 * t154
-        - t118 * t156 - t121 * t158) * t122;
-    let t161 = t158 * t119 - t121 * t160;
-    let t162 = t156 * t114 - t116 * t161 - t118 * t160;
-    let t163 = t154 * t107 - t109 * t162 - t111 * t161 - t113 * t160;
-    let t164 = t152 * t98 - t100 * t163 - t102 * t162 - t104 * t161 - t106 * t160;
-    let t165 = t151 * t89 - t91 * t164 - t92 * t163 + t93 * t162 - t95 * t161
-        - t97 * t160;
-    let t166 = t150 * t80 - t82 * t165 - t84 * t164 - t86 * t161 - t88 * t160;
-    let t167 = t148 * t69 - t71 * t166 + t73 * t165 - t75 * t164 - t77 * t161
-        - t79 * t160;
-    let t168 = t146 * t58 - t60 * t167 - t62 * t166 - t65 * t161 - t68 * t160;
-    let t169 = t145 * t45 - t48 * t168 - t50 * t167 - t51 * t166 - t54 * t161
-        + t56 * t160;
-    let t170 = t144 * t39 - t41 * t169 - t43 * t168;
-    let t171 = t141 * t31 - t33 * t170 - t35 * t169 - t33 * t168;
-    let bobbin_v_y_dot = t159 - R::literal(1.428_571_428_571_428_6) * t160;
-    let bobbin_v_x_dot = t157 - R::literal(1.428_571_428_571_428_6) * t161;
-    let rod_omega_dot = t27 * t163 - R::literal(4_166.666_666_666_667) * t165
-        - t28 * t162;
-    let rod_v_y_dot = t155 - t26 * t164 - R::literal(5.0) * t162;
-    let rod_v_x_dot = t153 + t25 * t164 - R::literal(5.0) * t163;
-    let cylinder_omega_dot = t131 * R::literal(2_777.777_777_777_778) - t22 * t167
-        + t23 * t166 - R::literal(-2_777.777_777_777_778) * t165 + t24 * t164;
-    let cylinder_v_y_dot = t149 - R::literal(3.333_333_333_333_333_5) * t166
-        + t21 * t164;
-    let cylinder_v_x_dot = t147 - R::literal(3.333_333_333_333_333_5) * t167
-        - t20 * t164;
-    let plate_omega_dot = t17 * t168 - t16 * t169 - t16 * t167 + t17 * t166 + t18 * t161
-        - t19 * t160;
-    let plate_v_y_dot = R::literal(-9.81) - R::literal(0.833_333_333_333_333_4) * t168
-        - R::literal(-0.833_333_333_333_333_4) * t166
-        - R::literal(-0.833_333_333_333_333_4) * t160;
-    let plate_v_x_dot = -(R::literal(0.833_333_333_333_333_4) * t169)
-        - R::literal(-0.833_333_333_333_333_4) * t167
-        - R::literal(-0.833_333_333_333_333_4) * t161;
-    let post_omega_dot = t123 * R::literal(370.370_370_370_370_3) - t14 * t171
-        + t15 * t170 - t14 * t169 + t15 * t168;
-    let post_v_y_dot = R::literal(-9.81) - R::literal(1.25) * t170
-        - R::literal(-1.25) * t168;
-    let post_v_x_dot = -(R::literal(1.25) * t171) - R::literal(-1.25) * t169;
+    let t159 = (R::literal(-9.81).add_product(t12, plate_omega_squared) - t158)
+        .add_product(t56, t143)
+        .sub_product(t68, t144)
+        .sub_product(t79, t146)
+        .sub_product(t88, t148)
+        .sub_product(t97, t149)
+        .sub_product(t106, t151)
+        .sub_product(t113, t153)
+        .sub_product(t118, t155)
+        .sub_product(t121, t157)
+        * (R::literal(1.0)
+            / (R::literal(-0.833_333_333_333_333_4).sub_product(t19, t13)
+                - R::literal(1.428_571_428_571_428_6))
+                .sub_product(t56, t55)
+                .sub_product(t68, t67)
+                .sub_product(t79, t78)
+                .sub_product(t88, t87)
+                .sub_product(t97, t96)
+                .sub_product(t106, t105)
+                .sub_product(t113, t112)
+                .sub_product(t118, t117)
+                .sub_product(t121, t120));
+    let t160 = (t157 * t119).sub_product(t121, t159);
+    let t161 = (t155 * t114).sub_product(t116, t160).sub_product(t118, t159);
+    let t162 = (t153 * t107)
+        .sub_product(t109, t161)
+        .sub_product(t111, t160)
+        .sub_product(t113, t159);
+    let t163 = (t151 * t98)
+        .sub_product(t100, t162)
+        .sub_product(t102, t161)
+        .sub_product(t104, t160)
+        .sub_product(t106, t159);
+    let t164 = (t149 * t89)
+        .sub_product(t91, t163)
+        .sub_product(t92, t162)
+        .add_product(t93, t161)
+        .sub_product(t95, t160)
+        .sub_product(t97, t159);
+    let t165 = (t148 * t80)
+        .sub_product(t82, t164)
+        .sub_product(t84, t163)
+        .sub_product(t86, t160)
+        .sub_product(t88, t159);
+    let t166 = (t146 * t69)
+        .sub_product(t71, t165)
+        .add_product(t73, t164)
+        .sub_product(t75, t163)
+        .sub_product(t77, t160)
+        .sub_product(t79, t159);
+    let t167 = (t144 * t58)
+        .sub_product(t60, t166)
+        .sub_product(t62, t165)
+        .sub_product(t65, t160)
+        .sub_product(t68, t159);
+    let t168 = (t143 * t45)
+        .sub_product(t48, t167)
+        .sub_product(t50, t166)
+        .sub_product(t51, t165)
+        .sub_product(t54, t160)
+        .add_product(t56, t159);
+    let t169 = (t142 * t39).sub_product(t41, t168).sub_product(t43, t167);
+    let t170 = (t139 * t31)
+        .sub_product(t33, t169)
+        .sub_product(t35, t168)
+        .sub_product(t33, t167);
+    let bobbin_v_y_dot = t158.sub_product(R::literal(1.428_571_428_571_428_6), t159);
+    let bobbin_v_x_dot = t156.sub_product(R::literal(1.428_571_428_571_428_6), t160);
+    let rod_omega_dot = (t27 * t162)
+        .sub_product(R::literal(4_166.666_666_666_667), t164)
+        .sub_product(t28, t161);
+    let rod_v_y_dot = t154.sub_product(t26, t163).sub_product(R::literal(5.0), t161);
+    let rod_v_x_dot = t152.add_product(t25, t163).sub_product(R::literal(5.0), t162);
+    let cylinder_omega_dot = (t130 * R::literal(2_777.777_777_777_778))
+        .sub_product(t22, t166)
+        .add_product(t23, t165)
+        .sub_product(R::literal(-2_777.777_777_777_778), t164)
+        .add_product(t24, t163);
+    let cylinder_v_y_dot = t147
+        .sub_product(R::literal(3.333_333_333_333_333_5), t165)
+        .add_product(t21, t163);
+    let cylinder_v_x_dot = t145
+        .sub_product(R::literal(3.333_333_333_333_333_5), t166)
+        .sub_product(t20, t163);
+    let plate_omega_dot = (t17 * t167)
+        .sub_product(t16, t168)
+        .sub_product(t16, t166)
+        .add_product(t17, t165)
+        .add_product(t18, t160)
+        .sub_product(t19, t159);
+    let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t167)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t165)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t159);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t166))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t168)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t160);
+    let post_omega_dot = (t122 * R::literal(370.370_370_370_370_3))
+        .sub_product(t14, t170)
+        .add_product(t15, t169)
+        .sub_product(t14, t168)
+        .add_product(t15, t167);
+    let post_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(1.25), t169)
+        .sub_product(R::literal(-1.25), t167);
+    let post_v_x_dot = (-(R::literal(-1.25) * t168)).sub_product(R::literal(1.25), t170);
     [
         post_v_x,
         post_v_y,
@@ -1202,29 +1345,33 @@ pub fn forcing<R: Real>(
     let sin_post_phi = post_phi.sin();
     let cos_cylinder_phi = cylinder_phi.cos();
     let sin_cylinder_phi = cylinder_phi.sin();
-    let stop_gap = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
-    let t0 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
+    let t0 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
     let stop_rate = post_omega * t0;
     let t1 = bobbin_x - R::literal(0.328);
     let t2 = bobbin_y - R::literal(0.058);
-    let between = (t1 * t1 + t2 * t2).sqrt();
+    let between = (t1 * t1).add_product(t2, t2).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let contact_rate = (bobbin_v_x * t1 + bobbin_v_y * t2) / between;
-    let t3 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t3 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let contact_rate = (bobbin_v_x * t1).add_product(bobbin_v_y, t2) / between;
+    let t3 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t3)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
     let post_phi_forcing = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(R::literal(1_000_000.0) * stop_gap * t0) - R::literal(1500.0) * stop_rate * t0,
+        (-(R::literal(1_000_000.0) * stop_gap * t0))
+            .sub_product(R::literal(1500.0) * stop_rate, t0),
     );
     let t4 = p.spring_stiffness * (slide - R::literal(0.116));
     let t5 = t4 * cos_cylinder_phi;
@@ -1234,7 +1381,8 @@ pub fn forcing<R: Real>(
     let t7 = t4 * sin_cylinder_phi;
     let t8 = spring_damping_times_slide_rate * sin_cylinder_phi;
     let cylinder_y_forcing = t8 - (R::literal(2.943) - t7);
-    let cylinder_phi_forcing = -(t4 * t3) - spring_damping_times_slide_rate * t3;
+    let cylinder_phi_forcing = (-(t4 * t3))
+        .sub_product(spring_damping_times_slide_rate, t3);
     let rod_x_forcing = -t5 - t6;
     let rod_y_forcing = -t8 - (R::literal(1.962) + t7);
     let bobbin_x_forcing = R::select_less(
@@ -1318,12 +1466,14 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t6 = R::literal(0.06) * cos_rod_phi;
     let sin_rod_phi = rod_phi.sin();
     let t7 = R::literal(0.06) * sin_rod_phi;
-    let stop_gap = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
     let t8 = R::literal(0.01) * cos_plate_phi;
     let t9 = R::literal(0.1) * sin_plate_phi;
     let t10 = R::literal(0.1) * cos_plate_phi;
     let t11 = R::literal(0.01) * sin_plate_phi;
-    let t12 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
+    let t12 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
     let stop_rate = post_omega * t12;
     let t13 = bobbin_x - R::literal(0.328);
     let t14 = t13 * t13;
@@ -1333,16 +1483,17 @@ pub fn prepared_rate_jacobian<R: Real>(
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let contact_rate = (bobbin_v_x * t13 + bobbin_v_y * t15) / between;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let contact_rate = (bobbin_v_x * t13).add_product(bobbin_v_y, t15) / between;
     let t17 = rod_x_minus_cylinder_x * sin_cylinder_phi;
     let t18 = rod_y_minus_cylinder_y * cos_cylinder_phi;
     let t19 = t18 - t17;
     let rod_v_x_minus_cylinder_v_x = rod_v_x - cylinder_v_x;
     let rod_v_y_minus_cylinder_v_y = rod_v_y - cylinder_v_y;
-    let slide_rate = cylinder_omega * t19 + rod_v_x_minus_cylinder_v_x * cos_cylinder_phi
-        + rod_v_y_minus_cylinder_v_y * sin_cylinder_phi;
+    let slide_rate = (rod_v_x_minus_cylinder_v_x * cos_cylinder_phi)
+        .add_product(cylinder_omega, t19)
+        .add_product(rod_v_y_minus_cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
     let t20 = t11 + t10;
@@ -1374,15 +1525,17 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t46 = R::literal(-1.25) - t45;
     let t47 = t42 * t41;
     let t48 = R::literal(1.0) / (t46 - t47);
-    let t49 = t23 * t0 - t44 * t41;
+    let t49 = (t23 * t0).sub_product(t44, t41);
     let t50 = t49 * t48;
     let t51 = R::literal(1.25) - t45 - t47;
     let t52 = t51 * t48;
     let t53 = t25 * t3;
     let t54 = R::literal(1.0)
-        / (t39 - R::literal(0.833_333_333_333_333_4) - t53 - t44 * t43 - t50 * t49);
+        / (t39 - R::literal(0.833_333_333_333_333_4) - t53)
+            .sub_product(t44, t43)
+            .sub_product(t50, t49);
     let t55 = t26 * t3;
-    let t56 = t41 + t55 - t42 * t43 - t52 * t49;
+    let t56 = (t41 + t55).sub_product(t42, t43).sub_product(t52, t49);
     let t57 = t56 * t54;
     let t58 = R::literal(0.833_333_333_333_333_4) - t53;
     let t59 = t58 * t54;
@@ -1394,98 +1547,142 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t65 = t64 * t54;
     let t66 = t26 * t2;
     let t67 = R::literal(1.0)
-        / (t46 - R::literal(0.833_333_333_333_333_4) - t66 - t47 - t52 * t51
-            - t57 * t56);
-    let t68 = t25 * t2 - t59 * t56;
+        / (t46 - R::literal(0.833_333_333_333_333_4) - t66 - t47)
+            .sub_product(t52, t51)
+            .sub_product(t57, t56);
+    let t68 = (t25 * t2).sub_product(t59, t56);
     let t69 = t68 * t67;
-    let t70 = R::literal(0.833_333_333_333_333_4) - t66 - t60 * t56;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t60, t56);
     let t71 = t70 * t67;
     let t72 = -(t27 * t2);
-    let t73 = t72 - t63 * t56;
+    let t73 = t72.sub_product(t63, t56);
     let t74 = t73 * t67;
     let t75 = t28 * t2;
-    let t76 = R::literal(0.833_333_333_333_333_4) + t75 + t65 * t56;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t65, t56);
     let t77 = t76 * t67;
     let t78 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t53
-            - R::literal(3.333_333_333_333_333_5) - t31 * t5 - t59 * t58 - t69 * t68);
-    let t79 = t55 + t32 * t5 - t60 * t58 - t71 * t68;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t31, t5)
+            .sub_product(t59, t58)
+            .sub_product(t69, t68);
+    let t79 = t55.add_product(t32, t5).sub_product(t60, t58).sub_product(t71, t68);
     let t80 = t79 * t78;
     let t81 = R::literal(-2_777.777_777_777_778) * t5;
     let t82 = t81 * t78;
-    let t83 = t33 * t5 - t29;
+    let t83 = (-t29).add_product(t33, t5);
     let t84 = t83 * t78;
-    let t85 = R::literal(-0.833_333_333_333_333_4) + t61 - t63 * t58 - t74 * t68;
+    let t85 = (R::literal(-0.833_333_333_333_333_4) + t61)
+        .sub_product(t63, t58)
+        .sub_product(t74, t68);
     let t86 = t85 * t78;
-    let t87 = t65 * t58 - t64 - t77 * t68;
+    let t87 = (-t64).add_product(t65, t58).sub_product(t77, t68);
     let t88 = t87 * t78;
     let t89 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t66
-            - R::literal(3.333_333_333_333_333_5) - t32 * t4 - t60 * t55 - t71 * t70
-            - t80 * t79);
-    let t90 = R::literal(-2_777.777_777_777_778) * t4 + t82 * t79;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t32, t4)
+            .sub_product(t60, t55)
+            .sub_product(t71, t70)
+            .sub_product(t80, t79);
+    let t90 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t82, t79);
     let t91 = t90 * t89;
-    let t92 = t30 - t33 * t4 - t84 * t79;
+    let t92 = t30.sub_product(t33, t4).sub_product(t84, t79);
     let t93 = t92 * t89;
-    let t94 = t72 - t63 * t55 - t74 * t70 - t86 * t79;
+    let t94 = t72.sub_product(t63, t55).sub_product(t74, t70).sub_product(t86, t79);
     let t95 = t94 * t89;
-    let t96 = R::literal(-0.833_333_333_333_333_4) + t75 + t65 * t55 - t77 * t70
-        - t88 * t79;
+    let t96 = (R::literal(-0.833_333_333_333_333_4) + t75)
+        .add_product(t65, t55)
+        .sub_product(t77, t70)
+        .sub_product(t88, t79);
     let t97 = t96 * t89;
     let t98 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t82 * t81 - t91 * t90);
-    let t99 = t84 * t81 - t33 - t93 * t90;
+        / R::literal(-6_944.444_444_444_445).sub_product(t82, t81).sub_product(t91, t90);
+    let t99 = (-t33).add_product(t84, t81).sub_product(t93, t90);
     let t100 = t99 * t98;
     let t101 = t36 * t98;
     let t102 = t37 * t98;
-    let t103 = t86 * t81 - t95 * t90;
+    let t103 = (t86 * t81).sub_product(t95, t90);
     let t104 = t103 * t98;
-    let t105 = t88 * t81 - t97 * t90;
+    let t105 = (t88 * t81).sub_product(t97, t90);
     let t106 = t105 * t98;
     let t107 = R::literal(1.0)
-        / (-(t29 * sin_cylinder_phi) - t30 * cos_cylinder_phi - t33 * slide
-            - t34 * sin_cylinder_phi - t35 * cos_cylinder_phi - t84 * t83 - t93 * t92
-            - t100 * t99);
-    let t108 = t34 - t101 * t99;
+        / (-(t29 * sin_cylinder_phi))
+            .sub_product(t30, cos_cylinder_phi)
+            .sub_product(t33, slide)
+            .sub_product(t34, sin_cylinder_phi)
+            .sub_product(t35, cos_cylinder_phi)
+            .sub_product(t84, t83)
+            .sub_product(t93, t92)
+            .sub_product(t100, t99);
+    let t108 = t34.sub_product(t101, t99);
     let t109 = t108 * t107;
-    let t110 = t102 * t99 - t35;
+    let t110 = (-t35).add_product(t102, t99);
     let t111 = t110 * t107;
-    let t112 = -(t86 * t83) - t95 * t92 - t104 * t99;
+    let t112 = (-(t86 * t83)).sub_product(t95, t92).sub_product(t104, t99);
     let t113 = t112 * t107;
-    let t114 = -(t88 * t83) - t97 * t92 - t106 * t99;
+    let t114 = (-(t88 * t83)).sub_product(t97, t92).sub_product(t106, t99);
     let t115 = t114 * t107;
     let t116 = R::literal(1.0)
-        / (R::literal(-5.0) - t36 * t7 - t101 * t36 - t109 * t108);
-    let t117 = t37 * t7 + t102 * t36 - t111 * t108;
+        / R::literal(-5.0)
+            .sub_product(t36, t7)
+            .sub_product(t101, t36)
+            .sub_product(t109, t108);
+    let t117 = (t37 * t7).add_product(t102, t36).sub_product(t111, t108);
     let t118 = t117 * t116;
-    let t119 = -(t104 * t36) - t113 * t108;
+    let t119 = (-(t104 * t36)).sub_product(t113, t108);
     let t120 = t119 * t116;
-    let t121 = -(t106 * t36) - t115 * t108;
+    let t121 = (-(t106 * t36)).sub_product(t115, t108);
     let t122 = t121 * t116;
     let t123 = R::literal(1.0)
-        / (R::literal(-5.0) - t37 * t6 - t102 * t37 - t111 * t110 - t118 * t117);
-    let t124 = t104 * t37 - t113 * t110 - t120 * t117;
+        / R::literal(-5.0)
+            .sub_product(t37, t6)
+            .sub_product(t102, t37)
+            .sub_product(t111, t110)
+            .sub_product(t118, t117);
+    let t124 = (t104 * t37).sub_product(t113, t110).sub_product(t120, t117);
     let t125 = t124 * t123;
-    let t126 = t106 * t37 - t115 * t110 - t122 * t117;
+    let t126 = (t106 * t37).sub_product(t115, t110).sub_product(t122, t117);
     let t127 = t126 * t123;
     let t128 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t27 * t20
-            - R::literal(1.428_571_428_571_428_6) - t63 * t62 - t74 * t73 - t86 * t85
-            - t95 * t94 - t104 * t103 - t113 * t112 - t120 * t119 - t125 * t124);
-    let t129 = t28 * t20 + t65 * t62 - t77 * t73 - t88 * t85 - t97 * t94 - t106 * t103
-        - t115 * t112 - t122 * t119 - t127 * t124;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t27, t20)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t63, t62)
+            .sub_product(t74, t73)
+            .sub_product(t86, t85)
+            .sub_product(t95, t94)
+            .sub_product(t104, t103)
+            .sub_product(t113, t112)
+            .sub_product(t120, t119)
+            .sub_product(t125, t124);
+    let t129 = (t28 * t20)
+        .add_product(t65, t62)
+        .sub_product(t77, t73)
+        .sub_product(t88, t85)
+        .sub_product(t97, t94)
+        .sub_product(t106, t103)
+        .sub_product(t115, t112)
+        .sub_product(t122, t119)
+        .sub_product(t127, t124);
     let t130 = t129 * t128;
     let t131 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t28 * t22
-            - R::literal(1.428_571_428_571_428_6) - t65 * t64 - t77 * t76 - t88 * t87
-            - t97 * t96 - t106 * t105 - t115 * t114 - t122 * t121 - t127 * t126
-            - t130 * t129);
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t28, t22)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t65, t64)
+            .sub_product(t77, t76)
+            .sub_product(t88, t87)
+            .sub_product(t97, t96)
+            .sub_product(t106, t105)
+            .sub_product(t115, t114)
+            .sub_product(t122, t121)
+            .sub_product(t127, t126)
+            .sub_product(t130, t129);
     let t132 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(R::literal(1_000_000.0) * stop_gap * t12)
-            - R::literal(1500.0) * stop_rate * t12,
+        (-(R::literal(1_000_000.0) * stop_gap * t12))
+            .sub_product(R::literal(1500.0) * stop_rate, t12),
     );
     let t133 = slide - R::literal(0.116);
     let t134 = p.spring_stiffness * t133;
@@ -1496,7 +1693,7 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t138 = t134 * sin_cylinder_phi;
     let t139 = spring_damping_times_slide_rate * sin_cylinder_phi;
     let t140 = t139 - (R::literal(2.943) - t138);
-    let t141 = -(t134 * t19) - spring_damping_times_slide_rate * t19;
+    let t141 = (-(t134 * t19)).sub_product(spring_damping_times_slide_rate, t19);
     let t142 = -t135;
     let t143 = t142 - t136;
     let t144 = -t139 - (R::literal(1.962) + t138);
@@ -1533,37 +1730,74 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t169 = t24 * t132;
     let t170 = t42 * t168;
     let t171 = -t149 - R::literal(-9.81) + t169 - t170;
-    let t172 = -(t151 + t147) - t167 - t44 * t168 - t50 * t171;
-    let t173 = -(t152 + t149) - R::literal(9.81) + t169 - R::literal(-9.81) - t170
-        - t52 * t171 - t57 * t172;
+    let t172 = (-(t151 + t147) - t167).sub_product(t44, t168).sub_product(t50, t171);
+    let t173 = (-(t152 + t149) - R::literal(9.81) + t169 - R::literal(-9.81) - t170)
+        .sub_product(t52, t171)
+        .sub_product(t57, t172);
     let t174 = R::literal(3.333_333_333_333_333_5) * t137;
-    let t175 = -(R::literal(0.06) * (plate_omega_squared * cos_plate_phi + t153)) - t174
-        - t31 * t141 - t59 * t172 - t69 * t173;
+    let t175 = (-t174)
+        .sub_product(
+            R::literal(0.06),
+            t153.add_product(plate_omega_squared, cos_plate_phi),
+        )
+        .sub_product(t31, t141)
+        .sub_product(t59, t172)
+        .sub_product(t69, t173);
     let t176 = R::literal(3.333_333_333_333_333_5) * t140;
-    let t177 = -(R::literal(0.06) * (plate_omega_squared * sin_plate_phi + t154))
-        - R::literal(9.81) - t176 + t32 * t141 - t60 * t172 - t71 * t173 - t80 * t175;
-    let t178 = t82 * t175 - R::literal(-2_777.777_777_777_778) * t141 - t91 * t177;
-    let t179 = cylinder_omega
-        * (t159 * cos_cylinder_phi + t160 * sin_cylinder_phi + t161 + t162
-            - t155 * cos_cylinder_phi - t156 * sin_cylinder_phi - t157 - t158)
-        - t29 * t137 + t30 * t140 + t33 * t141 + t34 * t143 - t35 * t144 - t84 * t175;
-    let t180 = t179 - t93 * t177 - t100 * t178;
-    let t181 = R::literal(5.0) * t143;
-    let t182 = t164 - t181 - t101 * t178 - t109 * t180;
-    let t183 = R::literal(5.0) * t144;
-    let t184 = t165 - t183 + t102 * t178 - t111 * t180 - t118 * t182;
-    let t185 = t166
-        - R::literal(1.428_571_428_571_428_6)
-            * R::select_less(
+    let t177 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            t154.add_product(plate_omega_squared, sin_plate_phi),
+        ) - t176)
+        .add_product(t32, t141)
+        .sub_product(t60, t172)
+        .sub_product(t71, t173)
+        .sub_product(t80, t175);
+    let t178 = (-(R::literal(-2_777.777_777_777_778) * t141))
+        .add_product(t82, t175)
+        .sub_product(t91, t177);
+    let t179 = (cylinder_omega
+        * (((t159 * cos_cylinder_phi).add_product(t160, sin_cylinder_phi) + t161 + t162)
+            .sub_product(t155, cos_cylinder_phi)
+            .sub_product(t156, sin_cylinder_phi) - t157 - t158))
+        .sub_product(t29, t137)
+        .add_product(t30, t140)
+        .add_product(t33, t141)
+        .add_product(t34, t143)
+        .sub_product(t35, t144)
+        .sub_product(t84, t175)
+        .sub_product(t93, t177)
+        .sub_product(t100, t178);
+    let t180 = R::literal(5.0) * t143;
+    let t181 = (t164 - t180).sub_product(t101, t178).sub_product(t109, t179);
+    let t182 = R::literal(5.0) * t144;
+    let t183 = (t165 - t182)
+        .add_product(t102, t178)
+        .sub_product(t111, t179)
+        .sub_product(t118, t181);
+    let t184 = t166
+        .sub_product(
+            R::literal(1.428_571_428_571_428_6),
+            R::select_less(
                 contact_closed,
                 R::literal(0.5),
                 R::literal(0.0),
                 -(t145 / between) - contact_damping_times_contact_rate * t13 / between,
-            ) - t63 * t172 - t74 * t173 - t86 * t175 - t95 * t177 - t104 * t178
-        - t113 * t180 - t120 * t182 - t125 * t184;
-    let t186 = t20 * plate_omega_squared - R::literal(9.81)
-        - R::literal(1.428_571_428_571_428_6)
-            * (R::select_less(
+            ),
+        )
+        .sub_product(t63, t172)
+        .sub_product(t74, t173)
+        .sub_product(t86, t175)
+        .sub_product(t95, t177)
+        .sub_product(t104, t178)
+        .sub_product(t113, t179)
+        .sub_product(t120, t181)
+        .sub_product(t125, t183);
+    let t185 = R::literal(-9.81)
+        .add_product(t20, plate_omega_squared)
+        .sub_product(
+            R::literal(1.428_571_428_571_428_6),
+            R::select_less(
                 contact_closed,
                 R::literal(0.5),
                 R::literal(0.0),
@@ -1575,1179 +1809,2300 @@ pub fn prepared_rate_jacobian<R: Real>(
                         R::literal(0.5),
                         R::literal(0.0),
                         contact_stiffness_times_contact_gap * t15 / between,
-                    ))) + t65 * t172 - t77 * t173 - t88 * t175 - t97 * t177
-        - t106 * t178;
-    let t187 = (t186 - t115 * t180 - t122 * t182 - t127 * t184 - t130 * t185) * t131;
-    let t188 = t185 * t128 - t130 * t187;
-    let t189 = t184 * t123 - t125 * t188 - t127 * t187;
-    let t190 = t182 * t116 - t118 * t189 - t120 * t188 - t122 * t187;
-    let t191 = t180 * t107 - t109 * t190 - t111 * t189 - t113 * t188 - t115 * t187;
-    let t192 = t178 * t98 - t100 * t191 - t101 * t190 + t102 * t189 - t104 * t188
-        - t106 * t187;
-    let t193 = t177 * t89 - t91 * t192 - t93 * t191 - t95 * t188 - t97 * t187;
-    let t194 = t175 * t78 - t80 * t193 + t82 * t192 - t84 * t191 - t86 * t188
-        - t88 * t187;
-    let t195 = t173 * t67 - t69 * t194 - t71 * t193 - t74 * t188 - t77 * t187;
-    let t196 = t172 * t54 - t57 * t195 - t59 * t194 - t60 * t193 - t63 * t188
-        + t65 * t187;
-    let t197 = t171 * t48 - t50 * t196 - t52 * t195;
-    let t198 = t168 * t40 - t42 * t197 - t44 * t196 - t42 * t195;
-    let rod_omega_dot = t36 * t190 - R::literal(4_166.666_666_666_667) * t192
-        - t37 * t189;
-    let rod_v_y_dot = t183 - t35 * t191 - R::literal(5.0) * t189;
-    let rod_v_x_dot = t181 + t34 * t191 - R::literal(5.0) * t190;
-    let cylinder_omega_dot = t141 * R::literal(2_777.777_777_777_778) - t31 * t194
-        + t32 * t193 - R::literal(-2_777.777_777_777_778) * t192 + t33 * t191;
-    let cylinder_v_y_dot = t176 - R::literal(3.333_333_333_333_333_5) * t193
-        + t30 * t191;
-    let cylinder_v_x_dot = t174 - R::literal(3.333_333_333_333_333_5) * t194
-        - t29 * t191;
-    let plate_omega_dot = t26 * t195 - t25 * t196 - t25 * t194 + t26 * t193 + t27 * t188
-        - t28 * t187;
-    let post_omega_dot = t132 * R::literal(370.370_370_370_370_3) - t23 * t198
-        + t24 * t197 - t23 * t196 + t24 * t195;
-    let t199 = t12 * t12;
-    let t200 = R::select_less(
-        stop_closed,
-        R::literal(0.5),
-        R::literal(0.0),
-        R::literal(3000.0) * stop_gap * stop_rate
-            + R::literal(1_000_000.0) * (stop_gap * stop_gap)
-            - R::literal(1_000_000.0) * t199,
-    ) - t0 * t198 - t1 * t197 - t0 * t196 - t1 * t195;
-    let t201 = t149 - t0 * post_omega_dot - t23 * t200;
-    let t202 = t148 - t1 * post_omega_dot + t24 * t200 - t42 * t201;
-    let t203 = t201 - t44 * t201 - t50 * t202;
-    let t204 = t202 - t52 * t202 - t57 * t203;
-    let t205 = -(t59 * t203) - t69 * t204;
-    let t206 = -(t60 * t203) - t71 * t204 - t80 * t205;
-    let t207 = t82 * t205 - t91 * t206;
-    let t208 = -(t84 * t205) - t93 * t206 - t100 * t207;
-    let t209 = -(t101 * t207) - t109 * t208;
-    let t210 = t102 * t207 - t111 * t208 - t118 * t209;
-    let t211 = -(t63 * t203) - t74 * t204 - t86 * t205 - t95 * t206 - t104 * t207
-        - t113 * t208 - t120 * t209 - t125 * t210;
-    let t212 = (t65 * t203 - t77 * t204 - t88 * t205 - t97 * t206 - t106 * t207
-        - t115 * t208 - t122 * t209 - t127 * t210 - t130 * t211) * t131;
-    let t213 = t211 * t128 - t130 * t212;
-    let t214 = t210 * t123 - t125 * t213 - t127 * t212;
-    let t215 = t209 * t116 - t118 * t214 - t120 * t213 - t122 * t212;
-    let t216 = t208 * t107 - t109 * t215 - t111 * t214 - t113 * t213 - t115 * t212;
-    let t217 = t207 * t98 - t100 * t216 - t101 * t215 + t102 * t214 - t104 * t213
-        - t106 * t212;
-    let t218 = t206 * t89 - t91 * t217 - t93 * t216 - t95 * t213 - t97 * t212;
-    let t219 = t205 * t78 - t80 * t218 + t82 * t217 - t84 * t216 - t86 * t213
-        - t88 * t212;
-    let t220 = t204 * t67 - t69 * t219 - t71 * t218 - t74 * t213 - t77 * t212;
-    let t221 = t203 * t54 - t57 * t220 - t59 * t219 - t60 * t218 - t63 * t213
-        + t65 * t212;
-    let t222 = t202 * t48 - t50 * t221 - t52 * t220;
-    let t223 = t201 * t40 - t42 * t222 - t44 * t221 - t42 * t220;
-    let bobbin_v_y_dot_by_post_phi = -(R::literal(1.428_571_428_571_428_6) * t212);
-    let bobbin_v_x_dot_by_post_phi = -(R::literal(1.428_571_428_571_428_6) * t213);
-    let rod_omega_dot_by_post_phi = t36 * t215 - R::literal(4_166.666_666_666_667) * t217
-        - t37 * t214;
-    let rod_v_y_dot_by_post_phi = -(t35 * t216) - R::literal(5.0) * t214;
-    let rod_v_x_dot_by_post_phi = t34 * t216 - R::literal(5.0) * t215;
-    let cylinder_omega_dot_by_post_phi = t32 * t218 - t31 * t219
-        - R::literal(-2_777.777_777_777_778) * t217 + t33 * t216;
-    let cylinder_v_y_dot_by_post_phi = t30 * t216
-        - R::literal(3.333_333_333_333_333_5) * t218;
-    let cylinder_v_x_dot_by_post_phi = -(R::literal(3.333_333_333_333_333_5) * t219)
-        - t29 * t216;
-    let plate_omega_dot_by_post_phi = t26 * t220 - t25 * t221 - t25 * t219 + t26 * t218
-        + t27 * t213 - t28 * t212;
-    let plate_v_y_dot_by_post_phi = -(R::literal(0.833_333_333_333_333_4) * t220)
-        - R::literal(-0.833_333_333_333_333_4) * t218
-        - R::literal(-0.833_333_333_333_333_4) * t212;
-    let plate_v_x_dot_by_post_phi = -(R::literal(0.833_333_333_333_333_4) * t221)
-        - R::literal(-0.833_333_333_333_333_4) * t219
-        - R::literal(-0.833_333_333_333_333_4) * t213;
-    let post_omega_dot_by_post_phi = t200 * R::literal(370.370_370_370_370_3)
-        - t23 * t223 + t24 * t222 - t23 * t221 + t24 * t220;
-    let post_v_y_dot_by_post_phi = -(R::literal(1.25) * t222) - R::literal(-1.25) * t220;
-    let post_v_x_dot_by_post_phi = -(R::literal(1.25) * t223) - R::literal(-1.25) * t221;
-    let t224 = -(t2 * t196) - t3 * t195 - t2 * t194 - t3 * t193 - t21 * t188
-        + t20 * t187;
-    let t225 = t152 - t2 * plate_omega_dot - t25 * t224;
-    let t226 = -t151 - t3 * plate_omega_dot + t26 * t224;
-    let t227 = t226 - t57 * t225;
-    let t228 = t225 - t59 * t225 - t69 * t227;
-    let t229 = t226 - t60 * t225 - t71 * t227 - t80 * t228;
-    let t230 = t82 * t228 - t91 * t229;
-    let t231 = -(t84 * t228) - t93 * t229 - t100 * t230;
-    let t232 = -(t101 * t230) - t109 * t231;
-    let t233 = t102 * t230 - t111 * t231 - t118 * t232;
-    let t234 = (-t10 - t11) * plate_omega_squared - t21 * plate_omega_dot + t27 * t224
-        - t63 * t225 - t74 * t227 - t86 * t228 - t95 * t229 - t104 * t230 - t113 * t231
-        - t120 * t232 - t125 * t233;
-    let t235 = (t166 + t20 * plate_omega_dot - t28 * t224 + t65 * t225 - t77 * t227
-        - t88 * t228 - t97 * t229 - t106 * t230 - t115 * t231 - t122 * t232 - t127 * t233
-        - t130 * t234) * t131;
-    let t236 = t234 * t128 - t130 * t235;
-    let t237 = t233 * t123 - t125 * t236 - t127 * t235;
-    let t238 = t232 * t116 - t118 * t237 - t120 * t236 - t122 * t235;
-    let t239 = t231 * t107 - t109 * t238 - t111 * t237 - t113 * t236 - t115 * t235;
-    let t240 = t230 * t98 - t100 * t239 - t101 * t238 + t102 * t237 - t104 * t236
-        - t106 * t235;
-    let t241 = t229 * t89 - t91 * t240 - t93 * t239 - t95 * t236 - t97 * t235;
-    let t242 = t228 * t78 - t80 * t241 + t82 * t240 - t84 * t239 - t86 * t236
-        - t88 * t235;
-    let t243 = t227 * t67 - t69 * t242 - t71 * t241 - t74 * t236 - t77 * t235;
-    let t244 = t225 * t54 - t57 * t243 - t59 * t242 - t60 * t241 - t63 * t236
-        + t65 * t235;
-    let t245 = -(t50 * t244) - t52 * t243;
-    let t246 = -(t42 * t245) - t44 * t244 - t42 * t243;
-    let bobbin_v_y_dot_by_plate_phi = -(R::literal(1.428_571_428_571_428_6) * t235);
-    let bobbin_v_x_dot_by_plate_phi = -(R::literal(1.428_571_428_571_428_6) * t236);
-    let rod_omega_dot_by_plate_phi = t36 * t238
-        - R::literal(4_166.666_666_666_667) * t240 - t37 * t237;
-    let rod_v_y_dot_by_plate_phi = -(t35 * t239) - R::literal(5.0) * t237;
-    let rod_v_x_dot_by_plate_phi = t34 * t239 - R::literal(5.0) * t238;
-    let cylinder_omega_dot_by_plate_phi = t32 * t241 - t31 * t242
-        - R::literal(-2_777.777_777_777_778) * t240 + t33 * t239;
-    let cylinder_v_y_dot_by_plate_phi = t30 * t239
-        - R::literal(3.333_333_333_333_333_5) * t241;
-    let cylinder_v_x_dot_by_plate_phi = -(R::literal(3.333_333_333_333_333_5) * t242)
-        - t29 * t239;
-    let plate_omega_dot_by_plate_phi = t224 * R::literal(400.0) - t25 * t244 + t26 * t243
-        - t25 * t242 + t26 * t241 + t27 * t236 - t28 * t235;
-    let plate_v_y_dot_by_plate_phi = -(R::literal(0.833_333_333_333_333_4) * t243)
-        - R::literal(-0.833_333_333_333_333_4) * t241
-        - R::literal(-0.833_333_333_333_333_4) * t235;
-    let plate_v_x_dot_by_plate_phi = -(R::literal(0.833_333_333_333_333_4) * t244)
-        - R::literal(-0.833_333_333_333_333_4) * t242
-        - R::literal(-0.833_333_333_333_333_4) * t236;
-    let post_omega_dot_by_plate_phi = t24 * t245 - t23 * t246 - t23 * t244 + t24 * t243;
-    let post_v_y_dot_by_plate_phi = -(R::literal(1.25) * t245)
-        - R::literal(-1.25) * t243;
-    let post_v_x_dot_by_plate_phi = -(R::literal(1.25) * t246)
-        - R::literal(-1.25) * t244;
-    let t247 = p.spring_stiffness * cos_cylinder_phi;
+                    )),
+        )
+        .add_product(t65, t172)
+        .sub_product(t77, t173)
+        .sub_product(t88, t175)
+        .sub_product(t97, t177)
+        .sub_product(t106, t178)
+        .sub_product(t115, t179)
+        .sub_product(t122, t181)
+        .sub_product(t127, t183)
+        .sub_product(t130, t184) * t131;
+    let t186 = (t184 * t128).sub_product(t130, t185);
+    let t187 = (t183 * t123).sub_product(t125, t186).sub_product(t127, t185);
+    let t188 = (t181 * t116)
+        .sub_product(t118, t187)
+        .sub_product(t120, t186)
+        .sub_product(t122, t185);
+    let t189 = (t179 * t107)
+        .sub_product(t109, t188)
+        .sub_product(t111, t187)
+        .sub_product(t113, t186)
+        .sub_product(t115, t185);
+    let t190 = (t178 * t98)
+        .sub_product(t100, t189)
+        .sub_product(t101, t188)
+        .add_product(t102, t187)
+        .sub_product(t104, t186)
+        .sub_product(t106, t185);
+    let t191 = (t177 * t89)
+        .sub_product(t91, t190)
+        .sub_product(t93, t189)
+        .sub_product(t95, t186)
+        .sub_product(t97, t185);
+    let t192 = (t175 * t78)
+        .sub_product(t80, t191)
+        .add_product(t82, t190)
+        .sub_product(t84, t189)
+        .sub_product(t86, t186)
+        .sub_product(t88, t185);
+    let t193 = (t173 * t67)
+        .sub_product(t69, t192)
+        .sub_product(t71, t191)
+        .sub_product(t74, t186)
+        .sub_product(t77, t185);
+    let t194 = (t172 * t54)
+        .sub_product(t57, t193)
+        .sub_product(t59, t192)
+        .sub_product(t60, t191)
+        .sub_product(t63, t186)
+        .add_product(t65, t185);
+    let t195 = (t171 * t48).sub_product(t50, t194).sub_product(t52, t193);
+    let t196 = (t168 * t40)
+        .sub_product(t42, t195)
+        .sub_product(t44, t194)
+        .sub_product(t42, t193);
+    let rod_omega_dot = (t36 * t188)
+        .sub_product(R::literal(4_166.666_666_666_667), t190)
+        .sub_product(t37, t187);
+    let rod_v_y_dot = t182.sub_product(t35, t189).sub_product(R::literal(5.0), t187);
+    let rod_v_x_dot = t180.add_product(t34, t189).sub_product(R::literal(5.0), t188);
+    let cylinder_omega_dot = (t141 * R::literal(2_777.777_777_777_778))
+        .sub_product(t31, t192)
+        .add_product(t32, t191)
+        .sub_product(R::literal(-2_777.777_777_777_778), t190)
+        .add_product(t33, t189);
+    let cylinder_v_y_dot = t176
+        .sub_product(R::literal(3.333_333_333_333_333_5), t191)
+        .add_product(t30, t189);
+    let cylinder_v_x_dot = t174
+        .sub_product(R::literal(3.333_333_333_333_333_5), t192)
+        .sub_product(t29, t189);
+    let plate_omega_dot = (t26 * t193)
+        .sub_product(t25, t194)
+        .sub_product(t25, t192)
+        .add_product(t26, t191)
+        .add_product(t27, t186)
+        .sub_product(t28, t185);
+    let post_omega_dot = (t132 * R::literal(370.370_370_370_370_3))
+        .sub_product(t23, t196)
+        .add_product(t24, t195)
+        .sub_product(t23, t194)
+        .add_product(t24, t193);
+    let t197 = t12 * t12;
+    let t198 = R::select_less(
+            stop_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            (R::literal(3000.0) * stop_gap * stop_rate)
+                .add_product(R::literal(1_000_000.0), stop_gap * stop_gap)
+                .sub_product(R::literal(1_000_000.0), t197),
+        )
+        .sub_product(t0, t196)
+        .sub_product(t1, t195)
+        .sub_product(t0, t194)
+        .sub_product(t1, t193);
+    let t199 = t149.sub_product(t0, post_omega_dot).sub_product(t23, t198);
+    let t200 = t148
+        .sub_product(t1, post_omega_dot)
+        .add_product(t24, t198)
+        .sub_product(t42, t199);
+    let t201 = t199.sub_product(t44, t199).sub_product(t50, t200);
+    let t202 = t200.sub_product(t52, t200).sub_product(t57, t201);
+    let t203 = (-(t59 * t201)).sub_product(t69, t202);
+    let t204 = (-(t60 * t201)).sub_product(t71, t202).sub_product(t80, t203);
+    let t205 = (t82 * t203).sub_product(t91, t204);
+    let t206 = (-(t84 * t203)).sub_product(t93, t204).sub_product(t100, t205);
+    let t207 = (-(t101 * t205)).sub_product(t109, t206);
+    let t208 = (t102 * t205).sub_product(t111, t206).sub_product(t118, t207);
+    let t209 = (-(t63 * t201))
+        .sub_product(t74, t202)
+        .sub_product(t86, t203)
+        .sub_product(t95, t204)
+        .sub_product(t104, t205)
+        .sub_product(t113, t206)
+        .sub_product(t120, t207)
+        .sub_product(t125, t208);
+    let t210 = (t65 * t201)
+        .sub_product(t77, t202)
+        .sub_product(t88, t203)
+        .sub_product(t97, t204)
+        .sub_product(t106, t205)
+        .sub_product(t115, t206)
+        .sub_product(t122, t207)
+        .sub_product(t127, t208)
+        .sub_product(t130, t209) * t131;
+    let t211 = (t209 * t128).sub_product(t130, t210);
+    let t212 = (t208 * t123).sub_product(t125, t211).sub_product(t127, t210);
+    let t213 = (t207 * t116)
+        .sub_product(t118, t212)
+        .sub_product(t120, t211)
+        .sub_product(t122, t210);
+    let t214 = (t206 * t107)
+        .sub_product(t109, t213)
+        .sub_product(t111, t212)
+        .sub_product(t113, t211)
+        .sub_product(t115, t210);
+    let t215 = (t205 * t98)
+        .sub_product(t100, t214)
+        .sub_product(t101, t213)
+        .add_product(t102, t212)
+        .sub_product(t104, t211)
+        .sub_product(t106, t210);
+    let t216 = (t204 * t89)
+        .sub_product(t91, t215)
+        .sub_product(t93, t214)
+        .sub_product(t95, t211)
+        .sub_product(t97, t210);
+    let t217 = (t203 * t78)
+        .sub_product(t80, t216)
+        .add_product(t82, t215)
+        .sub_product(t84, t214)
+        .sub_product(t86, t211)
+        .sub_product(t88, t210);
+    let t218 = (t202 * t67)
+        .sub_product(t69, t217)
+        .sub_product(t71, t216)
+        .sub_product(t74, t211)
+        .sub_product(t77, t210);
+    let t219 = (t201 * t54)
+        .sub_product(t57, t218)
+        .sub_product(t59, t217)
+        .sub_product(t60, t216)
+        .sub_product(t63, t211)
+        .add_product(t65, t210);
+    let t220 = (t200 * t48).sub_product(t50, t219).sub_product(t52, t218);
+    let t221 = (t199 * t40)
+        .sub_product(t42, t220)
+        .sub_product(t44, t219)
+        .sub_product(t42, t218);
+    let bobbin_v_y_dot_by_post_phi = -(R::literal(1.428_571_428_571_428_6) * t210);
+    let bobbin_v_x_dot_by_post_phi = -(R::literal(1.428_571_428_571_428_6) * t211);
+    let rod_omega_dot_by_post_phi = (t36 * t213)
+        .sub_product(R::literal(4_166.666_666_666_667), t215)
+        .sub_product(t37, t212);
+    let rod_v_y_dot_by_post_phi = (-(R::literal(5.0) * t212)).sub_product(t35, t214);
+    let rod_v_x_dot_by_post_phi = (-(R::literal(5.0) * t213)).add_product(t34, t214);
+    let cylinder_omega_dot_by_post_phi = (t32 * t216)
+        .sub_product(t31, t217)
+        .sub_product(R::literal(-2_777.777_777_777_778), t215)
+        .add_product(t33, t214);
+    let cylinder_v_y_dot_by_post_phi = (t30 * t214)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t216);
+    let cylinder_v_x_dot_by_post_phi = (-(t29 * t214))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t217);
+    let plate_omega_dot_by_post_phi = (t26 * t218)
+        .sub_product(t25, t219)
+        .sub_product(t25, t217)
+        .add_product(t26, t216)
+        .add_product(t27, t211)
+        .sub_product(t28, t210);
+    let plate_v_y_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t216))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t218)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t210);
+    let plate_v_x_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t217))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t219)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t211);
+    let post_omega_dot_by_post_phi = (t198 * R::literal(370.370_370_370_370_3))
+        .sub_product(t23, t221)
+        .add_product(t24, t220)
+        .sub_product(t23, t219)
+        .add_product(t24, t218);
+    let post_v_y_dot_by_post_phi = (-(R::literal(-1.25) * t218))
+        .sub_product(R::literal(1.25), t220);
+    let post_v_x_dot_by_post_phi = (-(R::literal(-1.25) * t219))
+        .sub_product(R::literal(1.25), t221);
+    let t222 = (-(t3 * t193))
+        .sub_product(t2, t194)
+        .sub_product(t2, t192)
+        .sub_product(t3, t191)
+        .sub_product(t21, t186)
+        .add_product(t20, t185);
+    let t223 = t152.sub_product(t2, plate_omega_dot).sub_product(t25, t222);
+    let t224 = (-t151).sub_product(t3, plate_omega_dot).add_product(t26, t222);
+    let t225 = t224.sub_product(t57, t223);
+    let t226 = t223.sub_product(t59, t223).sub_product(t69, t225);
+    let t227 = t224.sub_product(t60, t223).sub_product(t71, t225).sub_product(t80, t226);
+    let t228 = (t82 * t226).sub_product(t91, t227);
+    let t229 = (-(t84 * t226)).sub_product(t93, t227).sub_product(t100, t228);
+    let t230 = (-(t101 * t228)).sub_product(t109, t229);
+    let t231 = (t102 * t228).sub_product(t111, t229).sub_product(t118, t230);
+    let t232 = ((-t10 - t11) * plate_omega_squared)
+        .sub_product(t21, plate_omega_dot)
+        .add_product(t27, t222)
+        .sub_product(t63, t223)
+        .sub_product(t74, t225)
+        .sub_product(t86, t226)
+        .sub_product(t95, t227)
+        .sub_product(t104, t228)
+        .sub_product(t113, t229)
+        .sub_product(t120, t230)
+        .sub_product(t125, t231);
+    let t233 = t166
+        .add_product(t20, plate_omega_dot)
+        .sub_product(t28, t222)
+        .add_product(t65, t223)
+        .sub_product(t77, t225)
+        .sub_product(t88, t226)
+        .sub_product(t97, t227)
+        .sub_product(t106, t228)
+        .sub_product(t115, t229)
+        .sub_product(t122, t230)
+        .sub_product(t127, t231)
+        .sub_product(t130, t232) * t131;
+    let t234 = (t232 * t128).sub_product(t130, t233);
+    let t235 = (t231 * t123).sub_product(t125, t234).sub_product(t127, t233);
+    let t236 = (t230 * t116)
+        .sub_product(t118, t235)
+        .sub_product(t120, t234)
+        .sub_product(t122, t233);
+    let t237 = (t229 * t107)
+        .sub_product(t109, t236)
+        .sub_product(t111, t235)
+        .sub_product(t113, t234)
+        .sub_product(t115, t233);
+    let t238 = (t228 * t98)
+        .sub_product(t100, t237)
+        .sub_product(t101, t236)
+        .add_product(t102, t235)
+        .sub_product(t104, t234)
+        .sub_product(t106, t233);
+    let t239 = (t227 * t89)
+        .sub_product(t91, t238)
+        .sub_product(t93, t237)
+        .sub_product(t95, t234)
+        .sub_product(t97, t233);
+    let t240 = (t226 * t78)
+        .sub_product(t80, t239)
+        .add_product(t82, t238)
+        .sub_product(t84, t237)
+        .sub_product(t86, t234)
+        .sub_product(t88, t233);
+    let t241 = (t225 * t67)
+        .sub_product(t69, t240)
+        .sub_product(t71, t239)
+        .sub_product(t74, t234)
+        .sub_product(t77, t233);
+    let t242 = (t223 * t54)
+        .sub_product(t57, t241)
+        .sub_product(t59, t240)
+        .sub_product(t60, t239)
+        .sub_product(t63, t234)
+        .add_product(t65, t233);
+    let t243 = (-(t52 * t241)).sub_product(t50, t242);
+    let t244 = (-(t44 * t242)).sub_product(t42, t243).sub_product(t42, t241);
+    let bobbin_v_y_dot_by_plate_phi = -(R::literal(1.428_571_428_571_428_6) * t233);
+    let bobbin_v_x_dot_by_plate_phi = -(R::literal(1.428_571_428_571_428_6) * t234);
+    let rod_omega_dot_by_plate_phi = (t36 * t236)
+        .sub_product(R::literal(4_166.666_666_666_667), t238)
+        .sub_product(t37, t235);
+    let rod_v_y_dot_by_plate_phi = (-(R::literal(5.0) * t235)).sub_product(t35, t237);
+    let rod_v_x_dot_by_plate_phi = (-(R::literal(5.0) * t236)).add_product(t34, t237);
+    let cylinder_omega_dot_by_plate_phi = (t32 * t239)
+        .sub_product(t31, t240)
+        .sub_product(R::literal(-2_777.777_777_777_778), t238)
+        .add_product(t33, t237);
+    let cylinder_v_y_dot_by_plate_phi = (t30 * t237)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t239);
+    let cylinder_v_x_dot_by_plate_phi = (-(t29 * t237))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t240);
+    let plate_omega_dot_by_plate_phi = (t222 * R::literal(400.0))
+        .sub_product(t25, t242)
+        .add_product(t26, t241)
+        .sub_product(t25, t240)
+        .add_product(t26, t239)
+        .add_product(t27, t234)
+        .sub_product(t28, t233);
+    let plate_v_y_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t239))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t241)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t233);
+    let plate_v_x_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t240))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t242)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t234);
+    let post_omega_dot_by_plate_phi = (t24 * t243)
+        .sub_product(t23, t244)
+        .sub_product(t23, t242)
+        .add_product(t24, t241);
+    let post_v_y_dot_by_plate_phi = (-(R::literal(-1.25) * t241))
+        .sub_product(R::literal(1.25), t243);
+    let post_v_x_dot_by_plate_phi = (-(R::literal(-1.25) * t242))
+        .sub_product(R::literal(1.25), t244);
+    let t245 = p.spring_stiffness * cos_cylinder_phi;
     let spring_damping_times_cylinder_omega = p.spring_damping * cylinder_omega;
-    let t248 = spring_damping_times_cylinder_omega * sin_cylinder_phi;
-    let t249 = t248 - t247;
-    let t250 = t249 * cos_cylinder_phi;
-    let t251 = t249 * sin_cylinder_phi;
-    let t252 = spring_damping_times_cylinder_omega * t19;
-    let t253 = t252 * sin_cylinder_phi;
-    let t254 = p.spring_stiffness * t19;
+    let t246 = spring_damping_times_cylinder_omega * sin_cylinder_phi;
+    let t247 = t246 - t245;
+    let t248 = t247 * cos_cylinder_phi;
+    let t249 = t247 * sin_cylinder_phi;
+    let t250 = spring_damping_times_cylinder_omega * t19;
+    let t251 = t250 * sin_cylinder_phi;
+    let t252 = p.spring_stiffness * t19;
+    let t253 = t252 * cos_cylinder_phi;
+    let t254 = t245 - t246;
     let t255 = t254 * cos_cylinder_phi;
-    let t256 = t247 - t248;
-    let t257 = t256 * cos_cylinder_phi;
-    let t258 = t256 * sin_cylinder_phi;
-    let t259 = cos_cylinder_phi * t191;
-    let t260 = t255 - t253 - t138 - t139 - t259;
-    let t261 = cos_cylinder_phi * cylinder_omega_dot;
-    let t262 = R::literal(3.333_333_333_333_333_5) * t250;
-    let t263 = -t262 - t31 * t260;
-    let t264 = R::literal(3.333_333_333_333_333_5) * t251;
-    let t265 = t32 * t260 - t264 - t80 * t263;
-    let t266 = t82 * t263 - R::literal(-2_777.777_777_777_778) * t260 - t91 * t265;
-    let t267 = t154 - t261 - t29 * t250 + t30 * t251 + t33 * t260 + t34 * t257
-        - t35 * t258 - t84 * t263 - t93 * t265 - t100 * t266;
-    let t268 = R::literal(5.0) * t257;
-    let t269 = -t268 - t101 * t266 - t109 * t267;
-    let t270 = R::literal(5.0) * t258;
-    let t271 = t102 * t266 - t270 - t111 * t267 - t118 * t269;
-    let t272 = -(t86 * t263) - t95 * t265 - t104 * t266 - t113 * t267 - t120 * t269
-        - t125 * t271;
-    let t273 = (-(t88 * t263) - t97 * t265 - t106 * t266 - t115 * t267 - t122 * t269
-        - t127 * t271 - t130 * t272) * t131;
-    let t274 = t272 * t128 - t130 * t273;
-    let t275 = t271 * t123 - t125 * t274 - t127 * t273;
-    let t276 = t269 * t116 - t118 * t275 - t120 * t274 - t122 * t273;
-    let t277 = t267 * t107 - t109 * t276 - t111 * t275 - t113 * t274 - t115 * t273;
-    let t278 = t266 * t98 - t100 * t277 - t101 * t276 + t102 * t275 - t104 * t274
-        - t106 * t273;
-    let t279 = t265 * t89 - t91 * t278 - t93 * t277 - t95 * t274 - t97 * t273;
-    let t280 = t263 * t78 - t80 * t279 + t82 * t278 - t84 * t277 - t86 * t274
-        - t88 * t273;
-    let t281 = -(t69 * t280) - t71 * t279 - t74 * t274 - t77 * t273;
-    let t282 = -(t57 * t281) - t59 * t280 - t60 * t279 - t63 * t274 + t65 * t273;
-    let t283 = -(t50 * t282) - t52 * t281;
-    let t284 = -(t42 * t283) - t44 * t282 - t42 * t281;
-    let bobbin_v_y_dot_by_cylinder_x = -(R::literal(1.428_571_428_571_428_6) * t273);
-    let bobbin_v_x_dot_by_cylinder_x = -(R::literal(1.428_571_428_571_428_6) * t274);
-    let rod_omega_dot_by_cylinder_x = t36 * t276
-        - R::literal(4_166.666_666_666_667) * t278 - t37 * t275;
-    let rod_v_y_dot_by_cylinder_x = t270 - t35 * t277 - R::literal(5.0) * t275;
-    let rod_v_x_dot_by_cylinder_x = t268 + t34 * t277 - R::literal(5.0) * t276;
-    let cylinder_omega_dot_by_cylinder_x = t260 * R::literal(2_777.777_777_777_778)
-        - t31 * t280 + t32 * t279 - R::literal(-2_777.777_777_777_778) * t278
-        + t33 * t277;
-    let cylinder_v_y_dot_by_cylinder_x = t264
-        - R::literal(3.333_333_333_333_333_5) * t279 + t30 * t277;
-    let cylinder_v_x_dot_by_cylinder_x = t262
-        - R::literal(3.333_333_333_333_333_5) * t280 - t29 * t277;
-    let plate_omega_dot_by_cylinder_x = t26 * t281 - t25 * t282 - t25 * t280 + t26 * t279
-        + t27 * t274 - t28 * t273;
-    let plate_v_y_dot_by_cylinder_x = -(R::literal(0.833_333_333_333_333_4) * t281)
-        - R::literal(-0.833_333_333_333_333_4) * t279
-        - R::literal(-0.833_333_333_333_333_4) * t273;
-    let plate_v_x_dot_by_cylinder_x = -(R::literal(0.833_333_333_333_333_4) * t282)
-        - R::literal(-0.833_333_333_333_333_4) * t280
-        - R::literal(-0.833_333_333_333_333_4) * t274;
-    let post_omega_dot_by_cylinder_x = t24 * t283 - t23 * t284 - t23 * t282 + t24 * t281;
-    let post_v_y_dot_by_cylinder_x = -(R::literal(1.25) * t283)
-        - R::literal(-1.25) * t281;
-    let post_v_x_dot_by_cylinder_x = -(R::literal(1.25) * t284)
-        - R::literal(-1.25) * t282;
-    let t285 = spring_damping_times_cylinder_omega * cos_cylinder_phi
-        + p.spring_stiffness * sin_cylinder_phi;
-    let t286 = t285 * cos_cylinder_phi;
-    let t287 = t285 * sin_cylinder_phi;
-    let t288 = t252 * cos_cylinder_phi;
-    let t289 = t254 * sin_cylinder_phi;
-    let t290 = sin_cylinder_phi * t191;
-    let t291 = t288 + t135 + t289 + t136 - t290;
-    let t292 = sin_cylinder_phi * cylinder_omega_dot;
-    let t293 = R::literal(3.333_333_333_333_333_5) * t286;
-    let t294 = -t293;
-    let t295 = t293 - t31 * t291;
-    let t296 = R::literal(3.333_333_333_333_333_5) * t287;
-    let t297 = t296 + t32 * t291 - t80 * t295;
-    let t298 = t82 * t295 - R::literal(-2_777.777_777_777_778) * t291 - t91 * t297;
-    let t299 = t29 * t286;
-    let t300 = t30 * t287;
-    let t301 = t34 * t286;
-    let t302 = t35 * t287;
-    let t303 = -t153 - t292 + t299 - t300 + t33 * t291 + t301 - t302 - t84 * t295
-        - t93 * t297 - t100 * t298;
-    let t304 = R::literal(5.0) * t286;
-    let t305 = -t304 - t101 * t298 - t109 * t303;
-    let t306 = R::literal(5.0) * t287;
-    let t307 = t102 * t298 - t306 - t111 * t303 - t118 * t305;
-    let t308 = -(t86 * t295) - t95 * t297 - t104 * t298 - t113 * t303 - t120 * t305
-        - t125 * t307;
-    let t309 = (-(t88 * t295) - t97 * t297 - t106 * t298 - t115 * t303 - t122 * t305
-        - t127 * t307 - t130 * t308) * t131;
-    let t310 = t308 * t128 - t130 * t309;
-    let t311 = t307 * t123 - t125 * t310 - t127 * t309;
-    let t312 = t305 * t116 - t118 * t311 - t120 * t310 - t122 * t309;
-    let t313 = t303 * t107 - t109 * t312 - t111 * t311 - t113 * t310 - t115 * t309;
-    let t314 = t298 * t98 - t100 * t313 - t101 * t312 + t102 * t311 - t104 * t310
-        - t106 * t309;
-    let t315 = t297 * t89 - t91 * t314 - t93 * t313 - t95 * t310 - t97 * t309;
-    let t316 = t295 * t78 - t80 * t315 + t82 * t314 - t84 * t313 - t86 * t310
-        - t88 * t309;
-    let t317 = -(t69 * t316) - t71 * t315 - t74 * t310 - t77 * t309;
-    let t318 = -(t57 * t317) - t59 * t316 - t60 * t315 - t63 * t310 + t65 * t309;
-    let t319 = -(t50 * t318) - t52 * t317;
-    let t320 = -(t42 * t319) - t44 * t318 - t42 * t317;
-    let bobbin_v_y_dot_by_cylinder_y = -(R::literal(1.428_571_428_571_428_6) * t309);
-    let bobbin_v_x_dot_by_cylinder_y = -(R::literal(1.428_571_428_571_428_6) * t310);
-    let rod_omega_dot_by_cylinder_y = t36 * t312
-        - R::literal(4_166.666_666_666_667) * t314 - t37 * t311;
-    let rod_v_y_dot_by_cylinder_y = t306 - t35 * t313 - R::literal(5.0) * t311;
-    let rod_v_x_dot_by_cylinder_y = t304 + t34 * t313 - R::literal(5.0) * t312;
-    let cylinder_omega_dot_by_cylinder_y = t291 * R::literal(2_777.777_777_777_778)
-        - t31 * t316 + t32 * t315 - R::literal(-2_777.777_777_777_778) * t314
-        + t33 * t313;
-    let cylinder_v_y_dot_by_cylinder_y = -t296
-        - R::literal(3.333_333_333_333_333_5) * t315 + t30 * t313;
-    let cylinder_v_x_dot_by_cylinder_y = t294
-        - R::literal(3.333_333_333_333_333_5) * t316 - t29 * t313;
-    let plate_omega_dot_by_cylinder_y = t26 * t317 - t25 * t318 - t25 * t316 + t26 * t315
-        + t27 * t310 - t28 * t309;
-    let plate_v_y_dot_by_cylinder_y = -(R::literal(0.833_333_333_333_333_4) * t317)
-        - R::literal(-0.833_333_333_333_333_4) * t315
-        - R::literal(-0.833_333_333_333_333_4) * t309;
-    let plate_v_x_dot_by_cylinder_y = -(R::literal(0.833_333_333_333_333_4) * t318)
-        - R::literal(-0.833_333_333_333_333_4) * t316
-        - R::literal(-0.833_333_333_333_333_4) * t310;
-    let post_omega_dot_by_cylinder_y = t24 * t319 - t23 * t320 - t23 * t318 + t24 * t317;
-    let post_v_y_dot_by_cylinder_y = -(R::literal(1.25) * t319)
-        - R::literal(-1.25) * t317;
-    let post_v_x_dot_by_cylinder_y = -(R::literal(1.25) * t320)
-        - R::literal(-1.25) * t318;
-    let t321 = p.spring_damping
-        * (rod_v_y_minus_cylinder_v_y * cos_cylinder_phi - cylinder_omega * slide
-            - rod_v_x_minus_cylinder_v_x * sin_cylinder_phi);
-    let t322 = t321 * cos_cylinder_phi;
-    let t323 = t321 * sin_cylinder_phi;
-    let t324 = t19 * t19;
-    let t325 = R::literal(0.06) * cylinder_omega_squared;
-    let t326 = t255 + t322 - t138 - t139 - t259;
-    let t327 = t136 + t323 - (t142 - t289) - t290;
-    let t328 = t17 - t18;
-    let t329 = p.spring_stiffness * slide * t133 + p.spring_damping * slide * slide_rate
-        - p.spring_stiffness * t324 - t321 * t19 - t4 * t194 - t5 * t193 - t328 * t191;
-    let t330 = t138 + t139 - t255 - t322 + t259;
-    let t331 = cylinder_omega
-        * (t155 * sin_cylinder_phi + t160 * cos_cylinder_phi
-            + cylinder_x_times_cylinder_omega * cos_cylinder_phi
-            + cylinder_y_times_cylinder_omega * sin_cylinder_phi
-            - t156 * cos_cylinder_phi - t159 * sin_cylinder_phi
-            - rod_x_times_cylinder_omega * cos_cylinder_phi
-            - rod_y_times_cylinder_omega * sin_cylinder_phi)
-        - cos_cylinder_phi * cylinder_v_x_dot - sin_cylinder_phi * cylinder_v_y_dot
-        - t328 * cylinder_omega_dot + cos_cylinder_phi * rod_v_x_dot;
-    let t332 = -t136 - t323 - (t135 + t289) + t290;
-    let t333 = R::literal(3.333_333_333_333_333_5) * t326;
-    let t334 = t325 * sin_cylinder_phi - t4 * cylinder_omega_dot - t333 - t31 * t329;
-    let t335 = R::literal(3.333_333_333_333_333_5) * t327;
-    let t336 = -(t325 * cos_cylinder_phi) - t5 * cylinder_omega_dot - t335 + t32 * t329
-        - t80 * t334;
-    let t337 = t82 * t334 - R::literal(-2_777.777_777_777_778) * t329 - t91 * t336;
-    let t338 = t331 + sin_cylinder_phi * rod_v_y_dot - t29 * t326 + t30 * t327
-        + t33 * t329 + t34 * t330 - t35 * t332 - t84 * t334 - t93 * t336 - t100 * t337;
-    let t339 = R::literal(5.0) * t330;
-    let t340 = -t339 - t101 * t337 - t109 * t338;
-    let t341 = R::literal(5.0) * t332;
-    let t342 = t102 * t337 - t341 - t111 * t338 - t118 * t340;
-    let t343 = -(t86 * t334) - t95 * t336 - t104 * t337 - t113 * t338 - t120 * t340
-        - t125 * t342;
-    let t344 = (-(t88 * t334) - t97 * t336 - t106 * t337 - t115 * t338 - t122 * t340
-        - t127 * t342 - t130 * t343) * t131;
-    let t345 = t343 * t128 - t130 * t344;
-    let t346 = t342 * t123 - t125 * t345 - t127 * t344;
-    let t347 = t340 * t116 - t118 * t346 - t120 * t345 - t122 * t344;
-    let t348 = t338 * t107 - t109 * t347 - t111 * t346 - t113 * t345 - t115 * t344;
-    let t349 = t337 * t98 - t100 * t348 - t101 * t347 + t102 * t346 - t104 * t345
-        - t106 * t344;
-    let t350 = t336 * t89 - t91 * t349 - t93 * t348 - t95 * t345 - t97 * t344;
-    let t351 = t334 * t78 - t80 * t350 + t82 * t349 - t84 * t348 - t86 * t345
-        - t88 * t344;
-    let t352 = -(t69 * t351) - t71 * t350 - t74 * t345 - t77 * t344;
-    let t353 = -(t57 * t352) - t59 * t351 - t60 * t350 - t63 * t345 + t65 * t344;
-    let t354 = -(t50 * t353) - t52 * t352;
-    let t355 = -(t42 * t354) - t44 * t353 - t42 * t352;
-    let bobbin_v_y_dot_by_cylinder_phi = -(R::literal(1.428_571_428_571_428_6) * t344);
-    let bobbin_v_x_dot_by_cylinder_phi = -(R::literal(1.428_571_428_571_428_6) * t345);
-    let rod_omega_dot_by_cylinder_phi = t36 * t347
-        - R::literal(4_166.666_666_666_667) * t349 - t37 * t346;
-    let rod_v_y_dot_by_cylinder_phi = t341 - t35 * t348 - R::literal(5.0) * t346;
-    let rod_v_x_dot_by_cylinder_phi = t339 + t34 * t348 - R::literal(5.0) * t347;
-    let cylinder_omega_dot_by_cylinder_phi = t329 * R::literal(2_777.777_777_777_778)
-        - t31 * t351 + t32 * t350 - R::literal(-2_777.777_777_777_778) * t349
-        + t33 * t348;
-    let cylinder_v_y_dot_by_cylinder_phi = t335
-        - R::literal(3.333_333_333_333_333_5) * t350 + t30 * t348;
-    let cylinder_v_x_dot_by_cylinder_phi = t333
-        - R::literal(3.333_333_333_333_333_5) * t351 - t29 * t348;
-    let plate_omega_dot_by_cylinder_phi = t26 * t352 - t25 * t353 - t25 * t351
-        + t26 * t350 + t27 * t345 - t28 * t344;
-    let plate_v_y_dot_by_cylinder_phi = -(R::literal(0.833_333_333_333_333_4) * t352)
-        - R::literal(-0.833_333_333_333_333_4) * t350
-        - R::literal(-0.833_333_333_333_333_4) * t344;
-    let plate_v_x_dot_by_cylinder_phi = -(R::literal(0.833_333_333_333_333_4) * t353)
-        - R::literal(-0.833_333_333_333_333_4) * t351
-        - R::literal(-0.833_333_333_333_333_4) * t345;
-    let post_omega_dot_by_cylinder_phi = t24 * t354 - t23 * t355 - t23 * t353
-        + t24 * t352;
-    let post_v_y_dot_by_cylinder_phi = -(R::literal(1.25) * t354)
-        - R::literal(-1.25) * t352;
-    let post_v_x_dot_by_cylinder_phi = -(R::literal(1.25) * t355)
-        - R::literal(-1.25) * t353;
-    let t356 = t253 + t138 + t139 - t255 + t259;
-    let t357 = R::literal(3.333_333_333_333_333_5) * t257;
-    let t358 = -t357 - t31 * t356;
-    let t359 = R::literal(3.333_333_333_333_333_5) * t258;
-    let t360 = t32 * t356 - t359 - t80 * t358;
-    let t361 = t82 * t358 - R::literal(-2_777.777_777_777_778) * t356 - t91 * t360;
-    let t362 = t261 - t154 - t29 * t257 + t30 * t258 + t33 * t356 + t34 * t250
-        - t35 * t251 - t84 * t358 - t93 * t360 - t100 * t361;
-    let t363 = R::literal(5.0) * t250;
-    let t364 = -t363 - t101 * t361 - t109 * t362;
-    let t365 = R::literal(5.0) * t251;
-    let t366 = t102 * t361 - t365 - t111 * t362 - t118 * t364;
-    let t367 = -(t86 * t358) - t95 * t360 - t104 * t361 - t113 * t362 - t120 * t364
-        - t125 * t366;
-    let t368 = (-(t88 * t358) - t97 * t360 - t106 * t361 - t115 * t362 - t122 * t364
-        - t127 * t366 - t130 * t367) * t131;
-    let t369 = t367 * t128 - t130 * t368;
-    let t370 = t366 * t123 - t125 * t369 - t127 * t368;
-    let t371 = t364 * t116 - t118 * t370 - t120 * t369 - t122 * t368;
-    let t372 = t362 * t107 - t109 * t371 - t111 * t370 - t113 * t369 - t115 * t368;
-    let t373 = t361 * t98 - t100 * t372 - t101 * t371 + t102 * t370 - t104 * t369
-        - t106 * t368;
-    let t374 = t360 * t89 - t91 * t373 - t93 * t372 - t95 * t369 - t97 * t368;
-    let t375 = t358 * t78 - t80 * t374 + t82 * t373 - t84 * t372 - t86 * t369
-        - t88 * t368;
-    let t376 = -(t69 * t375) - t71 * t374 - t74 * t369 - t77 * t368;
-    let t377 = -(t57 * t376) - t59 * t375 - t60 * t374 - t63 * t369 + t65 * t368;
-    let t378 = -(t50 * t377) - t52 * t376;
-    let t379 = -(t42 * t378) - t44 * t377 - t42 * t376;
-    let bobbin_v_y_dot_by_rod_x = -(R::literal(1.428_571_428_571_428_6) * t368);
-    let bobbin_v_x_dot_by_rod_x = -(R::literal(1.428_571_428_571_428_6) * t369);
-    let rod_omega_dot_by_rod_x = t36 * t371 - R::literal(4_166.666_666_666_667) * t373
-        - t37 * t370;
-    let rod_v_y_dot_by_rod_x = t365 - t35 * t372 - R::literal(5.0) * t370;
-    let rod_v_x_dot_by_rod_x = t363 + t34 * t372 - R::literal(5.0) * t371;
-    let cylinder_omega_dot_by_rod_x = t356 * R::literal(2_777.777_777_777_778)
-        - t31 * t375 + t32 * t374 - R::literal(-2_777.777_777_777_778) * t373
-        + t33 * t372;
-    let cylinder_v_y_dot_by_rod_x = t359 - R::literal(3.333_333_333_333_333_5) * t374
-        + t30 * t372;
-    let cylinder_v_x_dot_by_rod_x = t357 - R::literal(3.333_333_333_333_333_5) * t375
-        - t29 * t372;
-    let plate_omega_dot_by_rod_x = t26 * t376 - t25 * t377 - t25 * t375 + t26 * t374
-        + t27 * t369 - t28 * t368;
-    let plate_v_y_dot_by_rod_x = -(R::literal(0.833_333_333_333_333_4) * t376)
-        - R::literal(-0.833_333_333_333_333_4) * t374
-        - R::literal(-0.833_333_333_333_333_4) * t368;
-    let plate_v_x_dot_by_rod_x = -(R::literal(0.833_333_333_333_333_4) * t377)
-        - R::literal(-0.833_333_333_333_333_4) * t375
-        - R::literal(-0.833_333_333_333_333_4) * t369;
-    let post_omega_dot_by_rod_x = t24 * t378 - t23 * t379 - t23 * t377 + t24 * t376;
-    let post_v_y_dot_by_rod_x = -(R::literal(1.25) * t378) - R::literal(-1.25) * t376;
-    let post_v_x_dot_by_rod_x = -(R::literal(1.25) * t379) - R::literal(-1.25) * t377;
-    let t380 = -t288 - t135 - t289 - t136 + t290;
-    let t381 = t294 - t31 * t380;
-    let t382 = t32 * t380 - t296 - t80 * t381;
-    let t383 = t82 * t381 - R::literal(-2_777.777_777_777_778) * t380 - t91 * t382;
-    let t384 = t153 + t292 - t299 + t300 + t33 * t380 - t301 + t302 - t84 * t381
-        - t93 * t382 - t100 * t383;
-    let t385 = t304 - t101 * t383 - t109 * t384;
-    let t386 = t306 + t102 * t383 - t111 * t384 - t118 * t385;
-    let t387 = -(t86 * t381) - t95 * t382 - t104 * t383 - t113 * t384 - t120 * t385
-        - t125 * t386;
-    let t388 = (-(t88 * t381) - t97 * t382 - t106 * t383 - t115 * t384 - t122 * t385
-        - t127 * t386 - t130 * t387) * t131;
-    let t389 = t387 * t128 - t130 * t388;
-    let t390 = t386 * t123 - t125 * t389 - t127 * t388;
-    let t391 = t385 * t116 - t118 * t390 - t120 * t389 - t122 * t388;
-    let t392 = t384 * t107 - t109 * t391 - t111 * t390 - t113 * t389 - t115 * t388;
-    let t393 = t383 * t98 - t100 * t392 - t101 * t391 + t102 * t390 - t104 * t389
-        - t106 * t388;
-    let t394 = t382 * t89 - t91 * t393 - t93 * t392 - t95 * t389 - t97 * t388;
-    let t395 = t381 * t78 - t80 * t394 + t82 * t393 - t84 * t392 - t86 * t389
-        - t88 * t388;
-    let t396 = -(t69 * t395) - t71 * t394 - t74 * t389 - t77 * t388;
-    let t397 = -(t57 * t396) - t59 * t395 - t60 * t394 - t63 * t389 + t65 * t388;
-    let t398 = -(t50 * t397) - t52 * t396;
-    let t399 = -(t42 * t398) - t44 * t397 - t42 * t396;
-    let bobbin_v_y_dot_by_rod_y = -(R::literal(1.428_571_428_571_428_6) * t388);
-    let bobbin_v_x_dot_by_rod_y = -(R::literal(1.428_571_428_571_428_6) * t389);
-    let rod_omega_dot_by_rod_y = t36 * t391 - R::literal(4_166.666_666_666_667) * t393
-        - t37 * t390;
-    let rod_v_y_dot_by_rod_y = -t306 - t35 * t392 - R::literal(5.0) * t390;
-    let rod_v_x_dot_by_rod_y = t34 * t392 - t304 - R::literal(5.0) * t391;
-    let cylinder_omega_dot_by_rod_y = t380 * R::literal(2_777.777_777_777_778)
-        - t31 * t395 + t32 * t394 - R::literal(-2_777.777_777_777_778) * t393
-        + t33 * t392;
-    let cylinder_v_y_dot_by_rod_y = t296 - R::literal(3.333_333_333_333_333_5) * t394
-        + t30 * t392;
-    let cylinder_v_x_dot_by_rod_y = t293 - R::literal(3.333_333_333_333_333_5) * t395
-        - t29 * t392;
-    let plate_omega_dot_by_rod_y = t26 * t396 - t25 * t397 - t25 * t395 + t26 * t394
-        + t27 * t389 - t28 * t388;
-    let plate_v_y_dot_by_rod_y = -(R::literal(0.833_333_333_333_333_4) * t396)
-        - R::literal(-0.833_333_333_333_333_4) * t394
-        - R::literal(-0.833_333_333_333_333_4) * t388;
-    let plate_v_x_dot_by_rod_y = -(R::literal(0.833_333_333_333_333_4) * t397)
-        - R::literal(-0.833_333_333_333_333_4) * t395
-        - R::literal(-0.833_333_333_333_333_4) * t389;
-    let post_omega_dot_by_rod_y = t24 * t398 - t23 * t399 - t23 * t397 + t24 * t396;
-    let post_v_y_dot_by_rod_y = -(R::literal(1.25) * t398) - R::literal(-1.25) * t396;
-    let post_v_x_dot_by_rod_y = -(R::literal(1.25) * t399) - R::literal(-1.25) * t397;
-    let t400 = t6 * t190 + t7 * t189;
-    let t401 = R::literal(4_166.666_666_666_667) * t400;
-    let t402 = t100 * t401;
-    let t403 = t6 * rod_omega_dot - t165 + t36 * t400 + t101 * t401 - t109 * t402;
-    let t404 = t164 + t7 * rod_omega_dot - t37 * t400 - t102 * t401 - t111 * t402
-        - t118 * t403;
-    let t405 = t104 * t401 - t113 * t402 - t120 * t403 - t125 * t404;
-    let t406 = (t106 * t401 - t115 * t402 - t122 * t403 - t127 * t404 - t130 * t405)
-        * t131;
-    let t407 = t405 * t128 - t130 * t406;
-    let t408 = t404 * t123 - t125 * t407 - t127 * t406;
-    let t409 = t403 * t116 - t118 * t408 - t120 * t407 - t122 * t406;
-    let t410 = t402 * t107 - t109 * t409 - t111 * t408 - t113 * t407 - t115 * t406;
-    let t411 = -(t401 * t98) - t100 * t410 - t101 * t409 + t102 * t408 - t104 * t407
-        - t106 * t406;
-    let t412 = -(t91 * t411) - t93 * t410 - t95 * t407 - t97 * t406;
-    let t413 = t82 * t411 - t80 * t412 - t84 * t410 - t86 * t407 - t88 * t406;
-    let t414 = -(t69 * t413) - t71 * t412 - t74 * t407 - t77 * t406;
-    let t415 = -(t57 * t414) - t59 * t413 - t60 * t412 - t63 * t407 + t65 * t406;
-    let t416 = -(t50 * t415) - t52 * t414;
-    let t417 = -(t42 * t416) - t44 * t415 - t42 * t414;
-    let bobbin_v_y_dot_by_rod_phi = -(R::literal(1.428_571_428_571_428_6) * t406);
-    let bobbin_v_x_dot_by_rod_phi = -(R::literal(1.428_571_428_571_428_6) * t407);
-    let rod_omega_dot_by_rod_phi = t401 - R::literal(4_166.666_666_666_667) * t411
-        + t36 * t409 - t37 * t408;
-    let rod_v_y_dot_by_rod_phi = -(t35 * t410) - R::literal(5.0) * t408;
-    let rod_v_x_dot_by_rod_phi = t34 * t410 - R::literal(5.0) * t409;
-    let cylinder_omega_dot_by_rod_phi = t32 * t412 - t31 * t413
-        - R::literal(-2_777.777_777_777_778) * t411 + t33 * t410;
-    let cylinder_v_y_dot_by_rod_phi = t30 * t410
-        - R::literal(3.333_333_333_333_333_5) * t412;
-    let cylinder_v_x_dot_by_rod_phi = -(R::literal(3.333_333_333_333_333_5) * t413)
-        - t29 * t410;
-    let plate_omega_dot_by_rod_phi = t26 * t414 - t25 * t415 - t25 * t413 + t26 * t412
-        + t27 * t407 - t28 * t406;
-    let plate_v_y_dot_by_rod_phi = -(R::literal(0.833_333_333_333_333_4) * t414)
-        - R::literal(-0.833_333_333_333_333_4) * t412
-        - R::literal(-0.833_333_333_333_333_4) * t406;
-    let plate_v_x_dot_by_rod_phi = -(R::literal(0.833_333_333_333_333_4) * t415)
-        - R::literal(-0.833_333_333_333_333_4) * t413
-        - R::literal(-0.833_333_333_333_333_4) * t407;
-    let post_omega_dot_by_rod_phi = t24 * t416 - t23 * t417 - t23 * t415 + t24 * t414;
-    let post_v_y_dot_by_rod_phi = -(R::literal(1.25) * t416) - R::literal(-1.25) * t414;
-    let post_v_x_dot_by_rod_phi = -(R::literal(1.25) * t417) - R::literal(-1.25) * t415;
+    let t256 = t254 * sin_cylinder_phi;
+    let t257 = cos_cylinder_phi * t189;
+    let t258 = t253 - t251 - t138 - t139 - t257;
+    let t259 = cos_cylinder_phi * cylinder_omega_dot;
+    let t260 = R::literal(3.333_333_333_333_333_5) * t248;
+    let t261 = (-t260).sub_product(t31, t258);
+    let t262 = R::literal(3.333_333_333_333_333_5) * t249;
+    let t263 = (-t262).add_product(t32, t258).sub_product(t80, t261);
+    let t264 = (-(R::literal(-2_777.777_777_777_778) * t258))
+        .add_product(t82, t261)
+        .sub_product(t91, t263);
+    let t265 = (t154 - t259)
+        .sub_product(t29, t248)
+        .add_product(t30, t249)
+        .add_product(t33, t258)
+        .add_product(t34, t255)
+        .sub_product(t35, t256)
+        .sub_product(t84, t261)
+        .sub_product(t93, t263)
+        .sub_product(t100, t264);
+    let t266 = R::literal(5.0) * t255;
+    let t267 = (-t266).sub_product(t101, t264).sub_product(t109, t265);
+    let t268 = R::literal(5.0) * t256;
+    let t269 = (-t268)
+        .add_product(t102, t264)
+        .sub_product(t111, t265)
+        .sub_product(t118, t267);
+    let t270 = (-(t86 * t261))
+        .sub_product(t95, t263)
+        .sub_product(t104, t264)
+        .sub_product(t113, t265)
+        .sub_product(t120, t267)
+        .sub_product(t125, t269);
+    let t271 = (-(t88 * t261))
+        .sub_product(t97, t263)
+        .sub_product(t106, t264)
+        .sub_product(t115, t265)
+        .sub_product(t122, t267)
+        .sub_product(t127, t269)
+        .sub_product(t130, t270) * t131;
+    let t272 = (t270 * t128).sub_product(t130, t271);
+    let t273 = (t269 * t123).sub_product(t125, t272).sub_product(t127, t271);
+    let t274 = (t267 * t116)
+        .sub_product(t118, t273)
+        .sub_product(t120, t272)
+        .sub_product(t122, t271);
+    let t275 = (t265 * t107)
+        .sub_product(t109, t274)
+        .sub_product(t111, t273)
+        .sub_product(t113, t272)
+        .sub_product(t115, t271);
+    let t276 = (t264 * t98)
+        .sub_product(t100, t275)
+        .sub_product(t101, t274)
+        .add_product(t102, t273)
+        .sub_product(t104, t272)
+        .sub_product(t106, t271);
+    let t277 = (t263 * t89)
+        .sub_product(t91, t276)
+        .sub_product(t93, t275)
+        .sub_product(t95, t272)
+        .sub_product(t97, t271);
+    let t278 = (t261 * t78)
+        .sub_product(t80, t277)
+        .add_product(t82, t276)
+        .sub_product(t84, t275)
+        .sub_product(t86, t272)
+        .sub_product(t88, t271);
+    let t279 = (-(t71 * t277))
+        .sub_product(t69, t278)
+        .sub_product(t74, t272)
+        .sub_product(t77, t271);
+    let t280 = (-(t59 * t278))
+        .sub_product(t57, t279)
+        .sub_product(t60, t277)
+        .sub_product(t63, t272)
+        .add_product(t65, t271);
+    let t281 = (-(t52 * t279)).sub_product(t50, t280);
+    let t282 = (-(t44 * t280)).sub_product(t42, t281).sub_product(t42, t279);
+    let bobbin_v_y_dot_by_cylinder_x = -(R::literal(1.428_571_428_571_428_6) * t271);
+    let bobbin_v_x_dot_by_cylinder_x = -(R::literal(1.428_571_428_571_428_6) * t272);
+    let rod_omega_dot_by_cylinder_x = (t36 * t274)
+        .sub_product(R::literal(4_166.666_666_666_667), t276)
+        .sub_product(t37, t273);
+    let rod_v_y_dot_by_cylinder_x = t268
+        .sub_product(t35, t275)
+        .sub_product(R::literal(5.0), t273);
+    let rod_v_x_dot_by_cylinder_x = t266
+        .add_product(t34, t275)
+        .sub_product(R::literal(5.0), t274);
+    let cylinder_omega_dot_by_cylinder_x = (t258 * R::literal(2_777.777_777_777_778))
+        .sub_product(t31, t278)
+        .add_product(t32, t277)
+        .sub_product(R::literal(-2_777.777_777_777_778), t276)
+        .add_product(t33, t275);
+    let cylinder_v_y_dot_by_cylinder_x = t262
+        .sub_product(R::literal(3.333_333_333_333_333_5), t277)
+        .add_product(t30, t275);
+    let cylinder_v_x_dot_by_cylinder_x = t260
+        .sub_product(R::literal(3.333_333_333_333_333_5), t278)
+        .sub_product(t29, t275);
+    let plate_omega_dot_by_cylinder_x = (t26 * t279)
+        .sub_product(t25, t280)
+        .sub_product(t25, t278)
+        .add_product(t26, t277)
+        .add_product(t27, t272)
+        .sub_product(t28, t271);
+    let plate_v_y_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t277))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t279)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t271);
+    let plate_v_x_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t278))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t280)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t272);
+    let post_omega_dot_by_cylinder_x = (t24 * t281)
+        .sub_product(t23, t282)
+        .sub_product(t23, t280)
+        .add_product(t24, t279);
+    let post_v_y_dot_by_cylinder_x = (-(R::literal(-1.25) * t279))
+        .sub_product(R::literal(1.25), t281);
+    let post_v_x_dot_by_cylinder_x = (-(R::literal(-1.25) * t280))
+        .sub_product(R::literal(1.25), t282);
+    let t283 = (spring_damping_times_cylinder_omega * cos_cylinder_phi)
+        .add_product(p.spring_stiffness, sin_cylinder_phi);
+    let t284 = t283 * cos_cylinder_phi;
+    let t285 = t283 * sin_cylinder_phi;
+    let t286 = t250 * cos_cylinder_phi;
+    let t287 = t252 * sin_cylinder_phi;
+    let t288 = sin_cylinder_phi * t189;
+    let t289 = t286 + t135 + t287 + t136 - t288;
+    let t290 = sin_cylinder_phi * cylinder_omega_dot;
+    let t291 = R::literal(3.333_333_333_333_333_5) * t284;
+    let t292 = -t291;
+    let t293 = t291.sub_product(t31, t289);
+    let t294 = R::literal(3.333_333_333_333_333_5) * t285;
+    let t295 = t294.add_product(t32, t289).sub_product(t80, t293);
+    let t296 = (-(R::literal(-2_777.777_777_777_778) * t289))
+        .add_product(t82, t293)
+        .sub_product(t91, t295);
+    let t297 = t29 * t284;
+    let t298 = t30 * t285;
+    let t299 = t34 * t284;
+    let t300 = t35 * t285;
+    let t301 = ((-t153 - t290 + t297 - t298).add_product(t33, t289) + t299 - t300)
+        .sub_product(t84, t293)
+        .sub_product(t93, t295)
+        .sub_product(t100, t296);
+    let t302 = R::literal(5.0) * t284;
+    let t303 = (-t302).sub_product(t101, t296).sub_product(t109, t301);
+    let t304 = R::literal(5.0) * t285;
+    let t305 = (-t304)
+        .add_product(t102, t296)
+        .sub_product(t111, t301)
+        .sub_product(t118, t303);
+    let t306 = (-(t86 * t293))
+        .sub_product(t95, t295)
+        .sub_product(t104, t296)
+        .sub_product(t113, t301)
+        .sub_product(t120, t303)
+        .sub_product(t125, t305);
+    let t307 = (-(t88 * t293))
+        .sub_product(t97, t295)
+        .sub_product(t106, t296)
+        .sub_product(t115, t301)
+        .sub_product(t122, t303)
+        .sub_product(t127, t305)
+        .sub_product(t130, t306) * t131;
+    let t308 = (t306 * t128).sub_product(t130, t307);
+    let t309 = (t305 * t123).sub_product(t125, t308).sub_product(t127, t307);
+    let t310 = (t303 * t116)
+        .sub_product(t118, t309)
+        .sub_product(t120, t308)
+        .sub_product(t122, t307);
+    let t311 = (t301 * t107)
+        .sub_product(t109, t310)
+        .sub_product(t111, t309)
+        .sub_product(t113, t308)
+        .sub_product(t115, t307);
+    let t312 = (t296 * t98)
+        .sub_product(t100, t311)
+        .sub_product(t101, t310)
+        .add_product(t102, t309)
+        .sub_product(t104, t308)
+        .sub_product(t106, t307);
+    let t313 = (t295 * t89)
+        .sub_product(t91, t312)
+        .sub_product(t93, t311)
+        .sub_product(t95, t308)
+        .sub_product(t97, t307);
+    let t314 = (t293 * t78)
+        .sub_product(t80, t313)
+        .add_product(t82, t312)
+        .sub_product(t84, t311)
+        .sub_product(t86, t308)
+        .sub_product(t88, t307);
+    let t315 = (-(t71 * t313))
+        .sub_product(t69, t314)
+        .sub_product(t74, t308)
+        .sub_product(t77, t307);
+    let t316 = (-(t59 * t314))
+        .sub_product(t57, t315)
+        .sub_product(t60, t313)
+        .sub_product(t63, t308)
+        .add_product(t65, t307);
+    let t317 = (-(t52 * t315)).sub_product(t50, t316);
+    let t318 = (-(t44 * t316)).sub_product(t42, t317).sub_product(t42, t315);
+    let bobbin_v_y_dot_by_cylinder_y = -(R::literal(1.428_571_428_571_428_6) * t307);
+    let bobbin_v_x_dot_by_cylinder_y = -(R::literal(1.428_571_428_571_428_6) * t308);
+    let rod_omega_dot_by_cylinder_y = (t36 * t310)
+        .sub_product(R::literal(4_166.666_666_666_667), t312)
+        .sub_product(t37, t309);
+    let rod_v_y_dot_by_cylinder_y = t304
+        .sub_product(t35, t311)
+        .sub_product(R::literal(5.0), t309);
+    let rod_v_x_dot_by_cylinder_y = t302
+        .add_product(t34, t311)
+        .sub_product(R::literal(5.0), t310);
+    let cylinder_omega_dot_by_cylinder_y = (t289 * R::literal(2_777.777_777_777_778))
+        .sub_product(t31, t314)
+        .add_product(t32, t313)
+        .sub_product(R::literal(-2_777.777_777_777_778), t312)
+        .add_product(t33, t311);
+    let cylinder_v_y_dot_by_cylinder_y = (-t294)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t313)
+        .add_product(t30, t311);
+    let cylinder_v_x_dot_by_cylinder_y = t292
+        .sub_product(R::literal(3.333_333_333_333_333_5), t314)
+        .sub_product(t29, t311);
+    let plate_omega_dot_by_cylinder_y = (t26 * t315)
+        .sub_product(t25, t316)
+        .sub_product(t25, t314)
+        .add_product(t26, t313)
+        .add_product(t27, t308)
+        .sub_product(t28, t307);
+    let plate_v_y_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t313))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t315)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t307);
+    let plate_v_x_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t314))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t316)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t308);
+    let post_omega_dot_by_cylinder_y = (t24 * t317)
+        .sub_product(t23, t318)
+        .sub_product(t23, t316)
+        .add_product(t24, t315);
+    let post_v_y_dot_by_cylinder_y = (-(R::literal(-1.25) * t315))
+        .sub_product(R::literal(1.25), t317);
+    let post_v_x_dot_by_cylinder_y = (-(R::literal(-1.25) * t316))
+        .sub_product(R::literal(1.25), t318);
+    let t319 = p.spring_damping
+        * (rod_v_y_minus_cylinder_v_y * cos_cylinder_phi)
+            .sub_product(cylinder_omega, slide)
+            .sub_product(rod_v_x_minus_cylinder_v_x, sin_cylinder_phi);
+    let t320 = t319 * cos_cylinder_phi;
+    let t321 = t319 * sin_cylinder_phi;
+    let t322 = t19 * t19;
+    let t323 = R::literal(0.06) * cylinder_omega_squared;
+    let t324 = t253 + t320 - t138 - t139 - t257;
+    let t325 = t136 + t321 - (t142 - t287) - t288;
+    let t326 = t17 - t18;
+    let t327 = (p.spring_stiffness * slide * t133)
+        .add_product(p.spring_damping * slide, slide_rate)
+        .sub_product(p.spring_stiffness, t322)
+        .sub_product(t319, t19)
+        .sub_product(t4, t192)
+        .sub_product(t5, t191)
+        .sub_product(t326, t189);
+    let t328 = t138 + t139 - t253 - t320 + t257;
+    let t329 = -t136 - t321 - (t135 + t287) + t288;
+    let t330 = R::literal(3.333_333_333_333_333_5) * t324;
+    let t331 = ((t323 * sin_cylinder_phi).sub_product(t4, cylinder_omega_dot) - t330)
+        .sub_product(t31, t327);
+    let t332 = R::literal(3.333_333_333_333_333_5) * t325;
+    let t333 = ((-(t323 * cos_cylinder_phi)).sub_product(t5, cylinder_omega_dot) - t332)
+        .add_product(t32, t327)
+        .sub_product(t80, t331);
+    let t334 = (-(R::literal(-2_777.777_777_777_778) * t327))
+        .add_product(t82, t331)
+        .sub_product(t91, t333);
+    let t335 = (cylinder_omega
+        * (t155 * sin_cylinder_phi)
+            .add_product(t160, cos_cylinder_phi)
+            .add_product(cylinder_x_times_cylinder_omega, cos_cylinder_phi)
+            .add_product(cylinder_y_times_cylinder_omega, sin_cylinder_phi)
+            .sub_product(t156, cos_cylinder_phi)
+            .sub_product(t159, sin_cylinder_phi)
+            .sub_product(rod_x_times_cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_y_times_cylinder_omega, sin_cylinder_phi))
+        .sub_product(cos_cylinder_phi, cylinder_v_x_dot)
+        .sub_product(sin_cylinder_phi, cylinder_v_y_dot)
+        .sub_product(t326, cylinder_omega_dot)
+        .add_product(cos_cylinder_phi, rod_v_x_dot)
+        .add_product(sin_cylinder_phi, rod_v_y_dot)
+        .sub_product(t29, t324)
+        .add_product(t30, t325)
+        .add_product(t33, t327)
+        .add_product(t34, t328)
+        .sub_product(t35, t329)
+        .sub_product(t84, t331)
+        .sub_product(t93, t333)
+        .sub_product(t100, t334);
+    let t336 = R::literal(5.0) * t328;
+    let t337 = (-t336).sub_product(t101, t334).sub_product(t109, t335);
+    let t338 = R::literal(5.0) * t329;
+    let t339 = (-t338)
+        .add_product(t102, t334)
+        .sub_product(t111, t335)
+        .sub_product(t118, t337);
+    let t340 = (-(t86 * t331))
+        .sub_product(t95, t333)
+        .sub_product(t104, t334)
+        .sub_product(t113, t335)
+        .sub_product(t120, t337)
+        .sub_product(t125, t339);
+    let t341 = (-(t88 * t331))
+        .sub_product(t97, t333)
+        .sub_product(t106, t334)
+        .sub_product(t115, t335)
+        .sub_product(t122, t337)
+        .sub_product(t127, t339)
+        .sub_product(t130, t340) * t131;
+    let t342 = (t340 * t128).sub_product(t130, t341);
+    let t343 = (t339 * t123).sub_product(t125, t342).sub_product(t127, t341);
+    let t344 = (t337 * t116)
+        .sub_product(t118, t343)
+        .sub_product(t120, t342)
+        .sub_product(t122, t341);
+    let t345 = (t335 * t107)
+        .sub_product(t109, t344)
+        .sub_product(t111, t343)
+        .sub_product(t113, t342)
+        .sub_product(t115, t341);
+    let t346 = (t334 * t98)
+        .sub_product(t100, t345)
+        .sub_product(t101, t344)
+        .add_product(t102, t343)
+        .sub_product(t104, t342)
+        .sub_product(t106, t341);
+    let t347 = (t333 * t89)
+        .sub_product(t91, t346)
+        .sub_product(t93, t345)
+        .sub_product(t95, t342)
+        .sub_product(t97, t341);
+    let t348 = (t331 * t78)
+        .sub_product(t80, t347)
+        .add_product(t82, t346)
+        .sub_product(t84, t345)
+        .sub_product(t86, t342)
+        .sub_product(t88, t341);
+    let t349 = (-(t71 * t347))
+        .sub_product(t69, t348)
+        .sub_product(t74, t342)
+        .sub_product(t77, t341);
+    let t350 = (-(t59 * t348))
+        .sub_product(t57, t349)
+        .sub_product(t60, t347)
+        .sub_product(t63, t342)
+        .add_product(t65, t341);
+    let t351 = (-(t52 * t349)).sub_product(t50, t350);
+    let t352 = (-(t44 * t350)).sub_product(t42, t351).sub_product(t42, t349);
+    let bobbin_v_y_dot_by_cylinder_phi = -(R::literal(1.428_571_428_571_428_6) * t341);
+    let bobbin_v_x_dot_by_cylinder_phi = -(R::literal(1.428_571_428_571_428_6) * t342);
+    let rod_omega_dot_by_cylinder_phi = (t36 * t344)
+        .sub_product(R::literal(4_166.666_666_666_667), t346)
+        .sub_product(t37, t343);
+    let rod_v_y_dot_by_cylinder_phi = t338
+        .sub_product(t35, t345)
+        .sub_product(R::literal(5.0), t343);
+    let rod_v_x_dot_by_cylinder_phi = t336
+        .add_product(t34, t345)
+        .sub_product(R::literal(5.0), t344);
+    let cylinder_omega_dot_by_cylinder_phi = (t327 * R::literal(2_777.777_777_777_778))
+        .sub_product(t31, t348)
+        .add_product(t32, t347)
+        .sub_product(R::literal(-2_777.777_777_777_778), t346)
+        .add_product(t33, t345);
+    let cylinder_v_y_dot_by_cylinder_phi = t332
+        .sub_product(R::literal(3.333_333_333_333_333_5), t347)
+        .add_product(t30, t345);
+    let cylinder_v_x_dot_by_cylinder_phi = t330
+        .sub_product(R::literal(3.333_333_333_333_333_5), t348)
+        .sub_product(t29, t345);
+    let plate_omega_dot_by_cylinder_phi = (t26 * t349)
+        .sub_product(t25, t350)
+        .sub_product(t25, t348)
+        .add_product(t26, t347)
+        .add_product(t27, t342)
+        .sub_product(t28, t341);
+    let plate_v_y_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t347))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t349)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t341);
+    let plate_v_x_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t348))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t350)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t342);
+    let post_omega_dot_by_cylinder_phi = (t24 * t351)
+        .sub_product(t23, t352)
+        .sub_product(t23, t350)
+        .add_product(t24, t349);
+    let post_v_y_dot_by_cylinder_phi = (-(R::literal(-1.25) * t349))
+        .sub_product(R::literal(1.25), t351);
+    let post_v_x_dot_by_cylinder_phi = (-(R::literal(-1.25) * t350))
+        .sub_product(R::literal(1.25), t352);
+    let t353 = t251 + t138 + t139 - t253 + t257;
+    let t354 = R::literal(3.333_333_333_333_333_5) * t255;
+    let t355 = (-t354).sub_product(t31, t353);
+    let t356 = R::literal(3.333_333_333_333_333_5) * t256;
+    let t357 = (-t356).add_product(t32, t353).sub_product(t80, t355);
+    let t358 = (-(R::literal(-2_777.777_777_777_778) * t353))
+        .add_product(t82, t355)
+        .sub_product(t91, t357);
+    let t359 = (t259 - t154)
+        .sub_product(t29, t255)
+        .add_product(t30, t256)
+        .add_product(t33, t353)
+        .add_product(t34, t248)
+        .sub_product(t35, t249)
+        .sub_product(t84, t355)
+        .sub_product(t93, t357)
+        .sub_product(t100, t358);
+    let t360 = R::literal(5.0) * t248;
+    let t361 = (-t360).sub_product(t101, t358).sub_product(t109, t359);
+    let t362 = R::literal(5.0) * t249;
+    let t363 = (-t362)
+        .add_product(t102, t358)
+        .sub_product(t111, t359)
+        .sub_product(t118, t361);
+    let t364 = (-(t86 * t355))
+        .sub_product(t95, t357)
+        .sub_product(t104, t358)
+        .sub_product(t113, t359)
+        .sub_product(t120, t361)
+        .sub_product(t125, t363);
+    let t365 = (-(t88 * t355))
+        .sub_product(t97, t357)
+        .sub_product(t106, t358)
+        .sub_product(t115, t359)
+        .sub_product(t122, t361)
+        .sub_product(t127, t363)
+        .sub_product(t130, t364) * t131;
+    let t366 = (t364 * t128).sub_product(t130, t365);
+    let t367 = (t363 * t123).sub_product(t125, t366).sub_product(t127, t365);
+    let t368 = (t361 * t116)
+        .sub_product(t118, t367)
+        .sub_product(t120, t366)
+        .sub_product(t122, t365);
+    let t369 = (t359 * t107)
+        .sub_product(t109, t368)
+        .sub_product(t111, t367)
+        .sub_product(t113, t366)
+        .sub_product(t115, t365);
+    let t370 = (t358 * t98)
+        .sub_product(t100, t369)
+        .sub_product(t101, t368)
+        .add_product(t102, t367)
+        .sub_product(t104, t366)
+        .sub_product(t106, t365);
+    let t371 = (t357 * t89)
+        .sub_product(t91, t370)
+        .sub_product(t93, t369)
+        .sub_product(t95, t366)
+        .sub_product(t97, t365);
+    let t372 = (t355 * t78)
+        .sub_product(t80, t371)
+        .add_product(t82, t370)
+        .sub_product(t84, t369)
+        .sub_product(t86, t366)
+        .sub_product(t88, t365);
+    let t373 = (-(t71 * t371))
+        .sub_product(t69, t372)
+        .sub_product(t74, t366)
+        .sub_product(t77, t365);
+    let t374 = (-(t59 * t372))
+        .sub_product(t57, t373)
+        .sub_product(t60, t371)
+        .sub_product(t63, t366)
+        .add_product(t65, t365);
+    let t375 = (-(t52 * t373)).sub_product(t50, t374);
+    let t376 = (-(t44 * t374)).sub_product(t42, t375).sub_product(t42, t373);
+    let bobbin_v_y_dot_by_rod_x = -(R::literal(1.428_571_428_571_428_6) * t365);
+    let bobbin_v_x_dot_by_rod_x = -(R::literal(1.428_571_428_571_428_6) * t366);
+    let rod_omega_dot_by_rod_x = (t36 * t368)
+        .sub_product(R::literal(4_166.666_666_666_667), t370)
+        .sub_product(t37, t367);
+    let rod_v_y_dot_by_rod_x = t362
+        .sub_product(t35, t369)
+        .sub_product(R::literal(5.0), t367);
+    let rod_v_x_dot_by_rod_x = t360
+        .add_product(t34, t369)
+        .sub_product(R::literal(5.0), t368);
+    let cylinder_omega_dot_by_rod_x = (t353 * R::literal(2_777.777_777_777_778))
+        .sub_product(t31, t372)
+        .add_product(t32, t371)
+        .sub_product(R::literal(-2_777.777_777_777_778), t370)
+        .add_product(t33, t369);
+    let cylinder_v_y_dot_by_rod_x = t356
+        .sub_product(R::literal(3.333_333_333_333_333_5), t371)
+        .add_product(t30, t369);
+    let cylinder_v_x_dot_by_rod_x = t354
+        .sub_product(R::literal(3.333_333_333_333_333_5), t372)
+        .sub_product(t29, t369);
+    let plate_omega_dot_by_rod_x = (t26 * t373)
+        .sub_product(t25, t374)
+        .sub_product(t25, t372)
+        .add_product(t26, t371)
+        .add_product(t27, t366)
+        .sub_product(t28, t365);
+    let plate_v_y_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t371))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t373)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t365);
+    let plate_v_x_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t372))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t374)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t366);
+    let post_omega_dot_by_rod_x = (t24 * t375)
+        .sub_product(t23, t376)
+        .sub_product(t23, t374)
+        .add_product(t24, t373);
+    let post_v_y_dot_by_rod_x = (-(R::literal(-1.25) * t373))
+        .sub_product(R::literal(1.25), t375);
+    let post_v_x_dot_by_rod_x = (-(R::literal(-1.25) * t374))
+        .sub_product(R::literal(1.25), t376);
+    let t377 = -t286 - t135 - t287 - t136 + t288;
+    let t378 = t292.sub_product(t31, t377);
+    let t379 = (-t294).add_product(t32, t377).sub_product(t80, t378);
+    let t380 = (-(R::literal(-2_777.777_777_777_778) * t377))
+        .add_product(t82, t378)
+        .sub_product(t91, t379);
+    let t381 = ((t153 + t290 - t297 + t298).add_product(t33, t377) - t299 + t300)
+        .sub_product(t84, t378)
+        .sub_product(t93, t379)
+        .sub_product(t100, t380);
+    let t382 = t302.sub_product(t101, t380).sub_product(t109, t381);
+    let t383 = t304
+        .add_product(t102, t380)
+        .sub_product(t111, t381)
+        .sub_product(t118, t382);
+    let t384 = (-(t86 * t378))
+        .sub_product(t95, t379)
+        .sub_product(t104, t380)
+        .sub_product(t113, t381)
+        .sub_product(t120, t382)
+        .sub_product(t125, t383);
+    let t385 = (-(t88 * t378))
+        .sub_product(t97, t379)
+        .sub_product(t106, t380)
+        .sub_product(t115, t381)
+        .sub_product(t122, t382)
+        .sub_product(t127, t383)
+        .sub_product(t130, t384) * t131;
+    let t386 = (t384 * t128).sub_product(t130, t385);
+    let t387 = (t383 * t123).sub_product(t125, t386).sub_product(t127, t385);
+    let t388 = (t382 * t116)
+        .sub_product(t118, t387)
+        .sub_product(t120, t386)
+        .sub_product(t122, t385);
+    let t389 = (t381 * t107)
+        .sub_product(t109, t388)
+        .sub_product(t111, t387)
+        .sub_product(t113, t386)
+        .sub_product(t115, t385);
+    let t390 = (t380 * t98)
+        .sub_product(t100, t389)
+        .sub_product(t101, t388)
+        .add_product(t102, t387)
+        .sub_product(t104, t386)
+        .sub_product(t106, t385);
+    let t391 = (t379 * t89)
+        .sub_product(t91, t390)
+        .sub_product(t93, t389)
+        .sub_product(t95, t386)
+        .sub_product(t97, t385);
+    let t392 = (t378 * t78)
+        .sub_product(t80, t391)
+        .add_product(t82, t390)
+        .sub_product(t84, t389)
+        .sub_product(t86, t386)
+        .sub_product(t88, t385);
+    let t393 = (-(t71 * t391))
+        .sub_product(t69, t392)
+        .sub_product(t74, t386)
+        .sub_product(t77, t385);
+    let t394 = (-(t59 * t392))
+        .sub_product(t57, t393)
+        .sub_product(t60, t391)
+        .sub_product(t63, t386)
+        .add_product(t65, t385);
+    let t395 = (-(t52 * t393)).sub_product(t50, t394);
+    let t396 = (-(t44 * t394)).sub_product(t42, t395).sub_product(t42, t393);
+    let bobbin_v_y_dot_by_rod_y = -(R::literal(1.428_571_428_571_428_6) * t385);
+    let bobbin_v_x_dot_by_rod_y = -(R::literal(1.428_571_428_571_428_6) * t386);
+    let rod_omega_dot_by_rod_y = (t36 * t388)
+        .sub_product(R::literal(4_166.666_666_666_667), t390)
+        .sub_product(t37, t387);
+    let rod_v_y_dot_by_rod_y = (-t304)
+        .sub_product(t35, t389)
+        .sub_product(R::literal(5.0), t387);
+    let rod_v_x_dot_by_rod_y = (-t302)
+        .add_product(t34, t389)
+        .sub_product(R::literal(5.0), t388);
+    let cylinder_omega_dot_by_rod_y = (t377 * R::literal(2_777.777_777_777_778))
+        .sub_product(t31, t392)
+        .add_product(t32, t391)
+        .sub_product(R::literal(-2_777.777_777_777_778), t390)
+        .add_product(t33, t389);
+    let cylinder_v_y_dot_by_rod_y = t294
+        .sub_product(R::literal(3.333_333_333_333_333_5), t391)
+        .add_product(t30, t389);
+    let cylinder_v_x_dot_by_rod_y = t291
+        .sub_product(R::literal(3.333_333_333_333_333_5), t392)
+        .sub_product(t29, t389);
+    let plate_omega_dot_by_rod_y = (t26 * t393)
+        .sub_product(t25, t394)
+        .sub_product(t25, t392)
+        .add_product(t26, t391)
+        .add_product(t27, t386)
+        .sub_product(t28, t385);
+    let plate_v_y_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t391))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t393)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t385);
+    let plate_v_x_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t392))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t394)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t386);
+    let post_omega_dot_by_rod_y = (t24 * t395)
+        .sub_product(t23, t396)
+        .sub_product(t23, t394)
+        .add_product(t24, t393);
+    let post_v_y_dot_by_rod_y = (-(R::literal(-1.25) * t393))
+        .sub_product(R::literal(1.25), t395);
+    let post_v_x_dot_by_rod_y = (-(R::literal(-1.25) * t394))
+        .sub_product(R::literal(1.25), t396);
+    let t397 = (t7 * t187).add_product(t6, t188);
+    let t398 = R::literal(4_166.666_666_666_667) * t397;
+    let t399 = t100 * t398;
+    let t400 = (-t165)
+        .add_product(t6, rod_omega_dot)
+        .add_product(t36, t397)
+        .add_product(t101, t398)
+        .sub_product(t109, t399);
+    let t401 = t164
+        .add_product(t7, rod_omega_dot)
+        .sub_product(t37, t397)
+        .sub_product(t102, t398)
+        .sub_product(t111, t399)
+        .sub_product(t118, t400);
+    let t402 = (t104 * t398)
+        .sub_product(t113, t399)
+        .sub_product(t120, t400)
+        .sub_product(t125, t401);
+    let t403 = (t106 * t398)
+        .sub_product(t115, t399)
+        .sub_product(t122, t400)
+        .sub_product(t127, t401)
+        .sub_product(t130, t402) * t131;
+    let t404 = (t402 * t128).sub_product(t130, t403);
+    let t405 = (t401 * t123).sub_product(t125, t404).sub_product(t127, t403);
+    let t406 = (t400 * t116)
+        .sub_product(t118, t405)
+        .sub_product(t120, t404)
+        .sub_product(t122, t403);
+    let t407 = (t399 * t107)
+        .sub_product(t109, t406)
+        .sub_product(t111, t405)
+        .sub_product(t113, t404)
+        .sub_product(t115, t403);
+    let t408 = (-(t398 * t98))
+        .sub_product(t100, t407)
+        .sub_product(t101, t406)
+        .add_product(t102, t405)
+        .sub_product(t104, t404)
+        .sub_product(t106, t403);
+    let t409 = (-(t93 * t407))
+        .sub_product(t91, t408)
+        .sub_product(t95, t404)
+        .sub_product(t97, t403);
+    let t410 = (t82 * t408)
+        .sub_product(t80, t409)
+        .sub_product(t84, t407)
+        .sub_product(t86, t404)
+        .sub_product(t88, t403);
+    let t411 = (-(t71 * t409))
+        .sub_product(t69, t410)
+        .sub_product(t74, t404)
+        .sub_product(t77, t403);
+    let t412 = (-(t59 * t410))
+        .sub_product(t57, t411)
+        .sub_product(t60, t409)
+        .sub_product(t63, t404)
+        .add_product(t65, t403);
+    let t413 = (-(t52 * t411)).sub_product(t50, t412);
+    let t414 = (-(t44 * t412)).sub_product(t42, t413).sub_product(t42, t411);
+    let bobbin_v_y_dot_by_rod_phi = -(R::literal(1.428_571_428_571_428_6) * t403);
+    let bobbin_v_x_dot_by_rod_phi = -(R::literal(1.428_571_428_571_428_6) * t404);
+    let rod_omega_dot_by_rod_phi = t398
+        .sub_product(R::literal(4_166.666_666_666_667), t408)
+        .add_product(t36, t406)
+        .sub_product(t37, t405);
+    let rod_v_y_dot_by_rod_phi = (-(R::literal(5.0) * t405)).sub_product(t35, t407);
+    let rod_v_x_dot_by_rod_phi = (-(R::literal(5.0) * t406)).add_product(t34, t407);
+    let cylinder_omega_dot_by_rod_phi = (t32 * t409)
+        .sub_product(t31, t410)
+        .sub_product(R::literal(-2_777.777_777_777_778), t408)
+        .add_product(t33, t407);
+    let cylinder_v_y_dot_by_rod_phi = (t30 * t407)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t409);
+    let cylinder_v_x_dot_by_rod_phi = (-(t29 * t407))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t410);
+    let plate_omega_dot_by_rod_phi = (t26 * t411)
+        .sub_product(t25, t412)
+        .sub_product(t25, t410)
+        .add_product(t26, t409)
+        .add_product(t27, t404)
+        .sub_product(t28, t403);
+    let plate_v_y_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t409))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t411)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t403);
+    let plate_v_x_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t410))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t412)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t404);
+    let post_omega_dot_by_rod_phi = (t24 * t413)
+        .sub_product(t23, t414)
+        .sub_product(t23, t412)
+        .add_product(t24, t411);
+    let post_v_y_dot_by_rod_phi = (-(R::literal(-1.25) * t411))
+        .sub_product(R::literal(1.25), t413);
+    let post_v_x_dot_by_rod_phi = (-(R::literal(-1.25) * t412))
+        .sub_product(R::literal(1.25), t414);
     let between_squared = between * between;
     let contact_damping_times_bobbin_v_x = p.contact_damping * bobbin_v_x;
-    let t418 = contact_stiffness_times_contact_gap / between;
-    let t419 = contact_damping_times_contact_rate / between;
+    let t415 = contact_stiffness_times_contact_gap / between;
+    let t416 = contact_damping_times_contact_rate / between;
     let between_squared_times_between = between_squared * between;
-    let t420 = c.t0 * contact_rate;
-    let t421 = t420 * t13 * t15 / between_squared_times_between;
-    let t422 = t145 * t15 / between_squared_times_between;
-    let t423 = p.contact_stiffness * t13 * t15 / between_squared;
-    let t424 = R::literal(1.428_571_428_571_428_6)
+    let t417 = c.t0 * contact_rate;
+    let t418 = t417 * t13 * t15 / between_squared_times_between;
+    let t419 = t145 * t15 / between_squared_times_between;
+    let t420 = p.contact_stiffness * t13 * t15 / between_squared;
+    let t421 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t420 * t14 / between_squared_times_between
+            t417 * t14 / between_squared_times_between
                 + contact_stiffness_times_contact_gap * t14
                     / between_squared_times_between
-                - contact_damping_times_bobbin_v_x * t13 / between_squared - t418
-                - p.contact_stiffness * t14 / between_squared - t419,
+                - contact_damping_times_bobbin_v_x * t13 / between_squared - t415
+                - p.contact_stiffness * t14 / between_squared - t416,
         );
-    let t425 = R::literal(1.428_571_428_571_428_6)
+    let t422 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t421 - contact_damping_times_bobbin_v_x * t15 / between_squared
-                - (t423 - t422),
+            t418 - contact_damping_times_bobbin_v_x * t15 / between_squared
+                - (t420 - t419),
         );
-    let t426 = (t130 * t424 - t425) * t131;
-    let t427 = -(t424 * t128) - t130 * t426;
-    let t428 = -(t125 * t427) - t127 * t426;
-    let t429 = -(t118 * t428) - t120 * t427 - t122 * t426;
-    let t430 = -(t109 * t429) - t111 * t428 - t113 * t427 - t115 * t426;
-    let t431 = -(t100 * t430) - t101 * t429 + t102 * t428 - t104 * t427 - t106 * t426;
-    let t432 = -(t91 * t431) - t93 * t430 - t95 * t427 - t97 * t426;
-    let t433 = t82 * t431 - t80 * t432 - t84 * t430 - t86 * t427 - t88 * t426;
-    let t434 = -(t69 * t433) - t71 * t432 - t74 * t427 - t77 * t426;
-    let t435 = -(t57 * t434) - t59 * t433 - t60 * t432 - t63 * t427 + t65 * t426;
-    let t436 = -(t50 * t435) - t52 * t434;
-    let t437 = -(t42 * t436) - t44 * t435 - t42 * t434;
-    let bobbin_v_y_dot_by_bobbin_x = t425 - R::literal(1.428_571_428_571_428_6) * t426;
-    let bobbin_v_x_dot_by_bobbin_x = t424 - R::literal(1.428_571_428_571_428_6) * t427;
-    let rod_omega_dot_by_bobbin_x = t36 * t429 - R::literal(4_166.666_666_666_667) * t431
-        - t37 * t428;
-    let rod_v_y_dot_by_bobbin_x = -(t35 * t430) - R::literal(5.0) * t428;
-    let rod_v_x_dot_by_bobbin_x = t34 * t430 - R::literal(5.0) * t429;
-    let cylinder_omega_dot_by_bobbin_x = t32 * t432 - t31 * t433
-        - R::literal(-2_777.777_777_777_778) * t431 + t33 * t430;
-    let cylinder_v_y_dot_by_bobbin_x = t30 * t430
-        - R::literal(3.333_333_333_333_333_5) * t432;
-    let cylinder_v_x_dot_by_bobbin_x = -(R::literal(3.333_333_333_333_333_5) * t433)
-        - t29 * t430;
-    let plate_omega_dot_by_bobbin_x = t26 * t434 - t25 * t435 - t25 * t433 + t26 * t432
-        + t27 * t427 - t28 * t426;
-    let plate_v_y_dot_by_bobbin_x = -(R::literal(0.833_333_333_333_333_4) * t434)
-        - R::literal(-0.833_333_333_333_333_4) * t432
-        - R::literal(-0.833_333_333_333_333_4) * t426;
-    let plate_v_x_dot_by_bobbin_x = -(R::literal(0.833_333_333_333_333_4) * t435)
-        - R::literal(-0.833_333_333_333_333_4) * t433
-        - R::literal(-0.833_333_333_333_333_4) * t427;
-    let post_omega_dot_by_bobbin_x = t24 * t436 - t23 * t437 - t23 * t435 + t24 * t434;
-    let post_v_y_dot_by_bobbin_x = -(R::literal(1.25) * t436) - R::literal(-1.25) * t434;
-    let post_v_x_dot_by_bobbin_x = -(R::literal(1.25) * t437) - R::literal(-1.25) * t435;
+    let t423 = (-t422).add_product(t130, t421) * t131;
+    let t424 = (-(t421 * t128)).sub_product(t130, t423);
+    let t425 = (-(t127 * t423)).sub_product(t125, t424);
+    let t426 = (-(t120 * t424)).sub_product(t118, t425).sub_product(t122, t423);
+    let t427 = (-(t111 * t425))
+        .sub_product(t109, t426)
+        .sub_product(t113, t424)
+        .sub_product(t115, t423);
+    let t428 = (-(t101 * t426))
+        .sub_product(t100, t427)
+        .add_product(t102, t425)
+        .sub_product(t104, t424)
+        .sub_product(t106, t423);
+    let t429 = (-(t93 * t427))
+        .sub_product(t91, t428)
+        .sub_product(t95, t424)
+        .sub_product(t97, t423);
+    let t430 = (t82 * t428)
+        .sub_product(t80, t429)
+        .sub_product(t84, t427)
+        .sub_product(t86, t424)
+        .sub_product(t88, t423);
+    let t431 = (-(t71 * t429))
+        .sub_product(t69, t430)
+        .sub_product(t74, t424)
+        .sub_product(t77, t423);
+    let t432 = (-(t59 * t430))
+        .sub_product(t57, t431)
+        .sub_product(t60, t429)
+        .sub_product(t63, t424)
+        .add_product(t65, t423);
+    let t433 = (-(t52 * t431)).sub_product(t50, t432);
+    let t434 = (-(t44 * t432)).sub_product(t42, t433).sub_product(t42, t431);
+    let bobbin_v_y_dot_by_bobbin_x = t422
+        .sub_product(R::literal(1.428_571_428_571_428_6), t423);
+    let bobbin_v_x_dot_by_bobbin_x = t421
+        .sub_product(R::literal(1.428_571_428_571_428_6), t424);
+    let rod_omega_dot_by_bobbin_x = (t36 * t426)
+        .sub_product(R::literal(4_166.666_666_666_667), t428)
+        .sub_product(t37, t425);
+    let rod_v_y_dot_by_bobbin_x = (-(R::literal(5.0) * t425)).sub_product(t35, t427);
+    let rod_v_x_dot_by_bobbin_x = (-(R::literal(5.0) * t426)).add_product(t34, t427);
+    let cylinder_omega_dot_by_bobbin_x = (t32 * t429)
+        .sub_product(t31, t430)
+        .sub_product(R::literal(-2_777.777_777_777_778), t428)
+        .add_product(t33, t427);
+    let cylinder_v_y_dot_by_bobbin_x = (t30 * t427)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t429);
+    let cylinder_v_x_dot_by_bobbin_x = (-(t29 * t427))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t430);
+    let plate_omega_dot_by_bobbin_x = (t26 * t431)
+        .sub_product(t25, t432)
+        .sub_product(t25, t430)
+        .add_product(t26, t429)
+        .add_product(t27, t424)
+        .sub_product(t28, t423);
+    let plate_v_y_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t429))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t431)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t423);
+    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t430))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t432)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t424);
+    let post_omega_dot_by_bobbin_x = (t24 * t433)
+        .sub_product(t23, t434)
+        .sub_product(t23, t432)
+        .add_product(t24, t431);
+    let post_v_y_dot_by_bobbin_x = (-(R::literal(-1.25) * t431))
+        .sub_product(R::literal(1.25), t433);
+    let post_v_x_dot_by_bobbin_x = (-(R::literal(-1.25) * t432))
+        .sub_product(R::literal(1.25), t434);
     let contact_damping_times_bobbin_v_y = p.contact_damping * bobbin_v_y;
-    let t438 = R::literal(1.428_571_428_571_428_6)
+    let t435 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t421 + t422 - contact_damping_times_bobbin_v_y * t13 / between_squared - t423,
+            t418 + t419 - contact_damping_times_bobbin_v_y * t13 / between_squared - t420,
         );
-    let t439 = R::literal(1.428_571_428_571_428_6)
+    let t436 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t420 * t16 / between_squared_times_between
-                - contact_damping_times_bobbin_v_y * t15 / between_squared - t419
-                - (t418 + p.contact_stiffness * t16 / between_squared
+            t417 * t16 / between_squared_times_between
+                - contact_damping_times_bobbin_v_y * t15 / between_squared - t416
+                - (t415 + p.contact_stiffness * t16 / between_squared
                     - contact_stiffness_times_contact_gap * t16
                         / between_squared_times_between),
         );
-    let t440 = (t130 * t438 - t439) * t131;
-    let t441 = -(t438 * t128) - t130 * t440;
-    let t442 = -(t125 * t441) - t127 * t440;
-    let t443 = -(t118 * t442) - t120 * t441 - t122 * t440;
-    let t444 = -(t109 * t443) - t111 * t442 - t113 * t441 - t115 * t440;
-    let t445 = -(t100 * t444) - t101 * t443 + t102 * t442 - t104 * t441 - t106 * t440;
-    let t446 = -(t91 * t445) - t93 * t444 - t95 * t441 - t97 * t440;
-    let t447 = t82 * t445 - t80 * t446 - t84 * t444 - t86 * t441 - t88 * t440;
-    let t448 = -(t69 * t447) - t71 * t446 - t74 * t441 - t77 * t440;
-    let t449 = -(t57 * t448) - t59 * t447 - t60 * t446 - t63 * t441 + t65 * t440;
-    let t450 = -(t50 * t449) - t52 * t448;
-    let t451 = -(t42 * t450) - t44 * t449 - t42 * t448;
-    let bobbin_v_y_dot_by_bobbin_y = t439 - R::literal(1.428_571_428_571_428_6) * t440;
-    let bobbin_v_x_dot_by_bobbin_y = t438 - R::literal(1.428_571_428_571_428_6) * t441;
-    let rod_omega_dot_by_bobbin_y = t36 * t443 - R::literal(4_166.666_666_666_667) * t445
-        - t37 * t442;
-    let rod_v_y_dot_by_bobbin_y = -(t35 * t444) - R::literal(5.0) * t442;
-    let rod_v_x_dot_by_bobbin_y = t34 * t444 - R::literal(5.0) * t443;
-    let cylinder_omega_dot_by_bobbin_y = t32 * t446 - t31 * t447
-        - R::literal(-2_777.777_777_777_778) * t445 + t33 * t444;
-    let cylinder_v_y_dot_by_bobbin_y = t30 * t444
-        - R::literal(3.333_333_333_333_333_5) * t446;
-    let cylinder_v_x_dot_by_bobbin_y = -(R::literal(3.333_333_333_333_333_5) * t447)
-        - t29 * t444;
-    let plate_omega_dot_by_bobbin_y = t26 * t448 - t25 * t449 - t25 * t447 + t26 * t446
-        + t27 * t441 - t28 * t440;
-    let plate_v_y_dot_by_bobbin_y = -(R::literal(0.833_333_333_333_333_4) * t448)
-        - R::literal(-0.833_333_333_333_333_4) * t446
-        - R::literal(-0.833_333_333_333_333_4) * t440;
-    let plate_v_x_dot_by_bobbin_y = -(R::literal(0.833_333_333_333_333_4) * t449)
-        - R::literal(-0.833_333_333_333_333_4) * t447
-        - R::literal(-0.833_333_333_333_333_4) * t441;
-    let post_omega_dot_by_bobbin_y = t24 * t450 - t23 * t451 - t23 * t449 + t24 * t448;
-    let post_v_y_dot_by_bobbin_y = -(R::literal(1.25) * t450) - R::literal(-1.25) * t448;
-    let post_v_x_dot_by_bobbin_y = -(R::literal(1.25) * t451) - R::literal(-1.25) * t449;
-    let t452 = R::select_less(
+    let t437 = (-t436).add_product(t130, t435) * t131;
+    let t438 = (-(t435 * t128)).sub_product(t130, t437);
+    let t439 = (-(t127 * t437)).sub_product(t125, t438);
+    let t440 = (-(t120 * t438)).sub_product(t118, t439).sub_product(t122, t437);
+    let t441 = (-(t111 * t439))
+        .sub_product(t109, t440)
+        .sub_product(t113, t438)
+        .sub_product(t115, t437);
+    let t442 = (-(t101 * t440))
+        .sub_product(t100, t441)
+        .add_product(t102, t439)
+        .sub_product(t104, t438)
+        .sub_product(t106, t437);
+    let t443 = (-(t93 * t441))
+        .sub_product(t91, t442)
+        .sub_product(t95, t438)
+        .sub_product(t97, t437);
+    let t444 = (t82 * t442)
+        .sub_product(t80, t443)
+        .sub_product(t84, t441)
+        .sub_product(t86, t438)
+        .sub_product(t88, t437);
+    let t445 = (-(t71 * t443))
+        .sub_product(t69, t444)
+        .sub_product(t74, t438)
+        .sub_product(t77, t437);
+    let t446 = (-(t59 * t444))
+        .sub_product(t57, t445)
+        .sub_product(t60, t443)
+        .sub_product(t63, t438)
+        .add_product(t65, t437);
+    let t447 = (-(t52 * t445)).sub_product(t50, t446);
+    let t448 = (-(t44 * t446)).sub_product(t42, t447).sub_product(t42, t445);
+    let bobbin_v_y_dot_by_bobbin_y = t436
+        .sub_product(R::literal(1.428_571_428_571_428_6), t437);
+    let bobbin_v_x_dot_by_bobbin_y = t435
+        .sub_product(R::literal(1.428_571_428_571_428_6), t438);
+    let rod_omega_dot_by_bobbin_y = (t36 * t440)
+        .sub_product(R::literal(4_166.666_666_666_667), t442)
+        .sub_product(t37, t439);
+    let rod_v_y_dot_by_bobbin_y = (-(R::literal(5.0) * t439)).sub_product(t35, t441);
+    let rod_v_x_dot_by_bobbin_y = (-(R::literal(5.0) * t440)).add_product(t34, t441);
+    let cylinder_omega_dot_by_bobbin_y = (t32 * t443)
+        .sub_product(t31, t444)
+        .sub_product(R::literal(-2_777.777_777_777_778), t442)
+        .add_product(t33, t441);
+    let cylinder_v_y_dot_by_bobbin_y = (t30 * t441)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t443);
+    let cylinder_v_x_dot_by_bobbin_y = (-(t29 * t441))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t444);
+    let plate_omega_dot_by_bobbin_y = (t26 * t445)
+        .sub_product(t25, t446)
+        .sub_product(t25, t444)
+        .add_product(t26, t443)
+        .add_product(t27, t438)
+        .sub_product(t28, t437);
+    let plate_v_y_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t443))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t445)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t437);
+    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t444))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t446)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t438);
+    let post_omega_dot_by_bobbin_y = (t24 * t447)
+        .sub_product(t23, t448)
+        .sub_product(t23, t446)
+        .add_product(t24, t445);
+    let post_v_y_dot_by_bobbin_y = (-(R::literal(-1.25) * t445))
+        .sub_product(R::literal(1.25), t447);
+    let post_v_x_dot_by_bobbin_y = (-(R::literal(-1.25) * t446))
+        .sub_product(R::literal(1.25), t448);
+    let t449 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(R::literal(1500.0) * t199),
+        -(R::literal(1500.0) * t197),
     );
-    let t453 = R::literal(0.2) * post_omega;
-    let t454 = -(t453 * cos_post_phi) - t23 * t452;
-    let t455 = t24 * t452 - t453 * sin_post_phi - t42 * t454;
-    let t456 = t454 - t44 * t454 - t50 * t455;
-    let t457 = t455 - t52 * t455 - t57 * t456;
-    let t458 = -(t59 * t456) - t69 * t457;
-    let t459 = -(t60 * t456) - t71 * t457 - t80 * t458;
-    let t460 = t82 * t458 - t91 * t459;
-    let t461 = -(t84 * t458) - t93 * t459 - t100 * t460;
-    let t462 = -(t101 * t460) - t109 * t461;
-    let t463 = t102 * t460 - t111 * t461 - t118 * t462;
-    let t464 = -(t63 * t456) - t74 * t457 - t86 * t458 - t95 * t459 - t104 * t460
-        - t113 * t461 - t120 * t462 - t125 * t463;
-    let t465 = (t65 * t456 - t77 * t457 - t88 * t458 - t97 * t459 - t106 * t460
-        - t115 * t461 - t122 * t462 - t127 * t463 - t130 * t464) * t131;
-    let t466 = t464 * t128 - t130 * t465;
-    let t467 = t463 * t123 - t125 * t466 - t127 * t465;
-    let t468 = t462 * t116 - t118 * t467 - t120 * t466 - t122 * t465;
-    let t469 = t461 * t107 - t109 * t468 - t111 * t467 - t113 * t466 - t115 * t465;
-    let t470 = t460 * t98 - t100 * t469 - t101 * t468 + t102 * t467 - t104 * t466
-        - t106 * t465;
-    let t471 = t459 * t89 - t91 * t470 - t93 * t469 - t95 * t466 - t97 * t465;
-    let t472 = t458 * t78 - t80 * t471 + t82 * t470 - t84 * t469 - t86 * t466
-        - t88 * t465;
-    let t473 = t457 * t67 - t69 * t472 - t71 * t471 - t74 * t466 - t77 * t465;
-    let t474 = t456 * t54 - t57 * t473 - t59 * t472 - t60 * t471 - t63 * t466
-        + t65 * t465;
-    let t475 = t455 * t48 - t50 * t474 - t52 * t473;
-    let t476 = t454 * t40 - t42 * t475 - t44 * t474 - t42 * t473;
-    let bobbin_v_y_dot_by_post_omega = -(R::literal(1.428_571_428_571_428_6) * t465);
-    let bobbin_v_x_dot_by_post_omega = -(R::literal(1.428_571_428_571_428_6) * t466);
-    let rod_omega_dot_by_post_omega = t36 * t468
-        - R::literal(4_166.666_666_666_667) * t470 - t37 * t467;
-    let rod_v_y_dot_by_post_omega = -(t35 * t469) - R::literal(5.0) * t467;
-    let rod_v_x_dot_by_post_omega = t34 * t469 - R::literal(5.0) * t468;
-    let cylinder_omega_dot_by_post_omega = t32 * t471 - t31 * t472
-        - R::literal(-2_777.777_777_777_778) * t470 + t33 * t469;
-    let cylinder_v_y_dot_by_post_omega = t30 * t469
-        - R::literal(3.333_333_333_333_333_5) * t471;
-    let cylinder_v_x_dot_by_post_omega = -(R::literal(3.333_333_333_333_333_5) * t472)
-        - t29 * t469;
-    let plate_omega_dot_by_post_omega = t26 * t473 - t25 * t474 - t25 * t472 + t26 * t471
-        + t27 * t466 - t28 * t465;
-    let plate_v_y_dot_by_post_omega = -(R::literal(0.833_333_333_333_333_4) * t473)
-        - R::literal(-0.833_333_333_333_333_4) * t471
-        - R::literal(-0.833_333_333_333_333_4) * t465;
-    let plate_v_x_dot_by_post_omega = -(R::literal(0.833_333_333_333_333_4) * t474)
-        - R::literal(-0.833_333_333_333_333_4) * t472
-        - R::literal(-0.833_333_333_333_333_4) * t466;
-    let post_omega_dot_by_post_omega = t452 * R::literal(370.370_370_370_370_3)
-        - t23 * t476 + t24 * t475 - t23 * t474 + t24 * t473;
-    let post_v_y_dot_by_post_omega = -(R::literal(1.25) * t475)
-        - R::literal(-1.25) * t473;
-    let post_v_x_dot_by_post_omega = -(R::literal(1.25) * t476)
-        - R::literal(-1.25) * t474;
-    let t477 = R::literal(0.12) * plate_omega;
-    let t478 = t477 * cos_plate_phi;
-    let t479 = t477 * sin_plate_phi;
-    let t480 = t57 * t478 - t479;
-    let t481 = t59 * t478 - t478 - t69 * t480;
-    let t482 = t60 * t478 - t479 - t71 * t480 - t80 * t481;
-    let t483 = t82 * t481 - t91 * t482;
-    let t484 = -(t84 * t481) - t93 * t482 - t100 * t483;
-    let t485 = -(t101 * t483) - t109 * t484;
-    let t486 = t102 * t483 - t111 * t484 - t118 * t485;
-    let t487 = plate_omega
-        * (R::literal(0.02) * cos_plate_phi - R::literal(0.2) * sin_plate_phi)
-        + t63 * t478 - t74 * t480 - t86 * t481 - t95 * t482 - t104 * t483 - t113 * t484
-        - t120 * t485 - t125 * t486;
-    let t488 = (plate_omega
-        * (R::literal(0.02) * sin_plate_phi + R::literal(0.2) * cos_plate_phi)
-        - t65 * t478 - t77 * t480 - t88 * t481 - t97 * t482 - t106 * t483 - t115 * t484
-        - t122 * t485 - t127 * t486 - t130 * t487) * t131;
-    let t489 = t487 * t128 - t130 * t488;
-    let t490 = t486 * t123 - t125 * t489 - t127 * t488;
-    let t491 = t485 * t116 - t118 * t490 - t120 * t489 - t122 * t488;
-    let t492 = t484 * t107 - t109 * t491 - t111 * t490 - t113 * t489 - t115 * t488;
-    let t493 = t483 * t98 - t100 * t492 - t101 * t491 + t102 * t490 - t104 * t489
-        - t106 * t488;
-    let t494 = t482 * t89 - t91 * t493 - t93 * t492 - t95 * t489 - t97 * t488;
-    let t495 = t481 * t78 - t80 * t494 + t82 * t493 - t84 * t492 - t86 * t489
-        - t88 * t488;
-    let t496 = t480 * t67 - t69 * t495 - t71 * t494 - t74 * t489 - t77 * t488;
-    let t497 = -(t478 * t54) - t57 * t496 - t59 * t495 - t60 * t494 - t63 * t489
-        + t65 * t488;
-    let t498 = -(t50 * t497) - t52 * t496;
-    let t499 = -(t42 * t498) - t44 * t497 - t42 * t496;
-    let bobbin_v_y_dot_by_plate_omega = -(R::literal(1.428_571_428_571_428_6) * t488);
-    let bobbin_v_x_dot_by_plate_omega = -(R::literal(1.428_571_428_571_428_6) * t489);
-    let rod_omega_dot_by_plate_omega = t36 * t491
-        - R::literal(4_166.666_666_666_667) * t493 - t37 * t490;
-    let rod_v_y_dot_by_plate_omega = -(t35 * t492) - R::literal(5.0) * t490;
-    let rod_v_x_dot_by_plate_omega = t34 * t492 - R::literal(5.0) * t491;
-    let cylinder_omega_dot_by_plate_omega = t32 * t494 - t31 * t495
-        - R::literal(-2_777.777_777_777_778) * t493 + t33 * t492;
-    let cylinder_v_y_dot_by_plate_omega = t30 * t492
-        - R::literal(3.333_333_333_333_333_5) * t494;
-    let cylinder_v_x_dot_by_plate_omega = -(R::literal(3.333_333_333_333_333_5) * t495)
-        - t29 * t492;
-    let plate_omega_dot_by_plate_omega = t26 * t496 - t25 * t497 - t25 * t495
-        + t26 * t494 + t27 * t489 - t28 * t488;
-    let plate_v_y_dot_by_plate_omega = -(R::literal(0.833_333_333_333_333_4) * t496)
-        - R::literal(-0.833_333_333_333_333_4) * t494
-        - R::literal(-0.833_333_333_333_333_4) * t488;
-    let plate_v_x_dot_by_plate_omega = -(R::literal(0.833_333_333_333_333_4) * t497)
-        - R::literal(-0.833_333_333_333_333_4) * t495
-        - R::literal(-0.833_333_333_333_333_4) * t489;
-    let post_omega_dot_by_plate_omega = t24 * t498 - t23 * t499 - t23 * t497
-        + t24 * t496;
-    let post_v_y_dot_by_plate_omega = -(R::literal(1.25) * t498)
-        - R::literal(-1.25) * t496;
-    let post_v_x_dot_by_plate_omega = -(R::literal(1.25) * t499)
-        - R::literal(-1.25) * t497;
-    let t500 = p.spring_damping * (cos_cylinder_phi * cos_cylinder_phi);
-    let t501 = p.spring_damping * sin_cylinder_phi * cos_cylinder_phi;
-    let t502 = p.spring_damping * t19;
-    let t503 = t502 * cos_cylinder_phi;
-    let t504 = R::literal(2.0) * cylinder_omega;
-    let t505 = t504 * cos_cylinder_phi;
-    let t506 = R::literal(3.333_333_333_333_333_5) * t500;
-    let t507 = t31 * t503;
-    let t508 = t506 - t507;
-    let t509 = R::literal(3.333_333_333_333_333_5) * t501;
-    let t510 = -t509;
-    let t511 = t32 * t503;
-    let t512 = t509 + t511 - t80 * t508;
-    let t513 = R::literal(-2_777.777_777_777_778) * t503;
-    let t514 = t82 * t508 - t513 - t91 * t512;
-    let t515 = t29 * t500;
-    let t516 = t30 * t501;
-    let t517 = t33 * t503;
-    let t518 = t34 * t500;
-    let t519 = t35 * t501;
-    let t520 = t515 - t505 - t516 + t517 + t518 - t519 - t84 * t508 - t93 * t512
-        - t100 * t514;
-    let t521 = R::literal(5.0) * t500;
-    let t522 = -t521 - t101 * t514 - t109 * t520;
-    let t523 = R::literal(5.0) * t501;
-    let t524 = -t523;
-    let t525 = t102 * t514 - t523 - t111 * t520 - t118 * t522;
-    let t526 = -(t86 * t508) - t95 * t512 - t104 * t514 - t113 * t520 - t120 * t522
-        - t125 * t525;
-    let t527 = t503 * R::literal(2_777.777_777_777_778);
-    let t528 = (-(t88 * t508) - t97 * t512 - t106 * t514 - t115 * t520 - t122 * t522
-        - t127 * t525 - t130 * t526) * t131;
-    let t529 = t526 * t128 - t130 * t528;
-    let t530 = t525 * t123 - t125 * t529 - t127 * t528;
-    let t531 = t522 * t116 - t118 * t530 - t120 * t529 - t122 * t528;
-    let t532 = t520 * t107 - t109 * t531 - t111 * t530 - t113 * t529 - t115 * t528;
-    let t533 = t514 * t98 - t100 * t532 - t101 * t531 + t102 * t530 - t104 * t529
-        - t106 * t528;
-    let t534 = t512 * t89 - t91 * t533 - t93 * t532 - t95 * t529 - t97 * t528;
-    let t535 = t508 * t78 - t80 * t534 + t82 * t533 - t84 * t532 - t86 * t529
-        - t88 * t528;
-    let t536 = -(t69 * t535) - t71 * t534 - t74 * t529 - t77 * t528;
-    let t537 = -(t57 * t536) - t59 * t535 - t60 * t534 - t63 * t529 + t65 * t528;
-    let t538 = -(t50 * t537) - t52 * t536;
-    let t539 = -(t42 * t538) - t44 * t537 - t42 * t536;
-    let bobbin_v_y_dot_by_cylinder_v_x = -(R::literal(1.428_571_428_571_428_6) * t528);
-    let bobbin_v_x_dot_by_cylinder_v_x = -(R::literal(1.428_571_428_571_428_6) * t529);
-    let rod_omega_dot_by_cylinder_v_x = t36 * t531
-        - R::literal(4_166.666_666_666_667) * t533 - t37 * t530;
-    let rod_v_y_dot_by_cylinder_v_x = t523 - t35 * t532 - R::literal(5.0) * t530;
-    let rod_v_x_dot_by_cylinder_v_x = t521 + t34 * t532 - R::literal(5.0) * t531;
-    let cylinder_omega_dot_by_cylinder_v_x = t527 - t31 * t535 + t32 * t534
-        - R::literal(-2_777.777_777_777_778) * t533 + t33 * t532;
-    let cylinder_v_y_dot_by_cylinder_v_x = t510
-        - R::literal(3.333_333_333_333_333_5) * t534 + t30 * t532;
-    let cylinder_v_x_dot_by_cylinder_v_x = -t506
-        - R::literal(3.333_333_333_333_333_5) * t535 - t29 * t532;
-    let plate_omega_dot_by_cylinder_v_x = t26 * t536 - t25 * t537 - t25 * t535
-        + t26 * t534 + t27 * t529 - t28 * t528;
-    let plate_v_y_dot_by_cylinder_v_x = -(R::literal(0.833_333_333_333_333_4) * t536)
-        - R::literal(-0.833_333_333_333_333_4) * t534
-        - R::literal(-0.833_333_333_333_333_4) * t528;
-    let plate_v_x_dot_by_cylinder_v_x = -(R::literal(0.833_333_333_333_333_4) * t537)
-        - R::literal(-0.833_333_333_333_333_4) * t535
-        - R::literal(-0.833_333_333_333_333_4) * t529;
-    let post_omega_dot_by_cylinder_v_x = t24 * t538 - t23 * t539 - t23 * t537
-        + t24 * t536;
-    let post_v_y_dot_by_cylinder_v_x = -(R::literal(1.25) * t538)
-        - R::literal(-1.25) * t536;
-    let post_v_x_dot_by_cylinder_v_x = -(R::literal(1.25) * t539)
-        - R::literal(-1.25) * t537;
-    let t540 = p.spring_damping * (sin_cylinder_phi * sin_cylinder_phi);
-    let t541 = t502 * sin_cylinder_phi;
-    let t542 = t504 * sin_cylinder_phi;
-    let t543 = t31 * t541;
-    let t544 = t509 - t543;
-    let t545 = R::literal(3.333_333_333_333_333_5) * t540;
-    let t546 = -t545;
-    let t547 = t32 * t541;
-    let t548 = t545 + t547 - t80 * t544;
-    let t549 = R::literal(-2_777.777_777_777_778) * t541;
-    let t550 = t82 * t544 - t549 - t91 * t548;
-    let t551 = t29 * t501;
-    let t552 = t30 * t540;
-    let t553 = t33 * t541;
-    let t554 = t34 * t501;
-    let t555 = t35 * t540;
-    let t556 = t551 - t542 - t552 + t553 + t554 - t555 - t84 * t544 - t93 * t548
-        - t100 * t550;
-    let t557 = t524 - t101 * t550 - t109 * t556;
-    let t558 = R::literal(5.0) * t540;
-    let t559 = t102 * t550 - t558 - t111 * t556 - t118 * t557;
-    let t560 = -(t86 * t544) - t95 * t548 - t104 * t550 - t113 * t556 - t120 * t557
-        - t125 * t559;
-    let t561 = t541 * R::literal(2_777.777_777_777_778);
-    let t562 = (-(t88 * t544) - t97 * t548 - t106 * t550 - t115 * t556 - t122 * t557
-        - t127 * t559 - t130 * t560) * t131;
-    let t563 = t560 * t128 - t130 * t562;
-    let t564 = t559 * t123 - t125 * t563 - t127 * t562;
-    let t565 = t557 * t116 - t118 * t564 - t120 * t563 - t122 * t562;
-    let t566 = t556 * t107 - t109 * t565 - t111 * t564 - t113 * t563 - t115 * t562;
-    let t567 = t550 * t98 - t100 * t566 - t101 * t565 + t102 * t564 - t104 * t563
-        - t106 * t562;
-    let t568 = t548 * t89 - t91 * t567 - t93 * t566 - t95 * t563 - t97 * t562;
-    let t569 = t544 * t78 - t80 * t568 + t82 * t567 - t84 * t566 - t86 * t563
-        - t88 * t562;
-    let t570 = -(t69 * t569) - t71 * t568 - t74 * t563 - t77 * t562;
-    let t571 = -(t57 * t570) - t59 * t569 - t60 * t568 - t63 * t563 + t65 * t562;
-    let t572 = -(t50 * t571) - t52 * t570;
-    let t573 = -(t42 * t572) - t44 * t571 - t42 * t570;
-    let bobbin_v_y_dot_by_cylinder_v_y = -(R::literal(1.428_571_428_571_428_6) * t562);
-    let bobbin_v_x_dot_by_cylinder_v_y = -(R::literal(1.428_571_428_571_428_6) * t563);
-    let rod_omega_dot_by_cylinder_v_y = t36 * t565
-        - R::literal(4_166.666_666_666_667) * t567 - t37 * t564;
-    let rod_v_y_dot_by_cylinder_v_y = t558 - t35 * t566 - R::literal(5.0) * t564;
-    let rod_v_x_dot_by_cylinder_v_y = t523 + t34 * t566 - R::literal(5.0) * t565;
-    let cylinder_omega_dot_by_cylinder_v_y = t561 - t31 * t569 + t32 * t568
-        - R::literal(-2_777.777_777_777_778) * t567 + t33 * t566;
-    let cylinder_v_y_dot_by_cylinder_v_y = t546
-        - R::literal(3.333_333_333_333_333_5) * t568 + t30 * t566;
-    let cylinder_v_x_dot_by_cylinder_v_y = t510
-        - R::literal(3.333_333_333_333_333_5) * t569 - t29 * t566;
-    let plate_omega_dot_by_cylinder_v_y = t26 * t570 - t25 * t571 - t25 * t569
-        + t26 * t568 + t27 * t563 - t28 * t562;
-    let plate_v_y_dot_by_cylinder_v_y = -(R::literal(0.833_333_333_333_333_4) * t570)
-        - R::literal(-0.833_333_333_333_333_4) * t568
-        - R::literal(-0.833_333_333_333_333_4) * t562;
-    let plate_v_x_dot_by_cylinder_v_y = -(R::literal(0.833_333_333_333_333_4) * t571)
-        - R::literal(-0.833_333_333_333_333_4) * t569
-        - R::literal(-0.833_333_333_333_333_4) * t563;
-    let post_omega_dot_by_cylinder_v_y = t24 * t572 - t23 * t573 - t23 * t571
-        + t24 * t570;
-    let post_v_y_dot_by_cylinder_v_y = -(R::literal(1.25) * t572)
-        - R::literal(-1.25) * t570;
-    let post_v_x_dot_by_cylinder_v_y = -(R::literal(1.25) * t573)
-        - R::literal(-1.25) * t571;
-    let t574 = p.spring_damping * t324;
-    let t575 = R::literal(0.12) * cylinder_omega;
-    let t576 = R::literal(3.333_333_333_333_333_5) * t503;
-    let t577 = -(t575 * cos_cylinder_phi) - t576 + t31 * t574;
-    let t578 = R::literal(3.333_333_333_333_333_5) * t541;
-    let t579 = -(t575 * sin_cylinder_phi) - t578 - t32 * t574 - t80 * t577;
-    let t580 = R::literal(-2_777.777_777_777_778) * t574 + t82 * t577 - t91 * t579;
-    let t581 = R::literal(2.0)
-        * (t161 + t162 + rod_v_x * cos_cylinder_phi + rod_v_y * sin_cylinder_phi - t157
-            - t158 - cylinder_v_x * cos_cylinder_phi - cylinder_v_y * sin_cylinder_phi)
-        - t29 * t503 + t30 * t541 - t33 * t574 - t34 * t503 + t35 * t541 - t84 * t577;
-    let t582 = t581 - t93 * t579 - t100 * t580;
-    let t583 = R::literal(5.0) * t503;
-    let t584 = t583 - t101 * t580 - t109 * t582;
-    let t585 = R::literal(5.0) * t541;
-    let t586 = t585 + t102 * t580 - t111 * t582 - t118 * t584;
-    let t587 = -(t86 * t577) - t95 * t579 - t104 * t580 - t113 * t582 - t120 * t584
-        - t125 * t586;
-    let t588 = (-(t88 * t577) - t97 * t579 - t106 * t580 - t115 * t582 - t122 * t584
-        - t127 * t586 - t130 * t587) * t131;
-    let t589 = t587 * t128 - t130 * t588;
-    let t590 = t586 * t123 - t125 * t589 - t127 * t588;
-    let t591 = t584 * t116 - t118 * t590 - t120 * t589 - t122 * t588;
-    let t592 = t582 * t107 - t109 * t591 - t111 * t590 - t113 * t589 - t115 * t588;
-    let t593 = t580 * t98 - t100 * t592 - t101 * t591 + t102 * t590 - t104 * t589
-        - t106 * t588;
-    let t594 = t579 * t89 - t91 * t593 - t93 * t592 - t95 * t589 - t97 * t588;
-    let t595 = t577 * t78 - t80 * t594 + t82 * t593 - t84 * t592 - t86 * t589
-        - t88 * t588;
-    let t596 = -(t69 * t595) - t71 * t594 - t74 * t589 - t77 * t588;
-    let t597 = -(t57 * t596) - t59 * t595 - t60 * t594 - t63 * t589 + t65 * t588;
-    let t598 = -(t50 * t597) - t52 * t596;
-    let t599 = -(t42 * t598) - t44 * t597 - t42 * t596;
-    let bobbin_v_y_dot_by_cylinder_omega = -(R::literal(1.428_571_428_571_428_6) * t588);
-    let bobbin_v_x_dot_by_cylinder_omega = -(R::literal(1.428_571_428_571_428_6) * t589);
-    let rod_omega_dot_by_cylinder_omega = t36 * t591
-        - R::literal(4_166.666_666_666_667) * t593 - t37 * t590;
-    let rod_v_y_dot_by_cylinder_omega = -t585 - t35 * t592 - R::literal(5.0) * t590;
-    let rod_v_x_dot_by_cylinder_omega = t34 * t592 - t583 - R::literal(5.0) * t591;
-    let cylinder_omega_dot_by_cylinder_omega = -(t574
-        * R::literal(2_777.777_777_777_778)) - t31 * t595 + t32 * t594
-        - R::literal(-2_777.777_777_777_778) * t593 + t33 * t592;
-    let cylinder_v_y_dot_by_cylinder_omega = t578
-        - R::literal(3.333_333_333_333_333_5) * t594 + t30 * t592;
-    let cylinder_v_x_dot_by_cylinder_omega = t576
-        - R::literal(3.333_333_333_333_333_5) * t595 - t29 * t592;
-    let plate_omega_dot_by_cylinder_omega = t26 * t596 - t25 * t597 - t25 * t595
-        + t26 * t594 + t27 * t589 - t28 * t588;
-    let plate_v_y_dot_by_cylinder_omega = -(R::literal(0.833_333_333_333_333_4) * t596)
-        - R::literal(-0.833_333_333_333_333_4) * t594
-        - R::literal(-0.833_333_333_333_333_4) * t588;
-    let plate_v_x_dot_by_cylinder_omega = -(R::literal(0.833_333_333_333_333_4) * t597)
-        - R::literal(-0.833_333_333_333_333_4) * t595
-        - R::literal(-0.833_333_333_333_333_4) * t589;
-    let post_omega_dot_by_cylinder_omega = t24 * t598 - t23 * t599 - t23 * t597
-        + t24 * t596;
-    let post_v_y_dot_by_cylinder_omega = -(R::literal(1.25) * t598)
-        - R::literal(-1.25) * t596;
-    let post_v_x_dot_by_cylinder_omega = -(R::literal(1.25) * t599)
-        - R::literal(-1.25) * t597;
-    let t600 = t507 - t506;
-    let t601 = t510 - t511 - t80 * t600;
-    let t602 = t513 + t82 * t600 - t91 * t601;
-    let t603 = t505 - t515 + t516 - t517 - t518 + t519 - t84 * t600 - t93 * t601
-        - t100 * t602;
-    let t604 = t521 - t101 * t602 - t109 * t603;
-    let t605 = t523 + t102 * t602 - t111 * t603 - t118 * t604;
-    let t606 = -(t86 * t600) - t95 * t601 - t104 * t602 - t113 * t603 - t120 * t604
-        - t125 * t605;
-    let t607 = (-(t88 * t600) - t97 * t601 - t106 * t602 - t115 * t603 - t122 * t604
-        - t127 * t605 - t130 * t606) * t131;
-    let t608 = t606 * t128 - t130 * t607;
-    let t609 = t605 * t123 - t125 * t608 - t127 * t607;
-    let t610 = t604 * t116 - t118 * t609 - t120 * t608 - t122 * t607;
-    let t611 = t603 * t107 - t109 * t610 - t111 * t609 - t113 * t608 - t115 * t607;
-    let t612 = t602 * t98 - t100 * t611 - t101 * t610 + t102 * t609 - t104 * t608
-        - t106 * t607;
-    let t613 = t601 * t89 - t91 * t612 - t93 * t611 - t95 * t608 - t97 * t607;
-    let t614 = t600 * t78 - t80 * t613 + t82 * t612 - t84 * t611 - t86 * t608
-        - t88 * t607;
-    let t615 = -(t69 * t614) - t71 * t613 - t74 * t608 - t77 * t607;
-    let t616 = -(t57 * t615) - t59 * t614 - t60 * t613 - t63 * t608 + t65 * t607;
-    let t617 = -(t50 * t616) - t52 * t615;
-    let t618 = -(t42 * t617) - t44 * t616 - t42 * t615;
-    let bobbin_v_y_dot_by_rod_v_x = -(R::literal(1.428_571_428_571_428_6) * t607);
-    let bobbin_v_x_dot_by_rod_v_x = -(R::literal(1.428_571_428_571_428_6) * t608);
-    let rod_omega_dot_by_rod_v_x = t36 * t610 - R::literal(4_166.666_666_666_667) * t612
-        - t37 * t609;
-    let rod_v_y_dot_by_rod_v_x = t524 - t35 * t611 - R::literal(5.0) * t609;
-    let rod_v_x_dot_by_rod_v_x = t34 * t611 - t521 - R::literal(5.0) * t610;
-    let cylinder_omega_dot_by_rod_v_x = -t527 - t31 * t614 + t32 * t613
-        - R::literal(-2_777.777_777_777_778) * t612 + t33 * t611;
-    let cylinder_v_y_dot_by_rod_v_x = t509 - R::literal(3.333_333_333_333_333_5) * t613
-        + t30 * t611;
-    let cylinder_v_x_dot_by_rod_v_x = t506 - R::literal(3.333_333_333_333_333_5) * t614
-        - t29 * t611;
-    let plate_omega_dot_by_rod_v_x = t26 * t615 - t25 * t616 - t25 * t614 + t26 * t613
-        + t27 * t608 - t28 * t607;
-    let plate_v_y_dot_by_rod_v_x = -(R::literal(0.833_333_333_333_333_4) * t615)
-        - R::literal(-0.833_333_333_333_333_4) * t613
-        - R::literal(-0.833_333_333_333_333_4) * t607;
-    let plate_v_x_dot_by_rod_v_x = -(R::literal(0.833_333_333_333_333_4) * t616)
-        - R::literal(-0.833_333_333_333_333_4) * t614
-        - R::literal(-0.833_333_333_333_333_4) * t608;
-    let post_omega_dot_by_rod_v_x = t24 * t617 - t23 * t618 - t23 * t616 + t24 * t615;
-    let post_v_y_dot_by_rod_v_x = -(R::literal(1.25) * t617) - R::literal(-1.25) * t615;
-    let post_v_x_dot_by_rod_v_x = -(R::literal(1.25) * t618) - R::literal(-1.25) * t616;
-    let t619 = t543 - t509;
-    let t620 = t546 - t547 - t80 * t619;
-    let t621 = t549 + t82 * t619 - t91 * t620;
-    let t622 = t542 - t551 + t552 - t553 - t554 + t555 - t84 * t619 - t93 * t620
-        - t100 * t621;
-    let t623 = t523 - t101 * t621 - t109 * t622;
-    let t624 = t558 + t102 * t621 - t111 * t622 - t118 * t623;
-    let t625 = -(t86 * t619) - t95 * t620 - t104 * t621 - t113 * t622 - t120 * t623
-        - t125 * t624;
-    let t626 = (-(t88 * t619) - t97 * t620 - t106 * t621 - t115 * t622 - t122 * t623
-        - t127 * t624 - t130 * t625) * t131;
-    let t627 = t625 * t128 - t130 * t626;
-    let t628 = t624 * t123 - t125 * t627 - t127 * t626;
-    let t629 = t623 * t116 - t118 * t628 - t120 * t627 - t122 * t626;
-    let t630 = t622 * t107 - t109 * t629 - t111 * t628 - t113 * t627 - t115 * t626;
-    let t631 = t621 * t98 - t100 * t630 - t101 * t629 + t102 * t628 - t104 * t627
-        - t106 * t626;
-    let t632 = t620 * t89 - t91 * t631 - t93 * t630 - t95 * t627 - t97 * t626;
-    let t633 = t619 * t78 - t80 * t632 + t82 * t631 - t84 * t630 - t86 * t627
-        - t88 * t626;
-    let t634 = -(t69 * t633) - t71 * t632 - t74 * t627 - t77 * t626;
-    let t635 = -(t57 * t634) - t59 * t633 - t60 * t632 - t63 * t627 + t65 * t626;
-    let t636 = -(t50 * t635) - t52 * t634;
-    let t637 = -(t42 * t636) - t44 * t635 - t42 * t634;
-    let bobbin_v_y_dot_by_rod_v_y = -(R::literal(1.428_571_428_571_428_6) * t626);
-    let bobbin_v_x_dot_by_rod_v_y = -(R::literal(1.428_571_428_571_428_6) * t627);
-    let rod_omega_dot_by_rod_v_y = t36 * t629 - R::literal(4_166.666_666_666_667) * t631
-        - t37 * t628;
-    let rod_v_y_dot_by_rod_v_y = -t558 - t35 * t630 - R::literal(5.0) * t628;
-    let rod_v_x_dot_by_rod_v_y = t34 * t630 - t523 - R::literal(5.0) * t629;
-    let cylinder_omega_dot_by_rod_v_y = -t561 - t31 * t633 + t32 * t632
-        - R::literal(-2_777.777_777_777_778) * t631 + t33 * t630;
-    let cylinder_v_y_dot_by_rod_v_y = t545 - R::literal(3.333_333_333_333_333_5) * t632
-        + t30 * t630;
-    let cylinder_v_x_dot_by_rod_v_y = t509 - R::literal(3.333_333_333_333_333_5) * t633
-        - t29 * t630;
-    let plate_omega_dot_by_rod_v_y = t26 * t634 - t25 * t635 - t25 * t633 + t26 * t632
-        + t27 * t627 - t28 * t626;
-    let plate_v_y_dot_by_rod_v_y = -(R::literal(0.833_333_333_333_333_4) * t634)
-        - R::literal(-0.833_333_333_333_333_4) * t632
-        - R::literal(-0.833_333_333_333_333_4) * t626;
-    let plate_v_x_dot_by_rod_v_y = -(R::literal(0.833_333_333_333_333_4) * t635)
-        - R::literal(-0.833_333_333_333_333_4) * t633
-        - R::literal(-0.833_333_333_333_333_4) * t627;
-    let post_omega_dot_by_rod_v_y = t24 * t636 - t23 * t637 - t23 * t635 + t24 * t634;
-    let post_v_y_dot_by_rod_v_y = -(R::literal(1.25) * t636) - R::literal(-1.25) * t634;
-    let post_v_x_dot_by_rod_v_y = -(R::literal(1.25) * t637) - R::literal(-1.25) * t635;
-    let t638 = R::literal(0.12) * rod_omega;
-    let t639 = t638 * cos_rod_phi;
-    let t640 = t638 * sin_rod_phi - t118 * t639;
-    let t641 = -(t120 * t639) - t125 * t640;
-    let t642 = (-(t122 * t639) - t127 * t640 - t130 * t641) * t131;
-    let t643 = t641 * t128 - t130 * t642;
-    let t644 = t640 * t123 - t125 * t643 - t127 * t642;
-    let t645 = t639 * t116 - t118 * t644 - t120 * t643 - t122 * t642;
-    let t646 = -(t109 * t645) - t111 * t644 - t113 * t643 - t115 * t642;
-    let t647 = -(t100 * t646) - t101 * t645 + t102 * t644 - t104 * t643 - t106 * t642;
-    let t648 = -(t91 * t647) - t93 * t646 - t95 * t643 - t97 * t642;
-    let t649 = t82 * t647 - t80 * t648 - t84 * t646 - t86 * t643 - t88 * t642;
-    let t650 = -(t69 * t649) - t71 * t648 - t74 * t643 - t77 * t642;
-    let t651 = -(t57 * t650) - t59 * t649 - t60 * t648 - t63 * t643 + t65 * t642;
-    let t652 = -(t50 * t651) - t52 * t650;
-    let t653 = -(t42 * t652) - t44 * t651 - t42 * t650;
-    let bobbin_v_y_dot_by_rod_omega = -(R::literal(1.428_571_428_571_428_6) * t642);
-    let bobbin_v_x_dot_by_rod_omega = -(R::literal(1.428_571_428_571_428_6) * t643);
-    let rod_omega_dot_by_rod_omega = t36 * t645
-        - R::literal(4_166.666_666_666_667) * t647 - t37 * t644;
-    let rod_v_y_dot_by_rod_omega = -(t35 * t646) - R::literal(5.0) * t644;
-    let rod_v_x_dot_by_rod_omega = t34 * t646 - R::literal(5.0) * t645;
-    let cylinder_omega_dot_by_rod_omega = t32 * t648 - t31 * t649
-        - R::literal(-2_777.777_777_777_778) * t647 + t33 * t646;
-    let cylinder_v_y_dot_by_rod_omega = t30 * t646
-        - R::literal(3.333_333_333_333_333_5) * t648;
-    let cylinder_v_x_dot_by_rod_omega = -(R::literal(3.333_333_333_333_333_5) * t649)
-        - t29 * t646;
-    let plate_omega_dot_by_rod_omega = t26 * t650 - t25 * t651 - t25 * t649 + t26 * t648
-        + t27 * t643 - t28 * t642;
-    let plate_v_y_dot_by_rod_omega = -(R::literal(0.833_333_333_333_333_4) * t650)
-        - R::literal(-0.833_333_333_333_333_4) * t648
-        - R::literal(-0.833_333_333_333_333_4) * t642;
-    let plate_v_x_dot_by_rod_omega = -(R::literal(0.833_333_333_333_333_4) * t651)
-        - R::literal(-0.833_333_333_333_333_4) * t649
-        - R::literal(-0.833_333_333_333_333_4) * t643;
-    let post_omega_dot_by_rod_omega = t24 * t652 - t23 * t653 - t23 * t651 + t24 * t650;
-    let post_v_y_dot_by_rod_omega = -(R::literal(1.25) * t652)
-        - R::literal(-1.25) * t650;
-    let post_v_x_dot_by_rod_omega = -(R::literal(1.25) * t653)
-        - R::literal(-1.25) * t651;
-    let t654 = R::literal(1.428_571_428_571_428_6)
+    let t450 = R::literal(0.2) * post_omega;
+    let t451 = (-(t450 * cos_post_phi)).sub_product(t23, t449);
+    let t452 = (-(t450 * sin_post_phi)).add_product(t24, t449).sub_product(t42, t451);
+    let t453 = t451.sub_product(t44, t451).sub_product(t50, t452);
+    let t454 = t452.sub_product(t52, t452).sub_product(t57, t453);
+    let t455 = (-(t59 * t453)).sub_product(t69, t454);
+    let t456 = (-(t60 * t453)).sub_product(t71, t454).sub_product(t80, t455);
+    let t457 = (t82 * t455).sub_product(t91, t456);
+    let t458 = (-(t84 * t455)).sub_product(t93, t456).sub_product(t100, t457);
+    let t459 = (-(t101 * t457)).sub_product(t109, t458);
+    let t460 = (t102 * t457).sub_product(t111, t458).sub_product(t118, t459);
+    let t461 = (-(t63 * t453))
+        .sub_product(t74, t454)
+        .sub_product(t86, t455)
+        .sub_product(t95, t456)
+        .sub_product(t104, t457)
+        .sub_product(t113, t458)
+        .sub_product(t120, t459)
+        .sub_product(t125, t460);
+    let t462 = (t65 * t453)
+        .sub_product(t77, t454)
+        .sub_product(t88, t455)
+        .sub_product(t97, t456)
+        .sub_product(t106, t457)
+        .sub_product(t115, t458)
+        .sub_product(t122, t459)
+        .sub_product(t127, t460)
+        .sub_product(t130, t461) * t131;
+    let t463 = (t461 * t128).sub_product(t130, t462);
+    let t464 = (t460 * t123).sub_product(t125, t463).sub_product(t127, t462);
+    let t465 = (t459 * t116)
+        .sub_product(t118, t464)
+        .sub_product(t120, t463)
+        .sub_product(t122, t462);
+    let t466 = (t458 * t107)
+        .sub_product(t109, t465)
+        .sub_product(t111, t464)
+        .sub_product(t113, t463)
+        .sub_product(t115, t462);
+    let t467 = (t457 * t98)
+        .sub_product(t100, t466)
+        .sub_product(t101, t465)
+        .add_product(t102, t464)
+        .sub_product(t104, t463)
+        .sub_product(t106, t462);
+    let t468 = (t456 * t89)
+        .sub_product(t91, t467)
+        .sub_product(t93, t466)
+        .sub_product(t95, t463)
+        .sub_product(t97, t462);
+    let t469 = (t455 * t78)
+        .sub_product(t80, t468)
+        .add_product(t82, t467)
+        .sub_product(t84, t466)
+        .sub_product(t86, t463)
+        .sub_product(t88, t462);
+    let t470 = (t454 * t67)
+        .sub_product(t69, t469)
+        .sub_product(t71, t468)
+        .sub_product(t74, t463)
+        .sub_product(t77, t462);
+    let t471 = (t453 * t54)
+        .sub_product(t57, t470)
+        .sub_product(t59, t469)
+        .sub_product(t60, t468)
+        .sub_product(t63, t463)
+        .add_product(t65, t462);
+    let t472 = (t452 * t48).sub_product(t50, t471).sub_product(t52, t470);
+    let t473 = (t451 * t40)
+        .sub_product(t42, t472)
+        .sub_product(t44, t471)
+        .sub_product(t42, t470);
+    let bobbin_v_y_dot_by_post_omega = -(R::literal(1.428_571_428_571_428_6) * t462);
+    let bobbin_v_x_dot_by_post_omega = -(R::literal(1.428_571_428_571_428_6) * t463);
+    let rod_omega_dot_by_post_omega = (t36 * t465)
+        .sub_product(R::literal(4_166.666_666_666_667), t467)
+        .sub_product(t37, t464);
+    let rod_v_y_dot_by_post_omega = (-(R::literal(5.0) * t464)).sub_product(t35, t466);
+    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t465)).add_product(t34, t466);
+    let cylinder_omega_dot_by_post_omega = (t32 * t468)
+        .sub_product(t31, t469)
+        .sub_product(R::literal(-2_777.777_777_777_778), t467)
+        .add_product(t33, t466);
+    let cylinder_v_y_dot_by_post_omega = (t30 * t466)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t468);
+    let cylinder_v_x_dot_by_post_omega = (-(t29 * t466))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t469);
+    let plate_omega_dot_by_post_omega = (t26 * t470)
+        .sub_product(t25, t471)
+        .sub_product(t25, t469)
+        .add_product(t26, t468)
+        .add_product(t27, t463)
+        .sub_product(t28, t462);
+    let plate_v_y_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t468))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t470)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t462);
+    let plate_v_x_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t469))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t471)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t463);
+    let post_omega_dot_by_post_omega = (t449 * R::literal(370.370_370_370_370_3))
+        .sub_product(t23, t473)
+        .add_product(t24, t472)
+        .sub_product(t23, t471)
+        .add_product(t24, t470);
+    let post_v_y_dot_by_post_omega = (-(R::literal(-1.25) * t470))
+        .sub_product(R::literal(1.25), t472);
+    let post_v_x_dot_by_post_omega = (-(R::literal(-1.25) * t471))
+        .sub_product(R::literal(1.25), t473);
+    let t474 = R::literal(0.12) * plate_omega;
+    let t475 = t474 * cos_plate_phi;
+    let t476 = t474 * sin_plate_phi;
+    let t477 = (-t476).add_product(t57, t475);
+    let t478 = (-t475).add_product(t59, t475).sub_product(t69, t477);
+    let t479 = (-t476)
+        .add_product(t60, t475)
+        .sub_product(t71, t477)
+        .sub_product(t80, t478);
+    let t480 = (t82 * t478).sub_product(t91, t479);
+    let t481 = (-(t84 * t478)).sub_product(t93, t479).sub_product(t100, t480);
+    let t482 = (-(t101 * t480)).sub_product(t109, t481);
+    let t483 = (t102 * t480).sub_product(t111, t481).sub_product(t118, t482);
+    let t484 = (plate_omega
+        * (R::literal(0.02) * cos_plate_phi).sub_product(R::literal(0.2), sin_plate_phi))
+        .add_product(t63, t475)
+        .sub_product(t74, t477)
+        .sub_product(t86, t478)
+        .sub_product(t95, t479)
+        .sub_product(t104, t480)
+        .sub_product(t113, t481)
+        .sub_product(t120, t482)
+        .sub_product(t125, t483);
+    let t485 = (plate_omega
+        * (R::literal(0.02) * sin_plate_phi).add_product(R::literal(0.2), cos_plate_phi))
+        .sub_product(t65, t475)
+        .sub_product(t77, t477)
+        .sub_product(t88, t478)
+        .sub_product(t97, t479)
+        .sub_product(t106, t480)
+        .sub_product(t115, t481)
+        .sub_product(t122, t482)
+        .sub_product(t127, t483)
+        .sub_product(t130, t484) * t131;
+    let t486 = (t484 * t128).sub_product(t130, t485);
+    let t487 = (t483 * t123).sub_product(t125, t486).sub_product(t127, t485);
+    let t488 = (t482 * t116)
+        .sub_product(t118, t487)
+        .sub_product(t120, t486)
+        .sub_product(t122, t485);
+    let t489 = (t481 * t107)
+        .sub_product(t109, t488)
+        .sub_product(t111, t487)
+        .sub_product(t113, t486)
+        .sub_product(t115, t485);
+    let t490 = (t480 * t98)
+        .sub_product(t100, t489)
+        .sub_product(t101, t488)
+        .add_product(t102, t487)
+        .sub_product(t104, t486)
+        .sub_product(t106, t485);
+    let t491 = (t479 * t89)
+        .sub_product(t91, t490)
+        .sub_product(t93, t489)
+        .sub_product(t95, t486)
+        .sub_product(t97, t485);
+    let t492 = (t478 * t78)
+        .sub_product(t80, t491)
+        .add_product(t82, t490)
+        .sub_product(t84, t489)
+        .sub_product(t86, t486)
+        .sub_product(t88, t485);
+    let t493 = (t477 * t67)
+        .sub_product(t69, t492)
+        .sub_product(t71, t491)
+        .sub_product(t74, t486)
+        .sub_product(t77, t485);
+    let t494 = (-(t475 * t54))
+        .sub_product(t57, t493)
+        .sub_product(t59, t492)
+        .sub_product(t60, t491)
+        .sub_product(t63, t486)
+        .add_product(t65, t485);
+    let t495 = (-(t52 * t493)).sub_product(t50, t494);
+    let t496 = (-(t44 * t494)).sub_product(t42, t495).sub_product(t42, t493);
+    let bobbin_v_y_dot_by_plate_omega = -(R::literal(1.428_571_428_571_428_6) * t485);
+    let bobbin_v_x_dot_by_plate_omega = -(R::literal(1.428_571_428_571_428_6) * t486);
+    let rod_omega_dot_by_plate_omega = (t36 * t488)
+        .sub_product(R::literal(4_166.666_666_666_667), t490)
+        .sub_product(t37, t487);
+    let rod_v_y_dot_by_plate_omega = (-(R::literal(5.0) * t487)).sub_product(t35, t489);
+    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t488)).add_product(t34, t489);
+    let cylinder_omega_dot_by_plate_omega = (t32 * t491)
+        .sub_product(t31, t492)
+        .sub_product(R::literal(-2_777.777_777_777_778), t490)
+        .add_product(t33, t489);
+    let cylinder_v_y_dot_by_plate_omega = (t30 * t489)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t491);
+    let cylinder_v_x_dot_by_plate_omega = (-(t29 * t489))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t492);
+    let plate_omega_dot_by_plate_omega = (t26 * t493)
+        .sub_product(t25, t494)
+        .sub_product(t25, t492)
+        .add_product(t26, t491)
+        .add_product(t27, t486)
+        .sub_product(t28, t485);
+    let plate_v_y_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t491))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t493)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t485);
+    let plate_v_x_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t492))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t494)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t486);
+    let post_omega_dot_by_plate_omega = (t24 * t495)
+        .sub_product(t23, t496)
+        .sub_product(t23, t494)
+        .add_product(t24, t493);
+    let post_v_y_dot_by_plate_omega = (-(R::literal(-1.25) * t493))
+        .sub_product(R::literal(1.25), t495);
+    let post_v_x_dot_by_plate_omega = (-(R::literal(-1.25) * t494))
+        .sub_product(R::literal(1.25), t496);
+    let t497 = p.spring_damping * (cos_cylinder_phi * cos_cylinder_phi);
+    let t498 = p.spring_damping * sin_cylinder_phi * cos_cylinder_phi;
+    let t499 = p.spring_damping * t19;
+    let t500 = t499 * cos_cylinder_phi;
+    let t501 = R::literal(2.0) * cylinder_omega;
+    let t502 = t501 * cos_cylinder_phi;
+    let t503 = R::literal(3.333_333_333_333_333_5) * t497;
+    let t504 = t31 * t500;
+    let t505 = t503 - t504;
+    let t506 = R::literal(3.333_333_333_333_333_5) * t498;
+    let t507 = -t506;
+    let t508 = t32 * t500;
+    let t509 = (t506 + t508).sub_product(t80, t505);
+    let t510 = R::literal(-2_777.777_777_777_778) * t500;
+    let t511 = (-t510).add_product(t82, t505).sub_product(t91, t509);
+    let t512 = t29 * t497;
+    let t513 = t30 * t498;
+    let t514 = t33 * t500;
+    let t515 = t34 * t497;
+    let t516 = t35 * t498;
+    let t517 = (t512 - t502 - t513 + t514 + t515 - t516)
+        .sub_product(t84, t505)
+        .sub_product(t93, t509)
+        .sub_product(t100, t511);
+    let t518 = R::literal(5.0) * t497;
+    let t519 = (-t518).sub_product(t101, t511).sub_product(t109, t517);
+    let t520 = R::literal(5.0) * t498;
+    let t521 = -t520;
+    let t522 = (-t520)
+        .add_product(t102, t511)
+        .sub_product(t111, t517)
+        .sub_product(t118, t519);
+    let t523 = (-(t86 * t505))
+        .sub_product(t95, t509)
+        .sub_product(t104, t511)
+        .sub_product(t113, t517)
+        .sub_product(t120, t519)
+        .sub_product(t125, t522);
+    let t524 = t500 * R::literal(2_777.777_777_777_778);
+    let t525 = (-(t88 * t505))
+        .sub_product(t97, t509)
+        .sub_product(t106, t511)
+        .sub_product(t115, t517)
+        .sub_product(t122, t519)
+        .sub_product(t127, t522)
+        .sub_product(t130, t523) * t131;
+    let t526 = (t523 * t128).sub_product(t130, t525);
+    let t527 = (t522 * t123).sub_product(t125, t526).sub_product(t127, t525);
+    let t528 = (t519 * t116)
+        .sub_product(t118, t527)
+        .sub_product(t120, t526)
+        .sub_product(t122, t525);
+    let t529 = (t517 * t107)
+        .sub_product(t109, t528)
+        .sub_product(t111, t527)
+        .sub_product(t113, t526)
+        .sub_product(t115, t525);
+    let t530 = (t511 * t98)
+        .sub_product(t100, t529)
+        .sub_product(t101, t528)
+        .add_product(t102, t527)
+        .sub_product(t104, t526)
+        .sub_product(t106, t525);
+    let t531 = (t509 * t89)
+        .sub_product(t91, t530)
+        .sub_product(t93, t529)
+        .sub_product(t95, t526)
+        .sub_product(t97, t525);
+    let t532 = (t505 * t78)
+        .sub_product(t80, t531)
+        .add_product(t82, t530)
+        .sub_product(t84, t529)
+        .sub_product(t86, t526)
+        .sub_product(t88, t525);
+    let t533 = (-(t71 * t531))
+        .sub_product(t69, t532)
+        .sub_product(t74, t526)
+        .sub_product(t77, t525);
+    let t534 = (-(t59 * t532))
+        .sub_product(t57, t533)
+        .sub_product(t60, t531)
+        .sub_product(t63, t526)
+        .add_product(t65, t525);
+    let t535 = (-(t52 * t533)).sub_product(t50, t534);
+    let t536 = (-(t44 * t534)).sub_product(t42, t535).sub_product(t42, t533);
+    let bobbin_v_y_dot_by_cylinder_v_x = -(R::literal(1.428_571_428_571_428_6) * t525);
+    let bobbin_v_x_dot_by_cylinder_v_x = -(R::literal(1.428_571_428_571_428_6) * t526);
+    let rod_omega_dot_by_cylinder_v_x = (t36 * t528)
+        .sub_product(R::literal(4_166.666_666_666_667), t530)
+        .sub_product(t37, t527);
+    let rod_v_y_dot_by_cylinder_v_x = t520
+        .sub_product(t35, t529)
+        .sub_product(R::literal(5.0), t527);
+    let rod_v_x_dot_by_cylinder_v_x = t518
+        .add_product(t34, t529)
+        .sub_product(R::literal(5.0), t528);
+    let cylinder_omega_dot_by_cylinder_v_x = t524
+        .sub_product(t31, t532)
+        .add_product(t32, t531)
+        .sub_product(R::literal(-2_777.777_777_777_778), t530)
+        .add_product(t33, t529);
+    let cylinder_v_y_dot_by_cylinder_v_x = t507
+        .sub_product(R::literal(3.333_333_333_333_333_5), t531)
+        .add_product(t30, t529);
+    let cylinder_v_x_dot_by_cylinder_v_x = (-t503)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t532)
+        .sub_product(t29, t529);
+    let plate_omega_dot_by_cylinder_v_x = (t26 * t533)
+        .sub_product(t25, t534)
+        .sub_product(t25, t532)
+        .add_product(t26, t531)
+        .add_product(t27, t526)
+        .sub_product(t28, t525);
+    let plate_v_y_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t531))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t533)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t525);
+    let plate_v_x_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t532))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t534)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t526);
+    let post_omega_dot_by_cylinder_v_x = (t24 * t535)
+        .sub_product(t23, t536)
+        .sub_product(t23, t534)
+        .add_product(t24, t533);
+    let post_v_y_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t533))
+        .sub_product(R::literal(1.25), t535);
+    let post_v_x_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t534))
+        .sub_product(R::literal(1.25), t536);
+    let t537 = p.spring_damping * (sin_cylinder_phi * sin_cylinder_phi);
+    let t538 = t499 * sin_cylinder_phi;
+    let t539 = t501 * sin_cylinder_phi;
+    let t540 = t31 * t538;
+    let t541 = t506 - t540;
+    let t542 = R::literal(3.333_333_333_333_333_5) * t537;
+    let t543 = -t542;
+    let t544 = t32 * t538;
+    let t545 = (t542 + t544).sub_product(t80, t541);
+    let t546 = R::literal(-2_777.777_777_777_778) * t538;
+    let t547 = (-t546).add_product(t82, t541).sub_product(t91, t545);
+    let t548 = t29 * t498;
+    let t549 = t30 * t537;
+    let t550 = t33 * t538;
+    let t551 = t34 * t498;
+    let t552 = t35 * t537;
+    let t553 = (t548 - t539 - t549 + t550 + t551 - t552)
+        .sub_product(t84, t541)
+        .sub_product(t93, t545)
+        .sub_product(t100, t547);
+    let t554 = t521.sub_product(t101, t547).sub_product(t109, t553);
+    let t555 = R::literal(5.0) * t537;
+    let t556 = (-t555)
+        .add_product(t102, t547)
+        .sub_product(t111, t553)
+        .sub_product(t118, t554);
+    let t557 = (-(t86 * t541))
+        .sub_product(t95, t545)
+        .sub_product(t104, t547)
+        .sub_product(t113, t553)
+        .sub_product(t120, t554)
+        .sub_product(t125, t556);
+    let t558 = t538 * R::literal(2_777.777_777_777_778);
+    let t559 = (-(t88 * t541))
+        .sub_product(t97, t545)
+        .sub_product(t106, t547)
+        .sub_product(t115, t553)
+        .sub_product(t122, t554)
+        .sub_product(t127, t556)
+        .sub_product(t130, t557) * t131;
+    let t560 = (t557 * t128).sub_product(t130, t559);
+    let t561 = (t556 * t123).sub_product(t125, t560).sub_product(t127, t559);
+    let t562 = (t554 * t116)
+        .sub_product(t118, t561)
+        .sub_product(t120, t560)
+        .sub_product(t122, t559);
+    let t563 = (t553 * t107)
+        .sub_product(t109, t562)
+        .sub_product(t111, t561)
+        .sub_product(t113, t560)
+        .sub_product(t115, t559);
+    let t564 = (t547 * t98)
+        .sub_product(t100, t563)
+        .sub_product(t101, t562)
+        .add_product(t102, t561)
+        .sub_product(t104, t560)
+        .sub_product(t106, t559);
+    let t565 = (t545 * t89)
+        .sub_product(t91, t564)
+        .sub_product(t93, t563)
+        .sub_product(t95, t560)
+        .sub_product(t97, t559);
+    let t566 = (t541 * t78)
+        .sub_product(t80, t565)
+        .add_product(t82, t564)
+        .sub_product(t84, t563)
+        .sub_product(t86, t560)
+        .sub_product(t88, t559);
+    let t567 = (-(t71 * t565))
+        .sub_product(t69, t566)
+        .sub_product(t74, t560)
+        .sub_product(t77, t559);
+    let t568 = (-(t59 * t566))
+        .sub_product(t57, t567)
+        .sub_product(t60, t565)
+        .sub_product(t63, t560)
+        .add_product(t65, t559);
+    let t569 = (-(t52 * t567)).sub_product(t50, t568);
+    let t570 = (-(t44 * t568)).sub_product(t42, t569).sub_product(t42, t567);
+    let bobbin_v_y_dot_by_cylinder_v_y = -(R::literal(1.428_571_428_571_428_6) * t559);
+    let bobbin_v_x_dot_by_cylinder_v_y = -(R::literal(1.428_571_428_571_428_6) * t560);
+    let rod_omega_dot_by_cylinder_v_y = (t36 * t562)
+        .sub_product(R::literal(4_166.666_666_666_667), t564)
+        .sub_product(t37, t561);
+    let rod_v_y_dot_by_cylinder_v_y = t555
+        .sub_product(t35, t563)
+        .sub_product(R::literal(5.0), t561);
+    let rod_v_x_dot_by_cylinder_v_y = t520
+        .add_product(t34, t563)
+        .sub_product(R::literal(5.0), t562);
+    let cylinder_omega_dot_by_cylinder_v_y = t558
+        .sub_product(t31, t566)
+        .add_product(t32, t565)
+        .sub_product(R::literal(-2_777.777_777_777_778), t564)
+        .add_product(t33, t563);
+    let cylinder_v_y_dot_by_cylinder_v_y = t543
+        .sub_product(R::literal(3.333_333_333_333_333_5), t565)
+        .add_product(t30, t563);
+    let cylinder_v_x_dot_by_cylinder_v_y = t507
+        .sub_product(R::literal(3.333_333_333_333_333_5), t566)
+        .sub_product(t29, t563);
+    let plate_omega_dot_by_cylinder_v_y = (t26 * t567)
+        .sub_product(t25, t568)
+        .sub_product(t25, t566)
+        .add_product(t26, t565)
+        .add_product(t27, t560)
+        .sub_product(t28, t559);
+    let plate_v_y_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t565))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t567)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t559);
+    let plate_v_x_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t566))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t568)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t560);
+    let post_omega_dot_by_cylinder_v_y = (t24 * t569)
+        .sub_product(t23, t570)
+        .sub_product(t23, t568)
+        .add_product(t24, t567);
+    let post_v_y_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t567))
+        .sub_product(R::literal(1.25), t569);
+    let post_v_x_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t568))
+        .sub_product(R::literal(1.25), t570);
+    let t571 = p.spring_damping * t322;
+    let t572 = R::literal(0.12) * cylinder_omega;
+    let t573 = R::literal(3.333_333_333_333_333_5) * t500;
+    let t574 = (-t573).sub_product(t572, cos_cylinder_phi).add_product(t31, t571);
+    let t575 = R::literal(3.333_333_333_333_333_5) * t538;
+    let t576 = (-t575)
+        .sub_product(t572, sin_cylinder_phi)
+        .sub_product(t32, t571)
+        .sub_product(t80, t574);
+    let t577 = (R::literal(-2_777.777_777_777_778) * t571)
+        .add_product(t82, t574)
+        .sub_product(t91, t576);
+    let t578 = (-(t29 * t500))
+        .add_product(
+            R::literal(2.0),
+            ((t161 + t162)
+                .add_product(rod_v_x, cos_cylinder_phi)
+                .add_product(rod_v_y, sin_cylinder_phi) - t157 - t158)
+                .sub_product(cylinder_v_x, cos_cylinder_phi)
+                .sub_product(cylinder_v_y, sin_cylinder_phi),
+        )
+        .add_product(t30, t538)
+        .sub_product(t33, t571)
+        .sub_product(t34, t500)
+        .add_product(t35, t538)
+        .sub_product(t84, t574)
+        .sub_product(t93, t576)
+        .sub_product(t100, t577);
+    let t579 = R::literal(5.0) * t500;
+    let t580 = t579.sub_product(t101, t577).sub_product(t109, t578);
+    let t581 = R::literal(5.0) * t538;
+    let t582 = t581
+        .add_product(t102, t577)
+        .sub_product(t111, t578)
+        .sub_product(t118, t580);
+    let t583 = (-(t86 * t574))
+        .sub_product(t95, t576)
+        .sub_product(t104, t577)
+        .sub_product(t113, t578)
+        .sub_product(t120, t580)
+        .sub_product(t125, t582);
+    let t584 = (-(t88 * t574))
+        .sub_product(t97, t576)
+        .sub_product(t106, t577)
+        .sub_product(t115, t578)
+        .sub_product(t122, t580)
+        .sub_product(t127, t582)
+        .sub_product(t130, t583) * t131;
+    let t585 = (t583 * t128).sub_product(t130, t584);
+    let t586 = (t582 * t123).sub_product(t125, t585).sub_product(t127, t584);
+    let t587 = (t580 * t116)
+        .sub_product(t118, t586)
+        .sub_product(t120, t585)
+        .sub_product(t122, t584);
+    let t588 = (t578 * t107)
+        .sub_product(t109, t587)
+        .sub_product(t111, t586)
+        .sub_product(t113, t585)
+        .sub_product(t115, t584);
+    let t589 = (t577 * t98)
+        .sub_product(t100, t588)
+        .sub_product(t101, t587)
+        .add_product(t102, t586)
+        .sub_product(t104, t585)
+        .sub_product(t106, t584);
+    let t590 = (t576 * t89)
+        .sub_product(t91, t589)
+        .sub_product(t93, t588)
+        .sub_product(t95, t585)
+        .sub_product(t97, t584);
+    let t591 = (t574 * t78)
+        .sub_product(t80, t590)
+        .add_product(t82, t589)
+        .sub_product(t84, t588)
+        .sub_product(t86, t585)
+        .sub_product(t88, t584);
+    let t592 = (-(t71 * t590))
+        .sub_product(t69, t591)
+        .sub_product(t74, t585)
+        .sub_product(t77, t584);
+    let t593 = (-(t59 * t591))
+        .sub_product(t57, t592)
+        .sub_product(t60, t590)
+        .sub_product(t63, t585)
+        .add_product(t65, t584);
+    let t594 = (-(t52 * t592)).sub_product(t50, t593);
+    let t595 = (-(t44 * t593)).sub_product(t42, t594).sub_product(t42, t592);
+    let bobbin_v_y_dot_by_cylinder_omega = -(R::literal(1.428_571_428_571_428_6) * t584);
+    let bobbin_v_x_dot_by_cylinder_omega = -(R::literal(1.428_571_428_571_428_6) * t585);
+    let rod_omega_dot_by_cylinder_omega = (t36 * t587)
+        .sub_product(R::literal(4_166.666_666_666_667), t589)
+        .sub_product(t37, t586);
+    let rod_v_y_dot_by_cylinder_omega = (-t581)
+        .sub_product(t35, t588)
+        .sub_product(R::literal(5.0), t586);
+    let rod_v_x_dot_by_cylinder_omega = (-t579)
+        .add_product(t34, t588)
+        .sub_product(R::literal(5.0), t587);
+    let cylinder_omega_dot_by_cylinder_omega = (-(t571
+        * R::literal(2_777.777_777_777_778)))
+        .sub_product(t31, t591)
+        .add_product(t32, t590)
+        .sub_product(R::literal(-2_777.777_777_777_778), t589)
+        .add_product(t33, t588);
+    let cylinder_v_y_dot_by_cylinder_omega = t575
+        .sub_product(R::literal(3.333_333_333_333_333_5), t590)
+        .add_product(t30, t588);
+    let cylinder_v_x_dot_by_cylinder_omega = t573
+        .sub_product(R::literal(3.333_333_333_333_333_5), t591)
+        .sub_product(t29, t588);
+    let plate_omega_dot_by_cylinder_omega = (t26 * t592)
+        .sub_product(t25, t593)
+        .sub_product(t25, t591)
+        .add_product(t26, t590)
+        .add_product(t27, t585)
+        .sub_product(t28, t584);
+    let plate_v_y_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
+        * t590))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t592)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t584);
+    let plate_v_x_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
+        * t591))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t593)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t585);
+    let post_omega_dot_by_cylinder_omega = (t24 * t594)
+        .sub_product(t23, t595)
+        .sub_product(t23, t593)
+        .add_product(t24, t592);
+    let post_v_y_dot_by_cylinder_omega = (-(R::literal(-1.25) * t592))
+        .sub_product(R::literal(1.25), t594);
+    let post_v_x_dot_by_cylinder_omega = (-(R::literal(-1.25) * t593))
+        .sub_product(R::literal(1.25), t595);
+    let t596 = t504 - t503;
+    let t597 = (t507 - t508).sub_product(t80, t596);
+    let t598 = t510.add_product(t82, t596).sub_product(t91, t597);
+    let t599 = (t502 - t512 + t513 - t514 - t515 + t516)
+        .sub_product(t84, t596)
+        .sub_product(t93, t597)
+        .sub_product(t100, t598);
+    let t600 = t518.sub_product(t101, t598).sub_product(t109, t599);
+    let t601 = t520
+        .add_product(t102, t598)
+        .sub_product(t111, t599)
+        .sub_product(t118, t600);
+    let t602 = (-(t86 * t596))
+        .sub_product(t95, t597)
+        .sub_product(t104, t598)
+        .sub_product(t113, t599)
+        .sub_product(t120, t600)
+        .sub_product(t125, t601);
+    let t603 = (-(t88 * t596))
+        .sub_product(t97, t597)
+        .sub_product(t106, t598)
+        .sub_product(t115, t599)
+        .sub_product(t122, t600)
+        .sub_product(t127, t601)
+        .sub_product(t130, t602) * t131;
+    let t604 = (t602 * t128).sub_product(t130, t603);
+    let t605 = (t601 * t123).sub_product(t125, t604).sub_product(t127, t603);
+    let t606 = (t600 * t116)
+        .sub_product(t118, t605)
+        .sub_product(t120, t604)
+        .sub_product(t122, t603);
+    let t607 = (t599 * t107)
+        .sub_product(t109, t606)
+        .sub_product(t111, t605)
+        .sub_product(t113, t604)
+        .sub_product(t115, t603);
+    let t608 = (t598 * t98)
+        .sub_product(t100, t607)
+        .sub_product(t101, t606)
+        .add_product(t102, t605)
+        .sub_product(t104, t604)
+        .sub_product(t106, t603);
+    let t609 = (t597 * t89)
+        .sub_product(t91, t608)
+        .sub_product(t93, t607)
+        .sub_product(t95, t604)
+        .sub_product(t97, t603);
+    let t610 = (t596 * t78)
+        .sub_product(t80, t609)
+        .add_product(t82, t608)
+        .sub_product(t84, t607)
+        .sub_product(t86, t604)
+        .sub_product(t88, t603);
+    let t611 = (-(t71 * t609))
+        .sub_product(t69, t610)
+        .sub_product(t74, t604)
+        .sub_product(t77, t603);
+    let t612 = (-(t59 * t610))
+        .sub_product(t57, t611)
+        .sub_product(t60, t609)
+        .sub_product(t63, t604)
+        .add_product(t65, t603);
+    let t613 = (-(t52 * t611)).sub_product(t50, t612);
+    let t614 = (-(t44 * t612)).sub_product(t42, t613).sub_product(t42, t611);
+    let bobbin_v_y_dot_by_rod_v_x = -(R::literal(1.428_571_428_571_428_6) * t603);
+    let bobbin_v_x_dot_by_rod_v_x = -(R::literal(1.428_571_428_571_428_6) * t604);
+    let rod_omega_dot_by_rod_v_x = (t36 * t606)
+        .sub_product(R::literal(4_166.666_666_666_667), t608)
+        .sub_product(t37, t605);
+    let rod_v_y_dot_by_rod_v_x = t521
+        .sub_product(t35, t607)
+        .sub_product(R::literal(5.0), t605);
+    let rod_v_x_dot_by_rod_v_x = (-t518)
+        .add_product(t34, t607)
+        .sub_product(R::literal(5.0), t606);
+    let cylinder_omega_dot_by_rod_v_x = (-t524)
+        .sub_product(t31, t610)
+        .add_product(t32, t609)
+        .sub_product(R::literal(-2_777.777_777_777_778), t608)
+        .add_product(t33, t607);
+    let cylinder_v_y_dot_by_rod_v_x = t506
+        .sub_product(R::literal(3.333_333_333_333_333_5), t609)
+        .add_product(t30, t607);
+    let cylinder_v_x_dot_by_rod_v_x = t503
+        .sub_product(R::literal(3.333_333_333_333_333_5), t610)
+        .sub_product(t29, t607);
+    let plate_omega_dot_by_rod_v_x = (t26 * t611)
+        .sub_product(t25, t612)
+        .sub_product(t25, t610)
+        .add_product(t26, t609)
+        .add_product(t27, t604)
+        .sub_product(t28, t603);
+    let plate_v_y_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t609))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t611)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t603);
+    let plate_v_x_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t610))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t612)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t604);
+    let post_omega_dot_by_rod_v_x = (t24 * t613)
+        .sub_product(t23, t614)
+        .sub_product(t23, t612)
+        .add_product(t24, t611);
+    let post_v_y_dot_by_rod_v_x = (-(R::literal(-1.25) * t611))
+        .sub_product(R::literal(1.25), t613);
+    let post_v_x_dot_by_rod_v_x = (-(R::literal(-1.25) * t612))
+        .sub_product(R::literal(1.25), t614);
+    let t615 = t540 - t506;
+    let t616 = (t543 - t544).sub_product(t80, t615);
+    let t617 = t546.add_product(t82, t615).sub_product(t91, t616);
+    let t618 = (t539 - t548 + t549 - t550 - t551 + t552)
+        .sub_product(t84, t615)
+        .sub_product(t93, t616)
+        .sub_product(t100, t617);
+    let t619 = t520.sub_product(t101, t617).sub_product(t109, t618);
+    let t620 = t555
+        .add_product(t102, t617)
+        .sub_product(t111, t618)
+        .sub_product(t118, t619);
+    let t621 = (-(t86 * t615))
+        .sub_product(t95, t616)
+        .sub_product(t104, t617)
+        .sub_product(t113, t618)
+        .sub_product(t120, t619)
+        .sub_product(t125, t620);
+    let t622 = (-(t88 * t615))
+        .sub_product(t97, t616)
+        .sub_product(t106, t617)
+        .sub_product(t115, t618)
+        .sub_product(t122, t619)
+        .sub_product(t127, t620)
+        .sub_product(t130, t621) * t131;
+    let t623 = (t621 * t128).sub_product(t130, t622);
+    let t624 = (t620 * t123).sub_product(t125, t623).sub_product(t127, t622);
+    let t625 = (t619 * t116)
+        .sub_product(t118, t624)
+        .sub_product(t120, t623)
+        .sub_product(t122, t622);
+    let t626 = (t618 * t107)
+        .sub_product(t109, t625)
+        .sub_product(t111, t624)
+        .sub_product(t113, t623)
+        .sub_product(t115, t622);
+    let t627 = (t617 * t98)
+        .sub_product(t100, t626)
+        .sub_product(t101, t625)
+        .add_product(t102, t624)
+        .sub_product(t104, t623)
+        .sub_product(t106, t622);
+    let t628 = (t616 * t89)
+        .sub_product(t91, t627)
+        .sub_product(t93, t626)
+        .sub_product(t95, t623)
+        .sub_product(t97, t622);
+    let t629 = (t615 * t78)
+        .sub_product(t80, t628)
+        .add_product(t82, t627)
+        .sub_product(t84, t626)
+        .sub_product(t86, t623)
+        .sub_product(t88, t622);
+    let t630 = (-(t71 * t628))
+        .sub_product(t69, t629)
+        .sub_product(t74, t623)
+        .sub_product(t77, t622);
+    let t631 = (-(t59 * t629))
+        .sub_product(t57, t630)
+        .sub_product(t60, t628)
+        .sub_product(t63, t623)
+        .add_product(t65, t622);
+    let t632 = (-(t52 * t630)).sub_product(t50, t631);
+    let t633 = (-(t44 * t631)).sub_product(t42, t632).sub_product(t42, t630);
+    let bobbin_v_y_dot_by_rod_v_y = -(R::literal(1.428_571_428_571_428_6) * t622);
+    let bobbin_v_x_dot_by_rod_v_y = -(R::literal(1.428_571_428_571_428_6) * t623);
+    let rod_omega_dot_by_rod_v_y = (t36 * t625)
+        .sub_product(R::literal(4_166.666_666_666_667), t627)
+        .sub_product(t37, t624);
+    let rod_v_y_dot_by_rod_v_y = (-t555)
+        .sub_product(t35, t626)
+        .sub_product(R::literal(5.0), t624);
+    let rod_v_x_dot_by_rod_v_y = (-t520)
+        .add_product(t34, t626)
+        .sub_product(R::literal(5.0), t625);
+    let cylinder_omega_dot_by_rod_v_y = (-t558)
+        .sub_product(t31, t629)
+        .add_product(t32, t628)
+        .sub_product(R::literal(-2_777.777_777_777_778), t627)
+        .add_product(t33, t626);
+    let cylinder_v_y_dot_by_rod_v_y = t542
+        .sub_product(R::literal(3.333_333_333_333_333_5), t628)
+        .add_product(t30, t626);
+    let cylinder_v_x_dot_by_rod_v_y = t506
+        .sub_product(R::literal(3.333_333_333_333_333_5), t629)
+        .sub_product(t29, t626);
+    let plate_omega_dot_by_rod_v_y = (t26 * t630)
+        .sub_product(t25, t631)
+        .sub_product(t25, t629)
+        .add_product(t26, t628)
+        .add_product(t27, t623)
+        .sub_product(t28, t622);
+    let plate_v_y_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t628))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t630)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t622);
+    let plate_v_x_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t629))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t631)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t623);
+    let post_omega_dot_by_rod_v_y = (t24 * t632)
+        .sub_product(t23, t633)
+        .sub_product(t23, t631)
+        .add_product(t24, t630);
+    let post_v_y_dot_by_rod_v_y = (-(R::literal(-1.25) * t630))
+        .sub_product(R::literal(1.25), t632);
+    let post_v_x_dot_by_rod_v_y = (-(R::literal(-1.25) * t631))
+        .sub_product(R::literal(1.25), t633);
+    let t634 = R::literal(0.12) * rod_omega;
+    let t635 = t634 * cos_rod_phi;
+    let t636 = (t634 * sin_rod_phi).sub_product(t118, t635);
+    let t637 = (-(t120 * t635)).sub_product(t125, t636);
+    let t638 = (-(t122 * t635)).sub_product(t127, t636).sub_product(t130, t637) * t131;
+    let t639 = (t637 * t128).sub_product(t130, t638);
+    let t640 = (t636 * t123).sub_product(t125, t639).sub_product(t127, t638);
+    let t641 = (t635 * t116)
+        .sub_product(t118, t640)
+        .sub_product(t120, t639)
+        .sub_product(t122, t638);
+    let t642 = (-(t111 * t640))
+        .sub_product(t109, t641)
+        .sub_product(t113, t639)
+        .sub_product(t115, t638);
+    let t643 = (-(t101 * t641))
+        .sub_product(t100, t642)
+        .add_product(t102, t640)
+        .sub_product(t104, t639)
+        .sub_product(t106, t638);
+    let t644 = (-(t93 * t642))
+        .sub_product(t91, t643)
+        .sub_product(t95, t639)
+        .sub_product(t97, t638);
+    let t645 = (t82 * t643)
+        .sub_product(t80, t644)
+        .sub_product(t84, t642)
+        .sub_product(t86, t639)
+        .sub_product(t88, t638);
+    let t646 = (-(t71 * t644))
+        .sub_product(t69, t645)
+        .sub_product(t74, t639)
+        .sub_product(t77, t638);
+    let t647 = (-(t59 * t645))
+        .sub_product(t57, t646)
+        .sub_product(t60, t644)
+        .sub_product(t63, t639)
+        .add_product(t65, t638);
+    let t648 = (-(t52 * t646)).sub_product(t50, t647);
+    let t649 = (-(t44 * t647)).sub_product(t42, t648).sub_product(t42, t646);
+    let bobbin_v_y_dot_by_rod_omega = -(R::literal(1.428_571_428_571_428_6) * t638);
+    let bobbin_v_x_dot_by_rod_omega = -(R::literal(1.428_571_428_571_428_6) * t639);
+    let rod_omega_dot_by_rod_omega = (t36 * t641)
+        .sub_product(R::literal(4_166.666_666_666_667), t643)
+        .sub_product(t37, t640);
+    let rod_v_y_dot_by_rod_omega = (-(R::literal(5.0) * t640)).sub_product(t35, t642);
+    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t641)).add_product(t34, t642);
+    let cylinder_omega_dot_by_rod_omega = (t32 * t644)
+        .sub_product(t31, t645)
+        .sub_product(R::literal(-2_777.777_777_777_778), t643)
+        .add_product(t33, t642);
+    let cylinder_v_y_dot_by_rod_omega = (t30 * t642)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t644);
+    let cylinder_v_x_dot_by_rod_omega = (-(t29 * t642))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t645);
+    let plate_omega_dot_by_rod_omega = (t26 * t646)
+        .sub_product(t25, t647)
+        .sub_product(t25, t645)
+        .add_product(t26, t644)
+        .add_product(t27, t639)
+        .sub_product(t28, t638);
+    let plate_v_y_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t644))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t646)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t638);
+    let plate_v_x_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t645))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t647)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t639);
+    let post_omega_dot_by_rod_omega = (t24 * t648)
+        .sub_product(t23, t649)
+        .sub_product(t23, t647)
+        .add_product(t24, t646);
+    let post_v_y_dot_by_rod_omega = (-(R::literal(-1.25) * t646))
+        .sub_product(R::literal(1.25), t648);
+    let post_v_x_dot_by_rod_omega = (-(R::literal(-1.25) * t647))
+        .sub_product(R::literal(1.25), t649);
+    let t650 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
             -(p.contact_damping * t14 / between_squared),
         );
-    let t655 = R::literal(1.428_571_428_571_428_6)
+    let t651 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
             -(p.contact_damping * t13 * t15 / between_squared),
         );
-    let t656 = (t130 * t654 - t655) * t131;
-    let t657 = -(t654 * t128) - t130 * t656;
-    let t658 = -(t125 * t657) - t127 * t656;
-    let t659 = -(t118 * t658) - t120 * t657 - t122 * t656;
-    let t660 = -(t109 * t659) - t111 * t658 - t113 * t657 - t115 * t656;
-    let t661 = -(t100 * t660) - t101 * t659 + t102 * t658 - t104 * t657 - t106 * t656;
-    let t662 = -(t91 * t661) - t93 * t660 - t95 * t657 - t97 * t656;
-    let t663 = t82 * t661 - t80 * t662 - t84 * t660 - t86 * t657 - t88 * t656;
-    let t664 = -(t69 * t663) - t71 * t662 - t74 * t657 - t77 * t656;
-    let t665 = -(t57 * t664) - t59 * t663 - t60 * t662 - t63 * t657 + t65 * t656;
-    let t666 = -(t50 * t665) - t52 * t664;
-    let t667 = -(t42 * t666) - t44 * t665 - t42 * t664;
-    let bobbin_v_y_dot_by_bobbin_v_x = t655 - R::literal(1.428_571_428_571_428_6) * t656;
-    let bobbin_v_x_dot_by_bobbin_v_x = t654 - R::literal(1.428_571_428_571_428_6) * t657;
-    let rod_omega_dot_by_bobbin_v_x = t36 * t659
-        - R::literal(4_166.666_666_666_667) * t661 - t37 * t658;
-    let rod_v_y_dot_by_bobbin_v_x = -(t35 * t660) - R::literal(5.0) * t658;
-    let rod_v_x_dot_by_bobbin_v_x = t34 * t660 - R::literal(5.0) * t659;
-    let cylinder_omega_dot_by_bobbin_v_x = t32 * t662 - t31 * t663
-        - R::literal(-2_777.777_777_777_778) * t661 + t33 * t660;
-    let cylinder_v_y_dot_by_bobbin_v_x = t30 * t660
-        - R::literal(3.333_333_333_333_333_5) * t662;
-    let cylinder_v_x_dot_by_bobbin_v_x = -(R::literal(3.333_333_333_333_333_5) * t663)
-        - t29 * t660;
-    let plate_omega_dot_by_bobbin_v_x = t26 * t664 - t25 * t665 - t25 * t663 + t26 * t662
-        + t27 * t657 - t28 * t656;
-    let plate_v_y_dot_by_bobbin_v_x = -(R::literal(0.833_333_333_333_333_4) * t664)
-        - R::literal(-0.833_333_333_333_333_4) * t662
-        - R::literal(-0.833_333_333_333_333_4) * t656;
-    let plate_v_x_dot_by_bobbin_v_x = -(R::literal(0.833_333_333_333_333_4) * t665)
-        - R::literal(-0.833_333_333_333_333_4) * t663
-        - R::literal(-0.833_333_333_333_333_4) * t657;
-    let post_omega_dot_by_bobbin_v_x = t24 * t666 - t23 * t667 - t23 * t665 + t24 * t664;
-    let post_v_y_dot_by_bobbin_v_x = -(R::literal(1.25) * t666)
-        - R::literal(-1.25) * t664;
-    let post_v_x_dot_by_bobbin_v_x = -(R::literal(1.25) * t667)
-        - R::literal(-1.25) * t665;
-    let t668 = R::literal(1.428_571_428_571_428_6)
+    let t652 = (-t651).add_product(t130, t650) * t131;
+    let t653 = (-(t650 * t128)).sub_product(t130, t652);
+    let t654 = (-(t127 * t652)).sub_product(t125, t653);
+    let t655 = (-(t120 * t653)).sub_product(t118, t654).sub_product(t122, t652);
+    let t656 = (-(t111 * t654))
+        .sub_product(t109, t655)
+        .sub_product(t113, t653)
+        .sub_product(t115, t652);
+    let t657 = (-(t101 * t655))
+        .sub_product(t100, t656)
+        .add_product(t102, t654)
+        .sub_product(t104, t653)
+        .sub_product(t106, t652);
+    let t658 = (-(t93 * t656))
+        .sub_product(t91, t657)
+        .sub_product(t95, t653)
+        .sub_product(t97, t652);
+    let t659 = (t82 * t657)
+        .sub_product(t80, t658)
+        .sub_product(t84, t656)
+        .sub_product(t86, t653)
+        .sub_product(t88, t652);
+    let t660 = (-(t71 * t658))
+        .sub_product(t69, t659)
+        .sub_product(t74, t653)
+        .sub_product(t77, t652);
+    let t661 = (-(t59 * t659))
+        .sub_product(t57, t660)
+        .sub_product(t60, t658)
+        .sub_product(t63, t653)
+        .add_product(t65, t652);
+    let t662 = (-(t52 * t660)).sub_product(t50, t661);
+    let t663 = (-(t44 * t661)).sub_product(t42, t662).sub_product(t42, t660);
+    let bobbin_v_y_dot_by_bobbin_v_x = t651
+        .sub_product(R::literal(1.428_571_428_571_428_6), t652);
+    let bobbin_v_x_dot_by_bobbin_v_x = t650
+        .sub_product(R::literal(1.428_571_428_571_428_6), t653);
+    let rod_omega_dot_by_bobbin_v_x = (t36 * t655)
+        .sub_product(R::literal(4_166.666_666_666_667), t657)
+        .sub_product(t37, t654);
+    let rod_v_y_dot_by_bobbin_v_x = (-(R::literal(5.0) * t654)).sub_product(t35, t656);
+    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t655)).add_product(t34, t656);
+    let cylinder_omega_dot_by_bobbin_v_x = (t32 * t658)
+        .sub_product(t31, t659)
+        .sub_product(R::literal(-2_777.777_777_777_778), t657)
+        .add_product(t33, t656);
+    let cylinder_v_y_dot_by_bobbin_v_x = (t30 * t656)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t658);
+    let cylinder_v_x_dot_by_bobbin_v_x = (-(t29 * t656))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t659);
+    let plate_omega_dot_by_bobbin_v_x = (t26 * t660)
+        .sub_product(t25, t661)
+        .sub_product(t25, t659)
+        .add_product(t26, t658)
+        .add_product(t27, t653)
+        .sub_product(t28, t652);
+    let plate_v_y_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t658))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t660)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t652);
+    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t659))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t661)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t653);
+    let post_omega_dot_by_bobbin_v_x = (t24 * t662)
+        .sub_product(t23, t663)
+        .sub_product(t23, t661)
+        .add_product(t24, t660);
+    let post_v_y_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t660))
+        .sub_product(R::literal(1.25), t662);
+    let post_v_x_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t661))
+        .sub_product(R::literal(1.25), t663);
+    let t664 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
             -(p.contact_damping * t16 / between_squared),
         );
-    let t669 = (t130 * t655 - t668) * t131;
-    let t670 = -(t655 * t128) - t130 * t669;
-    let t671 = -(t125 * t670) - t127 * t669;
-    let t672 = -(t118 * t671) - t120 * t670 - t122 * t669;
-    let t673 = -(t109 * t672) - t111 * t671 - t113 * t670 - t115 * t669;
-    let t674 = -(t100 * t673) - t101 * t672 + t102 * t671 - t104 * t670 - t106 * t669;
-    let t675 = -(t91 * t674) - t93 * t673 - t95 * t670 - t97 * t669;
-    let t676 = t82 * t674 - t80 * t675 - t84 * t673 - t86 * t670 - t88 * t669;
-    let t677 = -(t69 * t676) - t71 * t675 - t74 * t670 - t77 * t669;
-    let t678 = -(t57 * t677) - t59 * t676 - t60 * t675 - t63 * t670 + t65 * t669;
-    let t679 = -(t50 * t678) - t52 * t677;
-    let t680 = -(t42 * t679) - t44 * t678 - t42 * t677;
-    let bobbin_v_y_dot_by_bobbin_v_y = t668 - R::literal(1.428_571_428_571_428_6) * t669;
-    let bobbin_v_x_dot_by_bobbin_v_y = t655 - R::literal(1.428_571_428_571_428_6) * t670;
-    let rod_omega_dot_by_bobbin_v_y = t36 * t672
-        - R::literal(4_166.666_666_666_667) * t674 - t37 * t671;
-    let rod_v_y_dot_by_bobbin_v_y = -(t35 * t673) - R::literal(5.0) * t671;
-    let rod_v_x_dot_by_bobbin_v_y = t34 * t673 - R::literal(5.0) * t672;
-    let cylinder_omega_dot_by_bobbin_v_y = t32 * t675 - t31 * t676
-        - R::literal(-2_777.777_777_777_778) * t674 + t33 * t673;
-    let cylinder_v_y_dot_by_bobbin_v_y = t30 * t673
-        - R::literal(3.333_333_333_333_333_5) * t675;
-    let cylinder_v_x_dot_by_bobbin_v_y = -(R::literal(3.333_333_333_333_333_5) * t676)
-        - t29 * t673;
-    let plate_omega_dot_by_bobbin_v_y = t26 * t677 - t25 * t678 - t25 * t676 + t26 * t675
-        + t27 * t670 - t28 * t669;
-    let plate_v_y_dot_by_bobbin_v_y = -(R::literal(0.833_333_333_333_333_4) * t677)
-        - R::literal(-0.833_333_333_333_333_4) * t675
-        - R::literal(-0.833_333_333_333_333_4) * t669;
-    let plate_v_x_dot_by_bobbin_v_y = -(R::literal(0.833_333_333_333_333_4) * t678)
-        - R::literal(-0.833_333_333_333_333_4) * t676
-        - R::literal(-0.833_333_333_333_333_4) * t670;
-    let post_omega_dot_by_bobbin_v_y = t24 * t679 - t23 * t680 - t23 * t678 + t24 * t677;
-    let post_v_y_dot_by_bobbin_v_y = -(R::literal(1.25) * t679)
-        - R::literal(-1.25) * t677;
-    let post_v_x_dot_by_bobbin_v_y = -(R::literal(1.25) * t680)
-        - R::literal(-1.25) * t678;
+    let t665 = (-t664).add_product(t130, t651) * t131;
+    let t666 = (-(t651 * t128)).sub_product(t130, t665);
+    let t667 = (-(t127 * t665)).sub_product(t125, t666);
+    let t668 = (-(t120 * t666)).sub_product(t118, t667).sub_product(t122, t665);
+    let t669 = (-(t111 * t667))
+        .sub_product(t109, t668)
+        .sub_product(t113, t666)
+        .sub_product(t115, t665);
+    let t670 = (-(t101 * t668))
+        .sub_product(t100, t669)
+        .add_product(t102, t667)
+        .sub_product(t104, t666)
+        .sub_product(t106, t665);
+    let t671 = (-(t93 * t669))
+        .sub_product(t91, t670)
+        .sub_product(t95, t666)
+        .sub_product(t97, t665);
+    let t672 = (t82 * t670)
+        .sub_product(t80, t671)
+        .sub_product(t84, t669)
+        .sub_product(t86, t666)
+        .sub_product(t88, t665);
+    let t673 = (-(t71 * t671))
+        .sub_product(t69, t672)
+        .sub_product(t74, t666)
+        .sub_product(t77, t665);
+    let t674 = (-(t59 * t672))
+        .sub_product(t57, t673)
+        .sub_product(t60, t671)
+        .sub_product(t63, t666)
+        .add_product(t65, t665);
+    let t675 = (-(t52 * t673)).sub_product(t50, t674);
+    let t676 = (-(t44 * t674)).sub_product(t42, t675).sub_product(t42, t673);
+    let bobbin_v_y_dot_by_bobbin_v_y = t664
+        .sub_product(R::literal(1.428_571_428_571_428_6), t665);
+    let bobbin_v_x_dot_by_bobbin_v_y = t651
+        .sub_product(R::literal(1.428_571_428_571_428_6), t666);
+    let rod_omega_dot_by_bobbin_v_y = (t36 * t668)
+        .sub_product(R::literal(4_166.666_666_666_667), t670)
+        .sub_product(t37, t667);
+    let rod_v_y_dot_by_bobbin_v_y = (-(R::literal(5.0) * t667)).sub_product(t35, t669);
+    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t668)).add_product(t34, t669);
+    let cylinder_omega_dot_by_bobbin_v_y = (t32 * t671)
+        .sub_product(t31, t672)
+        .sub_product(R::literal(-2_777.777_777_777_778), t670)
+        .add_product(t33, t669);
+    let cylinder_v_y_dot_by_bobbin_v_y = (t30 * t669)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t671);
+    let cylinder_v_x_dot_by_bobbin_v_y = (-(t29 * t669))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t672);
+    let plate_omega_dot_by_bobbin_v_y = (t26 * t673)
+        .sub_product(t25, t674)
+        .sub_product(t25, t672)
+        .add_product(t26, t671)
+        .add_product(t27, t666)
+        .sub_product(t28, t665);
+    let plate_v_y_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t671))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t673)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t665);
+    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t672))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t674)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t666);
+    let post_omega_dot_by_bobbin_v_y = (t24 * t675)
+        .sub_product(t23, t676)
+        .sub_product(t23, t674)
+        .add_product(t24, t673);
+    let post_v_y_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t673))
+        .sub_product(R::literal(1.25), t675);
+    let post_v_x_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t674))
+        .sub_product(R::literal(1.25), t676);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -3072,19 +4427,22 @@ pub fn parameter_jacobian<R: Real>(
     let t7 = R::literal(0.06) * rod_phi.sin();
     let t8 = bobbin_x - R::literal(0.328);
     let t9 = bobbin_y - R::literal(0.058);
-    let between = (t8 * t8 + t9 * t9).sqrt();
+    let between = (t8 * t8).add_product(t9, t9).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let contact_rate = (bobbin_v_x * t8 + bobbin_v_y * t9) / between;
-    let t10 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t10 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
-    let t11 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t12 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
+    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t10)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
+    let t11 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t12 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let t13 = t1 * R::literal(370.370_370_370_370_3);
     let t14 = t0 * R::literal(370.370_370_370_370_3);
     let t15 = t3 * R::literal(400.0);
@@ -3111,15 +4469,17 @@ pub fn parameter_jacobian<R: Real>(
     let t36 = R::literal(-1.25) - t35;
     let t37 = t32 * t31;
     let t38 = R::literal(1.0) / (t36 - t37);
-    let t39 = t13 * t0 - t34 * t31;
+    let t39 = (t13 * t0).sub_product(t34, t31);
     let t40 = t39 * t38;
     let t41 = R::literal(1.25) - t35 - t37;
     let t42 = t41 * t38;
     let t43 = t15 * t3;
     let t44 = R::literal(1.0)
-        / (t29 - R::literal(0.833_333_333_333_333_4) - t43 - t34 * t33 - t40 * t39);
+        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
+            .sub_product(t34, t33)
+            .sub_product(t40, t39);
     let t45 = t16 * t3;
-    let t46 = t31 + t45 - t32 * t33 - t42 * t39;
+    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
     let t47 = t46 * t44;
     let t48 = R::literal(0.833_333_333_333_333_4) - t43;
     let t49 = t48 * t44;
@@ -3131,212 +4491,383 @@ pub fn parameter_jacobian<R: Real>(
     let t55 = t54 * t44;
     let t56 = t16 * t2;
     let t57 = R::literal(1.0)
-        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37 - t42 * t41
-            - t47 * t46);
-    let t58 = t15 * t2 - t49 * t46;
+        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
+            .sub_product(t42, t41)
+            .sub_product(t47, t46);
+    let t58 = (t15 * t2).sub_product(t49, t46);
     let t59 = t58 * t57;
-    let t60 = R::literal(0.833_333_333_333_333_4) - t56 - t50 * t46;
+    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
     let t61 = t60 * t57;
     let t62 = -(t17 * t2);
-    let t63 = t62 - t53 * t46;
+    let t63 = t62.sub_product(t53, t46);
     let t64 = t63 * t57;
     let t65 = t18 * t2;
-    let t66 = R::literal(0.833_333_333_333_333_4) + t65 + t55 * t46;
+    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
     let t67 = t66 * t57;
     let t68 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t43
-            - R::literal(3.333_333_333_333_333_5) - t21 * t5 - t49 * t48 - t59 * t58);
-    let t69 = t45 + t22 * t5 - t50 * t48 - t61 * t58;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t21, t5)
+            .sub_product(t49, t48)
+            .sub_product(t59, t58);
+    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
     let t70 = t69 * t68;
     let t71 = R::literal(-2_777.777_777_777_778) * t5;
     let t72 = t71 * t68;
-    let t73 = t23 * t5 - t19;
+    let t73 = (-t19).add_product(t23, t5);
     let t74 = t73 * t68;
-    let t75 = R::literal(-0.833_333_333_333_333_4) + t51 - t53 * t48 - t64 * t58;
+    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
+        .sub_product(t53, t48)
+        .sub_product(t64, t58);
     let t76 = t75 * t68;
-    let t77 = t55 * t48 - t54 - t67 * t58;
+    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
     let t78 = t77 * t68;
     let t79 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t56
-            - R::literal(3.333_333_333_333_333_5) - t22 * t4 - t50 * t45 - t61 * t60
-            - t70 * t69);
-    let t80 = R::literal(-2_777.777_777_777_778) * t4 + t72 * t69;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t4)
+            .sub_product(t50, t45)
+            .sub_product(t61, t60)
+            .sub_product(t70, t69);
+    let t80 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t72, t69);
     let t81 = t80 * t79;
-    let t82 = t20 - t23 * t4 - t74 * t69;
+    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
     let t83 = t82 * t79;
-    let t84 = t62 - t53 * t45 - t64 * t60 - t76 * t69;
+    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
     let t85 = t84 * t79;
-    let t86 = R::literal(-0.833_333_333_333_333_4) + t65 + t55 * t45 - t67 * t60
-        - t78 * t69;
+    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
+        .add_product(t55, t45)
+        .sub_product(t67, t60)
+        .sub_product(t78, t69);
     let t87 = t86 * t79;
     let t88 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t72 * t71 - t81 * t80);
-    let t89 = t74 * t71 - t23 - t83 * t80;
+        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
+    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
     let t90 = t89 * t88;
     let t91 = t26 * t88;
     let t92 = t27 * t88;
-    let t93 = t76 * t71 - t85 * t80;
+    let t93 = (t76 * t71).sub_product(t85, t80);
     let t94 = t93 * t88;
-    let t95 = t78 * t71 - t87 * t80;
+    let t95 = (t78 * t71).sub_product(t87, t80);
     let t96 = t95 * t88;
     let t97 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi) - t20 * cos_cylinder_phi - t23 * slide
-            - t24 * sin_cylinder_phi - t25 * cos_cylinder_phi - t74 * t73 - t83 * t82
-            - t90 * t89);
-    let t98 = t24 - t91 * t89;
+        / (-(t19 * sin_cylinder_phi))
+            .sub_product(t20, cos_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t74, t73)
+            .sub_product(t83, t82)
+            .sub_product(t90, t89);
+    let t98 = t24.sub_product(t91, t89);
     let t99 = t98 * t97;
-    let t100 = t92 * t89 - t25;
+    let t100 = (-t25).add_product(t92, t89);
     let t101 = t100 * t97;
-    let t102 = -(t76 * t73) - t85 * t82 - t94 * t89;
+    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
     let t103 = t102 * t97;
-    let t104 = -(t78 * t73) - t87 * t82 - t96 * t89;
+    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
     let t105 = t104 * t97;
-    let t106 = R::literal(1.0) / (R::literal(-5.0) - t26 * t7 - t91 * t26 - t99 * t98);
-    let t107 = t27 * t7 + t92 * t26 - t101 * t98;
+    let t106 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t26, t7)
+            .sub_product(t91, t26)
+            .sub_product(t99, t98);
+    let t107 = (t27 * t7).add_product(t92, t26).sub_product(t101, t98);
     let t108 = t107 * t106;
-    let t109 = -(t94 * t26) - t103 * t98;
+    let t109 = (-(t94 * t26)).sub_product(t103, t98);
     let t110 = t109 * t106;
-    let t111 = -(t96 * t26) - t105 * t98;
+    let t111 = (-(t96 * t26)).sub_product(t105, t98);
     let t112 = t111 * t106;
     let t113 = R::literal(1.0)
-        / (R::literal(-5.0) - t27 * t6 - t92 * t27 - t101 * t100 - t108 * t107);
-    let t114 = t94 * t27 - t103 * t100 - t110 * t107;
+        / R::literal(-5.0)
+            .sub_product(t27, t6)
+            .sub_product(t92, t27)
+            .sub_product(t101, t100)
+            .sub_product(t108, t107);
+    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
     let t115 = t114 * t113;
-    let t116 = t96 * t27 - t105 * t100 - t112 * t107;
+    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
     let t117 = t116 * t113;
     let t118 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t17 * t11
-            - R::literal(1.428_571_428_571_428_6) - t53 * t52 - t64 * t63 - t76 * t75
-            - t85 * t84 - t94 * t93 - t103 * t102 - t110 * t109 - t115 * t114);
-    let t119 = t18 * t11 + t55 * t52 - t67 * t63 - t78 * t75 - t87 * t84 - t96 * t93
-        - t105 * t102 - t112 * t109 - t117 * t114;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t53, t52)
+            .sub_product(t64, t63)
+            .sub_product(t76, t75)
+            .sub_product(t85, t84)
+            .sub_product(t94, t93)
+            .sub_product(t103, t102)
+            .sub_product(t110, t109)
+            .sub_product(t115, t114);
+    let t119 = (t18 * t11)
+        .add_product(t55, t52)
+        .sub_product(t67, t63)
+        .sub_product(t78, t75)
+        .sub_product(t87, t84)
+        .sub_product(t96, t93)
+        .sub_product(t105, t102)
+        .sub_product(t112, t109)
+        .sub_product(t117, t114);
     let t120 = t119 * t118;
     let t121 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t12
-            - R::literal(1.428_571_428_571_428_6) - t55 * t54 - t67 * t66 - t78 * t77
-            - t87 * t86 - t96 * t95 - t105 * t104 - t112 * t111 - t117 * t116
-            - t120 * t119);
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t55, t54)
+            .sub_product(t67, t66)
+            .sub_product(t78, t77)
+            .sub_product(t87, t86)
+            .sub_product(t96, t95)
+            .sub_product(t105, t104)
+            .sub_product(t112, t111)
+            .sub_product(t117, t116)
+            .sub_product(t120, t119);
     let t122 = slide - R::literal(0.116);
     let t123 = t122 * cos_cylinder_phi;
     let t124 = t122 * sin_cylinder_phi;
     let t125 = t122 * t10;
     let t126 = R::literal(3.333_333_333_333_333_5) * t123;
-    let t127 = t21 * t125 - t126;
+    let t127 = (-t126).add_product(t21, t125);
     let t128 = R::literal(3.333_333_333_333_333_5) * t124;
-    let t129 = -t128 - t22 * t125 - t70 * t127;
-    let t130 = R::literal(-2_777.777_777_777_778) * t125 + t72 * t127 - t81 * t129;
-    let t131 = t20 * t124 - t19 * t123 - t23 * t125 - t24 * t123 + t25 * t124
-        - t74 * t127 - t83 * t129 - t90 * t130;
+    let t129 = (-t128).sub_product(t22, t125).sub_product(t70, t127);
+    let t130 = (R::literal(-2_777.777_777_777_778) * t125)
+        .add_product(t72, t127)
+        .sub_product(t81, t129);
+    let t131 = (t20 * t124)
+        .sub_product(t19, t123)
+        .sub_product(t23, t125)
+        .sub_product(t24, t123)
+        .add_product(t25, t124)
+        .sub_product(t74, t127)
+        .sub_product(t83, t129)
+        .sub_product(t90, t130);
     let t132 = R::literal(5.0) * t123;
-    let t133 = t132 - t91 * t130 - t99 * t131;
+    let t133 = t132.sub_product(t91, t130).sub_product(t99, t131);
     let t134 = R::literal(5.0) * t124;
-    let t135 = t134 + t92 * t130 - t101 * t131 - t108 * t133;
-    let t136 = -(t76 * t127) - t85 * t129 - t94 * t130 - t103 * t131 - t110 * t133
-        - t115 * t135;
-    let t137 = (-(t78 * t127) - t87 * t129 - t96 * t130 - t105 * t131 - t112 * t133
-        - t117 * t135 - t120 * t136) * t121;
-    let t138 = t136 * t118 - t120 * t137;
-    let t139 = t135 * t113 - t115 * t138 - t117 * t137;
-    let t140 = t133 * t106 - t108 * t139 - t110 * t138 - t112 * t137;
-    let t141 = t131 * t97 - t99 * t140 - t101 * t139 - t103 * t138 - t105 * t137;
-    let t142 = t130 * t88 - t90 * t141 - t91 * t140 + t92 * t139 - t94 * t138
-        - t96 * t137;
-    let t143 = t129 * t79 - t81 * t142 - t83 * t141 - t85 * t138 - t87 * t137;
-    let t144 = t127 * t68 - t70 * t143 + t72 * t142 - t74 * t141 - t76 * t138
-        - t78 * t137;
-    let t145 = -(t59 * t144) - t61 * t143 - t64 * t138 - t67 * t137;
-    let t146 = -(t47 * t145) - t49 * t144 - t50 * t143 - t53 * t138 + t55 * t137;
-    let t147 = -(t40 * t146) - t42 * t145;
-    let t148 = -(t32 * t147) - t34 * t146 - t32 * t145;
+    let t135 = t134
+        .add_product(t92, t130)
+        .sub_product(t101, t131)
+        .sub_product(t108, t133);
+    let t136 = (-(t76 * t127))
+        .sub_product(t85, t129)
+        .sub_product(t94, t130)
+        .sub_product(t103, t131)
+        .sub_product(t110, t133)
+        .sub_product(t115, t135);
+    let t137 = (-(t78 * t127))
+        .sub_product(t87, t129)
+        .sub_product(t96, t130)
+        .sub_product(t105, t131)
+        .sub_product(t112, t133)
+        .sub_product(t117, t135)
+        .sub_product(t120, t136) * t121;
+    let t138 = (t136 * t118).sub_product(t120, t137);
+    let t139 = (t135 * t113).sub_product(t115, t138).sub_product(t117, t137);
+    let t140 = (t133 * t106)
+        .sub_product(t108, t139)
+        .sub_product(t110, t138)
+        .sub_product(t112, t137);
+    let t141 = (t131 * t97)
+        .sub_product(t99, t140)
+        .sub_product(t101, t139)
+        .sub_product(t103, t138)
+        .sub_product(t105, t137);
+    let t142 = (t130 * t88)
+        .sub_product(t90, t141)
+        .sub_product(t91, t140)
+        .add_product(t92, t139)
+        .sub_product(t94, t138)
+        .sub_product(t96, t137);
+    let t143 = (t129 * t79)
+        .sub_product(t81, t142)
+        .sub_product(t83, t141)
+        .sub_product(t85, t138)
+        .sub_product(t87, t137);
+    let t144 = (t127 * t68)
+        .sub_product(t70, t143)
+        .add_product(t72, t142)
+        .sub_product(t74, t141)
+        .sub_product(t76, t138)
+        .sub_product(t78, t137);
+    let t145 = (-(t61 * t143))
+        .sub_product(t59, t144)
+        .sub_product(t64, t138)
+        .sub_product(t67, t137);
+    let t146 = (-(t49 * t144))
+        .sub_product(t47, t145)
+        .sub_product(t50, t143)
+        .sub_product(t53, t138)
+        .add_product(t55, t137);
+    let t147 = (-(t42 * t145)).sub_product(t40, t146);
+    let t148 = (-(t34 * t146)).sub_product(t32, t147).sub_product(t32, t145);
     let bobbin_v_y_dot_by_spring_stiffness = -(R::literal(1.428_571_428_571_428_6)
         * t137);
     let bobbin_v_x_dot_by_spring_stiffness = -(R::literal(1.428_571_428_571_428_6)
         * t138);
-    let rod_omega_dot_by_spring_stiffness = t26 * t140
-        - R::literal(4_166.666_666_666_667) * t142 - t27 * t139;
-    let rod_v_y_dot_by_spring_stiffness = -t134 - t25 * t141 - R::literal(5.0) * t139;
-    let rod_v_x_dot_by_spring_stiffness = t24 * t141 - t132 - R::literal(5.0) * t140;
-    let cylinder_omega_dot_by_spring_stiffness = -(t125
-        * R::literal(2_777.777_777_777_778)) - t21 * t144 + t22 * t143
-        - R::literal(-2_777.777_777_777_778) * t142 + t23 * t141;
+    let rod_omega_dot_by_spring_stiffness = (t26 * t140)
+        .sub_product(R::literal(4_166.666_666_666_667), t142)
+        .sub_product(t27, t139);
+    let rod_v_y_dot_by_spring_stiffness = (-t134)
+        .sub_product(t25, t141)
+        .sub_product(R::literal(5.0), t139);
+    let rod_v_x_dot_by_spring_stiffness = (-t132)
+        .add_product(t24, t141)
+        .sub_product(R::literal(5.0), t140);
+    let cylinder_omega_dot_by_spring_stiffness = (-(t125
+        * R::literal(2_777.777_777_777_778)))
+        .sub_product(t21, t144)
+        .add_product(t22, t143)
+        .sub_product(R::literal(-2_777.777_777_777_778), t142)
+        .add_product(t23, t141);
     let cylinder_v_y_dot_by_spring_stiffness = t128
-        - R::literal(3.333_333_333_333_333_5) * t143 + t20 * t141;
+        .sub_product(R::literal(3.333_333_333_333_333_5), t143)
+        .add_product(t20, t141);
     let cylinder_v_x_dot_by_spring_stiffness = t126
-        - R::literal(3.333_333_333_333_333_5) * t144 - t19 * t141;
-    let plate_omega_dot_by_spring_stiffness = t16 * t145 - t15 * t146 - t15 * t144
-        + t16 * t143 + t17 * t138 - t18 * t137;
-    let plate_v_y_dot_by_spring_stiffness = -(R::literal(0.833_333_333_333_333_4) * t145)
-        - R::literal(-0.833_333_333_333_333_4) * t143
-        - R::literal(-0.833_333_333_333_333_4) * t137;
-    let plate_v_x_dot_by_spring_stiffness = -(R::literal(0.833_333_333_333_333_4) * t146)
-        - R::literal(-0.833_333_333_333_333_4) * t144
-        - R::literal(-0.833_333_333_333_333_4) * t138;
-    let post_omega_dot_by_spring_stiffness = t14 * t147 - t13 * t148 - t13 * t146
-        + t14 * t145;
-    let post_v_y_dot_by_spring_stiffness = -(R::literal(1.25) * t147)
-        - R::literal(-1.25) * t145;
-    let post_v_x_dot_by_spring_stiffness = -(R::literal(1.25) * t148)
-        - R::literal(-1.25) * t146;
+        .sub_product(R::literal(3.333_333_333_333_333_5), t144)
+        .sub_product(t19, t141);
+    let plate_omega_dot_by_spring_stiffness = (t16 * t145)
+        .sub_product(t15, t146)
+        .sub_product(t15, t144)
+        .add_product(t16, t143)
+        .add_product(t17, t138)
+        .sub_product(t18, t137);
+    let plate_v_y_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t143))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t145)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t137);
+    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t144))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t146)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t138);
+    let post_omega_dot_by_spring_stiffness = (t14 * t147)
+        .sub_product(t13, t148)
+        .sub_product(t13, t146)
+        .add_product(t14, t145);
+    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t145))
+        .sub_product(R::literal(1.25), t147);
+    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t146))
+        .sub_product(R::literal(1.25), t148);
     let slide_rate_times_cos_cylinder_phi = slide_rate * cos_cylinder_phi;
     let slide_rate_times_sin_cylinder_phi = slide_rate * sin_cylinder_phi;
     let t149 = slide_rate * t10;
     let t150 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_cos_cylinder_phi;
-    let t151 = t21 * t149 - t150;
+    let t151 = (-t150).add_product(t21, t149);
     let t152 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_sin_cylinder_phi;
-    let t153 = -t152 - t22 * t149 - t70 * t151;
-    let t154 = R::literal(-2_777.777_777_777_778) * t149 + t72 * t151 - t81 * t153;
-    let t155 = t20 * slide_rate_times_sin_cylinder_phi
-        - t19 * slide_rate_times_cos_cylinder_phi - t23 * t149
-        - t24 * slide_rate_times_cos_cylinder_phi
-        + t25 * slide_rate_times_sin_cylinder_phi - t74 * t151 - t83 * t153 - t90 * t154;
+    let t153 = (-t152).sub_product(t22, t149).sub_product(t70, t151);
+    let t154 = (R::literal(-2_777.777_777_777_778) * t149)
+        .add_product(t72, t151)
+        .sub_product(t81, t153);
+    let t155 = (t20 * slide_rate_times_sin_cylinder_phi)
+        .sub_product(t19, slide_rate_times_cos_cylinder_phi)
+        .sub_product(t23, t149)
+        .sub_product(t24, slide_rate_times_cos_cylinder_phi)
+        .add_product(t25, slide_rate_times_sin_cylinder_phi)
+        .sub_product(t74, t151)
+        .sub_product(t83, t153)
+        .sub_product(t90, t154);
     let t156 = R::literal(5.0) * slide_rate_times_cos_cylinder_phi;
-    let t157 = t156 - t91 * t154 - t99 * t155;
+    let t157 = t156.sub_product(t91, t154).sub_product(t99, t155);
     let t158 = R::literal(5.0) * slide_rate_times_sin_cylinder_phi;
-    let t159 = t158 + t92 * t154 - t101 * t155 - t108 * t157;
-    let t160 = -(t76 * t151) - t85 * t153 - t94 * t154 - t103 * t155 - t110 * t157
-        - t115 * t159;
-    let t161 = (-(t78 * t151) - t87 * t153 - t96 * t154 - t105 * t155 - t112 * t157
-        - t117 * t159 - t120 * t160) * t121;
-    let t162 = t160 * t118 - t120 * t161;
-    let t163 = t159 * t113 - t115 * t162 - t117 * t161;
-    let t164 = t157 * t106 - t108 * t163 - t110 * t162 - t112 * t161;
-    let t165 = t155 * t97 - t99 * t164 - t101 * t163 - t103 * t162 - t105 * t161;
-    let t166 = t154 * t88 - t90 * t165 - t91 * t164 + t92 * t163 - t94 * t162
-        - t96 * t161;
-    let t167 = t153 * t79 - t81 * t166 - t83 * t165 - t85 * t162 - t87 * t161;
-    let t168 = t151 * t68 - t70 * t167 + t72 * t166 - t74 * t165 - t76 * t162
-        - t78 * t161;
-    let t169 = -(t59 * t168) - t61 * t167 - t64 * t162 - t67 * t161;
-    let t170 = -(t47 * t169) - t49 * t168 - t50 * t167 - t53 * t162 + t55 * t161;
-    let t171 = -(t40 * t170) - t42 * t169;
-    let t172 = -(t32 * t171) - t34 * t170 - t32 * t169;
+    let t159 = t158
+        .add_product(t92, t154)
+        .sub_product(t101, t155)
+        .sub_product(t108, t157);
+    let t160 = (-(t76 * t151))
+        .sub_product(t85, t153)
+        .sub_product(t94, t154)
+        .sub_product(t103, t155)
+        .sub_product(t110, t157)
+        .sub_product(t115, t159);
+    let t161 = (-(t78 * t151))
+        .sub_product(t87, t153)
+        .sub_product(t96, t154)
+        .sub_product(t105, t155)
+        .sub_product(t112, t157)
+        .sub_product(t117, t159)
+        .sub_product(t120, t160) * t121;
+    let t162 = (t160 * t118).sub_product(t120, t161);
+    let t163 = (t159 * t113).sub_product(t115, t162).sub_product(t117, t161);
+    let t164 = (t157 * t106)
+        .sub_product(t108, t163)
+        .sub_product(t110, t162)
+        .sub_product(t112, t161);
+    let t165 = (t155 * t97)
+        .sub_product(t99, t164)
+        .sub_product(t101, t163)
+        .sub_product(t103, t162)
+        .sub_product(t105, t161);
+    let t166 = (t154 * t88)
+        .sub_product(t90, t165)
+        .sub_product(t91, t164)
+        .add_product(t92, t163)
+        .sub_product(t94, t162)
+        .sub_product(t96, t161);
+    let t167 = (t153 * t79)
+        .sub_product(t81, t166)
+        .sub_product(t83, t165)
+        .sub_product(t85, t162)
+        .sub_product(t87, t161);
+    let t168 = (t151 * t68)
+        .sub_product(t70, t167)
+        .add_product(t72, t166)
+        .sub_product(t74, t165)
+        .sub_product(t76, t162)
+        .sub_product(t78, t161);
+    let t169 = (-(t61 * t167))
+        .sub_product(t59, t168)
+        .sub_product(t64, t162)
+        .sub_product(t67, t161);
+    let t170 = (-(t49 * t168))
+        .sub_product(t47, t169)
+        .sub_product(t50, t167)
+        .sub_product(t53, t162)
+        .add_product(t55, t161);
+    let t171 = (-(t42 * t169)).sub_product(t40, t170);
+    let t172 = (-(t34 * t170)).sub_product(t32, t171).sub_product(t32, t169);
     let bobbin_v_y_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t161);
     let bobbin_v_x_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t162);
-    let rod_omega_dot_by_spring_damping = t26 * t164
-        - R::literal(4_166.666_666_666_667) * t166 - t27 * t163;
-    let rod_v_y_dot_by_spring_damping = -t158 - t25 * t165 - R::literal(5.0) * t163;
-    let rod_v_x_dot_by_spring_damping = t24 * t165 - t156 - R::literal(5.0) * t164;
-    let cylinder_omega_dot_by_spring_damping = -(t149
-        * R::literal(2_777.777_777_777_778)) - t21 * t168 + t22 * t167
-        - R::literal(-2_777.777_777_777_778) * t166 + t23 * t165;
+    let rod_omega_dot_by_spring_damping = (t26 * t164)
+        .sub_product(R::literal(4_166.666_666_666_667), t166)
+        .sub_product(t27, t163);
+    let rod_v_y_dot_by_spring_damping = (-t158)
+        .sub_product(t25, t165)
+        .sub_product(R::literal(5.0), t163);
+    let rod_v_x_dot_by_spring_damping = (-t156)
+        .add_product(t24, t165)
+        .sub_product(R::literal(5.0), t164);
+    let cylinder_omega_dot_by_spring_damping = (-(t149
+        * R::literal(2_777.777_777_777_778)))
+        .sub_product(t21, t168)
+        .add_product(t22, t167)
+        .sub_product(R::literal(-2_777.777_777_777_778), t166)
+        .add_product(t23, t165);
     let cylinder_v_y_dot_by_spring_damping = t152
-        - R::literal(3.333_333_333_333_333_5) * t167 + t20 * t165;
+        .sub_product(R::literal(3.333_333_333_333_333_5), t167)
+        .add_product(t20, t165);
     let cylinder_v_x_dot_by_spring_damping = t150
-        - R::literal(3.333_333_333_333_333_5) * t168 - t19 * t165;
-    let plate_omega_dot_by_spring_damping = t16 * t169 - t15 * t170 - t15 * t168
-        + t16 * t167 + t17 * t162 - t18 * t161;
-    let plate_v_y_dot_by_spring_damping = -(R::literal(0.833_333_333_333_333_4) * t169)
-        - R::literal(-0.833_333_333_333_333_4) * t167
-        - R::literal(-0.833_333_333_333_333_4) * t161;
-    let plate_v_x_dot_by_spring_damping = -(R::literal(0.833_333_333_333_333_4) * t170)
-        - R::literal(-0.833_333_333_333_333_4) * t168
-        - R::literal(-0.833_333_333_333_333_4) * t162;
-    let post_omega_dot_by_spring_damping = t14 * t171 - t13 * t172 - t13 * t170
-        + t14 * t169;
-    let post_v_y_dot_by_spring_damping = -(R::literal(1.25) * t171)
-        - R::literal(-1.25) * t169;
-    let post_v_x_dot_by_spring_damping = -(R::literal(1.25) * t172)
-        - R::literal(-1.25) * t170;
+        .sub_product(R::literal(3.333_333_333_333_333_5), t168)
+        .sub_product(t19, t165);
+    let plate_omega_dot_by_spring_damping = (t16 * t169)
+        .sub_product(t15, t170)
+        .sub_product(t15, t168)
+        .add_product(t16, t167)
+        .add_product(t17, t162)
+        .sub_product(t18, t161);
+    let plate_v_y_dot_by_spring_damping = (-(R::literal(-0.833_333_333_333_333_4)
+        * t167))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t169)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t161);
+    let plate_v_x_dot_by_spring_damping = (-(R::literal(-0.833_333_333_333_333_4)
+        * t168))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t170)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t162);
+    let post_omega_dot_by_spring_damping = (t14 * t171)
+        .sub_product(t13, t172)
+        .sub_product(t13, t170)
+        .add_product(t14, t169);
+    let post_v_y_dot_by_spring_damping = (-(R::literal(-1.25) * t169))
+        .sub_product(R::literal(1.25), t171);
+    let post_v_x_dot_by_spring_damping = (-(R::literal(-1.25) * t170))
+        .sub_product(R::literal(1.25), t172);
     let t173 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
@@ -3351,46 +4882,80 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(0.0),
             -(contact_gap * t9 / between),
         );
-    let t175 = (t120 * t173 - t174) * t121;
-    let t176 = -(t173 * t118) - t120 * t175;
-    let t177 = -(t115 * t176) - t117 * t175;
-    let t178 = -(t108 * t177) - t110 * t176 - t112 * t175;
-    let t179 = -(t99 * t178) - t101 * t177 - t103 * t176 - t105 * t175;
-    let t180 = -(t90 * t179) - t91 * t178 + t92 * t177 - t94 * t176 - t96 * t175;
-    let t181 = -(t81 * t180) - t83 * t179 - t85 * t176 - t87 * t175;
-    let t182 = t72 * t180 - t70 * t181 - t74 * t179 - t76 * t176 - t78 * t175;
-    let t183 = -(t59 * t182) - t61 * t181 - t64 * t176 - t67 * t175;
-    let t184 = -(t47 * t183) - t49 * t182 - t50 * t181 - t53 * t176 + t55 * t175;
-    let t185 = -(t40 * t184) - t42 * t183;
-    let t186 = -(t32 * t185) - t34 * t184 - t32 * t183;
+    let t175 = (-t174).add_product(t120, t173) * t121;
+    let t176 = (-(t173 * t118)).sub_product(t120, t175);
+    let t177 = (-(t117 * t175)).sub_product(t115, t176);
+    let t178 = (-(t110 * t176)).sub_product(t108, t177).sub_product(t112, t175);
+    let t179 = (-(t101 * t177))
+        .sub_product(t99, t178)
+        .sub_product(t103, t176)
+        .sub_product(t105, t175);
+    let t180 = (-(t91 * t178))
+        .sub_product(t90, t179)
+        .add_product(t92, t177)
+        .sub_product(t94, t176)
+        .sub_product(t96, t175);
+    let t181 = (-(t83 * t179))
+        .sub_product(t81, t180)
+        .sub_product(t85, t176)
+        .sub_product(t87, t175);
+    let t182 = (t72 * t180)
+        .sub_product(t70, t181)
+        .sub_product(t74, t179)
+        .sub_product(t76, t176)
+        .sub_product(t78, t175);
+    let t183 = (-(t61 * t181))
+        .sub_product(t59, t182)
+        .sub_product(t64, t176)
+        .sub_product(t67, t175);
+    let t184 = (-(t49 * t182))
+        .sub_product(t47, t183)
+        .sub_product(t50, t181)
+        .sub_product(t53, t176)
+        .add_product(t55, t175);
+    let t185 = (-(t42 * t183)).sub_product(t40, t184);
+    let t186 = (-(t34 * t184)).sub_product(t32, t185).sub_product(t32, t183);
     let bobbin_v_y_dot_by_contact_stiffness = t174
-        - R::literal(1.428_571_428_571_428_6) * t175;
+        .sub_product(R::literal(1.428_571_428_571_428_6), t175);
     let bobbin_v_x_dot_by_contact_stiffness = t173
-        - R::literal(1.428_571_428_571_428_6) * t176;
-    let rod_omega_dot_by_contact_stiffness = t26 * t178
-        - R::literal(4_166.666_666_666_667) * t180 - t27 * t177;
-    let rod_v_y_dot_by_contact_stiffness = -(t25 * t179) - R::literal(5.0) * t177;
-    let rod_v_x_dot_by_contact_stiffness = t24 * t179 - R::literal(5.0) * t178;
-    let cylinder_omega_dot_by_contact_stiffness = t22 * t181 - t21 * t182
-        - R::literal(-2_777.777_777_777_778) * t180 + t23 * t179;
-    let cylinder_v_y_dot_by_contact_stiffness = t20 * t179
-        - R::literal(3.333_333_333_333_333_5) * t181;
-    let cylinder_v_x_dot_by_contact_stiffness = -(R::literal(3.333_333_333_333_333_5)
-        * t182) - t19 * t179;
-    let plate_omega_dot_by_contact_stiffness = t16 * t183 - t15 * t184 - t15 * t182
-        + t16 * t181 + t17 * t176 - t18 * t175;
-    let plate_v_y_dot_by_contact_stiffness = -(R::literal(0.833_333_333_333_333_4)
-        * t183) - R::literal(-0.833_333_333_333_333_4) * t181
-        - R::literal(-0.833_333_333_333_333_4) * t175;
-    let plate_v_x_dot_by_contact_stiffness = -(R::literal(0.833_333_333_333_333_4)
-        * t184) - R::literal(-0.833_333_333_333_333_4) * t182
-        - R::literal(-0.833_333_333_333_333_4) * t176;
-    let post_omega_dot_by_contact_stiffness = t14 * t185 - t13 * t186 - t13 * t184
-        + t14 * t183;
-    let post_v_y_dot_by_contact_stiffness = -(R::literal(1.25) * t185)
-        - R::literal(-1.25) * t183;
-    let post_v_x_dot_by_contact_stiffness = -(R::literal(1.25) * t186)
-        - R::literal(-1.25) * t184;
+        .sub_product(R::literal(1.428_571_428_571_428_6), t176);
+    let rod_omega_dot_by_contact_stiffness = (t26 * t178)
+        .sub_product(R::literal(4_166.666_666_666_667), t180)
+        .sub_product(t27, t177);
+    let rod_v_y_dot_by_contact_stiffness = (-(R::literal(5.0) * t177))
+        .sub_product(t25, t179);
+    let rod_v_x_dot_by_contact_stiffness = (-(R::literal(5.0) * t178))
+        .add_product(t24, t179);
+    let cylinder_omega_dot_by_contact_stiffness = (t22 * t181)
+        .sub_product(t21, t182)
+        .sub_product(R::literal(-2_777.777_777_777_778), t180)
+        .add_product(t23, t179);
+    let cylinder_v_y_dot_by_contact_stiffness = (t20 * t179)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t181);
+    let cylinder_v_x_dot_by_contact_stiffness = (-(t19 * t179))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t182);
+    let plate_omega_dot_by_contact_stiffness = (t16 * t183)
+        .sub_product(t15, t184)
+        .sub_product(t15, t182)
+        .add_product(t16, t181)
+        .add_product(t17, t176)
+        .sub_product(t18, t175);
+    let plate_v_y_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t181))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t183)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t175);
+    let plate_v_x_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t182))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t184)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t176);
+    let post_omega_dot_by_contact_stiffness = (t14 * t185)
+        .sub_product(t13, t186)
+        .sub_product(t13, t184)
+        .add_product(t14, t183);
+    let post_v_y_dot_by_contact_stiffness = (-(R::literal(-1.25) * t183))
+        .sub_product(R::literal(1.25), t185);
+    let post_v_x_dot_by_contact_stiffness = (-(R::literal(-1.25) * t184))
+        .sub_product(R::literal(1.25), t186);
     let t187 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
@@ -3405,46 +4970,80 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(0.0),
             -(contact_rate * t9 / between),
         );
-    let t189 = (t120 * t187 - t188) * t121;
-    let t190 = -(t187 * t118) - t120 * t189;
-    let t191 = -(t115 * t190) - t117 * t189;
-    let t192 = -(t108 * t191) - t110 * t190 - t112 * t189;
-    let t193 = -(t99 * t192) - t101 * t191 - t103 * t190 - t105 * t189;
-    let t194 = -(t90 * t193) - t91 * t192 + t92 * t191 - t94 * t190 - t96 * t189;
-    let t195 = -(t81 * t194) - t83 * t193 - t85 * t190 - t87 * t189;
-    let t196 = t72 * t194 - t70 * t195 - t74 * t193 - t76 * t190 - t78 * t189;
-    let t197 = -(t59 * t196) - t61 * t195 - t64 * t190 - t67 * t189;
-    let t198 = -(t47 * t197) - t49 * t196 - t50 * t195 - t53 * t190 + t55 * t189;
-    let t199 = -(t40 * t198) - t42 * t197;
-    let t200 = -(t32 * t199) - t34 * t198 - t32 * t197;
+    let t189 = (-t188).add_product(t120, t187) * t121;
+    let t190 = (-(t187 * t118)).sub_product(t120, t189);
+    let t191 = (-(t117 * t189)).sub_product(t115, t190);
+    let t192 = (-(t110 * t190)).sub_product(t108, t191).sub_product(t112, t189);
+    let t193 = (-(t101 * t191))
+        .sub_product(t99, t192)
+        .sub_product(t103, t190)
+        .sub_product(t105, t189);
+    let t194 = (-(t91 * t192))
+        .sub_product(t90, t193)
+        .add_product(t92, t191)
+        .sub_product(t94, t190)
+        .sub_product(t96, t189);
+    let t195 = (-(t83 * t193))
+        .sub_product(t81, t194)
+        .sub_product(t85, t190)
+        .sub_product(t87, t189);
+    let t196 = (t72 * t194)
+        .sub_product(t70, t195)
+        .sub_product(t74, t193)
+        .sub_product(t76, t190)
+        .sub_product(t78, t189);
+    let t197 = (-(t61 * t195))
+        .sub_product(t59, t196)
+        .sub_product(t64, t190)
+        .sub_product(t67, t189);
+    let t198 = (-(t49 * t196))
+        .sub_product(t47, t197)
+        .sub_product(t50, t195)
+        .sub_product(t53, t190)
+        .add_product(t55, t189);
+    let t199 = (-(t42 * t197)).sub_product(t40, t198);
+    let t200 = (-(t34 * t198)).sub_product(t32, t199).sub_product(t32, t197);
     let bobbin_v_y_dot_by_contact_damping = t188
-        - R::literal(1.428_571_428_571_428_6) * t189;
+        .sub_product(R::literal(1.428_571_428_571_428_6), t189);
     let bobbin_v_x_dot_by_contact_damping = t187
-        - R::literal(1.428_571_428_571_428_6) * t190;
-    let rod_omega_dot_by_contact_damping = t26 * t192
-        - R::literal(4_166.666_666_666_667) * t194 - t27 * t191;
-    let rod_v_y_dot_by_contact_damping = -(t25 * t193) - R::literal(5.0) * t191;
-    let rod_v_x_dot_by_contact_damping = t24 * t193 - R::literal(5.0) * t192;
-    let cylinder_omega_dot_by_contact_damping = t22 * t195 - t21 * t196
-        - R::literal(-2_777.777_777_777_778) * t194 + t23 * t193;
-    let cylinder_v_y_dot_by_contact_damping = t20 * t193
-        - R::literal(3.333_333_333_333_333_5) * t195;
-    let cylinder_v_x_dot_by_contact_damping = -(R::literal(3.333_333_333_333_333_5)
-        * t196) - t19 * t193;
-    let plate_omega_dot_by_contact_damping = t16 * t197 - t15 * t198 - t15 * t196
-        + t16 * t195 + t17 * t190 - t18 * t189;
-    let plate_v_y_dot_by_contact_damping = -(R::literal(0.833_333_333_333_333_4) * t197)
-        - R::literal(-0.833_333_333_333_333_4) * t195
-        - R::literal(-0.833_333_333_333_333_4) * t189;
-    let plate_v_x_dot_by_contact_damping = -(R::literal(0.833_333_333_333_333_4) * t198)
-        - R::literal(-0.833_333_333_333_333_4) * t196
-        - R::literal(-0.833_333_333_333_333_4) * t190;
-    let post_omega_dot_by_contact_damping = t14 * t199 - t13 * t200 - t13 * t198
-        + t14 * t197;
-    let post_v_y_dot_by_contact_damping = -(R::literal(1.25) * t199)
-        - R::literal(-1.25) * t197;
-    let post_v_x_dot_by_contact_damping = -(R::literal(1.25) * t200)
-        - R::literal(-1.25) * t198;
+        .sub_product(R::literal(1.428_571_428_571_428_6), t190);
+    let rod_omega_dot_by_contact_damping = (t26 * t192)
+        .sub_product(R::literal(4_166.666_666_666_667), t194)
+        .sub_product(t27, t191);
+    let rod_v_y_dot_by_contact_damping = (-(R::literal(5.0) * t191))
+        .sub_product(t25, t193);
+    let rod_v_x_dot_by_contact_damping = (-(R::literal(5.0) * t192))
+        .add_product(t24, t193);
+    let cylinder_omega_dot_by_contact_damping = (t22 * t195)
+        .sub_product(t21, t196)
+        .sub_product(R::literal(-2_777.777_777_777_778), t194)
+        .add_product(t23, t193);
+    let cylinder_v_y_dot_by_contact_damping = (t20 * t193)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t195);
+    let cylinder_v_x_dot_by_contact_damping = (-(t19 * t193))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t196);
+    let plate_omega_dot_by_contact_damping = (t16 * t197)
+        .sub_product(t15, t198)
+        .sub_product(t15, t196)
+        .add_product(t16, t195)
+        .add_product(t17, t190)
+        .sub_product(t18, t189);
+    let plate_v_y_dot_by_contact_damping = (-(R::literal(-0.833_333_333_333_333_4)
+        * t195))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t197)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t189);
+    let plate_v_x_dot_by_contact_damping = (-(R::literal(-0.833_333_333_333_333_4)
+        * t196))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t198)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t190);
+    let post_omega_dot_by_contact_damping = (t14 * t199)
+        .sub_product(t13, t200)
+        .sub_product(t13, t198)
+        .add_product(t14, t197);
+    let post_v_y_dot_by_contact_damping = (-(R::literal(-1.25) * t197))
+        .sub_product(R::literal(1.25), t199);
+    let post_v_x_dot_by_contact_damping = (-(R::literal(-1.25) * t198))
+        .sub_product(R::literal(1.25), t200);
     [
         post_v_x_dot_by_spring_stiffness,
         post_v_x_dot_by_spring_damping,
@@ -3561,27 +5160,31 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let sin_post_phi = post_phi.sin();
     let cos_cylinder_phi = cylinder_phi.cos();
     let sin_cylinder_phi = cylinder_phi.sin();
-    let stop_gap = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
     let stop_rate = post_omega
-        * (R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi);
+        * (R::literal(0.044) * sin_post_phi)
+            .add_product(R::literal(0.143), cos_post_phi);
     let t0 = bobbin_x - R::literal(0.328);
     let t1 = bobbin_y - R::literal(0.058);
-    let between = (t0 * t0 + t1 * t1).sqrt();
+    let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let stop_push = -(R::literal(1_000_000.0) * stop_gap)
-        - R::literal(1500.0) * stop_rate;
-    let contact_rate = (bobbin_v_x * t0 + bobbin_v_y * t1) / between;
-    let slide_rate = cylinder_omega
-        * (rod_y_minus_cylinder_y * cos_cylinder_phi
-            - rod_x_minus_cylinder_x * sin_cylinder_phi)
-        + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
-    let contact_push = -(p.contact_stiffness * contact_gap)
-        - p.contact_damping * contact_rate;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let stop_push = (-(R::literal(1_000_000.0) * stop_gap))
+        .sub_product(R::literal(1500.0), stop_rate);
+    let contact_rate = (bobbin_v_x * t0).add_product(bobbin_v_y, t1) / between;
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(
+            cylinder_omega,
+            (rod_y_minus_cylinder_y * cos_cylinder_phi)
+                .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi),
+        )
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
+    let contact_push = (-(p.contact_stiffness * contact_gap))
+        .sub_product(p.contact_damping, contact_rate);
     Outputs {
         contact_force: R::select_less(
             contact_closed,
@@ -3597,8 +5200,8 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
         ),
         contact_gap,
         stop_gap,
-        strut_push: -(p.spring_stiffness * (slide - R::literal(0.116)))
-            - p.spring_damping * slide_rate,
+        strut_push: (-(p.spring_stiffness * (slide - R::literal(0.116))))
+            .sub_product(p.spring_damping, slide_rate),
         post_angle: post_phi,
         plate_angle: plate_phi,
     }
@@ -3613,30 +5216,46 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     rod_y, _, bobbin_x, bobbin_y, post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y,
     plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
     bobbin_v_x, bobbin_v_y, contact_closed, stop_closed] = *state;
-    let stop_gap = R::literal(0.143) * post_phi.sin()
-        - R::literal(0.044) * post_phi.cos();
+    let stop_gap = (R::literal(0.143) * post_phi.sin())
+        .sub_product(R::literal(0.044), post_phi.cos());
     let t0 = bobbin_x - R::literal(0.328);
     let t1 = bobbin_y - R::literal(0.058);
-    let between = (t0 * t0 + t1 * t1).sqrt();
+    let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
-    let slide = (rod_x - cylinder_x) * cylinder_phi.cos()
-        + (rod_y - cylinder_y) * cylinder_phi.sin();
+    let slide = ((rod_x - cylinder_x) * cylinder_phi.cos())
+        .add_product(rod_y - cylinder_y, cylinder_phi.sin());
     let t2 = slide - R::literal(0.116);
-    let t3 = R::literal(0.00012) * (rod_omega * rod_omega)
-        + R::literal(0.00018) * (cylinder_omega * cylinder_omega)
-        + R::literal(0.00125) * (plate_omega * plate_omega)
-        + R::literal(0.00135) * (post_omega * post_omega)
-        + R::literal(0.1) * (rod_v_x * rod_v_x + rod_v_y * rod_v_y)
-        + R::literal(0.15) * (cylinder_v_x * cylinder_v_x + cylinder_v_y * cylinder_v_y);
     Energy {
-        kinetic: t3
-            + R::literal(0.35) * (bobbin_v_x * bobbin_v_x + bobbin_v_y * bobbin_v_y)
-            + R::literal(0.4) * (post_v_x * post_v_x + post_v_y * post_v_y)
-            + R::literal(0.6) * (plate_v_x * plate_v_x + plate_v_y * plate_v_y),
-        potential: R::literal(0.5) * p.spring_stiffness * (t2 * t2)
-            + R::literal(1.962) * rod_y + R::literal(2.943) * cylinder_y
-            + R::literal(6.867) * bobbin_y + R::literal(7.848) * post_y
-            + R::literal(11.772) * plate_y
+        kinetic: (R::literal(0.00012) * (rod_omega * rod_omega))
+            .add_product(R::literal(0.00018), cylinder_omega * cylinder_omega)
+            .add_product(R::literal(0.00125), plate_omega * plate_omega)
+            .add_product(R::literal(0.00135), post_omega * post_omega)
+            .add_product(
+                R::literal(0.1),
+                (rod_v_x * rod_v_x).add_product(rod_v_y, rod_v_y),
+            )
+            .add_product(
+                R::literal(0.15),
+                (cylinder_v_x * cylinder_v_x).add_product(cylinder_v_y, cylinder_v_y),
+            )
+            .add_product(
+                R::literal(0.35),
+                (bobbin_v_x * bobbin_v_x).add_product(bobbin_v_y, bobbin_v_y),
+            )
+            .add_product(
+                R::literal(0.4),
+                (post_v_x * post_v_x).add_product(post_v_y, post_v_y),
+            )
+            .add_product(
+                R::literal(0.6),
+                (plate_v_x * plate_v_x).add_product(plate_v_y, plate_v_y),
+            ),
+        potential: (R::literal(1.962) * rod_y)
+            .add_product(R::literal(0.5) * p.spring_stiffness, t2 * t2)
+            .add_product(R::literal(2.943), cylinder_y)
+            .add_product(R::literal(6.867), bobbin_y)
+            .add_product(R::literal(7.848), post_y)
+            .add_product(R::literal(11.772), plate_y)
             + R::select_less(
                 contact_closed,
                 R::literal(0.5),
@@ -3682,26 +5301,31 @@ pub fn power_balance<R: Real>(
     let t6 = R::literal(0.06) * cos_rod_phi;
     let sin_rod_phi = rod_phi.sin();
     let t7 = R::literal(0.06) * sin_rod_phi;
-    let stop_gap = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
-    let t8 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
+    let t8 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
     let stop_rate = post_omega * t8;
     let t9 = bobbin_x - R::literal(0.328);
     let t10 = bobbin_y - R::literal(0.058);
-    let between = (t9 * t9 + t10 * t10).sqrt();
+    let between = (t9 * t9).add_product(t10, t10).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let contact_rate = (bobbin_v_x * t9 + bobbin_v_y * t10) / between;
-    let t11 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t11 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let contact_rate = (bobbin_v_x * t9).add_product(bobbin_v_y, t10) / between;
+    let t11 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t11)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t12 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t13 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let t12 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t13 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let t14 = t1 * R::literal(370.370_370_370_370_3);
     let t15 = t0 * R::literal(370.370_370_370_370_3);
     let t16 = t3 * R::literal(400.0);
@@ -3728,15 +5352,17 @@ pub fn power_balance<R: Real>(
     let t37 = R::literal(-1.25) - t36;
     let t38 = t33 * t32;
     let t39 = R::literal(1.0) / (t37 - t38);
-    let t40 = t14 * t0 - t35 * t32;
+    let t40 = (t14 * t0).sub_product(t35, t32);
     let t41 = t40 * t39;
     let t42 = R::literal(1.25) - t36 - t38;
     let t43 = t42 * t39;
     let t44 = t16 * t3;
     let t45 = R::literal(1.0)
-        / (t30 - R::literal(0.833_333_333_333_333_4) - t44 - t35 * t34 - t41 * t40);
+        / (t30 - R::literal(0.833_333_333_333_333_4) - t44)
+            .sub_product(t35, t34)
+            .sub_product(t41, t40);
     let t46 = t17 * t3;
-    let t47 = t32 + t46 - t33 * t34 - t43 * t40;
+    let t47 = (t32 + t46).sub_product(t33, t34).sub_product(t43, t40);
     let t48 = t47 * t45;
     let t49 = R::literal(0.833_333_333_333_333_4) - t44;
     let t50 = t49 * t45;
@@ -3748,258 +5374,406 @@ pub fn power_balance<R: Real>(
     let t56 = t55 * t45;
     let t57 = t17 * t2;
     let t58 = R::literal(1.0)
-        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38 - t43 * t42
-            - t48 * t47);
-    let t59 = t16 * t2 - t50 * t47;
+        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38)
+            .sub_product(t43, t42)
+            .sub_product(t48, t47);
+    let t59 = (t16 * t2).sub_product(t50, t47);
     let t60 = t59 * t58;
-    let t61 = R::literal(0.833_333_333_333_333_4) - t57 - t51 * t47;
+    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
     let t62 = t61 * t58;
     let t63 = -(t18 * t2);
-    let t64 = t63 - t54 * t47;
+    let t64 = t63.sub_product(t54, t47);
     let t65 = t64 * t58;
     let t66 = t19 * t2;
-    let t67 = R::literal(0.833_333_333_333_333_4) + t66 + t56 * t47;
+    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
     let t68 = t67 * t58;
     let t69 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t44
-            - R::literal(3.333_333_333_333_333_5) - t22 * t5 - t50 * t49 - t60 * t59);
-    let t70 = t46 + t23 * t5 - t51 * t49 - t62 * t59;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t5)
+            .sub_product(t50, t49)
+            .sub_product(t60, t59);
+    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
     let t71 = t70 * t69;
     let t72 = R::literal(-2_777.777_777_777_778) * t5;
     let t73 = t72 * t69;
-    let t74 = t24 * t5 - t20;
+    let t74 = (-t20).add_product(t24, t5);
     let t75 = t74 * t69;
-    let t76 = R::literal(-0.833_333_333_333_333_4) + t52 - t54 * t49 - t65 * t59;
+    let t76 = (R::literal(-0.833_333_333_333_333_4) + t52)
+        .sub_product(t54, t49)
+        .sub_product(t65, t59);
     let t77 = t76 * t69;
-    let t78 = t56 * t49 - t55 - t68 * t59;
+    let t78 = (-t55).add_product(t56, t49).sub_product(t68, t59);
     let t79 = t78 * t69;
     let t80 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t57
-            - R::literal(3.333_333_333_333_333_5) - t23 * t4 - t51 * t46 - t62 * t61
-            - t71 * t70);
-    let t81 = R::literal(-2_777.777_777_777_778) * t4 + t73 * t70;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t23, t4)
+            .sub_product(t51, t46)
+            .sub_product(t62, t61)
+            .sub_product(t71, t70);
+    let t81 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t73, t70);
     let t82 = t81 * t80;
-    let t83 = t21 - t24 * t4 - t75 * t70;
+    let t83 = t21.sub_product(t24, t4).sub_product(t75, t70);
     let t84 = t83 * t80;
-    let t85 = t63 - t54 * t46 - t65 * t61 - t77 * t70;
+    let t85 = t63.sub_product(t54, t46).sub_product(t65, t61).sub_product(t77, t70);
     let t86 = t85 * t80;
-    let t87 = R::literal(-0.833_333_333_333_333_4) + t66 + t56 * t46 - t68 * t61
-        - t79 * t70;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t66)
+        .add_product(t56, t46)
+        .sub_product(t68, t61)
+        .sub_product(t79, t70);
     let t88 = t87 * t80;
     let t89 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t73 * t72 - t82 * t81);
-    let t90 = t75 * t72 - t24 - t84 * t81;
+        / R::literal(-6_944.444_444_444_445).sub_product(t73, t72).sub_product(t82, t81);
+    let t90 = (-t24).add_product(t75, t72).sub_product(t84, t81);
     let t91 = t90 * t89;
     let t92 = t27 * t89;
     let t93 = t28 * t89;
-    let t94 = t77 * t72 - t86 * t81;
+    let t94 = (t77 * t72).sub_product(t86, t81);
     let t95 = t94 * t89;
-    let t96 = t79 * t72 - t88 * t81;
+    let t96 = (t79 * t72).sub_product(t88, t81);
     let t97 = t96 * t89;
     let t98 = R::literal(1.0)
-        / (-(t20 * sin_cylinder_phi) - t21 * cos_cylinder_phi - t24 * slide
-            - t25 * sin_cylinder_phi - t26 * cos_cylinder_phi - t75 * t74 - t84 * t83
-            - t91 * t90);
-    let t99 = t25 - t92 * t90;
+        / (-(t20 * sin_cylinder_phi))
+            .sub_product(t21, cos_cylinder_phi)
+            .sub_product(t24, slide)
+            .sub_product(t25, sin_cylinder_phi)
+            .sub_product(t26, cos_cylinder_phi)
+            .sub_product(t75, t74)
+            .sub_product(t84, t83)
+            .sub_product(t91, t90);
+    let t99 = t25.sub_product(t92, t90);
     let t100 = t99 * t98;
-    let t101 = t93 * t90 - t26;
+    let t101 = (-t26).add_product(t93, t90);
     let t102 = t101 * t98;
-    let t103 = -(t77 * t74) - t86 * t83 - t95 * t90;
+    let t103 = (-(t77 * t74)).sub_product(t86, t83).sub_product(t95, t90);
     let t104 = t103 * t98;
-    let t105 = -(t79 * t74) - t88 * t83 - t97 * t90;
+    let t105 = (-(t79 * t74)).sub_product(t88, t83).sub_product(t97, t90);
     let t106 = t105 * t98;
-    let t107 = R::literal(1.0) / (R::literal(-5.0) - t27 * t7 - t92 * t27 - t100 * t99);
-    let t108 = t28 * t7 + t93 * t27 - t102 * t99;
+    let t107 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t27, t7)
+            .sub_product(t92, t27)
+            .sub_product(t100, t99);
+    let t108 = (t28 * t7).add_product(t93, t27).sub_product(t102, t99);
     let t109 = t108 * t107;
-    let t110 = -(t95 * t27) - t104 * t99;
+    let t110 = (-(t95 * t27)).sub_product(t104, t99);
     let t111 = t110 * t107;
-    let t112 = -(t97 * t27) - t106 * t99;
+    let t112 = (-(t97 * t27)).sub_product(t106, t99);
     let t113 = t112 * t107;
     let t114 = R::literal(1.0)
-        / (R::literal(-5.0) - t28 * t6 - t93 * t28 - t102 * t101 - t109 * t108);
-    let t115 = t95 * t28 - t104 * t101 - t111 * t108;
+        / R::literal(-5.0)
+            .sub_product(t28, t6)
+            .sub_product(t93, t28)
+            .sub_product(t102, t101)
+            .sub_product(t109, t108);
+    let t115 = (t95 * t28).sub_product(t104, t101).sub_product(t111, t108);
     let t116 = t115 * t114;
-    let t117 = t97 * t28 - t106 * t101 - t113 * t108;
+    let t117 = (t97 * t28).sub_product(t106, t101).sub_product(t113, t108);
     let t118 = t117 * t114;
     let t119 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t12
-            - R::literal(1.428_571_428_571_428_6) - t54 * t53 - t65 * t64 - t77 * t76
-            - t86 * t85 - t95 * t94 - t104 * t103 - t111 * t110 - t116 * t115);
-    let t120 = t19 * t12 + t56 * t53 - t68 * t64 - t79 * t76 - t88 * t85 - t97 * t94
-        - t106 * t103 - t113 * t110 - t118 * t115;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t54, t53)
+            .sub_product(t65, t64)
+            .sub_product(t77, t76)
+            .sub_product(t86, t85)
+            .sub_product(t95, t94)
+            .sub_product(t104, t103)
+            .sub_product(t111, t110)
+            .sub_product(t116, t115);
+    let t120 = (t19 * t12)
+        .add_product(t56, t53)
+        .sub_product(t68, t64)
+        .sub_product(t79, t76)
+        .sub_product(t88, t85)
+        .sub_product(t97, t94)
+        .sub_product(t106, t103)
+        .sub_product(t113, t110)
+        .sub_product(t118, t115);
     let t121 = t120 * t119;
-    let t122 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t19 * t13
-            - R::literal(1.428_571_428_571_428_6) - t56 * t55 - t68 * t67 - t79 * t78
-            - t88 * t87 - t97 * t96 - t106 * t105 - t113 * t112 - t118 * t117
-            - t121 * t120);
-    let t123 = R::literal(1_000_000.0) * stop_gap * t8;
-    let t124 = R::select_less(
+    let t122 = R::literal(1_000_000.0) * stop_gap * t8;
+    let t123 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -t123 - R::literal(1500.0) * stop_rate * t8,
+        (-t122).sub_product(R::literal(1500.0) * stop_rate, t8),
     );
-    let t125 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t126 = t125 * cos_cylinder_phi;
+    let t124 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t125 = t124 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t127 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t128 = t126 + t127;
-    let t129 = t125 * sin_cylinder_phi;
-    let t130 = R::literal(2.943) - t129;
-    let t131 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t132 = t131 - t130;
-    let t133 = t125 * t11;
-    let t134 = -t133 - spring_damping_times_slide_rate * t11;
-    let t135 = -t126 - t127;
-    let t136 = R::literal(1.962) + t129;
-    let t137 = -t131 - t136;
-    let t138 = contact_stiffness_times_contact_gap * t9 / between;
-    let t139 = R::literal(6.867)
+    let t126 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t127 = t125 + t126;
+    let t128 = t124 * sin_cylinder_phi;
+    let t129 = R::literal(2.943) - t128;
+    let t130 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t131 = t130 - t129;
+    let t132 = t124 * t11;
+    let t133 = (-t132).sub_product(spring_damping_times_slide_rate, t11);
+    let t134 = -t125 - t126;
+    let t135 = R::literal(1.962) + t128;
+    let t136 = -t130 - t135;
+    let t137 = contact_stiffness_times_contact_gap * t9 / between;
+    let t138 = R::literal(6.867)
         + R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
             contact_stiffness_times_contact_gap * t10 / between,
         );
-    let t140 = R::literal(0.1) * (post_omega * post_omega);
-    let t141 = t140 * cos_post_phi;
-    let t142 = t140 * sin_post_phi;
+    let t139 = R::literal(0.1) * (post_omega * post_omega);
+    let t140 = t139 * cos_post_phi;
+    let t141 = t139 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t143 = R::literal(0.06) * plate_omega_squared;
+    let t142 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t144 = cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi
-            + R::literal(2.0) * rod_v_y * sin_cylinder_phi
-            + cylinder_x * cylinder_omega * sin_cylinder_phi
-            + rod_y * cylinder_omega * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_x * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_y * sin_cylinder_phi
-            - cylinder_y * cylinder_omega * cos_cylinder_phi
-            - rod_x * cylinder_omega * sin_cylinder_phi);
-    let t145 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t146 = t14 * t124;
-    let t147 = -t141 - t146;
-    let t148 = t15 * t124;
-    let t149 = t33 * t147;
-    let t150 = -t142 - R::literal(-9.81) + t148 - t149;
-    let t151 = -(t143 * cos_plate_phi + t141) - t146 - t35 * t147 - t41 * t150;
-    let t152 = -(t143 * sin_plate_phi + t142) - R::literal(9.81) + t148
-        - R::literal(-9.81) - t149 - t43 * t150 - t48 * t151;
-    let t153 = R::literal(3.333_333_333_333_333_5) * t128;
-    let t154 = -(R::literal(0.06)
-        * (plate_omega_squared * cos_plate_phi
-            + cylinder_omega_squared * cos_cylinder_phi)) - t153 - t22 * t134
-        - t50 * t151 - t60 * t152;
-    let t155 = R::literal(3.333_333_333_333_333_5) * t132;
-    let t156 = -(R::literal(0.06)
-        * (plate_omega_squared * sin_plate_phi
-            + cylinder_omega_squared * sin_cylinder_phi)) - R::literal(9.81) - t155
-        + t23 * t134 - t51 * t151 - t62 * t152 - t71 * t154;
-    let t157 = t73 * t154 - R::literal(-2_777.777_777_777_778) * t134 - t82 * t156;
-    let t158 = t144 - t20 * t128 + t21 * t132 + t24 * t134 + t25 * t135 - t26 * t137
-        - t75 * t154 - t84 * t156 - t91 * t157;
-    let t159 = R::literal(5.0) * t135;
-    let t160 = t145 * cos_rod_phi - t159 - t92 * t157 - t100 * t158;
-    let t161 = R::literal(5.0) * t137;
-    let t162 = t145 * sin_rod_phi - t161 + t93 * t157 - t102 * t158 - t109 * t160;
-    let t163 = R::literal(1.428_571_428_571_428_6)
+    let t143 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t144 = t14 * t123;
+    let t145 = -t140 - t144;
+    let t146 = t15 * t123;
+    let t147 = t33 * t145;
+    let t148 = -t141 - R::literal(-9.81) + t146 - t147;
+    let t149 = (-t140.add_product(t142, cos_plate_phi) - t144)
+        .sub_product(t35, t145)
+        .sub_product(t41, t148);
+    let t150 = (-t141.add_product(t142, sin_plate_phi) - R::literal(9.81) + t146
+        - R::literal(-9.81) - t147)
+        .sub_product(t43, t148)
+        .sub_product(t48, t149);
+    let t151 = R::literal(3.333_333_333_333_333_5) * t127;
+    let t152 = (-t151)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * cos_plate_phi)
+                .add_product(cylinder_omega_squared, cos_cylinder_phi),
+        )
+        .sub_product(t22, t133)
+        .sub_product(t50, t149)
+        .sub_product(t60, t150);
+    let t153 = R::literal(3.333_333_333_333_333_5) * t131;
+    let t154 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        ) - t153)
+        .add_product(t23, t133)
+        .sub_product(t51, t149)
+        .sub_product(t62, t150)
+        .sub_product(t71, t152);
+    let t155 = (-(R::literal(-2_777.777_777_777_778) * t133))
+        .add_product(t73, t152)
+        .sub_product(t82, t154);
+    let t156 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t20, t127)
+        .add_product(t21, t131)
+        .add_product(t24, t133)
+        .add_product(t25, t134)
+        .sub_product(t26, t136)
+        .sub_product(t75, t152)
+        .sub_product(t84, t154);
+    let t157 = t156.sub_product(t91, t155);
+    let t158 = R::literal(5.0) * t134;
+    let t159 = (-t158)
+        .add_product(t143, cos_rod_phi)
+        .sub_product(t92, t155)
+        .sub_product(t100, t157);
+    let t160 = R::literal(5.0) * t136;
+    let t161 = (-t160)
+        .add_product(t143, sin_rod_phi)
+        .add_product(t93, t155)
+        .sub_product(t102, t157)
+        .sub_product(t109, t159);
+    let t162 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -t138 - contact_damping_times_contact_rate * t9 / between,
+            -t137 - contact_damping_times_contact_rate * t9 / between,
         );
-    let t164 = t13 * plate_omega_squared - t163 - t54 * t151 - t65 * t152 - t77 * t154
-        - t86 * t156 - t95 * t157 - t104 * t158 - t111 * t160 - t116 * t162;
-    let t165 = R::literal(1.428_571_428_571_428_6)
+    let t163 = (-t162)
+        .add_product(t13, plate_omega_squared)
+        .sub_product(t54, t149)
+        .sub_product(t65, t150)
+        .sub_product(t77, t152)
+        .sub_product(t86, t154)
+        .sub_product(t95, t155)
+        .sub_product(t104, t157)
+        .sub_product(t111, t159)
+        .sub_product(t116, t161);
+    let t164 = R::literal(1.428_571_428_571_428_6)
         * (R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
             -(contact_damping_times_contact_rate * t10 / between),
-        ) - t139);
-    let t166 = (t12 * plate_omega_squared - R::literal(9.81) - t165 + t56 * t151
-        - t68 * t152 - t79 * t154 - t88 * t156 - t97 * t157 - t106 * t158 - t113 * t160
-        - t118 * t162 - t121 * t164) * t122;
-    let t167 = t164 * t119 - t121 * t166;
-    let t168 = t162 * t114 - t116 * t167 - t118 * t166;
-    let t169 = t160 * t107 - t109 * t168 - t111 * t167 - t113 * t166;
-    let t170 = t158 * t98 - t100 * t169 - t102 * t168 - t104 * t167 - t106 * t166;
-    let t171 = t157 * t89 - t91 * t170 - t92 * t169 + t93 * t168 - t95 * t167
-        - t97 * t166;
-    let t172 = t156 * t80 - t82 * t171 - t84 * t170 - t86 * t167 - t88 * t166;
-    let t173 = t154 * t69 - t71 * t172 + t73 * t171 - t75 * t170 - t77 * t167
-        - t79 * t166;
-    let t174 = t152 * t58 - t60 * t173 - t62 * t172 - t65 * t167 - t68 * t166;
-    let t175 = t151 * t45 - t48 * t174 - t50 * t173 - t51 * t172 - t54 * t167
-        + t56 * t166;
-    let t176 = t150 * t39 - t41 * t175 - t43 * t174;
-    let t177 = t147 * t31 - t33 * t176 - t35 * t175 - t33 * t174;
-    let bobbin_v_y_dot = t165 - R::literal(1.428_571_428_571_428_6) * t166;
-    let bobbin_v_x_dot = t163 - R::literal(1.428_571_428_571_428_6) * t167;
-    let rod_omega_dot = t27 * t169 - R::literal(4_166.666_666_666_667) * t171
-        - t28 * t168;
-    let rod_v_y_dot = t161 - t26 * t170 - R::literal(5.0) * t168;
-    let rod_v_x_dot = t159 + t25 * t170 - R::literal(5.0) * t169;
-    let cylinder_omega_dot = t134 * R::literal(2_777.777_777_777_778) - t22 * t173
-        + t23 * t172 - R::literal(-2_777.777_777_777_778) * t171 + t24 * t170;
-    let cylinder_v_y_dot = t155 - R::literal(3.333_333_333_333_333_5) * t172
-        + t21 * t170;
-    let cylinder_v_x_dot = t153 - R::literal(3.333_333_333_333_333_5) * t173
-        - t20 * t170;
-    let plate_omega_dot = t17 * t174 - t16 * t175 - t16 * t173 + t17 * t172 + t18 * t167
-        - t19 * t166;
-    let plate_v_y_dot = R::literal(-9.81) - R::literal(0.833_333_333_333_333_4) * t174
-        - R::literal(-0.833_333_333_333_333_4) * t172
-        - R::literal(-0.833_333_333_333_333_4) * t166;
-    let plate_v_x_dot = -(R::literal(0.833_333_333_333_333_4) * t175)
-        - R::literal(-0.833_333_333_333_333_4) * t173
-        - R::literal(-0.833_333_333_333_333_4) * t167;
-    let post_omega_dot = t124 * R::literal(370.370_370_370_370_3) - t14 * t177
-        + t15 * t176 - t14 * t175 + t15 * t174;
-    let post_v_y_dot = R::literal(-9.81) - R::literal(1.25) * t176
-        - R::literal(-1.25) * t174;
-    let post_v_x_dot = -(R::literal(1.25) * t177) - R::literal(-1.25) * t175;
-    let t178 = R::literal(7.848) * post_v_y
-        + R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), t123)
-            * post_omega + R::literal(11.772) * plate_v_y - t126 * cylinder_v_x
-        + t130 * cylinder_v_y + t133 * cylinder_omega + t126 * rod_v_x + t136 * rod_v_y
-        + R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t138)
-            * bobbin_v_x + t139 * bobbin_v_y + R::literal(0.8) * post_v_x * post_v_x_dot;
-    let t179 = t178 + R::literal(0.8) * post_v_y * post_v_y_dot
-        + R::literal(0.0027) * post_omega * post_omega_dot
-        + R::literal(1.2) * plate_v_x * plate_v_x_dot
-        + R::literal(1.2) * plate_v_y * plate_v_y_dot
-        + R::literal(0.0025) * plate_omega * plate_omega_dot
-        + R::literal(0.3) * cylinder_v_x * cylinder_v_x_dot
-        + R::literal(0.3) * cylinder_v_y * cylinder_v_y_dot
-        + R::literal(0.00036) * cylinder_omega * cylinder_omega_dot;
-    let t180 = p.spring_damping * cylinder_omega * slide_rate * t11
-        + p.spring_damping * rod_v_x * slide_rate * cos_cylinder_phi
-        + p.spring_damping * rod_v_y * slide_rate * sin_cylinder_phi
+        ) - t138);
+    let t165 = (R::literal(-9.81).add_product(t12, plate_omega_squared) - t164)
+        .add_product(t56, t149)
+        .sub_product(t68, t150)
+        .sub_product(t79, t152)
+        .sub_product(t88, t154)
+        .sub_product(t97, t155)
+        .sub_product(t106, t157)
+        .sub_product(t113, t159)
+        .sub_product(t118, t161)
+        .sub_product(t121, t163)
+        * (R::literal(1.0)
+            / (R::literal(-0.833_333_333_333_333_4).sub_product(t19, t13)
+                - R::literal(1.428_571_428_571_428_6))
+                .sub_product(t56, t55)
+                .sub_product(t68, t67)
+                .sub_product(t79, t78)
+                .sub_product(t88, t87)
+                .sub_product(t97, t96)
+                .sub_product(t106, t105)
+                .sub_product(t113, t112)
+                .sub_product(t118, t117)
+                .sub_product(t121, t120));
+    let t166 = (t163 * t119).sub_product(t121, t165);
+    let t167 = (t161 * t114).sub_product(t116, t166).sub_product(t118, t165);
+    let t168 = (t159 * t107)
+        .sub_product(t109, t167)
+        .sub_product(t111, t166)
+        .sub_product(t113, t165);
+    let t169 = (t157 * t98)
+        .sub_product(t100, t168)
+        .sub_product(t102, t167)
+        .sub_product(t104, t166)
+        .sub_product(t106, t165);
+    let t170 = (t155 * t89)
+        .sub_product(t91, t169)
+        .sub_product(t92, t168)
+        .add_product(t93, t167)
+        .sub_product(t95, t166)
+        .sub_product(t97, t165);
+    let t171 = (t154 * t80)
+        .sub_product(t82, t170)
+        .sub_product(t84, t169)
+        .sub_product(t86, t166)
+        .sub_product(t88, t165);
+    let t172 = (t152 * t69)
+        .sub_product(t71, t171)
+        .add_product(t73, t170)
+        .sub_product(t75, t169)
+        .sub_product(t77, t166)
+        .sub_product(t79, t165);
+    let t173 = (t150 * t58)
+        .sub_product(t60, t172)
+        .sub_product(t62, t171)
+        .sub_product(t65, t166)
+        .sub_product(t68, t165);
+    let t174 = (t149 * t45)
+        .sub_product(t48, t173)
+        .sub_product(t50, t172)
+        .sub_product(t51, t171)
+        .sub_product(t54, t166)
+        .add_product(t56, t165);
+    let t175 = (t148 * t39).sub_product(t41, t174).sub_product(t43, t173);
+    let t176 = (t145 * t31)
+        .sub_product(t33, t175)
+        .sub_product(t35, t174)
+        .sub_product(t33, t173);
+    let bobbin_v_y_dot = t164.sub_product(R::literal(1.428_571_428_571_428_6), t165);
+    let bobbin_v_x_dot = t162.sub_product(R::literal(1.428_571_428_571_428_6), t166);
+    let rod_omega_dot = (t27 * t168)
+        .sub_product(R::literal(4_166.666_666_666_667), t170)
+        .sub_product(t28, t167);
+    let rod_v_y_dot = t160.sub_product(t26, t169).sub_product(R::literal(5.0), t167);
+    let rod_v_x_dot = t158.add_product(t25, t169).sub_product(R::literal(5.0), t168);
+    let cylinder_omega_dot = (t133 * R::literal(2_777.777_777_777_778))
+        .sub_product(t22, t172)
+        .add_product(t23, t171)
+        .sub_product(R::literal(-2_777.777_777_777_778), t170)
+        .add_product(t24, t169);
+    let cylinder_v_y_dot = t153
+        .sub_product(R::literal(3.333_333_333_333_333_5), t171)
+        .add_product(t21, t169);
+    let cylinder_v_x_dot = t151
+        .sub_product(R::literal(3.333_333_333_333_333_5), t172)
+        .sub_product(t20, t169);
+    let plate_omega_dot = (t17 * t173)
+        .sub_product(t16, t174)
+        .sub_product(t16, t172)
+        .add_product(t17, t171)
+        .add_product(t18, t166)
+        .sub_product(t19, t165);
+    let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t173)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t171)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t165);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t172))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t174)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t166);
+    let post_omega_dot = (t123 * R::literal(370.370_370_370_370_3))
+        .sub_product(t14, t176)
+        .add_product(t15, t175)
+        .sub_product(t14, t174)
+        .add_product(t15, t173);
+    let post_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(1.25), t175)
+        .sub_product(R::literal(-1.25), t173);
+    let post_v_x_dot = (-(R::literal(-1.25) * t174)).sub_product(R::literal(1.25), t176);
+    let t177 = (R::literal(7.848) * post_v_y)
+        .add_product(
+            R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), t122),
+            post_omega,
+        )
+        .add_product(R::literal(11.772), plate_v_y)
+        .sub_product(t125, cylinder_v_x)
+        .add_product(t129, cylinder_v_y)
+        .add_product(t132, cylinder_omega)
+        .add_product(t125, rod_v_x)
+        .add_product(t135, rod_v_y)
+        .add_product(
+            R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t137),
+            bobbin_v_x,
+        )
+        .add_product(t138, bobbin_v_y)
+        .add_product(R::literal(0.8) * post_v_x, post_v_x_dot)
+        .add_product(R::literal(0.8) * post_v_y, post_v_y_dot)
+        .add_product(R::literal(0.0027) * post_omega, post_omega_dot)
+        .add_product(R::literal(1.2) * plate_v_x, plate_v_x_dot)
+        .add_product(R::literal(1.2) * plate_v_y, plate_v_y_dot)
+        .add_product(R::literal(0.0025) * plate_omega, plate_omega_dot);
+    let t178 = (p.spring_damping * cylinder_omega * slide_rate * t11)
+        .add_product(p.spring_damping * rod_v_x * slide_rate, cos_cylinder_phi)
+        .add_product(p.spring_damping * rod_v_y * slide_rate, sin_cylinder_phi)
         + R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
             p.contact_damping * bobbin_v_x * contact_rate * t9 / between
                 + p.contact_damping * bobbin_v_y * contact_rate * t10 / between,
+        )
+        + R::select_less(
+            stop_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            R::literal(1500.0) * (stop_rate * stop_rate),
         );
     PowerBalance {
-        stored_rate: t179 + R::literal(0.2) * rod_v_x * rod_v_x_dot
-            + R::literal(0.2) * rod_v_y * rod_v_y_dot
-            + R::literal(0.00024) * rod_omega * rod_omega_dot
-            + R::literal(0.7) * bobbin_v_x * bobbin_v_x_dot
-            + R::literal(0.7) * bobbin_v_y * bobbin_v_y_dot,
+        stored_rate: t177
+            .add_product(R::literal(0.3) * cylinder_v_x, cylinder_v_x_dot)
+            .add_product(R::literal(0.3) * cylinder_v_y, cylinder_v_y_dot)
+            .add_product(R::literal(0.00036) * cylinder_omega, cylinder_omega_dot)
+            .add_product(R::literal(0.2) * rod_v_x, rod_v_x_dot)
+            .add_product(R::literal(0.2) * rod_v_y, rod_v_y_dot)
+            .add_product(R::literal(0.00024) * rod_omega, rod_omega_dot)
+            .add_product(R::literal(0.7) * bobbin_v_x, bobbin_v_x_dot)
+            .add_product(R::literal(0.7) * bobbin_v_y, bobbin_v_y_dot),
         supplied: R::literal(0.0),
-        dissipated: t180
-            + R::select_less(
-                stop_closed,
-                R::literal(0.5),
-                R::literal(0.0),
-                R::literal(1500.0) * (stop_rate * stop_rate),
-            ) - p.spring_damping * cylinder_v_x * slide_rate * cos_cylinder_phi
-            - p.spring_damping * cylinder_v_y * slide_rate * sin_cylinder_phi,
+        dissipated: t178
+            .sub_product(p.spring_damping * cylinder_v_x * slide_rate, cos_cylinder_phi)
+            .sub_product(p.spring_damping * cylinder_v_y * slide_rate, sin_cylinder_phi),
     }
 }
 
@@ -4016,18 +5790,20 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let bobbin_v_y = state[27];
     let cos_post_phi = post_phi.cos();
     let sin_post_phi = post_phi.sin();
-    let stop_gap = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
     let stop_rate = post_omega
-        * (R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi);
+        * (R::literal(0.044) * sin_post_phi)
+            .add_product(R::literal(0.143), cos_post_phi);
     let t0 = bobbin_x - R::literal(0.328);
     let t1 = bobbin_y - R::literal(0.058);
-    let between = (t0 * t0 + t1 * t1).sqrt();
+    let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
-    let stop_push = -(R::literal(1_000_000.0) * stop_gap)
-        - R::literal(1500.0) * stop_rate;
-    let contact_rate = (bobbin_v_x * t0 + bobbin_v_y * t1) / between;
-    let contact_push = -(p.contact_stiffness * contact_gap)
-        - p.contact_damping * contact_rate;
+    let stop_push = (-(R::literal(1_000_000.0) * stop_gap))
+        .sub_product(R::literal(1500.0), stop_rate);
+    let contact_rate = (bobbin_v_x * t0).add_product(bobbin_v_y, t1) / between;
+    let contact_push = (-(p.contact_stiffness * contact_gap))
+        .sub_product(p.contact_damping, contact_rate);
     [contact_gap, contact_push, stop_gap, stop_push]
 }
 
@@ -4060,26 +5836,31 @@ pub fn guard_rates<R: Real>(
     let t6 = R::literal(0.06) * cos_rod_phi;
     let sin_rod_phi = rod_phi.sin();
     let t7 = R::literal(0.06) * sin_rod_phi;
-    let stop_gap = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
-    let t8 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
+    let t8 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
     let stop_rate = post_omega * t8;
     let t9 = bobbin_x - R::literal(0.328);
     let t10 = bobbin_y - R::literal(0.058);
-    let between = (t9 * t9 + t10 * t10).sqrt();
+    let between = (t9 * t9).add_product(t10, t10).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let contact_rate = (bobbin_v_x * t9 + bobbin_v_y * t10) / between;
-    let t11 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t11 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let contact_rate = (bobbin_v_x * t9).add_product(bobbin_v_y, t10) / between;
+    let t11 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t11)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t12 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t13 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let t12 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t13 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let t14 = t1 * R::literal(370.370_370_370_370_3);
     let t15 = t0 * R::literal(370.370_370_370_370_3);
     let t16 = t3 * R::literal(400.0);
@@ -4106,15 +5887,17 @@ pub fn guard_rates<R: Real>(
     let t37 = R::literal(-1.25) - t36;
     let t38 = t33 * t32;
     let t39 = R::literal(1.0) / (t37 - t38);
-    let t40 = t14 * t0 - t35 * t32;
+    let t40 = (t14 * t0).sub_product(t35, t32);
     let t41 = t40 * t39;
     let t42 = R::literal(1.25) - t36 - t38;
     let t43 = t42 * t39;
     let t44 = t16 * t3;
     let t45 = R::literal(1.0)
-        / (t30 - R::literal(0.833_333_333_333_333_4) - t44 - t35 * t34 - t41 * t40);
+        / (t30 - R::literal(0.833_333_333_333_333_4) - t44)
+            .sub_product(t35, t34)
+            .sub_product(t41, t40);
     let t46 = t17 * t3;
-    let t47 = t32 + t46 - t33 * t34 - t43 * t40;
+    let t47 = (t32 + t46).sub_product(t33, t34).sub_product(t43, t40);
     let t48 = t47 * t45;
     let t49 = R::literal(0.833_333_333_333_333_4) - t44;
     let t50 = t49 * t45;
@@ -4126,165 +5909,233 @@ pub fn guard_rates<R: Real>(
     let t56 = t55 * t45;
     let t57 = t17 * t2;
     let t58 = R::literal(1.0)
-        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38 - t43 * t42
-            - t48 * t47);
-    let t59 = t16 * t2 - t50 * t47;
+        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38)
+            .sub_product(t43, t42)
+            .sub_product(t48, t47);
+    let t59 = (t16 * t2).sub_product(t50, t47);
     let t60 = t59 * t58;
-    let t61 = R::literal(0.833_333_333_333_333_4) - t57 - t51 * t47;
+    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
     let t62 = t61 * t58;
     let t63 = -(t18 * t2);
-    let t64 = t63 - t54 * t47;
+    let t64 = t63.sub_product(t54, t47);
     let t65 = t64 * t58;
     let t66 = t19 * t2;
-    let t67 = R::literal(0.833_333_333_333_333_4) + t66 + t56 * t47;
+    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
     let t68 = t67 * t58;
     let t69 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t44
-            - R::literal(3.333_333_333_333_333_5) - t22 * t5 - t50 * t49 - t60 * t59);
-    let t70 = t46 + t23 * t5 - t51 * t49 - t62 * t59;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t5)
+            .sub_product(t50, t49)
+            .sub_product(t60, t59);
+    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
     let t71 = t70 * t69;
     let t72 = R::literal(-2_777.777_777_777_778) * t5;
     let t73 = t72 * t69;
-    let t74 = t24 * t5 - t20;
+    let t74 = (-t20).add_product(t24, t5);
     let t75 = t74 * t69;
-    let t76 = R::literal(-0.833_333_333_333_333_4) + t52 - t54 * t49 - t65 * t59;
+    let t76 = (R::literal(-0.833_333_333_333_333_4) + t52)
+        .sub_product(t54, t49)
+        .sub_product(t65, t59);
     let t77 = t76 * t69;
-    let t78 = t56 * t49 - t55 - t68 * t59;
+    let t78 = (-t55).add_product(t56, t49).sub_product(t68, t59);
     let t79 = t78 * t69;
     let t80 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t57
-            - R::literal(3.333_333_333_333_333_5) - t23 * t4 - t51 * t46 - t62 * t61
-            - t71 * t70);
-    let t81 = R::literal(-2_777.777_777_777_778) * t4 + t73 * t70;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t23, t4)
+            .sub_product(t51, t46)
+            .sub_product(t62, t61)
+            .sub_product(t71, t70);
+    let t81 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t73, t70);
     let t82 = t81 * t80;
-    let t83 = t21 - t24 * t4 - t75 * t70;
+    let t83 = t21.sub_product(t24, t4).sub_product(t75, t70);
     let t84 = t83 * t80;
-    let t85 = t63 - t54 * t46 - t65 * t61 - t77 * t70;
+    let t85 = t63.sub_product(t54, t46).sub_product(t65, t61).sub_product(t77, t70);
     let t86 = t85 * t80;
-    let t87 = R::literal(-0.833_333_333_333_333_4) + t66 + t56 * t46 - t68 * t61
-        - t79 * t70;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t66)
+        .add_product(t56, t46)
+        .sub_product(t68, t61)
+        .sub_product(t79, t70);
     let t88 = t87 * t80;
     let t89 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t73 * t72 - t82 * t81);
-    let t90 = t75 * t72 - t24 - t84 * t81;
+        / R::literal(-6_944.444_444_444_445).sub_product(t73, t72).sub_product(t82, t81);
+    let t90 = (-t24).add_product(t75, t72).sub_product(t84, t81);
     let t91 = t90 * t89;
     let t92 = t27 * t89;
     let t93 = t28 * t89;
-    let t94 = t77 * t72 - t86 * t81;
+    let t94 = (t77 * t72).sub_product(t86, t81);
     let t95 = t94 * t89;
-    let t96 = t79 * t72 - t88 * t81;
+    let t96 = (t79 * t72).sub_product(t88, t81);
     let t97 = t96 * t89;
     let t98 = R::literal(1.0)
-        / (-(t20 * sin_cylinder_phi) - t21 * cos_cylinder_phi - t24 * slide
-            - t25 * sin_cylinder_phi - t26 * cos_cylinder_phi - t75 * t74 - t84 * t83
-            - t91 * t90);
-    let t99 = t25 - t92 * t90;
+        / (-(t20 * sin_cylinder_phi))
+            .sub_product(t21, cos_cylinder_phi)
+            .sub_product(t24, slide)
+            .sub_product(t25, sin_cylinder_phi)
+            .sub_product(t26, cos_cylinder_phi)
+            .sub_product(t75, t74)
+            .sub_product(t84, t83)
+            .sub_product(t91, t90);
+    let t99 = t25.sub_product(t92, t90);
     let t100 = t99 * t98;
-    let t101 = t93 * t90 - t26;
+    let t101 = (-t26).add_product(t93, t90);
     let t102 = t101 * t98;
-    let t103 = -(t77 * t74) - t86 * t83 - t95 * t90;
+    let t103 = (-(t77 * t74)).sub_product(t86, t83).sub_product(t95, t90);
     let t104 = t103 * t98;
-    let t105 = -(t79 * t74) - t88 * t83 - t97 * t90;
+    let t105 = (-(t79 * t74)).sub_product(t88, t83).sub_product(t97, t90);
     let t106 = t105 * t98;
-    let t107 = R::literal(1.0) / (R::literal(-5.0) - t27 * t7 - t92 * t27 - t100 * t99);
-    let t108 = t28 * t7 + t93 * t27 - t102 * t99;
+    let t107 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t27, t7)
+            .sub_product(t92, t27)
+            .sub_product(t100, t99);
+    let t108 = (t28 * t7).add_product(t93, t27).sub_product(t102, t99);
     let t109 = t108 * t107;
-    let t110 = -(t95 * t27) - t104 * t99;
+    let t110 = (-(t95 * t27)).sub_product(t104, t99);
     let t111 = t110 * t107;
-    let t112 = -(t97 * t27) - t106 * t99;
+    let t112 = (-(t97 * t27)).sub_product(t106, t99);
     let t113 = t112 * t107;
     let t114 = R::literal(1.0)
-        / (R::literal(-5.0) - t28 * t6 - t93 * t28 - t102 * t101 - t109 * t108);
-    let t115 = t95 * t28 - t104 * t101 - t111 * t108;
+        / R::literal(-5.0)
+            .sub_product(t28, t6)
+            .sub_product(t93, t28)
+            .sub_product(t102, t101)
+            .sub_product(t109, t108);
+    let t115 = (t95 * t28).sub_product(t104, t101).sub_product(t111, t108);
     let t116 = t115 * t114;
-    let t117 = t97 * t28 - t106 * t101 - t113 * t108;
+    let t117 = (t97 * t28).sub_product(t106, t101).sub_product(t113, t108);
     let t118 = t117 * t114;
     let t119 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t12
-            - R::literal(1.428_571_428_571_428_6) - t54 * t53 - t65 * t64 - t77 * t76
-            - t86 * t85 - t95 * t94 - t104 * t103 - t111 * t110 - t116 * t115);
-    let t120 = t19 * t12 + t56 * t53 - t68 * t64 - t79 * t76 - t88 * t85 - t97 * t94
-        - t106 * t103 - t113 * t110 - t118 * t115;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t54, t53)
+            .sub_product(t65, t64)
+            .sub_product(t77, t76)
+            .sub_product(t86, t85)
+            .sub_product(t95, t94)
+            .sub_product(t104, t103)
+            .sub_product(t111, t110)
+            .sub_product(t116, t115);
+    let t120 = (t19 * t12)
+        .add_product(t56, t53)
+        .sub_product(t68, t64)
+        .sub_product(t79, t76)
+        .sub_product(t88, t85)
+        .sub_product(t97, t94)
+        .sub_product(t106, t103)
+        .sub_product(t113, t110)
+        .sub_product(t118, t115);
     let t121 = t120 * t119;
-    let t122 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t19 * t13
-            - R::literal(1.428_571_428_571_428_6) - t56 * t55 - t68 * t67 - t79 * t78
-            - t88 * t87 - t97 * t96 - t106 * t105 - t113 * t112 - t118 * t117
-            - t121 * t120);
-    let t123 = R::select_less(
+    let t122 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(R::literal(1_000_000.0) * stop_gap * t8) - R::literal(1500.0) * stop_rate * t8,
+        (-(R::literal(1_000_000.0) * stop_gap * t8))
+            .sub_product(R::literal(1500.0) * stop_rate, t8),
     );
-    let t124 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t125 = t124 * cos_cylinder_phi;
+    let t123 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t124 = t123 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t126 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t127 = t125 + t126;
-    let t128 = t124 * sin_cylinder_phi;
-    let t129 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t130 = t129 - (R::literal(2.943) - t128);
-    let t131 = -(t124 * t11) - spring_damping_times_slide_rate * t11;
-    let t132 = -t125 - t126;
-    let t133 = -t129 - (R::literal(1.962) + t128);
-    let t134 = contact_damping_times_contact_rate * t9;
-    let t135 = contact_damping_times_contact_rate * t10;
-    let t136 = R::literal(0.1) * (post_omega * post_omega);
-    let t137 = t136 * cos_post_phi;
-    let t138 = t136 * sin_post_phi;
+    let t125 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t126 = t124 + t125;
+    let t127 = t123 * sin_cylinder_phi;
+    let t128 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t129 = t128 - (R::literal(2.943) - t127);
+    let t130 = (-(t123 * t11)).sub_product(spring_damping_times_slide_rate, t11);
+    let t131 = -t124 - t125;
+    let t132 = -t128 - (R::literal(1.962) + t127);
+    let t133 = contact_damping_times_contact_rate * t9;
+    let t134 = contact_damping_times_contact_rate * t10;
+    let t135 = R::literal(0.1) * (post_omega * post_omega);
+    let t136 = t135 * cos_post_phi;
+    let t137 = t135 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t139 = R::literal(0.06) * plate_omega_squared;
+    let t138 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t140 = cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi
-            + R::literal(2.0) * rod_v_y * sin_cylinder_phi
-            + cylinder_x * cylinder_omega * sin_cylinder_phi
-            + rod_y * cylinder_omega * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_x * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_y * sin_cylinder_phi
-            - cylinder_y * cylinder_omega * cos_cylinder_phi
-            - rod_x * cylinder_omega * sin_cylinder_phi);
-    let t141 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t142 = t14 * t123;
-    let t143 = -t137 - t142;
-    let t144 = t15 * t123;
-    let t145 = t33 * t143;
-    let t146 = -t138 - R::literal(-9.81) + t144 - t145;
-    let t147 = -(t139 * cos_plate_phi + t137) - t142 - t35 * t143 - t41 * t146;
-    let t148 = -(t139 * sin_plate_phi + t138) - R::literal(9.81) + t144
-        - R::literal(-9.81) - t145 - t43 * t146 - t48 * t147;
-    let t149 = -(R::literal(0.06)
-        * (plate_omega_squared * cos_plate_phi
-            + cylinder_omega_squared * cos_cylinder_phi))
-        - R::literal(3.333_333_333_333_333_5) * t127 - t22 * t131 - t50 * t147
-        - t60 * t148;
-    let t150 = -(R::literal(0.06)
-        * (plate_omega_squared * sin_plate_phi
-            + cylinder_omega_squared * sin_cylinder_phi)) - R::literal(9.81)
-        - R::literal(3.333_333_333_333_333_5) * t130 + t23 * t131 - t51 * t147
-        - t62 * t148 - t71 * t149;
-    let t151 = t73 * t149 - R::literal(-2_777.777_777_777_778) * t131 - t82 * t150;
-    let t152 = t140 - t20 * t127 + t21 * t130 + t24 * t131 + t25 * t132 - t26 * t133
-        - t75 * t149 - t84 * t150 - t91 * t151;
-    let t153 = t141 * cos_rod_phi - R::literal(5.0) * t132 - t92 * t151 - t100 * t152;
-    let t154 = t141 * sin_rod_phi - R::literal(5.0) * t133 + t93 * t151 - t102 * t152
-        - t109 * t153;
-    let t155 = R::literal(1.428_571_428_571_428_6)
+    let t139 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t140 = t14 * t122;
+    let t141 = -t136 - t140;
+    let t142 = t15 * t122;
+    let t143 = t33 * t141;
+    let t144 = -t137 - R::literal(-9.81) + t142 - t143;
+    let t145 = (-t136.add_product(t138, cos_plate_phi) - t140)
+        .sub_product(t35, t141)
+        .sub_product(t41, t144);
+    let t146 = (-t137.add_product(t138, sin_plate_phi) - R::literal(9.81) + t142
+        - R::literal(-9.81) - t143)
+        .sub_product(t43, t144)
+        .sub_product(t48, t145);
+    let t147 = (-(R::literal(0.06)
+        * (plate_omega_squared * cos_plate_phi)
+            .add_product(cylinder_omega_squared, cos_cylinder_phi)))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t126)
+        .sub_product(t22, t130)
+        .sub_product(t50, t145)
+        .sub_product(t60, t146);
+    let t148 = R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        )
+        .sub_product(R::literal(3.333_333_333_333_333_5), t129)
+        .add_product(t23, t130)
+        .sub_product(t51, t145)
+        .sub_product(t62, t146)
+        .sub_product(t71, t147);
+    let t149 = (-(R::literal(-2_777.777_777_777_778) * t130))
+        .add_product(t73, t147)
+        .sub_product(t82, t148);
+    let t150 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t20, t126)
+        .add_product(t21, t129)
+        .add_product(t24, t130)
+        .add_product(t25, t131)
+        .sub_product(t26, t132)
+        .sub_product(t75, t147)
+        .sub_product(t84, t148);
+    let t151 = t150.sub_product(t91, t149);
+    let t152 = (t139 * cos_rod_phi)
+        .sub_product(R::literal(5.0), t131)
+        .sub_product(t92, t149)
+        .sub_product(t100, t151);
+    let t153 = (t139 * sin_rod_phi)
+        .sub_product(R::literal(5.0), t132)
+        .add_product(t93, t149)
+        .sub_product(t102, t151)
+        .sub_product(t109, t152);
+    let t154 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(contact_stiffness_times_contact_gap * t9 / between) - t134 / between,
+            -(contact_stiffness_times_contact_gap * t9 / between) - t133 / between,
         );
-    let t156 = t13 * plate_omega_squared - t155 - t54 * t147 - t65 * t148 - t77 * t149
-        - t86 * t150 - t95 * t151 - t104 * t152 - t111 * t153 - t116 * t154;
-    let t157 = R::literal(1.428_571_428_571_428_6)
+    let t155 = (-t154)
+        .add_product(t13, plate_omega_squared)
+        .sub_product(t54, t145)
+        .sub_product(t65, t146)
+        .sub_product(t77, t147)
+        .sub_product(t86, t148)
+        .sub_product(t95, t149)
+        .sub_product(t104, t151)
+        .sub_product(t111, t152)
+        .sub_product(t116, t153);
+    let t156 = R::literal(1.428_571_428_571_428_6)
         * (R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(t135 / between),
+            -(t134 / between),
         )
             - (R::literal(6.867)
                 + R::select_less(
@@ -4293,42 +6144,103 @@ pub fn guard_rates<R: Real>(
                     R::literal(0.0),
                     contact_stiffness_times_contact_gap * t10 / between,
                 )));
-    let t158 = (t12 * plate_omega_squared - R::literal(9.81) - t157 + t56 * t147
-        - t68 * t148 - t79 * t149 - t88 * t150 - t97 * t151 - t106 * t152 - t113 * t153
-        - t118 * t154 - t121 * t156) * t122;
-    let t159 = t156 * t119 - t121 * t158;
-    let t160 = t154 * t114 - t116 * t159 - t118 * t158;
-    let t161 = t153 * t107 - t109 * t160 - t111 * t159 - t113 * t158;
-    let t162 = t152 * t98 - t100 * t161 - t102 * t160 - t104 * t159 - t106 * t158;
-    let t163 = t151 * t89 - t91 * t162 - t92 * t161 + t93 * t160 - t95 * t159
-        - t97 * t158;
-    let t164 = t150 * t80 - t82 * t163 - t84 * t162 - t86 * t159 - t88 * t158;
-    let t165 = t149 * t69 - t71 * t164 + t73 * t163 - t75 * t162 - t77 * t159
-        - t79 * t158;
-    let t166 = t148 * t58 - t60 * t165 - t62 * t164 - t65 * t159 - t68 * t158;
-    let t167 = t147 * t45 - t48 * t166 - t50 * t165 - t51 * t164 - t54 * t159
-        + t56 * t158;
-    let t168 = t146 * t39 - t41 * t167 - t43 * t166;
-    let bobbin_v_y_dot = t157 - R::literal(1.428_571_428_571_428_6) * t158;
-    let bobbin_v_x_dot = t155 - R::literal(1.428_571_428_571_428_6) * t159;
-    let post_omega_dot = t123 * R::literal(370.370_370_370_370_3)
-        - t14 * (t143 * t31 - t33 * t168 - t35 * t167 - t33 * t166) + t15 * t168
-        - t14 * t167 + t15 * t166;
+    let t157 = (R::literal(-9.81).add_product(t12, plate_omega_squared) - t156)
+        .add_product(t56, t145)
+        .sub_product(t68, t146)
+        .sub_product(t79, t147)
+        .sub_product(t88, t148)
+        .sub_product(t97, t149)
+        .sub_product(t106, t151)
+        .sub_product(t113, t152)
+        .sub_product(t118, t153)
+        .sub_product(t121, t155)
+        * (R::literal(1.0)
+            / (R::literal(-0.833_333_333_333_333_4).sub_product(t19, t13)
+                - R::literal(1.428_571_428_571_428_6))
+                .sub_product(t56, t55)
+                .sub_product(t68, t67)
+                .sub_product(t79, t78)
+                .sub_product(t88, t87)
+                .sub_product(t97, t96)
+                .sub_product(t106, t105)
+                .sub_product(t113, t112)
+                .sub_product(t118, t117)
+                .sub_product(t121, t120));
+    let t158 = (t155 * t119).sub_product(t121, t157);
+    let t159 = (t153 * t114).sub_product(t116, t158).sub_product(t118, t157);
+    let t160 = (t152 * t107)
+        .sub_product(t109, t159)
+        .sub_product(t111, t158)
+        .sub_product(t113, t157);
+    let t161 = (t151 * t98)
+        .sub_product(t100, t160)
+        .sub_product(t102, t159)
+        .sub_product(t104, t158)
+        .sub_product(t106, t157);
+    let t162 = (t149 * t89)
+        .sub_product(t91, t161)
+        .sub_product(t92, t160)
+        .add_product(t93, t159)
+        .sub_product(t95, t158)
+        .sub_product(t97, t157);
+    let t163 = (t148 * t80)
+        .sub_product(t82, t162)
+        .sub_product(t84, t161)
+        .sub_product(t86, t158)
+        .sub_product(t88, t157);
+    let t164 = (t147 * t69)
+        .sub_product(t71, t163)
+        .add_product(t73, t162)
+        .sub_product(t75, t161)
+        .sub_product(t77, t158)
+        .sub_product(t79, t157);
+    let t165 = (t146 * t58)
+        .sub_product(t60, t164)
+        .sub_product(t62, t163)
+        .sub_product(t65, t158)
+        .sub_product(t68, t157);
+    let t166 = (t145 * t45)
+        .sub_product(t48, t165)
+        .sub_product(t50, t164)
+        .sub_product(t51, t163)
+        .sub_product(t54, t158)
+        .add_product(t56, t157);
+    let t167 = (t144 * t39).sub_product(t41, t166).sub_product(t43, t165);
+    let bobbin_v_y_dot = t156.sub_product(R::literal(1.428_571_428_571_428_6), t157);
+    let bobbin_v_x_dot = t154.sub_product(R::literal(1.428_571_428_571_428_6), t158);
+    let post_omega_dot = (t122 * R::literal(370.370_370_370_370_3))
+        .sub_product(
+            t14,
+            (t141 * t31)
+                .sub_product(t33, t167)
+                .sub_product(t35, t166)
+                .sub_product(t33, t165),
+        )
+        .add_product(t15, t167)
+        .sub_product(t14, t166)
+        .add_product(t15, t165);
     let between_squared = between * between;
-    let contact_touches_guard_rate = t9 / between * bobbin_v_x
-        + t10 / between * bobbin_v_y;
-    let t169 = (t134 / between_squared - p.contact_damping * bobbin_v_x / between
-        - p.contact_stiffness * t9 / between) * bobbin_v_x
-        + (t135 / between_squared - p.contact_damping * bobbin_v_y / between
-            - p.contact_stiffness * t10 / between) * bobbin_v_y
-        - p.contact_damping * t9 / between * bobbin_v_x_dot;
-    let contact_opens_guard_rate = t169
-        - p.contact_damping * t10 / between * bobbin_v_y_dot;
-    let stop_opens_guard_rate = (R::literal(214.5) * post_omega * sin_post_phi
-        - R::literal(143_000.0) * cos_post_phi - R::literal(44000.0) * sin_post_phi
-        - R::literal(66.0) * post_omega * cos_post_phi) * post_omega
-        + (-(R::literal(214.5) * cos_post_phi) - R::literal(66.0) * sin_post_phi)
-            * post_omega_dot;
+    let contact_touches_guard_rate = (t9 / between * bobbin_v_x)
+        .add_product(t10 / between, bobbin_v_y);
+    let contact_opens_guard_rate = ((t133 / between_squared
+        - p.contact_damping * bobbin_v_x / between - p.contact_stiffness * t9 / between)
+        * bobbin_v_x)
+        .add_product(
+            t134 / between_squared - p.contact_damping * bobbin_v_y / between
+                - p.contact_stiffness * t10 / between,
+            bobbin_v_y,
+        )
+        .sub_product(p.contact_damping * t9 / between, bobbin_v_x_dot)
+        .sub_product(p.contact_damping * t10 / between, bobbin_v_y_dot);
+    let stop_opens_guard_rate = ((R::literal(214.5) * post_omega * sin_post_phi)
+        .sub_product(R::literal(143_000.0), cos_post_phi)
+        .sub_product(R::literal(44000.0), sin_post_phi)
+        .sub_product(R::literal(66.0) * post_omega, cos_post_phi) * post_omega)
+        .add_product(
+            (-(R::literal(214.5) * cos_post_phi))
+                .sub_product(R::literal(66.0), sin_post_phi),
+            post_omega_dot,
+        );
     [
         contact_touches_guard_rate,
         contact_opens_guard_rate,
@@ -4375,17 +6287,19 @@ pub fn constraint_values<R: Real>(
     let plate_end_x = plate_x + t2;
     let plate_end_y = plate_y + t3;
     let cos_cylinder_phi = cylinder_phi.cos();
-    let cylinder_start_x = cylinder_x - R::literal(0.06) * cos_cylinder_phi;
+    let cylinder_start_x = cylinder_x.sub_product(R::literal(0.06), cos_cylinder_phi);
     let sin_cylinder_phi = cylinder_phi.sin();
-    let cylinder_start_y = cylinder_y - R::literal(0.06) * sin_cylinder_phi;
-    let rod_end_x = rod_x + R::literal(0.06) * rod_phi.cos();
-    let rod_end_y = rod_y + R::literal(0.06) * rod_phi.sin();
-    let axle_x = plate_x + R::literal(0.1) * sin_plate_phi
-        - R::literal(0.01) * cos_plate_phi;
-    let axle_y = plate_y - R::literal(0.1) * cos_plate_phi
-        - R::literal(0.01) * sin_plate_phi;
-    let slide_across_value = (rod_y - cylinder_y) * cos_cylinder_phi
-        - (rod_x - cylinder_x) * sin_cylinder_phi;
+    let cylinder_start_y = cylinder_y.sub_product(R::literal(0.06), sin_cylinder_phi);
+    let rod_end_x = rod_x.add_product(R::literal(0.06), rod_phi.cos());
+    let rod_end_y = rod_y.add_product(R::literal(0.06), rod_phi.sin());
+    let axle_x = plate_x
+        .add_product(R::literal(0.1), sin_plate_phi)
+        .sub_product(R::literal(0.01), cos_plate_phi);
+    let axle_y = plate_y
+        .sub_product(R::literal(0.1), cos_plate_phi)
+        .sub_product(R::literal(0.01), sin_plate_phi);
+    let slide_across_value = ((rod_y - cylinder_y) * cos_cylinder_phi)
+        .sub_product(rod_x - cylinder_x, sin_cylinder_phi);
     let pin_c_x_value = plate_start_x - post_end_x;
     let pin_c_y_value = plate_start_y - post_end_y;
     let pin_d_x_value = cylinder_start_x - plate_end_x;
@@ -4427,8 +6341,8 @@ pub fn constraint_rates<R: Real>(
     let sin_plate_phi = plate_phi.sin();
     let cos_cylinder_phi = cylinder_phi.cos();
     let sin_cylinder_phi = cylinder_phi.sin();
-    let slide = (rod_x - cylinder_x) * cos_cylinder_phi
-        + (rod_y - cylinder_y) * sin_cylinder_phi;
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
+        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
     let t0 = R::literal(0.1) * post_omega;
     let t1 = t0 * post_phi.sin();
     let pin_o_x_rate = post_v_x + t1;
@@ -4440,21 +6354,29 @@ pub fn constraint_rates<R: Real>(
     let t5 = t3 * cos_plate_phi;
     let pin_c_y_rate = plate_v_y - post_v_y - t2 - t5;
     let t6 = R::literal(0.06) * cylinder_omega;
-    let pin_d_x_rate = cylinder_v_x + t4 + t6 * sin_cylinder_phi - plate_v_x;
-    let pin_d_y_rate = cylinder_v_y - plate_v_y - t5 - t6 * cos_cylinder_phi;
+    let pin_d_x_rate = (cylinder_v_x + t4).add_product(t6, sin_cylinder_phi) - plate_v_x;
+    let pin_d_y_rate = (cylinder_v_y - plate_v_y - t5).sub_product(t6, cos_cylinder_phi);
     let slide_angle_rate = rod_omega - cylinder_omega;
-    let slide_across_rate = cylinder_v_x * sin_cylinder_phi + rod_v_y * cos_cylinder_phi
-        - cylinder_v_y * cos_cylinder_phi - cylinder_omega * slide
-        - rod_v_x * sin_cylinder_phi;
+    let slide_across_rate = (cylinder_v_x * sin_cylinder_phi)
+        .add_product(rod_v_y, cos_cylinder_phi)
+        .sub_product(cylinder_v_y, cos_cylinder_phi)
+        .sub_product(cylinder_omega, slide)
+        .sub_product(rod_v_x, sin_cylinder_phi);
     let t7 = R::literal(0.06) * rod_omega;
-    let pin_e_x_rate = rod_v_x - t7 * rod_phi.sin();
-    let pin_e_y_rate = rod_v_y + t7 * rod_phi.cos();
-    let axle_a_x_rate = bobbin_v_x - plate_v_x
-        - plate_omega
-            * (R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi);
-    let axle_a_y_rate = bobbin_v_y - plate_v_y
-        - plate_omega
-            * (R::literal(0.1) * sin_plate_phi - R::literal(0.01) * cos_plate_phi);
+    let pin_e_x_rate = rod_v_x.sub_product(t7, rod_phi.sin());
+    let pin_e_y_rate = rod_v_y.add_product(t7, rod_phi.cos());
+    let axle_a_x_rate = (bobbin_v_x - plate_v_x)
+        .sub_product(
+            plate_omega,
+            (R::literal(0.01) * sin_plate_phi)
+                .add_product(R::literal(0.1), cos_plate_phi),
+        );
+    let axle_a_y_rate = (bobbin_v_y - plate_v_y)
+        .sub_product(
+            plate_omega,
+            (R::literal(0.1) * sin_plate_phi)
+                .sub_product(R::literal(0.01), cos_plate_phi),
+        );
     [
         pin_o_x_rate,
         pin_o_y_rate,
@@ -4488,8 +6410,8 @@ pub fn constraint_matrix<R: Real>(
     let t1 = R::literal(0.06) * sin_plate_phi;
     let cos_cylinder_phi = cylinder_phi.cos();
     let sin_cylinder_phi = cylinder_phi.sin();
-    let slide = (rod_x - cylinder_x) * cos_cylinder_phi
-        + (rod_y - cylinder_y) * sin_cylinder_phi;
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
+        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
     let t2 = -(R::literal(0.1) * post_phi.cos());
     let t3 = -(R::literal(0.06) * cos_plate_phi);
     [
@@ -4525,10 +6447,10 @@ pub fn constraint_matrix<R: Real>(
         R::literal(1.0),
         R::literal(0.06) * rod_phi.cos(),
         R::literal(-1.0),
-        -(R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi),
+        -(R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi),
         R::literal(1.0),
         R::literal(-1.0),
-        R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi,
+        (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi),
         R::literal(1.0),
     ]
 }

@@ -364,12 +364,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(2.0) * drum_speed;
     let t1 = R::literal(2.0) * p.ovality * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + p.layer_stiffness)
         * inverse_holder_mass);
@@ -423,18 +425,22 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase + c.t0 * time;
+    let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + c.package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(c.package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(c.t1 * t0.sin())
-        - c.eccentricity_times_drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
+        .sub_product(c.t1, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
-    let holder_v_dot = (force + p.layer_viscosity * layer_compression_rate
-        - (p.holder_stiffness * holder_x - p.layer_stiffness * layer_compression))
-        * c.inverse_holder_mass;
+    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
+        - (p.holder_stiffness * holder_x)
+            .sub_product(p.layer_stiffness, layer_compression)) * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
 }
 
@@ -447,12 +453,14 @@ pub fn mass_matrix<R: Real>(
     _state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 1] {
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
     [holder_mass]
 }
 
@@ -468,17 +476,22 @@ pub fn forcing<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
-    let holder_x_forcing = force + p.layer_viscosity * layer_compression_rate
-        - (p.holder_stiffness * holder_x - p.layer_stiffness * layer_compression);
+    let holder_x_forcing = force.add_product(p.layer_viscosity, layer_compression_rate)
+        - (p.holder_stiffness * holder_x)
+            .sub_product(p.layer_stiffness, layer_compression);
     [holder_x_forcing]
 }
 
@@ -520,35 +533,35 @@ pub fn parameter_jacobian<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = p.holder_package_radius * p.holder_package_radius
-        - p.holder_bobbin_radius * p.holder_bobbin_radius;
+    let t0 = (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
     let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
     let t2 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass + t1 * p.holder_yarn_density * t0
+    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0)
         + t2 / p.holder_holder_arm;
-    let t3 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let t3 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let t4 = t3.cos();
     let drum_speed_times_time = drum_speed * time;
     let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = p.ovality * t4 + p.eccentricity * cos_drum_speed_times_time;
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t4);
     let t5 = p.force_phase + drum_speed_times_time;
     let t6 = t5.cos();
-    let t7 = p.package_phase + package_speed * time;
+    let t7 = p.package_phase.add_product(package_speed, time);
     let t8 = t7.cos();
-    let force = p.force_amplitude * t6 + p.package_force * t8;
+    let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
     let t9 = t3.sin();
     let t10 = R::literal(2.0) * p.ovality;
     let t11 = t10 * drum_speed;
     let sin_drum_speed_times_time = drum_speed_times_time.sin();
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let shape_rate = -(t11 * t9)
-        - eccentricity_times_drum_speed * sin_drum_speed_times_time;
+    let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
+        .sub_product(t11, t9);
     let layer_compression_rate = shape_rate - holder_v;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
-    let holder_v_dot = (force + p.layer_viscosity * layer_compression_rate
-        - (p.holder_stiffness * holder_x - p.layer_stiffness * layer_compression))
-        * inverse_holder_mass;
+    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
+        - (p.holder_stiffness * holder_x)
+            .sub_product(p.layer_stiffness, layer_compression)) * inverse_holder_mass;
     let t12 = t5.sin();
     let t13 = t7.sin();
     let t14 = t10 / p.drum_radius;
@@ -556,36 +569,48 @@ pub fn parameter_jacobian<R: Real>(
     let t15 = R::literal(4.0) * p.ovality;
     let t16 = eccentricity_times_drum_speed / p.drum_radius;
     let t17 = t16 * time;
-    let t18 = p.layer_stiffness
-        * (-(t14 * time * t9)
-            - eccentricity_over_drum_radius * time * sin_drum_speed_times_time)
-        + p.layer_viscosity
-            * (-(t15 * drum_speed / p.drum_radius * time * t4) - t14 * t9
-                - t17 * cos_drum_speed_times_time
-                - eccentricity_over_drum_radius * sin_drum_speed_times_time)
-        - p.force_amplitude / p.drum_radius * time * t12;
-    let holder_v_dot_by_winding_speed = (t18
-        - p.package_force / p.holder_package_radius * time * t13) * inverse_holder_mass;
-    let t19 = t11 / p.drum_radius;
-    let drum_speed_squared = drum_speed * drum_speed;
-    let t20 = p.layer_viscosity
-        * (t19 * t9 + t15 * drum_speed_squared / p.drum_radius * time * t4
-            + p.eccentricity * drum_speed_squared / p.drum_radius * time
-                * cos_drum_speed_times_time + t16 * sin_drum_speed_times_time);
-    let holder_v_dot_by_drum_radius = (p.force_amplitude * drum_speed / p.drum_radius
-        * time * t12
-        + p.layer_stiffness * (t19 * time * t9 + t17 * sin_drum_speed_times_time) + t20)
+    let holder_v_dot_by_winding_speed = (p.layer_stiffness
+        * (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time))
+            .sub_product(t14 * time, t9))
+        .add_product(
+            p.layer_viscosity,
+            (-(t15 * drum_speed / p.drum_radius * time * t4))
+                .sub_product(t14, t9)
+                .sub_product(t17, cos_drum_speed_times_time)
+                .sub_product(eccentricity_over_drum_radius, sin_drum_speed_times_time),
+        )
+        .sub_product(p.force_amplitude / p.drum_radius * time, t12)
+        .sub_product(p.package_force / p.holder_package_radius * time, t13)
         * inverse_holder_mass;
+    let t18 = t11 / p.drum_radius;
+    let drum_speed_squared = drum_speed * drum_speed;
+    let holder_v_dot_by_drum_radius = (p.force_amplitude * drum_speed / p.drum_radius
+        * time * t12)
+        .add_product(
+            p.layer_stiffness,
+            (t17 * sin_drum_speed_times_time).add_product(t18 * time, t9),
+        )
+        .add_product(
+            p.layer_viscosity,
+            (t18 * t9)
+                .add_product(t15 * drum_speed_squared / p.drum_radius * time, t4)
+                .add_product(
+                    p.eccentricity * drum_speed_squared / p.drum_radius * time,
+                    cos_drum_speed_times_time,
+                )
+                .add_product(t16, sin_drum_speed_times_time),
+        ) * inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t12 * inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * inverse_holder_mass;
     let holder_v_dot_by_package_phase = -(p.package_force * t13 * inverse_holder_mass);
-    let holder_v_dot_by_ovality = (p.layer_stiffness * t4
-        - R::literal(2.0) * p.layer_viscosity * drum_speed * t9) * inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(t10 * p.layer_viscosity * drum_speed * t4)
-        - p.ovality * p.layer_stiffness * t9) * inverse_holder_mass;
-    let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time
-        - p.layer_viscosity * drum_speed * sin_drum_speed_times_time)
+    let holder_v_dot_by_ovality = (p.layer_stiffness * t4)
+        .sub_product(R::literal(2.0) * p.layer_viscosity * drum_speed, t9)
+        * inverse_holder_mass;
+    let holder_v_dot_by_ovality_phase = (-(t10 * p.layer_viscosity * drum_speed * t4))
+        .sub_product(p.ovality * p.layer_stiffness, t9) * inverse_holder_mass;
+    let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
+        .sub_product(p.layer_viscosity * drum_speed, sin_drum_speed_times_time)
         * inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_link_mass = -(p.holder_link_arm / p.holder_holder_arm
@@ -596,10 +621,12 @@ pub fn parameter_jacobian<R: Real>(
         / (p.holder_holder_arm * p.holder_holder_arm) * holder_v_dot
         * inverse_holder_mass;
     let holder_v_dot_by_holder_package_radius = (p.package_force * package_speed
-        / p.holder_package_radius * time * t13
-        - R::literal(core::f64::consts::TAU) * p.holder_package_radius
-            * p.holder_package_width * p.holder_yarn_density * holder_v_dot)
-        * inverse_holder_mass;
+        / p.holder_package_radius * time * t13)
+        .sub_product(
+            R::literal(core::f64::consts::TAU) * p.holder_package_radius
+                * p.holder_package_width * p.holder_yarn_density,
+            holder_v_dot,
+        ) * inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_radius = R::literal(core::f64::consts::TAU)
         * p.holder_bobbin_radius * p.holder_package_width * p.holder_yarn_density
         * holder_v_dot * inverse_holder_mass;
@@ -645,25 +672,33 @@ pub fn time_derivative<R: Real>(
 ) -> [R; STATES] {
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let drum_speed_squared = drum_speed * drum_speed;
-    let t1 = p.layer_stiffness * shape_rate
-        + p.layer_viscosity
-            * (-(R::literal(4.0) * p.ovality * drum_speed_squared * t0.cos())
-                - p.eccentricity * drum_speed_squared * drum_speed_times_time.cos())
-        - p.force_amplitude * drum_speed * (p.force_phase + drum_speed_times_time).sin()
-        - p.package_force * package_speed
-            * (p.package_phase + package_speed * time).sin();
-    let holder_v_dot_by_time = t1 * (R::literal(1.0) / holder_mass);
+    let holder_v_dot_by_time = (p.layer_stiffness * shape_rate)
+        .add_product(
+            p.layer_viscosity,
+            (-(p.eccentricity * drum_speed_squared * drum_speed_times_time.cos()))
+                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t0.cos()),
+        )
+        .sub_product(
+            p.force_amplitude * drum_speed,
+            (p.force_phase + drum_speed_times_time).sin(),
+        )
+        .sub_product(
+            p.package_force * package_speed,
+            p.package_phase.add_product(package_speed, time).sin(),
+        ) * (R::literal(1.0) / holder_mass);
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
@@ -675,25 +710,31 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
     Outputs {
         deflection: holder_x,
-        pressure: p.layer_stiffness * layer_compression
-            + p.layer_viscosity * layer_compression_rate,
+        pressure: (p.layer_stiffness * layer_compression)
+            .add_product(p.layer_viscosity, layer_compression_rate),
         mass: holder_mass,
         force,
         shape,
@@ -707,20 +748,27 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
 pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = p.ovality * (p.ovality_phase + R::literal(2.0) * drum_speed * time).cos()
-        + p.eccentricity * (drum_speed * time).cos();
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let shape = (p.eccentricity * (drum_speed * time).cos())
+        .add_product(
+            p.ovality,
+            p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
     Energy {
         kinetic: R::literal(0.5) * holder_mass * (holder_v * holder_v),
-        potential: R::literal(0.5) * p.holder_stiffness * (holder_x * holder_x)
-            + R::literal(0.5) * p.layer_stiffness
-                * (layer_compression * layer_compression),
+        potential: (R::literal(0.5) * p.holder_stiffness * (holder_x * holder_x))
+            .add_product(
+                R::literal(0.5) * p.layer_stiffness,
+                layer_compression * layer_compression,
+            ),
         stored: R::literal(0.0),
     }
 }
@@ -737,29 +785,37 @@ pub fn power_balance<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
     let t1 = p.layer_stiffness * layer_compression;
-    let t2 = p.holder_stiffness * holder_x - t1;
-    let holder_v_dot = (force + p.layer_viscosity * layer_compression_rate - t2)
-        * (R::literal(1.0) / holder_mass);
+    let t2 = (-t1).add_product(p.holder_stiffness, holder_x);
+    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
+        - t2) * (R::literal(1.0) / holder_mass);
     let t3 = t1 * shape_rate;
     PowerBalance {
-        stored_rate: t3 + t2 * holder_v + holder_mass * holder_v * holder_v_dot,
-        supplied: holder_v * force + t3,
+        stored_rate: t3
+            .add_product(t2, holder_v)
+            .add_product(holder_mass * holder_v, holder_v_dot),
+        supplied: t3.add_product(holder_v, force),
         dissipated: -(p.layer_viscosity * holder_v * layer_compression_rate),
     }
 }
@@ -916,29 +972,31 @@ pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
     let sin_ovality_phase = p.ovality_phase.sin();
     let t0 = R::literal(2.0) * p.ovality * winding_speed_over_drum_radius;
     let t1 = R::literal(1.0)
-        / (p.holder_bobbin_mass
-            + R::literal(core::f64::consts::PI) * p.holder_package_width
-                * p.holder_yarn_density
-                * (p.holder_package_radius * p.holder_package_radius
-                    - p.holder_bobbin_radius * p.holder_bobbin_radius)
-            + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm);
+        / (p
+            .holder_bobbin_mass
+            .add_product(
+                R::literal(core::f64::consts::PI) * p.holder_package_width
+                    * p.holder_yarn_density,
+                (p.holder_package_radius * p.holder_package_radius)
+                    .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+            ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm);
     [
         R::literal(0.0),
         winding_speed_over_drum_radius,
-        (p.force_phase.cos() * p.force_amplitude + p.eccentricity * p.layer_stiffness)
-            * t1,
-        (-(p.force_phase.sin() * p.force_amplitude)
-            - p.eccentricity * winding_speed_over_drum_radius * p.layer_viscosity) * t1,
+        (p.eccentricity * p.layer_stiffness)
+            .add_product(p.force_phase.cos(), p.force_amplitude) * t1,
+        (-(p.eccentricity * winding_speed_over_drum_radius * p.layer_viscosity))
+            .sub_product(p.force_phase.sin(), p.force_amplitude) * t1,
         R::literal(0.0),
         p.winding_speed / p.holder_package_radius,
         p.package_phase.cos() * p.package_force * t1,
         -(p.package_phase.sin() * p.package_force * t1),
         R::literal(0.0),
         R::literal(2.0) * winding_speed_over_drum_radius,
-        (cos_ovality_phase * p.ovality * p.layer_stiffness
-            - sin_ovality_phase * t0 * p.layer_viscosity) * t1,
-        (-(cos_ovality_phase * t0 * p.layer_viscosity)
-            - sin_ovality_phase * p.ovality * p.layer_stiffness) * t1,
+        (cos_ovality_phase * p.ovality * p.layer_stiffness)
+            .sub_product(sin_ovality_phase * t0, p.layer_viscosity) * t1,
+        (-(cos_ovality_phase * t0 * p.layer_viscosity))
+            .sub_product(sin_ovality_phase * p.ovality, p.layer_stiffness) * t1,
     ]
 }
 

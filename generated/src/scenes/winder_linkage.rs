@@ -1042,15 +1042,19 @@ pub fn prepared_rate<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let t8 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t8 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
-    let t9 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
-    let t10 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t11 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t8)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
+    let t9 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
+    let t10 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t11 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
     let t12 = t1 * R::literal(370.370_370_370_370_3);
@@ -1086,17 +1090,19 @@ pub fn prepared_rate<R: Real>(
     let t42 = R::literal(-1.25) - t41;
     let t43 = t36 * t35;
     let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = t12 * t0 - t38 * t35;
+    let t45 = (t12 * t0).sub_product(t38, t35);
     let t46 = t45 * t44;
     let t47 = R::literal(1.25) - t41 - t43;
     let t48 = t47 * t44;
-    let t49 = t14 * t0 + t40 * t35;
+    let t49 = (t14 * t0).add_product(t40, t35);
     let t50 = t49 * t44;
     let t51 = t15 * t3;
     let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51 - t38 * t37 - t46 * t45);
+        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
+            .sub_product(t38, t37)
+            .sub_product(t46, t45);
     let t53 = t16 * t3;
-    let t54 = t35 + t53 - t36 * t37 - t48 * t45;
+    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
     let t55 = t54 * t52;
     let t56 = R::literal(0.833_333_333_333_333_4) - t51;
     let t57 = t56 * t52;
@@ -1106,131 +1112,204 @@ pub fn prepared_rate<R: Real>(
     let t61 = t60 * t52;
     let t62 = t18 * t3;
     let t63 = t62 * t52;
-    let t64 = t40 * t37 - t39 - t50 * t45;
+    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
     let t65 = t64 * t52;
     let t66 = t16 * t2;
     let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43 - t48 * t47
-            - t55 * t54);
-    let t68 = t15 * t2 - t57 * t54;
+        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
+            .sub_product(t48, t47)
+            .sub_product(t55, t54);
+    let t68 = (t15 * t2).sub_product(t57, t54);
     let t69 = t68 * t67;
-    let t70 = R::literal(0.833_333_333_333_333_4) - t66 - t58 * t54;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
     let t71 = t70 * t67;
     let t72 = -(t17 * t2);
-    let t73 = t72 - t61 * t54;
+    let t73 = t72.sub_product(t61, t54);
     let t74 = t73 * t67;
     let t75 = t18 * t2;
-    let t76 = R::literal(0.833_333_333_333_333_4) + t75 + t63 * t54;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
     let t77 = t76 * t67;
-    let t78 = t49 - t50 * t47 - t65 * t54;
+    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
     let t79 = t78 * t67;
     let t80 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t51
-            - R::literal(3.333_333_333_333_333_5) - t21 * t5 - t57 * t56 - t69 * t68);
-    let t81 = t53 + t22 * t5 - t58 * t56 - t71 * t68;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t21, t5)
+            .sub_product(t57, t56)
+            .sub_product(t69, t68);
+    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
     let t82 = t81 * t80;
     let t83 = R::literal(-2_777.777_777_777_778) * t5;
     let t84 = t83 * t80;
-    let t85 = t23 * t5 - t19;
+    let t85 = (-t19).add_product(t23, t5);
     let t86 = t85 * t80;
-    let t87 = R::literal(-0.833_333_333_333_333_4) + t59 - t61 * t56 - t74 * t68;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
+        .sub_product(t61, t56)
+        .sub_product(t74, t68);
     let t88 = t87 * t80;
-    let t89 = t63 * t56 - t62 - t77 * t68;
+    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
     let t90 = t89 * t80;
-    let t91 = -(t65 * t56) - t79 * t68;
+    let t91 = (-(t65 * t56)).sub_product(t79, t68);
     let t92 = t91 * t80;
     let t93 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t66
-            - R::literal(3.333_333_333_333_333_5) - t22 * t4 - t58 * t53 - t71 * t70
-            - t82 * t81);
-    let t94 = R::literal(-2_777.777_777_777_778) * t4 + t84 * t81;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t4)
+            .sub_product(t58, t53)
+            .sub_product(t71, t70)
+            .sub_product(t82, t81);
+    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
     let t95 = t94 * t93;
-    let t96 = t20 - t23 * t4 - t86 * t81;
+    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
     let t97 = t96 * t93;
-    let t98 = t72 - t61 * t53 - t74 * t70 - t88 * t81;
+    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
     let t99 = t98 * t93;
-    let t100 = R::literal(-0.833_333_333_333_333_4) + t75 + t63 * t53 - t77 * t70
-        - t90 * t81;
+    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
+        .add_product(t63, t53)
+        .sub_product(t77, t70)
+        .sub_product(t90, t81);
     let t101 = t100 * t93;
-    let t102 = -(t65 * t53) - t79 * t70 - t92 * t81;
+    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
     let t103 = t102 * t93;
     let t104 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t84 * t83 - t95 * t94);
-    let t105 = t86 * t83 - t23 - t97 * t94;
+        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
+    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
     let t106 = t105 * t104;
     let t107 = t26 * t104;
     let t108 = t27 * t104;
-    let t109 = t88 * t83 - t99 * t94;
+    let t109 = (t88 * t83).sub_product(t99, t94);
     let t110 = t109 * t104;
-    let t111 = t90 * t83 - t101 * t94;
+    let t111 = (t90 * t83).sub_product(t101, t94);
     let t112 = t111 * t104;
-    let t113 = t92 * t83 - t103 * t94;
+    let t113 = (t92 * t83).sub_product(t103, t94);
     let t114 = t113 * t104;
     let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi) - t20 * cos_cylinder_phi - t23 * slide
-            - t24 * sin_cylinder_phi - t25 * cos_cylinder_phi - t86 * t85 - t97 * t96
-            - t106 * t105);
-    let t116 = t24 - t107 * t105;
+        / (-(t19 * sin_cylinder_phi))
+            .sub_product(t20, cos_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t86, t85)
+            .sub_product(t97, t96)
+            .sub_product(t106, t105);
+    let t116 = t24.sub_product(t107, t105);
     let t117 = t116 * t115;
-    let t118 = t108 * t105 - t25;
+    let t118 = (-t25).add_product(t108, t105);
     let t119 = t118 * t115;
-    let t120 = -(t88 * t85) - t99 * t96 - t110 * t105;
+    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
     let t121 = t120 * t115;
-    let t122 = -(t90 * t85) - t101 * t96 - t112 * t105;
+    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
     let t123 = t122 * t115;
-    let t124 = -(t92 * t85) - t103 * t96 - t114 * t105;
+    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
     let t125 = t124 * t115;
     let t126 = R::literal(1.0)
-        / (R::literal(-5.0) - t26 * t7 - t107 * t26 - t117 * t116);
-    let t127 = t27 * t7 + t108 * t26 - t119 * t116;
+        / R::literal(-5.0)
+            .sub_product(t26, t7)
+            .sub_product(t107, t26)
+            .sub_product(t117, t116);
+    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
     let t128 = t127 * t126;
-    let t129 = -(t110 * t26) - t121 * t116;
+    let t129 = (-(t110 * t26)).sub_product(t121, t116);
     let t130 = t129 * t126;
-    let t131 = -(t112 * t26) - t123 * t116;
+    let t131 = (-(t112 * t26)).sub_product(t123, t116);
     let t132 = t131 * t126;
-    let t133 = -(t114 * t26) - t125 * t116;
+    let t133 = (-(t114 * t26)).sub_product(t125, t116);
     let t134 = t133 * t126;
     let t135 = R::literal(1.0)
-        / (R::literal(-5.0) - t27 * t6 - t108 * t27 - t119 * t118 - t128 * t127);
-    let t136 = t110 * t27 - t121 * t118 - t130 * t127;
+        / R::literal(-5.0)
+            .sub_product(t27, t6)
+            .sub_product(t108, t27)
+            .sub_product(t119, t118)
+            .sub_product(t128, t127);
+    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
     let t137 = t136 * t135;
-    let t138 = t112 * t27 - t123 * t118 - t132 * t127;
+    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
     let t139 = t138 * t135;
-    let t140 = t114 * t27 - t125 * t118 - t134 * t127;
+    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
     let t141 = t140 * t135;
     let t142 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t17 * t10 - c.inverse_bobbin_mass
-            - t61 * t60 - t74 * t73 - t88 * t87 - t99 * t98 - t110 * t109 - t121 * t120
-            - t130 * t129 - t137 * t136);
-    let t143 = t18 * t10 + t63 * t60 - t77 * t73 - t90 * t87 - t101 * t98 - t112 * t109
-        - t123 * t120 - t132 * t129 - t139 * t136;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
+            - c.inverse_bobbin_mass)
+            .sub_product(t61, t60)
+            .sub_product(t74, t73)
+            .sub_product(t88, t87)
+            .sub_product(t99, t98)
+            .sub_product(t110, t109)
+            .sub_product(t121, t120)
+            .sub_product(t130, t129)
+            .sub_product(t137, t136);
+    let t143 = (t18 * t10)
+        .add_product(t63, t60)
+        .sub_product(t77, t73)
+        .sub_product(t90, t87)
+        .sub_product(t101, t98)
+        .sub_product(t112, t109)
+        .sub_product(t123, t120)
+        .sub_product(t132, t129)
+        .sub_product(t139, t136);
     let t144 = t143 * t142;
     let t145 = t28 * t142;
-    let t146 = -(t65 * t60) - t79 * t73 - t92 * t87 - t103 * t98 - t114 * t109
-        - t125 * t120 - t134 * t129 - t141 * t136;
+    let t146 = (-(t65 * t60))
+        .sub_product(t79, t73)
+        .sub_product(t92, t87)
+        .sub_product(t103, t98)
+        .sub_product(t114, t109)
+        .sub_product(t125, t120)
+        .sub_product(t134, t129)
+        .sub_product(t141, t136);
     let t147 = t146 * t142;
     let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t11 - c.inverse_bobbin_mass
-            - t63 * t62 - t77 * t76 - t90 * t89 - t101 * t100 - t112 * t111 - t123 * t122
-            - t132 * t131 - t139 * t138 - t144 * t143);
-    let t149 = t145 * t143 - t29;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
+            - c.inverse_bobbin_mass)
+            .sub_product(t63, t62)
+            .sub_product(t77, t76)
+            .sub_product(t90, t89)
+            .sub_product(t101, t100)
+            .sub_product(t112, t111)
+            .sub_product(t123, t122)
+            .sub_product(t132, t131)
+            .sub_product(t139, t138)
+            .sub_product(t144, t143);
+    let t149 = (-t29).add_product(t145, t143);
     let t150 = t149 * t148;
-    let t151 = t65 * t62 - t79 * t76 - t92 * t89 - t103 * t100 - t114 * t111
-        - t125 * t122 - t134 * t131 - t141 * t138 - t147 * t143;
+    let t151 = (t65 * t62)
+        .sub_product(t79, t76)
+        .sub_product(t92, t89)
+        .sub_product(t103, t100)
+        .sub_product(t114, t111)
+        .sub_product(t125, t122)
+        .sub_product(t134, t131)
+        .sub_product(t141, t138)
+        .sub_product(t147, t143);
     let t152 = t151 * t148;
     let t153 = t30 * R::literal(-1.5);
     let t154 = t31 * R::literal(-1.5);
     let t155 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between)
-            - t29 * bobbin_y_minus_drum_y_over_between
-            - t30 * bobbin_x_minus_drum_x_over_between
-            - t31 * bobbin_y_minus_drum_y_over_between - t145 * t28 - t150 * t149
-            - t153 * t30 - t154 * t31);
-    let t156 = t147 * t28 - t152 * t149;
+        / (-(t28 * bobbin_x_minus_drum_x_over_between))
+            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
+            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t145, t28)
+            .sub_product(t150, t149)
+            .sub_product(t153, t30)
+            .sub_product(t154, t31);
+    let t156 = (t147 * t28).sub_product(t152, t149);
     let t157 = t156 * t155;
-    let t158 = -(t14 * t9) - t40 * t39 - t50 * t49 - t65 * t64 - t79 * t78 - t92 * t91
-        - t103 * t102 - t114 * t113 - t125 * t124 - t134 * t133 - t141 * t140
-        - t147 * t146;
+    let t158 = R::literal(1.0)
+        / (-(t14 * t9))
+            .sub_product(t40, t39)
+            .sub_product(t50, t49)
+            .sub_product(t65, t64)
+            .sub_product(t79, t78)
+            .sub_product(t92, t91)
+            .sub_product(t103, t102)
+            .sub_product(t114, t113)
+            .sub_product(t125, t124)
+            .sub_product(t134, t133)
+            .sub_product(t141, t140)
+            .sub_product(t147, t146)
+            .sub_product(t152, t151)
+            .sub_product(t157, t156);
     let t159 = R::literal(50.0) * slide_rate;
     let t160 = t159 * cos_cylinder_phi;
     let t161 = p.spring_stiffness * (slide - p.spring_free_length);
@@ -1239,7 +1318,7 @@ pub fn prepared_rate<R: Real>(
     let t164 = t161 * sin_cylinder_phi;
     let t165 = t159 * sin_cylinder_phi;
     let t166 = t165 - (R::literal(2.943) - t164);
-    let t167 = -(t159 * t8) - t161 * t8;
+    let t167 = (-(t161 * t8)).sub_product(t159, t8);
     let t168 = -t160 - t162;
     let t169 = -t165 - (R::literal(1.962) + t164);
     let t170 = p.winding_force * bobbin_y_minus_drum_y / between;
@@ -1251,137 +1330,267 @@ pub fn prepared_rate<R: Real>(
     let plate_omega_squared = plate_omega * plate_omega;
     let t175 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t176 = cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi
-            + R::literal(2.0) * rod_v_y * sin_cylinder_phi
-            + cylinder_x * cylinder_omega * sin_cylinder_phi
-            + rod_y * cylinder_omega * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_x * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_y * sin_cylinder_phi
-            - cylinder_y * cylinder_omega * cos_cylinder_phi
-            - rod_x * cylinder_omega * sin_cylinder_phi);
-    let t177 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t176 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t178 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t177 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t179 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t178 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t180 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t181 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t179 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t180 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t182 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t181 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t183 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t182 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t184 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t183 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t185 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t186 = bobbin_v_x
-        * (bobbin_v_x_over_between + t180 + t181 - t178 - t179 - drum_v_x_over_between)
-        + bobbin_v_y
-            * (bobbin_v_y_over_between + t184 + t185 - t182 - t183
-                - drum_v_y_over_between)
-        + drum_v_x
-            * (t178 + t179 + drum_v_x_over_between - bobbin_v_x_over_between - t180
-                - t181);
-    let t187 = t36 * t173;
-    let t188 = -t174 - R::literal(-9.81) + t187;
-    let t189 = t15 * c.bobbin_radius_times_winding_force;
-    let t190 = t189 - (t175 * cos_plate_phi + t173) + t38 * t173 - t46 * t188;
-    let t191 = t16 * c.bobbin_radius_times_winding_force;
-    let t192 = -(t175 * sin_plate_phi + t174) - R::literal(9.81) - R::literal(-9.81)
-        - t191 + t187 - t48 * t188 - t55 * t190;
-    let t193 = R::literal(3.333_333_333_333_333_5) * t163;
-    let t194 = t189
-        - R::literal(0.06)
-            * (plate_omega_squared * cos_plate_phi
-                + cylinder_omega_squared * cos_cylinder_phi) - t193 - t21 * t167
-        - t57 * t190 - t69 * t192;
-    let t195 = R::literal(3.333_333_333_333_333_5) * t166;
-    let t196 = -(R::literal(0.06)
-        * (plate_omega_squared * sin_plate_phi
-            + cylinder_omega_squared * sin_cylinder_phi)) - R::literal(9.81) - t191
-        - t195 + t22 * t167 - t58 * t190 - t71 * t192 - t82 * t194;
-    let t197 = t84 * t194 - R::literal(-2_777.777_777_777_778) * t167 - t95 * t196;
-    let t198 = t176 - t19 * t163 + t20 * t166 + t23 * t167 + t24 * t168 - t25 * t169
-        - t86 * t194 - t97 * t196 - t106 * t197;
+    let t184 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t185 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t179 + t180 - t177 - t178 - drum_v_x_over_between))
+        .add_product(
+            bobbin_v_y,
+            bobbin_v_y_over_between + t183 + t184 - t181 - t182 - drum_v_y_over_between,
+        )
+        .add_product(
+            drum_v_x,
+            t177 + t178 + drum_v_x_over_between - bobbin_v_x_over_between - t179 - t180,
+        )
+        .add_product(
+            drum_v_y,
+            t181 + t182 + drum_v_y_over_between - bobbin_v_y_over_between - t183 - t184,
+        );
+    let t186 = t36 * t173;
+    let t187 = -t174 - R::literal(-9.81) + t186;
+    let t188 = t15 * c.bobbin_radius_times_winding_force;
+    let t189 = (t188 - t173.add_product(t175, cos_plate_phi))
+        .add_product(t38, t173)
+        .sub_product(t46, t187);
+    let t190 = t16 * c.bobbin_radius_times_winding_force;
+    let t191 = (-t174.add_product(t175, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t190 + t186)
+        .sub_product(t48, t187)
+        .sub_product(t55, t189);
+    let t192 = R::literal(3.333_333_333_333_333_5) * t163;
+    let t193 = (t188
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * cos_plate_phi)
+                .add_product(cylinder_omega_squared, cos_cylinder_phi),
+        ) - t192)
+        .sub_product(t21, t167)
+        .sub_product(t57, t189)
+        .sub_product(t69, t191);
+    let t194 = R::literal(3.333_333_333_333_333_5) * t166;
+    let t195 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        ) - t190 - t194)
+        .add_product(t22, t167)
+        .sub_product(t58, t189)
+        .sub_product(t71, t191)
+        .sub_product(t82, t193);
+    let t196 = (-(R::literal(-2_777.777_777_777_778) * t167))
+        .add_product(t84, t193)
+        .sub_product(t95, t195);
+    let t197 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t19, t163)
+        .add_product(t20, t166)
+        .add_product(t23, t167)
+        .add_product(t24, t168)
+        .sub_product(t25, t169)
+        .sub_product(t86, t193)
+        .sub_product(t97, t195);
+    let t198 = t197.sub_product(t106, t196);
     let t199 = R::literal(5.0) * t168;
-    let t200 = t177 * cos_rod_phi - t199 - t107 * t197 - t117 * t198;
+    let t200 = (-t199)
+        .add_product(t176, cos_rod_phi)
+        .sub_product(t107, t196)
+        .sub_product(t117, t198);
     let t201 = R::literal(5.0) * t169;
-    let t202 = t177 * sin_rod_phi - t201 + t108 * t197 - t119 * t198 - t128 * t200;
+    let t202 = (-t201)
+        .add_product(t176, sin_rod_phi)
+        .add_product(t108, t196)
+        .sub_product(t119, t198)
+        .sub_product(t128, t200);
     let t203 = c.inverse_bobbin_mass * t170;
-    let t204 = t11 * plate_omega_squared - t17 * c.bobbin_radius_times_winding_force
-        + t203 - t61 * t190 - t74 * t192 - t88 * t194 - t99 * t196 - t110 * t197
-        - t121 * t198 - t130 * t200 - t137 * t202;
+    let t204 = ((t11 * plate_omega_squared)
+        .sub_product(t17, c.bobbin_radius_times_winding_force) + t203)
+        .sub_product(t61, t189)
+        .sub_product(t74, t191)
+        .sub_product(t88, t193)
+        .sub_product(t99, t195)
+        .sub_product(t110, t196)
+        .sub_product(t121, t198)
+        .sub_product(t130, t200)
+        .sub_product(t137, t202);
     let t205 = c.inverse_bobbin_mass * t171;
-    let t206 = t10 * plate_omega_squared - R::literal(9.81)
-        + t18 * c.bobbin_radius_times_winding_force - t205 + t63 * t190 - t77 * t192
-        - t90 * t194 - t101 * t196 - t112 * t197 - t123 * t198 - t132 * t200
-        - t139 * t202 - t144 * t204;
-    let t207 = t28 * t170
-        - (t186
-            + drum_v_y
-                * (t182 + t183 + drum_v_y_over_between - bobbin_v_y_over_between - t184
-                    - t185)) - t29 * t171 + t31 * R::literal(-14.715) + t145 * t204
-        - t150 * t206 - t154 * R::literal(9.809_999_999_999_999);
-    let t208 = (R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi)
-        * post_omega_squared - t40 * t173 - t50 * t188 - t65 * t190 - t79 * t192
-        - t92 * t194 - t103 * t196 - t114 * t197 - t125 * t198 - t134 * t200
-        - t141 * t202;
-    let t209 = (t208 - t147 * t204 - t152 * t206 - t157 * t207)
-        * (R::literal(1.0) / (t158 - t152 * t151 - t157 * t156));
-    let t210 = t207 * t155 - t157 * t209;
-    let axle_b_x = t153 * t210;
-    let t211 = t206 * t148 - t150 * t210 - t152 * t209;
-    let t212 = t204 * t142 - t144 * t211 + t145 * t210 - t147 * t209;
-    let t213 = t202 * t135 - t137 * t212 - t139 * t211 - t141 * t209;
-    let t214 = t200 * t126 - t128 * t213 - t130 * t212 - t132 * t211 - t134 * t209;
-    let t215 = t198 * t115 - t117 * t214 - t119 * t213 - t121 * t212 - t123 * t211
-        - t125 * t209;
-    let t216 = t197 * t104 - t106 * t215 - t107 * t214 + t108 * t213 - t110 * t212
-        - t112 * t211 - t114 * t209;
-    let t217 = t196 * t93 - t95 * t216 - t97 * t215 - t99 * t212 - t101 * t211
-        - t103 * t209;
-    let t218 = t194 * t80 - t82 * t217 + t84 * t216 - t86 * t215 - t88 * t212
-        - t90 * t211 - t92 * t209;
-    let t219 = t192 * t67 - t69 * t218 - t71 * t217 - t74 * t212 - t77 * t211
-        - t79 * t209;
-    let t220 = t190 * t52 - t55 * t219 - t57 * t218 - t58 * t217 - t61 * t212
-        + t63 * t211 - t65 * t209;
-    let t221 = t188 * t44 - t46 * t220 - t48 * t219 - t50 * t209;
-    let t222 = -(t173 * t34) - t36 * t221 - t38 * t220 - t36 * t219 + t40 * t209;
+    let t206 = (R::literal(-9.81)
+        .add_product(t10, plate_omega_squared)
+        .add_product(t18, c.bobbin_radius_times_winding_force) - t205)
+        .add_product(t63, t189)
+        .sub_product(t77, t191)
+        .sub_product(t90, t193)
+        .sub_product(t101, t195)
+        .sub_product(t112, t196)
+        .sub_product(t123, t198)
+        .sub_product(t132, t200)
+        .sub_product(t139, t202)
+        .sub_product(t144, t204);
+    let t207 = (-t185)
+        .add_product(t28, t170)
+        .sub_product(t29, t171)
+        .add_product(t31, R::literal(-14.715))
+        .add_product(t145, t204)
+        .sub_product(t150, t206)
+        .sub_product(t154, R::literal(9.809_999_999_999_999));
+    let t208 = ((R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
+        .sub_product(t40, t173)
+        .sub_product(t50, t187)
+        .sub_product(t65, t189)
+        .sub_product(t79, t191)
+        .sub_product(t92, t193)
+        .sub_product(t103, t195)
+        .sub_product(t114, t196)
+        .sub_product(t125, t198)
+        .sub_product(t134, t200)
+        .sub_product(t141, t202)
+        .sub_product(t147, t204)
+        .sub_product(t152, t206)
+        .sub_product(t157, t207) * t158;
+    let t209 = (t207 * t155).sub_product(t157, t208);
+    let axle_b_x = t153 * t209;
+    let t210 = (t206 * t148).sub_product(t150, t209).sub_product(t152, t208);
+    let t211 = (t204 * t142)
+        .sub_product(t144, t210)
+        .add_product(t145, t209)
+        .sub_product(t147, t208);
+    let t212 = (t202 * t135)
+        .sub_product(t137, t211)
+        .sub_product(t139, t210)
+        .sub_product(t141, t208);
+    let t213 = (t200 * t126)
+        .sub_product(t128, t212)
+        .sub_product(t130, t211)
+        .sub_product(t132, t210)
+        .sub_product(t134, t208);
+    let t214 = (t198 * t115)
+        .sub_product(t117, t213)
+        .sub_product(t119, t212)
+        .sub_product(t121, t211)
+        .sub_product(t123, t210)
+        .sub_product(t125, t208);
+    let t215 = (t196 * t104)
+        .sub_product(t106, t214)
+        .sub_product(t107, t213)
+        .add_product(t108, t212)
+        .sub_product(t110, t211)
+        .sub_product(t112, t210)
+        .sub_product(t114, t208);
+    let t216 = (t195 * t93)
+        .sub_product(t95, t215)
+        .sub_product(t97, t214)
+        .sub_product(t99, t211)
+        .sub_product(t101, t210)
+        .sub_product(t103, t208);
+    let t217 = (t193 * t80)
+        .sub_product(t82, t216)
+        .add_product(t84, t215)
+        .sub_product(t86, t214)
+        .sub_product(t88, t211)
+        .sub_product(t90, t210)
+        .sub_product(t92, t208);
+    let t218 = (t191 * t67)
+        .sub_product(t69, t217)
+        .sub_product(t71, t216)
+        .sub_product(t74, t211)
+        .sub_product(t77, t210)
+        .sub_product(t79, t208);
+    let t219 = (t189 * t52)
+        .sub_product(t55, t218)
+        .sub_product(t57, t217)
+        .sub_product(t58, t216)
+        .sub_product(t61, t211)
+        .add_product(t63, t210)
+        .sub_product(t65, t208);
+    let t220 = (t187 * t44)
+        .sub_product(t46, t219)
+        .sub_product(t48, t218)
+        .sub_product(t50, t208);
+    let t221 = (-(t173 * t34))
+        .sub_product(t36, t220)
+        .sub_product(t38, t219)
+        .sub_product(t36, t218)
+        .add_product(t40, t208);
     let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
-        - R::literal(0.666_666_666_666_666_6)
-            * (R::literal(-14.714_999_999_999_998) - t154 * t210) + t31 * t210;
-    let drum_v_x_dot = R::literal(0.666_666_666_666_666_6) * axle_b_x + t30 * t210;
-    let bobbin_v_y_dot = t205 - c.inverse_bobbin_mass * t211 - t29 * t210;
-    let bobbin_v_x_dot = -t203 - c.inverse_bobbin_mass * t212 - t28 * t210;
-    let rod_omega_dot = t26 * t214 - R::literal(4_166.666_666_666_667) * t216
-        - t27 * t213;
-    let rod_v_y_dot = t201 - t25 * t215 - R::literal(5.0) * t213;
-    let rod_v_x_dot = t199 + t24 * t215 - R::literal(5.0) * t214;
-    let cylinder_omega_dot = t167 * R::literal(2_777.777_777_777_778) - t21 * t218
-        + t22 * t217 - R::literal(-2_777.777_777_777_778) * t216 + t23 * t215;
-    let cylinder_v_y_dot = t195 - R::literal(3.333_333_333_333_333_5) * t217
-        + t20 * t215;
-    let cylinder_v_x_dot = t193 - R::literal(3.333_333_333_333_333_5) * t218
-        - t19 * t215;
-    let plate_omega_dot = c.t1 - t15 * t220 + t16 * t219 - t15 * t218 + t16 * t217
-        + t17 * t212 - t18 * t211;
-    let plate_v_y_dot = R::literal(-9.81) - R::literal(0.833_333_333_333_333_4) * t219
-        - R::literal(-0.833_333_333_333_333_4) * t217
-        - R::literal(-0.833_333_333_333_333_4) * t211;
-    let plate_v_x_dot = -(R::literal(0.833_333_333_333_333_4) * t220)
-        - R::literal(-0.833_333_333_333_333_4) * t218
-        - R::literal(-0.833_333_333_333_333_4) * t212;
-    let post_omega_dot = t13 * t221 - t12 * t222 - t12 * t220 + t13 * t219 - t14 * t209;
-    let post_v_y_dot = R::literal(-9.81) - R::literal(1.25) * t221
-        - R::literal(-1.25) * t219;
-    let post_v_x_dot = -(R::literal(1.25) * t222) - R::literal(-1.25) * t220;
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            R::literal(-14.714_999_999_999_998).sub_product(t154, t209),
+        )
+        .add_product(t31, t209);
+    let drum_v_x_dot = (t30 * t209)
+        .add_product(R::literal(0.666_666_666_666_666_6), axle_b_x);
+    let bobbin_v_y_dot = t205
+        .sub_product(c.inverse_bobbin_mass, t210)
+        .sub_product(t29, t209);
+    let bobbin_v_x_dot = (-t203)
+        .sub_product(c.inverse_bobbin_mass, t211)
+        .sub_product(t28, t209);
+    let rod_omega_dot = (t26 * t213)
+        .sub_product(R::literal(4_166.666_666_666_667), t215)
+        .sub_product(t27, t212);
+    let rod_v_y_dot = t201.sub_product(t25, t214).sub_product(R::literal(5.0), t212);
+    let rod_v_x_dot = t199.add_product(t24, t214).sub_product(R::literal(5.0), t213);
+    let cylinder_omega_dot = (t167 * R::literal(2_777.777_777_777_778))
+        .sub_product(t21, t217)
+        .add_product(t22, t216)
+        .sub_product(R::literal(-2_777.777_777_777_778), t215)
+        .add_product(t23, t214);
+    let cylinder_v_y_dot = t194
+        .sub_product(R::literal(3.333_333_333_333_333_5), t216)
+        .add_product(t20, t214);
+    let cylinder_v_x_dot = t192
+        .sub_product(R::literal(3.333_333_333_333_333_5), t217)
+        .sub_product(t19, t214);
+    let plate_omega_dot = c
+        .t1
+        .sub_product(t15, t219)
+        .add_product(t16, t218)
+        .sub_product(t15, t217)
+        .add_product(t16, t216)
+        .add_product(t17, t211)
+        .sub_product(t18, t210);
+    let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t218)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t216)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t210);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t217))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t219)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t211);
+    let post_omega_dot = (t13 * t220)
+        .sub_product(t12, t221)
+        .sub_product(t12, t219)
+        .add_product(t13, t218)
+        .sub_product(t14, t208);
+    let post_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(1.25), t220)
+        .sub_product(R::literal(-1.25), t218);
+    let post_v_x_dot = (-(R::literal(-1.25) * t219)).sub_product(R::literal(1.25), t221);
     [
         post_v_x,
         post_v_y,
@@ -1469,17 +1678,18 @@ pub fn forcing<R: Real>(
     let sin_cylinder_phi = cylinder_phi.sin();
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
-    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x
-        + bobbin_y_minus_drum_y * bobbin_y_minus_drum_y)
+    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
         .sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let t0 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t0 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let t0 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t0)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let plate_phi_forcing = -(p.bobbin_radius * p.winding_force);
     let t1 = R::literal(50.0) * slide_rate;
     let t2 = t1 * cos_cylinder_phi;
@@ -1489,12 +1699,12 @@ pub fn forcing<R: Real>(
     let t5 = t3 * sin_cylinder_phi;
     let t6 = t1 * sin_cylinder_phi;
     let cylinder_y_forcing = t6 - (R::literal(2.943) - t5);
-    let cylinder_phi_forcing = -(t1 * t0) - t3 * t0;
+    let cylinder_phi_forcing = (-(t3 * t0)).sub_product(t1, t0);
     let rod_x_forcing = -t2 - t4;
     let rod_y_forcing = -t6 - (R::literal(1.962) + t5);
     let bobbin_x_forcing = -(p.winding_force * bobbin_y_minus_drum_y / between);
-    let bobbin_y_forcing = p.winding_force * bobbin_x_minus_drum_x / between
-        - R::literal(9.81) * p.bobbin_mass;
+    let bobbin_y_forcing = (p.winding_force * bobbin_x_minus_drum_x / between)
+        .sub_product(R::literal(9.81), p.bobbin_mass);
     [
         R::literal(0.0),
         R::literal(-7.848),
@@ -1571,16 +1781,18 @@ pub fn prepared_rate_jacobian<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
     let t12 = rod_x_minus_cylinder_x * sin_cylinder_phi;
     let t13 = rod_y_minus_cylinder_y * cos_cylinder_phi;
     let t14 = t13 - t12;
     let rod_v_x_minus_cylinder_v_x = rod_v_x - cylinder_v_x;
     let rod_v_y_minus_cylinder_v_y = rod_v_y - cylinder_v_y;
-    let slide_rate = cylinder_omega * t14 + rod_v_x_minus_cylinder_v_x * cos_cylinder_phi
-        + rod_v_y_minus_cylinder_v_y * sin_cylinder_phi;
-    let t15 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
+    let slide_rate = (rod_v_x_minus_cylinder_v_x * cos_cylinder_phi)
+        .add_product(cylinder_omega, t14)
+        .add_product(rod_v_y_minus_cylinder_v_y, sin_cylinder_phi);
+    let t15 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
     let t16 = t11 + t10;
     let t17 = t9 - t8;
     let t18 = t8 - t9;
@@ -1619,17 +1831,19 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t49 = R::literal(-1.25) - t48;
     let t50 = t43 * t42;
     let t51 = R::literal(1.0) / (t49 - t50);
-    let t52 = t19 * t0 - t45 * t42;
+    let t52 = (t19 * t0).sub_product(t45, t42);
     let t53 = t52 * t51;
     let t54 = R::literal(1.25) - t48 - t50;
     let t55 = t54 * t51;
-    let t56 = t21 * t0 + t47 * t42;
+    let t56 = (t21 * t0).add_product(t47, t42);
     let t57 = t56 * t51;
     let t58 = t22 * t3;
     let t59 = R::literal(1.0)
-        / (t40 - R::literal(0.833_333_333_333_333_4) - t58 - t45 * t44 - t53 * t52);
+        / (t40 - R::literal(0.833_333_333_333_333_4) - t58)
+            .sub_product(t45, t44)
+            .sub_product(t53, t52);
     let t60 = t23 * t3;
-    let t61 = t42 + t60 - t43 * t44 - t55 * t52;
+    let t61 = (t42 + t60).sub_product(t43, t44).sub_product(t55, t52);
     let t62 = t61 * t59;
     let t63 = R::literal(0.833_333_333_333_333_4) - t58;
     let t64 = t63 * t59;
@@ -1639,1919 +1853,3842 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t68 = t67 * t59;
     let t69 = t25 * t3;
     let t70 = t69 * t59;
-    let t71 = t47 * t44 - t46 - t57 * t52;
+    let t71 = (-t46).add_product(t47, t44).sub_product(t57, t52);
     let t72 = t71 * t59;
     let t73 = t23 * t2;
     let t74 = R::literal(1.0)
-        / (t49 - R::literal(0.833_333_333_333_333_4) - t73 - t50 - t55 * t54
-            - t62 * t61);
-    let t75 = t22 * t2 - t64 * t61;
+        / (t49 - R::literal(0.833_333_333_333_333_4) - t73 - t50)
+            .sub_product(t55, t54)
+            .sub_product(t62, t61);
+    let t75 = (t22 * t2).sub_product(t64, t61);
     let t76 = t75 * t74;
-    let t77 = R::literal(0.833_333_333_333_333_4) - t73 - t65 * t61;
+    let t77 = (R::literal(0.833_333_333_333_333_4) - t73).sub_product(t65, t61);
     let t78 = t77 * t74;
     let t79 = -(t24 * t2);
-    let t80 = t79 - t68 * t61;
+    let t80 = t79.sub_product(t68, t61);
     let t81 = t80 * t74;
     let t82 = t25 * t2;
-    let t83 = R::literal(0.833_333_333_333_333_4) + t82 + t70 * t61;
+    let t83 = (R::literal(0.833_333_333_333_333_4) + t82).add_product(t70, t61);
     let t84 = t83 * t74;
-    let t85 = t56 - t57 * t54 - t72 * t61;
+    let t85 = t56.sub_product(t57, t54).sub_product(t72, t61);
     let t86 = t85 * t74;
     let t87 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t58
-            - R::literal(3.333_333_333_333_333_5) - t28 * t5 - t64 * t63 - t76 * t75);
-    let t88 = t60 + t29 * t5 - t65 * t63 - t78 * t75;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t28, t5)
+            .sub_product(t64, t63)
+            .sub_product(t76, t75);
+    let t88 = t60.add_product(t29, t5).sub_product(t65, t63).sub_product(t78, t75);
     let t89 = t88 * t87;
     let t90 = R::literal(-2_777.777_777_777_778) * t5;
     let t91 = t90 * t87;
-    let t92 = t30 * t5 - t26;
+    let t92 = (-t26).add_product(t30, t5);
     let t93 = t92 * t87;
-    let t94 = R::literal(-0.833_333_333_333_333_4) + t66 - t68 * t63 - t81 * t75;
+    let t94 = (R::literal(-0.833_333_333_333_333_4) + t66)
+        .sub_product(t68, t63)
+        .sub_product(t81, t75);
     let t95 = t94 * t87;
-    let t96 = t70 * t63 - t69 - t84 * t75;
+    let t96 = (-t69).add_product(t70, t63).sub_product(t84, t75);
     let t97 = t96 * t87;
-    let t98 = -(t72 * t63) - t86 * t75;
+    let t98 = (-(t72 * t63)).sub_product(t86, t75);
     let t99 = t98 * t87;
     let t100 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t73
-            - R::literal(3.333_333_333_333_333_5) - t29 * t4 - t65 * t60 - t78 * t77
-            - t89 * t88);
-    let t101 = R::literal(-2_777.777_777_777_778) * t4 + t91 * t88;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t29, t4)
+            .sub_product(t65, t60)
+            .sub_product(t78, t77)
+            .sub_product(t89, t88);
+    let t101 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t91, t88);
     let t102 = t101 * t100;
-    let t103 = t27 - t30 * t4 - t93 * t88;
+    let t103 = t27.sub_product(t30, t4).sub_product(t93, t88);
     let t104 = t103 * t100;
-    let t105 = t79 - t68 * t60 - t81 * t77 - t95 * t88;
+    let t105 = t79.sub_product(t68, t60).sub_product(t81, t77).sub_product(t95, t88);
     let t106 = t105 * t100;
-    let t107 = R::literal(-0.833_333_333_333_333_4) + t82 + t70 * t60 - t84 * t77
-        - t97 * t88;
+    let t107 = (R::literal(-0.833_333_333_333_333_4) + t82)
+        .add_product(t70, t60)
+        .sub_product(t84, t77)
+        .sub_product(t97, t88);
     let t108 = t107 * t100;
-    let t109 = -(t72 * t60) - t86 * t77 - t99 * t88;
+    let t109 = (-(t72 * t60)).sub_product(t86, t77).sub_product(t99, t88);
     let t110 = t109 * t100;
     let t111 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t91 * t90 - t102 * t101);
-    let t112 = t93 * t90 - t30 - t104 * t101;
+        / R::literal(-6_944.444_444_444_445)
+            .sub_product(t91, t90)
+            .sub_product(t102, t101);
+    let t112 = (-t30).add_product(t93, t90).sub_product(t104, t101);
     let t113 = t112 * t111;
     let t114 = t33 * t111;
     let t115 = t34 * t111;
-    let t116 = t95 * t90 - t106 * t101;
+    let t116 = (t95 * t90).sub_product(t106, t101);
     let t117 = t116 * t111;
-    let t118 = t97 * t90 - t108 * t101;
+    let t118 = (t97 * t90).sub_product(t108, t101);
     let t119 = t118 * t111;
-    let t120 = t99 * t90 - t110 * t101;
+    let t120 = (t99 * t90).sub_product(t110, t101);
     let t121 = t120 * t111;
     let t122 = R::literal(1.0)
-        / (-(t26 * sin_cylinder_phi) - t27 * cos_cylinder_phi - t30 * slide
-            - t31 * sin_cylinder_phi - t32 * cos_cylinder_phi - t93 * t92 - t104 * t103
-            - t113 * t112);
-    let t123 = t31 - t114 * t112;
+        / (-(t26 * sin_cylinder_phi))
+            .sub_product(t27, cos_cylinder_phi)
+            .sub_product(t30, slide)
+            .sub_product(t31, sin_cylinder_phi)
+            .sub_product(t32, cos_cylinder_phi)
+            .sub_product(t93, t92)
+            .sub_product(t104, t103)
+            .sub_product(t113, t112);
+    let t123 = t31.sub_product(t114, t112);
     let t124 = t123 * t122;
-    let t125 = t115 * t112 - t32;
+    let t125 = (-t32).add_product(t115, t112);
     let t126 = t125 * t122;
-    let t127 = -(t95 * t92) - t106 * t103 - t117 * t112;
+    let t127 = (-(t95 * t92)).sub_product(t106, t103).sub_product(t117, t112);
     let t128 = t127 * t122;
-    let t129 = -(t97 * t92) - t108 * t103 - t119 * t112;
+    let t129 = (-(t97 * t92)).sub_product(t108, t103).sub_product(t119, t112);
     let t130 = t129 * t122;
-    let t131 = -(t99 * t92) - t110 * t103 - t121 * t112;
+    let t131 = (-(t99 * t92)).sub_product(t110, t103).sub_product(t121, t112);
     let t132 = t131 * t122;
     let t133 = R::literal(1.0)
-        / (R::literal(-5.0) - t33 * t7 - t114 * t33 - t124 * t123);
-    let t134 = t34 * t7 + t115 * t33 - t126 * t123;
+        / R::literal(-5.0)
+            .sub_product(t33, t7)
+            .sub_product(t114, t33)
+            .sub_product(t124, t123);
+    let t134 = (t34 * t7).add_product(t115, t33).sub_product(t126, t123);
     let t135 = t134 * t133;
-    let t136 = -(t117 * t33) - t128 * t123;
+    let t136 = (-(t117 * t33)).sub_product(t128, t123);
     let t137 = t136 * t133;
-    let t138 = -(t119 * t33) - t130 * t123;
+    let t138 = (-(t119 * t33)).sub_product(t130, t123);
     let t139 = t138 * t133;
-    let t140 = -(t121 * t33) - t132 * t123;
+    let t140 = (-(t121 * t33)).sub_product(t132, t123);
     let t141 = t140 * t133;
     let t142 = R::literal(1.0)
-        / (R::literal(-5.0) - t34 * t6 - t115 * t34 - t126 * t125 - t135 * t134);
-    let t143 = t117 * t34 - t128 * t125 - t137 * t134;
+        / R::literal(-5.0)
+            .sub_product(t34, t6)
+            .sub_product(t115, t34)
+            .sub_product(t126, t125)
+            .sub_product(t135, t134);
+    let t143 = (t117 * t34).sub_product(t128, t125).sub_product(t137, t134);
     let t144 = t143 * t142;
-    let t145 = t119 * t34 - t130 * t125 - t139 * t134;
+    let t145 = (t119 * t34).sub_product(t130, t125).sub_product(t139, t134);
     let t146 = t145 * t142;
-    let t147 = t121 * t34 - t132 * t125 - t141 * t134;
+    let t147 = (t121 * t34).sub_product(t132, t125).sub_product(t141, t134);
     let t148 = t147 * t142;
     let t149 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t24 * t16 - c.inverse_bobbin_mass
-            - t68 * t67 - t81 * t80 - t95 * t94 - t106 * t105 - t117 * t116 - t128 * t127
-            - t137 * t136 - t144 * t143);
-    let t150 = t25 * t16 + t70 * t67 - t84 * t80 - t97 * t94 - t108 * t105 - t119 * t116
-        - t130 * t127 - t139 * t136 - t146 * t143;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t24, t16)
+            - c.inverse_bobbin_mass)
+            .sub_product(t68, t67)
+            .sub_product(t81, t80)
+            .sub_product(t95, t94)
+            .sub_product(t106, t105)
+            .sub_product(t117, t116)
+            .sub_product(t128, t127)
+            .sub_product(t137, t136)
+            .sub_product(t144, t143);
+    let t150 = (t25 * t16)
+        .add_product(t70, t67)
+        .sub_product(t84, t80)
+        .sub_product(t97, t94)
+        .sub_product(t108, t105)
+        .sub_product(t119, t116)
+        .sub_product(t130, t127)
+        .sub_product(t139, t136)
+        .sub_product(t146, t143);
     let t151 = t150 * t149;
     let t152 = t35 * t149;
-    let t153 = -(t72 * t67) - t86 * t80 - t99 * t94 - t110 * t105 - t121 * t116
-        - t132 * t127 - t141 * t136 - t148 * t143;
+    let t153 = (-(t72 * t67))
+        .sub_product(t86, t80)
+        .sub_product(t99, t94)
+        .sub_product(t110, t105)
+        .sub_product(t121, t116)
+        .sub_product(t132, t127)
+        .sub_product(t141, t136)
+        .sub_product(t148, t143);
     let t154 = t153 * t149;
     let t155 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t25 * t18 - c.inverse_bobbin_mass
-            - t70 * t69 - t84 * t83 - t97 * t96 - t108 * t107 - t119 * t118 - t130 * t129
-            - t139 * t138 - t146 * t145 - t151 * t150);
-    let t156 = t152 * t150 - t36;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t25, t18)
+            - c.inverse_bobbin_mass)
+            .sub_product(t70, t69)
+            .sub_product(t84, t83)
+            .sub_product(t97, t96)
+            .sub_product(t108, t107)
+            .sub_product(t119, t118)
+            .sub_product(t130, t129)
+            .sub_product(t139, t138)
+            .sub_product(t146, t145)
+            .sub_product(t151, t150);
+    let t156 = (-t36).add_product(t152, t150);
     let t157 = t156 * t155;
-    let t158 = t72 * t69 - t86 * t83 - t99 * t96 - t110 * t107 - t121 * t118
-        - t132 * t129 - t141 * t138 - t148 * t145 - t154 * t150;
+    let t158 = (t72 * t69)
+        .sub_product(t86, t83)
+        .sub_product(t99, t96)
+        .sub_product(t110, t107)
+        .sub_product(t121, t118)
+        .sub_product(t132, t129)
+        .sub_product(t141, t138)
+        .sub_product(t148, t145)
+        .sub_product(t154, t150);
     let t159 = t158 * t155;
     let t160 = t37 * R::literal(-1.5);
     let t161 = t38 * R::literal(-1.5);
     let t162 = R::literal(1.0)
-        / (-(t35 * bobbin_x_minus_drum_x_over_between)
-            - t36 * bobbin_y_minus_drum_y_over_between
-            - t37 * bobbin_x_minus_drum_x_over_between
-            - t38 * bobbin_y_minus_drum_y_over_between - t152 * t35 - t157 * t156
-            - t160 * t37 - t161 * t38);
-    let t163 = t154 * t35 - t159 * t156;
+        / (-(t35 * bobbin_x_minus_drum_x_over_between))
+            .sub_product(t36, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t37, bobbin_x_minus_drum_x_over_between)
+            .sub_product(t38, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t152, t35)
+            .sub_product(t157, t156)
+            .sub_product(t160, t37)
+            .sub_product(t161, t38);
+    let t163 = (t154 * t35).sub_product(t159, t156);
     let t164 = t163 * t162;
-    let t165 = -(t21 * t15) - t47 * t46 - t57 * t56 - t72 * t71 - t86 * t85 - t99 * t98
-        - t110 * t109 - t121 * t120 - t132 * t131 - t141 * t140 - t148 * t147
-        - t154 * t153;
-    let t166 = R::literal(1.0) / (t165 - t159 * t158 - t164 * t163);
-    let t167 = R::literal(50.0) * slide_rate;
-    let t168 = t167 * cos_cylinder_phi;
+    let t165 = R::literal(1.0)
+        / (-(t21 * t15))
+            .sub_product(t47, t46)
+            .sub_product(t57, t56)
+            .sub_product(t72, t71)
+            .sub_product(t86, t85)
+            .sub_product(t99, t98)
+            .sub_product(t110, t109)
+            .sub_product(t121, t120)
+            .sub_product(t132, t131)
+            .sub_product(t141, t140)
+            .sub_product(t148, t147)
+            .sub_product(t154, t153)
+            .sub_product(t159, t158)
+            .sub_product(t164, t163);
+    let t166 = R::literal(50.0) * slide_rate;
+    let t167 = t166 * cos_cylinder_phi;
     let slide_minus_spring_free_length = slide - p.spring_free_length;
-    let t169 = p.spring_stiffness * slide_minus_spring_free_length;
-    let t170 = t169 * cos_cylinder_phi;
-    let t171 = t168 + t170;
-    let t172 = t169 * sin_cylinder_phi;
-    let t173 = t167 * sin_cylinder_phi;
-    let t174 = t173 - (R::literal(2.943) - t172);
-    let t175 = -(t167 * t14) - t169 * t14;
-    let t176 = -t168;
-    let t177 = t176 - t170;
-    let t178 = -t173 - (R::literal(1.962) + t172);
-    let t179 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t180 = p.winding_force * bobbin_x_minus_drum_x;
-    let t181 = t180 / between - c.t0;
+    let t168 = p.spring_stiffness * slide_minus_spring_free_length;
+    let t169 = t168 * cos_cylinder_phi;
+    let t170 = t167 + t169;
+    let t171 = t168 * sin_cylinder_phi;
+    let t172 = t166 * sin_cylinder_phi;
+    let t173 = t172 - (R::literal(2.943) - t171);
+    let t174 = (-(t168 * t14)).sub_product(t166, t14);
+    let t175 = -t167;
+    let t176 = t175 - t169;
+    let t177 = -t172 - (R::literal(1.962) + t171);
+    let t178 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t179 = p.winding_force * bobbin_x_minus_drum_x;
+    let t180 = t179 / between - c.t0;
     let post_omega_squared = post_omega * post_omega;
-    let t182 = R::literal(0.1) * post_omega_squared;
-    let t183 = t182 * cos_post_phi;
-    let t184 = t182 * sin_post_phi;
+    let t181 = R::literal(0.1) * post_omega_squared;
+    let t182 = t181 * cos_post_phi;
+    let t183 = t181 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t185 = R::literal(0.06) * plate_omega_squared;
-    let t186 = t185 * cos_plate_phi;
-    let t187 = t185 * sin_plate_phi;
+    let t184 = R::literal(0.06) * plate_omega_squared;
+    let t185 = t184 * cos_plate_phi;
+    let t186 = t184 * sin_plate_phi;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t188 = cylinder_omega_squared * cos_cylinder_phi;
-    let t189 = cylinder_omega_squared * sin_cylinder_phi;
-    let t190 = R::literal(2.0) * cylinder_v_x;
-    let t191 = R::literal(2.0) * cylinder_v_y;
+    let t187 = cylinder_omega_squared * cos_cylinder_phi;
+    let t188 = cylinder_omega_squared * sin_cylinder_phi;
+    let t189 = R::literal(2.0) * cylinder_v_x;
+    let t190 = R::literal(2.0) * cylinder_v_y;
     let cylinder_y_times_cylinder_omega = cylinder_y * cylinder_omega;
-    let t192 = cylinder_y_times_cylinder_omega * cos_cylinder_phi;
+    let t191 = cylinder_y_times_cylinder_omega * cos_cylinder_phi;
     let rod_x_times_cylinder_omega = rod_x * cylinder_omega;
-    let t193 = rod_x_times_cylinder_omega * sin_cylinder_phi;
-    let t194 = R::literal(2.0) * rod_v_x;
-    let t195 = R::literal(2.0) * rod_v_y;
+    let t192 = rod_x_times_cylinder_omega * sin_cylinder_phi;
+    let t193 = R::literal(2.0) * rod_v_x;
+    let t194 = R::literal(2.0) * rod_v_y;
     let cylinder_x_times_cylinder_omega = cylinder_x * cylinder_omega;
-    let t196 = cylinder_x_times_cylinder_omega * sin_cylinder_phi;
+    let t195 = cylinder_x_times_cylinder_omega * sin_cylinder_phi;
     let rod_y_times_cylinder_omega = rod_y * cylinder_omega;
-    let t197 = rod_y_times_cylinder_omega * cos_cylinder_phi;
-    let t198 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t199 = t198 * cos_rod_phi;
-    let t200 = t198 * sin_rod_phi;
-    let t201 = t18 * plate_omega_squared;
+    let t196 = rod_y_times_cylinder_omega * cos_cylinder_phi;
+    let t197 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t198 = t197 * cos_rod_phi;
+    let t199 = t197 * sin_rod_phi;
+    let t200 = t18 * plate_omega_squared;
     let between_squared_times_between = between * between * between;
-    let t202 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t201 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t203 = bobbin_v_y * bobbin_x_minus_drum_x;
-    let t204 = t203 * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t202 = bobbin_v_y * bobbin_x_minus_drum_x;
+    let t203 = t202 * bobbin_y_minus_drum_y / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t205 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t204 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
     let drum_v_y_times_bobbin_x_minus_drum_x = drum_v_y * bobbin_x_minus_drum_x;
-    let t206 = drum_v_y_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t205 = drum_v_y_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t207 = bobbin_v_x * bobbin_x_minus_drum_x;
-    let t208 = t207 * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t209 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t206 = bobbin_v_x * bobbin_x_minus_drum_x;
+    let t207 = t206 * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t208 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
     let drum_v_x_times_bobbin_x_minus_drum_x = drum_v_x * bobbin_x_minus_drum_x;
-    let t210 = drum_v_x_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t209 = drum_v_x_times_bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t211 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t212 = bobbin_v_x
-        * (bobbin_v_x_over_between + t205 + t206 - t202 - t204 - drum_v_x_over_between)
-        + bobbin_v_y
-            * (bobbin_v_y_over_between + t210 + t211 - t208 - t209
-                - drum_v_y_over_between)
-        + drum_v_x
-            * (t202 + t204 + drum_v_x_over_between - bobbin_v_x_over_between - t205
-                - t206);
-    let t213 = R::literal(0.044) * cos_post_phi;
-    let t214 = R::literal(0.143) * sin_post_phi;
-    let t215 = t43 * t183;
-    let t216 = -t184 - R::literal(-9.81) + t215;
-    let t217 = t22 * c.bobbin_radius_times_winding_force;
-    let t218 = t217 - (t186 + t183) + t45 * t183 - t53 * t216;
-    let t219 = t23 * c.bobbin_radius_times_winding_force;
-    let t220 = -(t187 + t184) - R::literal(9.81) - R::literal(-9.81) - t219 + t215
-        - t55 * t216 - t62 * t218;
-    let t221 = R::literal(3.333_333_333_333_333_5) * t171;
-    let t222 = t217 - R::literal(0.06) * (plate_omega_squared * cos_plate_phi + t188)
-        - t221 - t28 * t175 - t64 * t218 - t76 * t220;
-    let t223 = R::literal(3.333_333_333_333_333_5) * t174;
-    let t224 = -(R::literal(0.06) * (plate_omega_squared * sin_plate_phi + t189))
-        - R::literal(9.81) - t219 - t223 + t29 * t175 - t65 * t218 - t78 * t220
-        - t89 * t222;
-    let t225 = t91 * t222 - R::literal(-2_777.777_777_777_778) * t175 - t102 * t224;
-    let t226 = cylinder_omega
-        * (t194 * cos_cylinder_phi + t195 * sin_cylinder_phi + t196 + t197
-            - t190 * cos_cylinder_phi - t191 * sin_cylinder_phi - t192 - t193)
-        - t26 * t171 + t27 * t174 + t30 * t175 + t31 * t177 - t32 * t178 - t93 * t222;
-    let t227 = t226 - t104 * t224 - t113 * t225;
+    let t210 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t211 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t204 + t205 - t201 - t203 - drum_v_x_over_between))
+        .add_product(
+            bobbin_v_y,
+            bobbin_v_y_over_between + t209 + t210 - t207 - t208 - drum_v_y_over_between,
+        )
+        .add_product(
+            drum_v_x,
+            t201 + t203 + drum_v_x_over_between - bobbin_v_x_over_between - t204 - t205,
+        )
+        .add_product(
+            drum_v_y,
+            t207 + t208 + drum_v_y_over_between - bobbin_v_y_over_between - t209 - t210,
+        );
+    let t212 = R::literal(0.044) * cos_post_phi;
+    let t213 = R::literal(0.143) * sin_post_phi;
+    let t214 = t43 * t182;
+    let t215 = -t183 - R::literal(-9.81) + t214;
+    let t216 = t22 * c.bobbin_radius_times_winding_force;
+    let t217 = (t216 - (t185 + t182)).add_product(t45, t182).sub_product(t53, t215);
+    let t218 = t23 * c.bobbin_radius_times_winding_force;
+    let t219 = (-(t186 + t183) - R::literal(9.81) - R::literal(-9.81) - t218 + t214)
+        .sub_product(t55, t215)
+        .sub_product(t62, t217);
+    let t220 = R::literal(3.333_333_333_333_333_5) * t170;
+    let t221 = (t216
+        .sub_product(
+            R::literal(0.06),
+            t187.add_product(plate_omega_squared, cos_plate_phi),
+        ) - t220)
+        .sub_product(t28, t174)
+        .sub_product(t64, t217)
+        .sub_product(t76, t219);
+    let t222 = R::literal(3.333_333_333_333_333_5) * t173;
+    let t223 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            t188.add_product(plate_omega_squared, sin_plate_phi),
+        ) - t218 - t222)
+        .add_product(t29, t174)
+        .sub_product(t65, t217)
+        .sub_product(t78, t219)
+        .sub_product(t89, t221);
+    let t224 = (-(R::literal(-2_777.777_777_777_778) * t174))
+        .add_product(t91, t221)
+        .sub_product(t102, t223);
+    let t225 = (cylinder_omega
+        * (((t193 * cos_cylinder_phi).add_product(t194, sin_cylinder_phi) + t195 + t196)
+            .sub_product(t189, cos_cylinder_phi)
+            .sub_product(t190, sin_cylinder_phi) - t191 - t192))
+        .sub_product(t26, t170)
+        .add_product(t27, t173)
+        .add_product(t30, t174)
+        .add_product(t31, t176)
+        .sub_product(t32, t177)
+        .sub_product(t93, t221)
+        .sub_product(t104, t223)
+        .sub_product(t113, t224);
+    let t226 = R::literal(5.0) * t176;
+    let t227 = (t198 - t226).sub_product(t114, t224).sub_product(t124, t225);
     let t228 = R::literal(5.0) * t177;
-    let t229 = t199 - t228 - t114 * t225 - t124 * t227;
-    let t230 = R::literal(5.0) * t178;
-    let t231 = t200 - t230 + t115 * t225 - t126 * t227 - t135 * t229;
-    let t232 = c.inverse_bobbin_mass * t179;
-    let t233 = t201 - t24 * c.bobbin_radius_times_winding_force + t232 - t68 * t218
-        - t81 * t220 - t95 * t222 - t106 * t224 - t117 * t225 - t128 * t227 - t137 * t229
-        - t144 * t231;
-    let t234 = c.inverse_bobbin_mass * t181;
-    let t235 = t16 * plate_omega_squared - R::literal(9.81)
-        + t25 * c.bobbin_radius_times_winding_force - t234 + t70 * t218 - t84 * t220
-        - t97 * t222 - t108 * t224 - t119 * t225 - t130 * t227 - t139 * t229
-        - t146 * t231 - t151 * t233;
-    let t236 = t35 * t179
-        - (t212
-            + drum_v_y
-                * (t208 + t209 + drum_v_y_over_between - bobbin_v_y_over_between - t210
-                    - t211)) - t36 * t181 + t38 * R::literal(-14.715) + t152 * t233
-        - t157 * t235 - t161 * R::literal(9.809_999_999_999_999);
-    let t237 = (t214 - t213) * post_omega_squared - t47 * t183 - t57 * t216 - t72 * t218
-        - t86 * t220 - t99 * t222 - t110 * t224 - t121 * t225 - t132 * t227 - t141 * t229
-        - t148 * t231 - t154 * t233;
-    let t238 = (t237 - t159 * t235 - t164 * t236) * t166;
-    let t239 = t236 * t162 - t164 * t238;
-    let axle_b_x = t160 * t239;
-    let t240 = t235 * t155 - t157 * t239 - t159 * t238;
-    let t241 = t233 * t149 - t151 * t240 + t152 * t239 - t154 * t238;
-    let t242 = t231 * t142 - t144 * t241 - t146 * t240 - t148 * t238;
-    let t243 = t229 * t133 - t135 * t242 - t137 * t241 - t139 * t240 - t141 * t238;
-    let t244 = t227 * t122 - t124 * t243 - t126 * t242 - t128 * t241 - t130 * t240
-        - t132 * t238;
-    let t245 = t225 * t111 - t113 * t244 - t114 * t243 + t115 * t242 - t117 * t241
-        - t119 * t240 - t121 * t238;
-    let t246 = t224 * t100 - t102 * t245 - t104 * t244 - t106 * t241 - t108 * t240
-        - t110 * t238;
-    let t247 = t222 * t87 - t89 * t246 + t91 * t245 - t93 * t244 - t95 * t241
-        - t97 * t240 - t99 * t238;
-    let t248 = t220 * t74 - t76 * t247 - t78 * t246 - t81 * t241 - t84 * t240
-        - t86 * t238;
-    let t249 = t218 * t59 - t62 * t248 - t64 * t247 - t65 * t246 - t68 * t241
-        + t70 * t240 - t72 * t238;
-    let t250 = t216 * t51 - t53 * t249 - t55 * t248 - t57 * t238;
-    let t251 = -(t183 * t41) - t43 * t250 - t45 * t249 - t43 * t248 + t47 * t238;
+    let t229 = (t199 - t228)
+        .add_product(t115, t224)
+        .sub_product(t126, t225)
+        .sub_product(t135, t227);
+    let t230 = c.inverse_bobbin_mass * t178;
+    let t231 = (t200.sub_product(t24, c.bobbin_radius_times_winding_force) + t230)
+        .sub_product(t68, t217)
+        .sub_product(t81, t219)
+        .sub_product(t95, t221)
+        .sub_product(t106, t223)
+        .sub_product(t117, t224)
+        .sub_product(t128, t225)
+        .sub_product(t137, t227)
+        .sub_product(t144, t229);
+    let t232 = c.inverse_bobbin_mass * t180;
+    let t233 = (R::literal(-9.81)
+        .add_product(t16, plate_omega_squared)
+        .add_product(t25, c.bobbin_radius_times_winding_force) - t232)
+        .add_product(t70, t217)
+        .sub_product(t84, t219)
+        .sub_product(t97, t221)
+        .sub_product(t108, t223)
+        .sub_product(t119, t224)
+        .sub_product(t130, t225)
+        .sub_product(t139, t227)
+        .sub_product(t146, t229)
+        .sub_product(t151, t231);
+    let t234 = (-t211)
+        .add_product(t35, t178)
+        .sub_product(t36, t180)
+        .add_product(t38, R::literal(-14.715))
+        .add_product(t152, t231)
+        .sub_product(t157, t233)
+        .sub_product(t161, R::literal(9.809_999_999_999_999));
+    let t235 = ((t213 - t212) * post_omega_squared)
+        .sub_product(t47, t182)
+        .sub_product(t57, t215)
+        .sub_product(t72, t217)
+        .sub_product(t86, t219)
+        .sub_product(t99, t221)
+        .sub_product(t110, t223)
+        .sub_product(t121, t224)
+        .sub_product(t132, t225)
+        .sub_product(t141, t227)
+        .sub_product(t148, t229)
+        .sub_product(t154, t231)
+        .sub_product(t159, t233)
+        .sub_product(t164, t234) * t165;
+    let t236 = (t234 * t162).sub_product(t164, t235);
+    let axle_b_x = t160 * t236;
+    let t237 = (t233 * t155).sub_product(t157, t236).sub_product(t159, t235);
+    let t238 = (t231 * t149)
+        .sub_product(t151, t237)
+        .add_product(t152, t236)
+        .sub_product(t154, t235);
+    let t239 = (t229 * t142)
+        .sub_product(t144, t238)
+        .sub_product(t146, t237)
+        .sub_product(t148, t235);
+    let t240 = (t227 * t133)
+        .sub_product(t135, t239)
+        .sub_product(t137, t238)
+        .sub_product(t139, t237)
+        .sub_product(t141, t235);
+    let t241 = (t225 * t122)
+        .sub_product(t124, t240)
+        .sub_product(t126, t239)
+        .sub_product(t128, t238)
+        .sub_product(t130, t237)
+        .sub_product(t132, t235);
+    let t242 = (t224 * t111)
+        .sub_product(t113, t241)
+        .sub_product(t114, t240)
+        .add_product(t115, t239)
+        .sub_product(t117, t238)
+        .sub_product(t119, t237)
+        .sub_product(t121, t235);
+    let t243 = (t223 * t100)
+        .sub_product(t102, t242)
+        .sub_product(t104, t241)
+        .sub_product(t106, t238)
+        .sub_product(t108, t237)
+        .sub_product(t110, t235);
+    let t244 = (t221 * t87)
+        .sub_product(t89, t243)
+        .add_product(t91, t242)
+        .sub_product(t93, t241)
+        .sub_product(t95, t238)
+        .sub_product(t97, t237)
+        .sub_product(t99, t235);
+    let t245 = (t219 * t74)
+        .sub_product(t76, t244)
+        .sub_product(t78, t243)
+        .sub_product(t81, t238)
+        .sub_product(t84, t237)
+        .sub_product(t86, t235);
+    let t246 = (t217 * t59)
+        .sub_product(t62, t245)
+        .sub_product(t64, t244)
+        .sub_product(t65, t243)
+        .sub_product(t68, t238)
+        .add_product(t70, t237)
+        .sub_product(t72, t235);
+    let t247 = (t215 * t51)
+        .sub_product(t53, t246)
+        .sub_product(t55, t245)
+        .sub_product(t57, t235);
+    let t248 = (-(t182 * t41))
+        .sub_product(t43, t247)
+        .sub_product(t45, t246)
+        .sub_product(t43, t245)
+        .add_product(t47, t235);
     let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
-        - R::literal(0.666_666_666_666_666_6)
-            * (R::literal(-14.714_999_999_999_998) - t161 * t239) + t38 * t239;
-    let drum_v_x_dot = R::literal(0.666_666_666_666_666_6) * axle_b_x + t37 * t239;
-    let bobbin_v_y_dot = t234 - c.inverse_bobbin_mass * t240 - t36 * t239;
-    let bobbin_v_x_dot = -t232 - c.inverse_bobbin_mass * t241 - t35 * t239;
-    let rod_omega_dot = t33 * t243 - R::literal(4_166.666_666_666_667) * t245
-        - t34 * t242;
-    let rod_v_y_dot = t230 - t32 * t244 - R::literal(5.0) * t242;
-    let rod_v_x_dot = t228 + t31 * t244 - R::literal(5.0) * t243;
-    let cylinder_omega_dot = t175 * R::literal(2_777.777_777_777_778) - t28 * t247
-        + t29 * t246 - R::literal(-2_777.777_777_777_778) * t245 + t30 * t244;
-    let cylinder_v_y_dot = t223 - R::literal(3.333_333_333_333_333_5) * t246
-        + t27 * t244;
-    let cylinder_v_x_dot = t221 - R::literal(3.333_333_333_333_333_5) * t247
-        - t26 * t244;
-    let plate_omega_dot = c.t1 - t22 * t249 + t23 * t248 - t22 * t247 + t23 * t246
-        + t24 * t241 - t25 * t240;
-    let post_omega_dot = t20 * t250 - t19 * t251 - t19 * t249 + t20 * t248 - t21 * t238;
-    let t252 = t213 - t214;
-    let t253 = -(t0 * t251) - t1 * t250 - t0 * t249 - t1 * t248 - t252 * t238;
-    let t254 = t184 - t0 * post_omega_dot - t19 * t253;
-    let t255 = -t183 - t1 * post_omega_dot + t20 * t253 - t43 * t254;
-    let t256 = t254 - t45 * t254 - t53 * t255;
-    let t257 = t255 - t55 * t255 - t62 * t256;
-    let t258 = -(t64 * t256) - t76 * t257;
-    let t259 = -(t65 * t256) - t78 * t257 - t89 * t258;
-    let t260 = t91 * t258 - t102 * t259;
-    let t261 = -(t93 * t258) - t104 * t259 - t113 * t260;
-    let t262 = -(t114 * t260) - t124 * t261;
-    let t263 = t115 * t260 - t126 * t261 - t135 * t262;
-    let t264 = -(t68 * t256) - t81 * t257 - t95 * t258 - t106 * t259 - t117 * t260
-        - t128 * t261 - t137 * t262 - t144 * t263;
-    let t265 = t70 * t256 - t84 * t257 - t97 * t258 - t108 * t259 - t119 * t260
-        - t130 * t261 - t139 * t262 - t146 * t263 - t151 * t264;
-    let t266 = t152 * t264 - t157 * t265;
-    let t267 = t15 * post_omega_squared - t252 * post_omega_dot - t21 * t253 + t47 * t254
-        - t57 * t255 - t72 * t256 - t86 * t257 - t99 * t258 - t110 * t259 - t121 * t260
-        - t132 * t261 - t141 * t262;
-    let t268 = (t267 - t148 * t263 - t154 * t264 - t159 * t265 - t164 * t266) * t166;
-    let t269 = t266 * t162 - t164 * t268;
-    let t270 = t265 * t155 - t157 * t269 - t159 * t268;
-    let t271 = t264 * t149 - t151 * t270 + t152 * t269 - t154 * t268;
-    let t272 = t263 * t142 - t144 * t271 - t146 * t270 - t148 * t268;
-    let t273 = t262 * t133 - t135 * t272 - t137 * t271 - t139 * t270 - t141 * t268;
-    let t274 = t261 * t122 - t124 * t273 - t126 * t272 - t128 * t271 - t130 * t270
-        - t132 * t268;
-    let t275 = t260 * t111 - t113 * t274 - t114 * t273 + t115 * t272 - t117 * t271
-        - t119 * t270 - t121 * t268;
-    let t276 = t259 * t100 - t102 * t275 - t104 * t274 - t106 * t271 - t108 * t270
-        - t110 * t268;
-    let t277 = t258 * t87 - t89 * t276 + t91 * t275 - t93 * t274 - t95 * t271
-        - t97 * t270 - t99 * t268;
-    let t278 = t257 * t74 - t76 * t277 - t78 * t276 - t81 * t271 - t84 * t270
-        - t86 * t268;
-    let t279 = t256 * t59 - t62 * t278 - t64 * t277 - t65 * t276 - t68 * t271
-        + t70 * t270 - t72 * t268;
-    let t280 = t255 * t51 - t53 * t279 - t55 * t278 - t57 * t268;
-    let t281 = t254 * t41 - t43 * t280 - t45 * t279 - t43 * t278 + t47 * t268;
-    let drum_v_y_dot_by_post_phi = R::literal(0.666_666_666_666_666_6) * (t161 * t269)
-        + t38 * t269;
-    let drum_v_x_dot_by_post_phi = R::literal(0.666_666_666_666_666_6) * (t160 * t269)
-        + t37 * t269;
-    let bobbin_v_y_dot_by_post_phi = -(c.inverse_bobbin_mass * t270) - t36 * t269;
-    let bobbin_v_x_dot_by_post_phi = -(c.inverse_bobbin_mass * t271) - t35 * t269;
-    let rod_omega_dot_by_post_phi = t33 * t273 - R::literal(4_166.666_666_666_667) * t275
-        - t34 * t272;
-    let rod_v_y_dot_by_post_phi = -(t32 * t274) - R::literal(5.0) * t272;
-    let rod_v_x_dot_by_post_phi = t31 * t274 - R::literal(5.0) * t273;
-    let cylinder_omega_dot_by_post_phi = t29 * t276 - t28 * t277
-        - R::literal(-2_777.777_777_777_778) * t275 + t30 * t274;
-    let cylinder_v_y_dot_by_post_phi = t27 * t274
-        - R::literal(3.333_333_333_333_333_5) * t276;
-    let cylinder_v_x_dot_by_post_phi = -(R::literal(3.333_333_333_333_333_5) * t277)
-        - t26 * t274;
-    let plate_omega_dot_by_post_phi = t23 * t278 - t22 * t279 - t22 * t277 + t23 * t276
-        + t24 * t271 - t25 * t270;
-    let plate_v_y_dot_by_post_phi = -(R::literal(0.833_333_333_333_333_4) * t278)
-        - R::literal(-0.833_333_333_333_333_4) * t276
-        - R::literal(-0.833_333_333_333_333_4) * t270;
-    let plate_v_x_dot_by_post_phi = -(R::literal(0.833_333_333_333_333_4) * t279)
-        - R::literal(-0.833_333_333_333_333_4) * t277
-        - R::literal(-0.833_333_333_333_333_4) * t271;
-    let post_omega_dot_by_post_phi = t253 * R::literal(370.370_370_370_370_3)
-        - t19 * t281 + t20 * t280 - t19 * t279 + t20 * t278 - t21 * t268;
-    let post_v_y_dot_by_post_phi = -(R::literal(1.25) * t280) - R::literal(-1.25) * t278;
-    let post_v_x_dot_by_post_phi = -(R::literal(1.25) * t281) - R::literal(-1.25) * t279;
-    let t282 = -(t2 * t249) - t3 * t248 - t2 * t247 - t3 * t246 - t17 * t241
-        + t16 * t240;
-    let t283 = t187 - t2 * plate_omega_dot - t22 * t282;
-    let t284 = -t186 - t3 * plate_omega_dot + t23 * t282;
-    let t285 = t284 - t62 * t283;
-    let t286 = t283 - t64 * t283 - t76 * t285;
-    let t287 = t284 - t65 * t283 - t78 * t285 - t89 * t286;
-    let t288 = t91 * t286 - t102 * t287;
-    let t289 = -(t93 * t286) - t104 * t287 - t113 * t288;
-    let t290 = -(t114 * t288) - t124 * t289;
-    let t291 = t115 * t288 - t126 * t289 - t135 * t290;
-    let t292 = (-t10 - t11) * plate_omega_squared - t17 * plate_omega_dot + t24 * t282
-        - t68 * t283 - t81 * t285 - t95 * t286 - t106 * t287 - t117 * t288 - t128 * t289
-        - t137 * t290 - t144 * t291;
-    let t293 = t201 + t16 * plate_omega_dot - t25 * t282 + t70 * t283 - t84 * t285
-        - t97 * t286 - t108 * t287 - t119 * t288 - t130 * t289 - t139 * t290
-        - t146 * t291 - t151 * t292;
-    let t294 = t152 * t292 - t157 * t293;
-    let t295 = (-(t72 * t283) - t86 * t285 - t99 * t286 - t110 * t287 - t121 * t288
-        - t132 * t289 - t141 * t290 - t148 * t291 - t154 * t292 - t159 * t293
-        - t164 * t294) * t166;
-    let t296 = t294 * t162 - t164 * t295;
-    let t297 = t293 * t155 - t157 * t296 - t159 * t295;
-    let t298 = t292 * t149 - t151 * t297 + t152 * t296 - t154 * t295;
-    let t299 = t291 * t142 - t144 * t298 - t146 * t297 - t148 * t295;
-    let t300 = t290 * t133 - t135 * t299 - t137 * t298 - t139 * t297 - t141 * t295;
-    let t301 = t289 * t122 - t124 * t300 - t126 * t299 - t128 * t298 - t130 * t297
-        - t132 * t295;
-    let t302 = t288 * t111 - t113 * t301 - t114 * t300 + t115 * t299 - t117 * t298
-        - t119 * t297 - t121 * t295;
-    let t303 = t287 * t100 - t102 * t302 - t104 * t301 - t106 * t298 - t108 * t297
-        - t110 * t295;
-    let t304 = t286 * t87 - t89 * t303 + t91 * t302 - t93 * t301 - t95 * t298
-        - t97 * t297 - t99 * t295;
-    let t305 = t285 * t74 - t76 * t304 - t78 * t303 - t81 * t298 - t84 * t297
-        - t86 * t295;
-    let t306 = t283 * t59 - t62 * t305 - t64 * t304 - t65 * t303 - t68 * t298
-        + t70 * t297 - t72 * t295;
-    let t307 = -(t53 * t306) - t55 * t305 - t57 * t295;
-    let t308 = -(t43 * t307) - t45 * t306 - t43 * t305 + t47 * t295;
-    let drum_v_y_dot_by_plate_phi = R::literal(0.666_666_666_666_666_6) * (t161 * t296)
-        + t38 * t296;
-    let drum_v_x_dot_by_plate_phi = R::literal(0.666_666_666_666_666_6) * (t160 * t296)
-        + t37 * t296;
-    let bobbin_v_y_dot_by_plate_phi = -(c.inverse_bobbin_mass * t297) - t36 * t296;
-    let bobbin_v_x_dot_by_plate_phi = -(c.inverse_bobbin_mass * t298) - t35 * t296;
-    let rod_omega_dot_by_plate_phi = t33 * t300
-        - R::literal(4_166.666_666_666_667) * t302 - t34 * t299;
-    let rod_v_y_dot_by_plate_phi = -(t32 * t301) - R::literal(5.0) * t299;
-    let rod_v_x_dot_by_plate_phi = t31 * t301 - R::literal(5.0) * t300;
-    let cylinder_omega_dot_by_plate_phi = t29 * t303 - t28 * t304
-        - R::literal(-2_777.777_777_777_778) * t302 + t30 * t301;
-    let cylinder_v_y_dot_by_plate_phi = t27 * t301
-        - R::literal(3.333_333_333_333_333_5) * t303;
-    let cylinder_v_x_dot_by_plate_phi = -(R::literal(3.333_333_333_333_333_5) * t304)
-        - t26 * t301;
-    let plate_omega_dot_by_plate_phi = t282 * R::literal(400.0) - t22 * t306 + t23 * t305
-        - t22 * t304 + t23 * t303 + t24 * t298 - t25 * t297;
-    let plate_v_y_dot_by_plate_phi = -(R::literal(0.833_333_333_333_333_4) * t305)
-        - R::literal(-0.833_333_333_333_333_4) * t303
-        - R::literal(-0.833_333_333_333_333_4) * t297;
-    let plate_v_x_dot_by_plate_phi = -(R::literal(0.833_333_333_333_333_4) * t306)
-        - R::literal(-0.833_333_333_333_333_4) * t304
-        - R::literal(-0.833_333_333_333_333_4) * t298;
-    let post_omega_dot_by_plate_phi = t20 * t307 - t19 * t308 - t19 * t306 + t20 * t305
-        - t21 * t295;
-    let post_v_y_dot_by_plate_phi = -(R::literal(1.25) * t307)
-        - R::literal(-1.25) * t305;
-    let post_v_x_dot_by_plate_phi = -(R::literal(1.25) * t308)
-        - R::literal(-1.25) * t306;
-    let t309 = p.spring_stiffness * cos_cylinder_phi;
-    let t310 = R::literal(50.0) * cylinder_omega;
-    let t311 = t310 * sin_cylinder_phi;
-    let t312 = t311 - t309;
-    let t313 = t312 * cos_cylinder_phi;
-    let t314 = t312 * sin_cylinder_phi;
-    let t315 = t310 * t14;
-    let t316 = t315 * sin_cylinder_phi;
-    let t317 = p.spring_stiffness * t14;
-    let t318 = t317 * cos_cylinder_phi;
-    let t319 = t309 - t311;
-    let t320 = t319 * cos_cylinder_phi;
-    let t321 = t319 * sin_cylinder_phi;
-    let t322 = cos_cylinder_phi * t244;
-    let t323 = t318 - t316 - t173 - t172 - t322;
-    let t324 = cos_cylinder_phi * cylinder_omega_dot;
-    let t325 = R::literal(3.333_333_333_333_333_5) * t313;
-    let t326 = -t325 - t28 * t323;
-    let t327 = R::literal(3.333_333_333_333_333_5) * t314;
-    let t328 = t29 * t323 - t327 - t89 * t326;
-    let t329 = t91 * t326 - R::literal(-2_777.777_777_777_778) * t323 - t102 * t328;
-    let t330 = t189 - t324 - t26 * t313 + t27 * t314 + t30 * t323 + t31 * t320
-        - t32 * t321 - t93 * t326 - t104 * t328 - t113 * t329;
-    let t331 = R::literal(5.0) * t320;
-    let t332 = -t331 - t114 * t329 - t124 * t330;
-    let t333 = R::literal(5.0) * t321;
-    let t334 = t115 * t329 - t333 - t126 * t330 - t135 * t332;
-    let t335 = -(t95 * t326) - t106 * t328 - t117 * t329 - t128 * t330 - t137 * t332
-        - t144 * t334;
-    let t336 = -(t97 * t326) - t108 * t328 - t119 * t329 - t130 * t330 - t139 * t332
-        - t146 * t334 - t151 * t335;
-    let t337 = t152 * t335 - t157 * t336;
-    let t338 = (-(t99 * t326) - t110 * t328 - t121 * t329 - t132 * t330 - t141 * t332
-        - t148 * t334 - t154 * t335 - t159 * t336 - t164 * t337) * t166;
-    let t339 = t337 * t162 - t164 * t338;
-    let t340 = t336 * t155 - t157 * t339 - t159 * t338;
-    let t341 = t335 * t149 - t151 * t340 + t152 * t339 - t154 * t338;
-    let t342 = t334 * t142 - t144 * t341 - t146 * t340 - t148 * t338;
-    let t343 = t332 * t133 - t135 * t342 - t137 * t341 - t139 * t340 - t141 * t338;
-    let t344 = t330 * t122 - t124 * t343 - t126 * t342 - t128 * t341 - t130 * t340
-        - t132 * t338;
-    let t345 = t329 * t111 - t113 * t344 - t114 * t343 + t115 * t342 - t117 * t341
-        - t119 * t340 - t121 * t338;
-    let t346 = t328 * t100 - t102 * t345 - t104 * t344 - t106 * t341 - t108 * t340
-        - t110 * t338;
-    let t347 = t326 * t87 - t89 * t346 + t91 * t345 - t93 * t344 - t95 * t341
-        - t97 * t340 - t99 * t338;
-    let t348 = -(t76 * t347) - t78 * t346 - t81 * t341 - t84 * t340 - t86 * t338;
-    let t349 = -(t62 * t348) - t64 * t347 - t65 * t346 - t68 * t341 + t70 * t340
-        - t72 * t338;
-    let t350 = -(t53 * t349) - t55 * t348 - t57 * t338;
-    let t351 = -(t43 * t350) - t45 * t349 - t43 * t348 + t47 * t338;
-    let drum_v_y_dot_by_cylinder_x = R::literal(0.666_666_666_666_666_6) * (t161 * t339)
-        + t38 * t339;
-    let drum_v_x_dot_by_cylinder_x = R::literal(0.666_666_666_666_666_6) * (t160 * t339)
-        + t37 * t339;
-    let bobbin_v_y_dot_by_cylinder_x = -(c.inverse_bobbin_mass * t340) - t36 * t339;
-    let bobbin_v_x_dot_by_cylinder_x = -(c.inverse_bobbin_mass * t341) - t35 * t339;
-    let rod_omega_dot_by_cylinder_x = t33 * t343
-        - R::literal(4_166.666_666_666_667) * t345 - t34 * t342;
-    let rod_v_y_dot_by_cylinder_x = t333 - t32 * t344 - R::literal(5.0) * t342;
-    let rod_v_x_dot_by_cylinder_x = t331 + t31 * t344 - R::literal(5.0) * t343;
-    let cylinder_omega_dot_by_cylinder_x = t323 * R::literal(2_777.777_777_777_778)
-        - t28 * t347 + t29 * t346 - R::literal(-2_777.777_777_777_778) * t345
-        + t30 * t344;
-    let cylinder_v_y_dot_by_cylinder_x = t327
-        - R::literal(3.333_333_333_333_333_5) * t346 + t27 * t344;
-    let cylinder_v_x_dot_by_cylinder_x = t325
-        - R::literal(3.333_333_333_333_333_5) * t347 - t26 * t344;
-    let plate_omega_dot_by_cylinder_x = t23 * t348 - t22 * t349 - t22 * t347 + t23 * t346
-        + t24 * t341 - t25 * t340;
-    let plate_v_y_dot_by_cylinder_x = -(R::literal(0.833_333_333_333_333_4) * t348)
-        - R::literal(-0.833_333_333_333_333_4) * t346
-        - R::literal(-0.833_333_333_333_333_4) * t340;
-    let plate_v_x_dot_by_cylinder_x = -(R::literal(0.833_333_333_333_333_4) * t349)
-        - R::literal(-0.833_333_333_333_333_4) * t347
-        - R::literal(-0.833_333_333_333_333_4) * t341;
-    let post_omega_dot_by_cylinder_x = t20 * t350 - t19 * t351 - t19 * t349 + t20 * t348
-        - t21 * t338;
-    let post_v_y_dot_by_cylinder_x = -(R::literal(1.25) * t350)
-        - R::literal(-1.25) * t348;
-    let post_v_x_dot_by_cylinder_x = -(R::literal(1.25) * t351)
-        - R::literal(-1.25) * t349;
-    let t352 = t310 * cos_cylinder_phi;
-    let t353 = p.spring_stiffness * sin_cylinder_phi;
-    let t354 = -t352 - t353;
-    let t355 = t354 * cos_cylinder_phi;
-    let t356 = t354 * sin_cylinder_phi;
-    let t357 = t315 * cos_cylinder_phi;
-    let t358 = t317 * sin_cylinder_phi;
-    let t359 = t352 + t353;
-    let t360 = t359 * cos_cylinder_phi;
-    let t361 = t359 * sin_cylinder_phi;
-    let t362 = sin_cylinder_phi * t244;
-    let t363 = t357 + t168 + t170 + t358 - t362;
-    let t364 = sin_cylinder_phi * cylinder_omega_dot;
-    let t365 = R::literal(3.333_333_333_333_333_5) * t355;
-    let t366 = -t365 - t28 * t363;
-    let t367 = R::literal(3.333_333_333_333_333_5) * t356;
-    let t368 = t29 * t363 - t367 - t89 * t366;
-    let t369 = t91 * t366 - R::literal(-2_777.777_777_777_778) * t363 - t102 * t368;
-    let t370 = -t188 - t364 - t26 * t355 + t27 * t356 + t30 * t363 + t31 * t360
-        - t32 * t361 - t93 * t366 - t104 * t368 - t113 * t369;
-    let t371 = R::literal(5.0) * t360;
-    let t372 = -t371 - t114 * t369 - t124 * t370;
-    let t373 = R::literal(5.0) * t361;
-    let t374 = t115 * t369 - t373 - t126 * t370 - t135 * t372;
-    let t375 = -(t95 * t366) - t106 * t368 - t117 * t369 - t128 * t370 - t137 * t372
-        - t144 * t374;
-    let t376 = -(t97 * t366) - t108 * t368 - t119 * t369 - t130 * t370 - t139 * t372
-        - t146 * t374 - t151 * t375;
-    let t377 = t152 * t375 - t157 * t376;
-    let t378 = (-(t99 * t366) - t110 * t368 - t121 * t369 - t132 * t370 - t141 * t372
-        - t148 * t374 - t154 * t375 - t159 * t376 - t164 * t377) * t166;
-    let t379 = t377 * t162 - t164 * t378;
-    let t380 = t376 * t155 - t157 * t379 - t159 * t378;
-    let t381 = t375 * t149 - t151 * t380 + t152 * t379 - t154 * t378;
-    let t382 = t374 * t142 - t144 * t381 - t146 * t380 - t148 * t378;
-    let t383 = t372 * t133 - t135 * t382 - t137 * t381 - t139 * t380 - t141 * t378;
-    let t384 = t370 * t122 - t124 * t383 - t126 * t382 - t128 * t381 - t130 * t380
-        - t132 * t378;
-    let t385 = t369 * t111 - t113 * t384 - t114 * t383 + t115 * t382 - t117 * t381
-        - t119 * t380 - t121 * t378;
-    let t386 = t368 * t100 - t102 * t385 - t104 * t384 - t106 * t381 - t108 * t380
-        - t110 * t378;
-    let t387 = t366 * t87 - t89 * t386 + t91 * t385 - t93 * t384 - t95 * t381
-        - t97 * t380 - t99 * t378;
-    let t388 = -(t76 * t387) - t78 * t386 - t81 * t381 - t84 * t380 - t86 * t378;
-    let t389 = -(t62 * t388) - t64 * t387 - t65 * t386 - t68 * t381 + t70 * t380
-        - t72 * t378;
-    let t390 = -(t53 * t389) - t55 * t388 - t57 * t378;
-    let t391 = -(t43 * t390) - t45 * t389 - t43 * t388 + t47 * t378;
-    let drum_v_y_dot_by_cylinder_y = R::literal(0.666_666_666_666_666_6) * (t161 * t379)
-        + t38 * t379;
-    let drum_v_x_dot_by_cylinder_y = R::literal(0.666_666_666_666_666_6) * (t160 * t379)
-        + t37 * t379;
-    let bobbin_v_y_dot_by_cylinder_y = -(c.inverse_bobbin_mass * t380) - t36 * t379;
-    let bobbin_v_x_dot_by_cylinder_y = -(c.inverse_bobbin_mass * t381) - t35 * t379;
-    let rod_omega_dot_by_cylinder_y = t33 * t383
-        - R::literal(4_166.666_666_666_667) * t385 - t34 * t382;
-    let rod_v_y_dot_by_cylinder_y = t373 - t32 * t384 - R::literal(5.0) * t382;
-    let rod_v_x_dot_by_cylinder_y = t371 + t31 * t384 - R::literal(5.0) * t383;
-    let cylinder_omega_dot_by_cylinder_y = t363 * R::literal(2_777.777_777_777_778)
-        - t28 * t387 + t29 * t386 - R::literal(-2_777.777_777_777_778) * t385
-        + t30 * t384;
-    let cylinder_v_y_dot_by_cylinder_y = t367
-        - R::literal(3.333_333_333_333_333_5) * t386 + t27 * t384;
-    let cylinder_v_x_dot_by_cylinder_y = t365
-        - R::literal(3.333_333_333_333_333_5) * t387 - t26 * t384;
-    let plate_omega_dot_by_cylinder_y = t23 * t388 - t22 * t389 - t22 * t387 + t23 * t386
-        + t24 * t381 - t25 * t380;
-    let plate_v_y_dot_by_cylinder_y = -(R::literal(0.833_333_333_333_333_4) * t388)
-        - R::literal(-0.833_333_333_333_333_4) * t386
-        - R::literal(-0.833_333_333_333_333_4) * t380;
-    let plate_v_x_dot_by_cylinder_y = -(R::literal(0.833_333_333_333_333_4) * t389)
-        - R::literal(-0.833_333_333_333_333_4) * t387
-        - R::literal(-0.833_333_333_333_333_4) * t381;
-    let post_omega_dot_by_cylinder_y = t20 * t390 - t19 * t391 - t19 * t389 + t20 * t388
-        - t21 * t378;
-    let post_v_y_dot_by_cylinder_y = -(R::literal(1.25) * t390)
-        - R::literal(-1.25) * t388;
-    let post_v_x_dot_by_cylinder_y = -(R::literal(1.25) * t391)
-        - R::literal(-1.25) * t389;
-    let t392 = R::literal(50.0)
-        * (rod_v_y_minus_cylinder_v_y * cos_cylinder_phi - cylinder_omega * slide
-            - rod_v_x_minus_cylinder_v_x * sin_cylinder_phi);
-    let t393 = t392 * cos_cylinder_phi;
-    let t394 = t392 * sin_cylinder_phi;
-    let t395 = t14 * t14;
-    let t396 = R::literal(0.06) * cylinder_omega_squared;
-    let t397 = t393 + t318 - t173 - t172 - t322;
-    let t398 = t168 + t394 - (-t170 - t358) - t362;
-    let t399 = t12 - t13;
-    let t400 = R::literal(50.0) * slide * slide_rate
-        + p.spring_stiffness * slide * slide_minus_spring_free_length - t392 * t14
-        - p.spring_stiffness * t395 - t4 * t247 - t5 * t246 - t399 * t244;
-    let t401 = t173 + t172 - t393 - t318 + t322;
-    let t402 = cylinder_omega
-        * (t190 * sin_cylinder_phi + t195 * cos_cylinder_phi
-            + cylinder_x_times_cylinder_omega * cos_cylinder_phi
-            + cylinder_y_times_cylinder_omega * sin_cylinder_phi
-            - t191 * cos_cylinder_phi - t194 * sin_cylinder_phi
-            - rod_x_times_cylinder_omega * cos_cylinder_phi
-            - rod_y_times_cylinder_omega * sin_cylinder_phi)
-        - cos_cylinder_phi * cylinder_v_x_dot - sin_cylinder_phi * cylinder_v_y_dot
-        - t399 * cylinder_omega_dot + cos_cylinder_phi * rod_v_x_dot;
-    let t403 = t176 - t394 - (t170 + t358) + t362;
-    let t404 = R::literal(3.333_333_333_333_333_5) * t397;
-    let t405 = t396 * sin_cylinder_phi - t4 * cylinder_omega_dot - t404 - t28 * t400;
-    let t406 = R::literal(3.333_333_333_333_333_5) * t398;
-    let t407 = -(t396 * cos_cylinder_phi) - t5 * cylinder_omega_dot - t406 + t29 * t400
-        - t89 * t405;
-    let t408 = t91 * t405 - R::literal(-2_777.777_777_777_778) * t400 - t102 * t407;
-    let t409 = t402 + sin_cylinder_phi * rod_v_y_dot - t26 * t397 + t27 * t398
-        + t30 * t400 + t31 * t401 - t32 * t403 - t93 * t405 - t104 * t407 - t113 * t408;
-    let t410 = R::literal(5.0) * t401;
-    let t411 = -t410 - t114 * t408 - t124 * t409;
-    let t412 = R::literal(5.0) * t403;
-    let t413 = t115 * t408 - t412 - t126 * t409 - t135 * t411;
-    let t414 = -(t95 * t405) - t106 * t407 - t117 * t408 - t128 * t409 - t137 * t411
-        - t144 * t413;
-    let t415 = -(t97 * t405) - t108 * t407 - t119 * t408 - t130 * t409 - t139 * t411
-        - t146 * t413 - t151 * t414;
-    let t416 = t152 * t414 - t157 * t415;
-    let t417 = (-(t99 * t405) - t110 * t407 - t121 * t408 - t132 * t409 - t141 * t411
-        - t148 * t413 - t154 * t414 - t159 * t415 - t164 * t416) * t166;
-    let t418 = t416 * t162 - t164 * t417;
-    let t419 = t415 * t155 - t157 * t418 - t159 * t417;
-    let t420 = t414 * t149 - t151 * t419 + t152 * t418 - t154 * t417;
-    let t421 = t413 * t142 - t144 * t420 - t146 * t419 - t148 * t417;
-    let t422 = t411 * t133 - t135 * t421 - t137 * t420 - t139 * t419 - t141 * t417;
-    let t423 = t409 * t122 - t124 * t422 - t126 * t421 - t128 * t420 - t130 * t419
-        - t132 * t417;
-    let t424 = t408 * t111 - t113 * t423 - t114 * t422 + t115 * t421 - t117 * t420
-        - t119 * t419 - t121 * t417;
-    let t425 = t407 * t100 - t102 * t424 - t104 * t423 - t106 * t420 - t108 * t419
-        - t110 * t417;
-    let t426 = t405 * t87 - t89 * t425 + t91 * t424 - t93 * t423 - t95 * t420
-        - t97 * t419 - t99 * t417;
-    let t427 = -(t76 * t426) - t78 * t425 - t81 * t420 - t84 * t419 - t86 * t417;
-    let t428 = -(t62 * t427) - t64 * t426 - t65 * t425 - t68 * t420 + t70 * t419
-        - t72 * t417;
-    let t429 = -(t53 * t428) - t55 * t427 - t57 * t417;
-    let t430 = -(t43 * t429) - t45 * t428 - t43 * t427 + t47 * t417;
-    let drum_v_y_dot_by_cylinder_phi = R::literal(0.666_666_666_666_666_6)
-        * (t161 * t418) + t38 * t418;
-    let drum_v_x_dot_by_cylinder_phi = R::literal(0.666_666_666_666_666_6)
-        * (t160 * t418) + t37 * t418;
-    let bobbin_v_y_dot_by_cylinder_phi = -(c.inverse_bobbin_mass * t419) - t36 * t418;
-    let bobbin_v_x_dot_by_cylinder_phi = -(c.inverse_bobbin_mass * t420) - t35 * t418;
-    let rod_omega_dot_by_cylinder_phi = t33 * t422
-        - R::literal(4_166.666_666_666_667) * t424 - t34 * t421;
-    let rod_v_y_dot_by_cylinder_phi = t412 - t32 * t423 - R::literal(5.0) * t421;
-    let rod_v_x_dot_by_cylinder_phi = t410 + t31 * t423 - R::literal(5.0) * t422;
-    let cylinder_omega_dot_by_cylinder_phi = t400 * R::literal(2_777.777_777_777_778)
-        - t28 * t426 + t29 * t425 - R::literal(-2_777.777_777_777_778) * t424
-        + t30 * t423;
-    let cylinder_v_y_dot_by_cylinder_phi = t406
-        - R::literal(3.333_333_333_333_333_5) * t425 + t27 * t423;
-    let cylinder_v_x_dot_by_cylinder_phi = t404
-        - R::literal(3.333_333_333_333_333_5) * t426 - t26 * t423;
-    let plate_omega_dot_by_cylinder_phi = t23 * t427 - t22 * t428 - t22 * t426
-        + t23 * t425 + t24 * t420 - t25 * t419;
-    let plate_v_y_dot_by_cylinder_phi = -(R::literal(0.833_333_333_333_333_4) * t427)
-        - R::literal(-0.833_333_333_333_333_4) * t425
-        - R::literal(-0.833_333_333_333_333_4) * t419;
-    let plate_v_x_dot_by_cylinder_phi = -(R::literal(0.833_333_333_333_333_4) * t428)
-        - R::literal(-0.833_333_333_333_333_4) * t426
-        - R::literal(-0.833_333_333_333_333_4) * t420;
-    let post_omega_dot_by_cylinder_phi = t20 * t429 - t19 * t430 - t19 * t428
-        + t20 * t427 - t21 * t417;
-    let post_v_y_dot_by_cylinder_phi = -(R::literal(1.25) * t429)
-        - R::literal(-1.25) * t427;
-    let post_v_x_dot_by_cylinder_phi = -(R::literal(1.25) * t430)
-        - R::literal(-1.25) * t428;
-    let t431 = t316 + t173 + t172 - t318 + t322;
-    let t432 = R::literal(3.333_333_333_333_333_5) * t320;
-    let t433 = -t432 - t28 * t431;
-    let t434 = R::literal(3.333_333_333_333_333_5) * t321;
-    let t435 = t29 * t431 - t434 - t89 * t433;
-    let t436 = t91 * t433 - R::literal(-2_777.777_777_777_778) * t431 - t102 * t435;
-    let t437 = t324 - t189 - t26 * t320 + t27 * t321 + t30 * t431 + t31 * t313
-        - t32 * t314 - t93 * t433 - t104 * t435 - t113 * t436;
-    let t438 = R::literal(5.0) * t313;
-    let t439 = -t438 - t114 * t436 - t124 * t437;
-    let t440 = R::literal(5.0) * t314;
-    let t441 = t115 * t436 - t440 - t126 * t437 - t135 * t439;
-    let t442 = -(t95 * t433) - t106 * t435 - t117 * t436 - t128 * t437 - t137 * t439
-        - t144 * t441;
-    let t443 = -(t97 * t433) - t108 * t435 - t119 * t436 - t130 * t437 - t139 * t439
-        - t146 * t441 - t151 * t442;
-    let t444 = t152 * t442 - t157 * t443;
-    let t445 = (-(t99 * t433) - t110 * t435 - t121 * t436 - t132 * t437 - t141 * t439
-        - t148 * t441 - t154 * t442 - t159 * t443 - t164 * t444) * t166;
-    let t446 = t444 * t162 - t164 * t445;
-    let t447 = t443 * t155 - t157 * t446 - t159 * t445;
-    let t448 = t442 * t149 - t151 * t447 + t152 * t446 - t154 * t445;
-    let t449 = t441 * t142 - t144 * t448 - t146 * t447 - t148 * t445;
-    let t450 = t439 * t133 - t135 * t449 - t137 * t448 - t139 * t447 - t141 * t445;
-    let t451 = t437 * t122 - t124 * t450 - t126 * t449 - t128 * t448 - t130 * t447
-        - t132 * t445;
-    let t452 = t436 * t111 - t113 * t451 - t114 * t450 + t115 * t449 - t117 * t448
-        - t119 * t447 - t121 * t445;
-    let t453 = t435 * t100 - t102 * t452 - t104 * t451 - t106 * t448 - t108 * t447
-        - t110 * t445;
-    let t454 = t433 * t87 - t89 * t453 + t91 * t452 - t93 * t451 - t95 * t448
-        - t97 * t447 - t99 * t445;
-    let t455 = -(t76 * t454) - t78 * t453 - t81 * t448 - t84 * t447 - t86 * t445;
-    let t456 = -(t62 * t455) - t64 * t454 - t65 * t453 - t68 * t448 + t70 * t447
-        - t72 * t445;
-    let t457 = -(t53 * t456) - t55 * t455 - t57 * t445;
-    let t458 = -(t43 * t457) - t45 * t456 - t43 * t455 + t47 * t445;
-    let drum_v_y_dot_by_rod_x = R::literal(0.666_666_666_666_666_6) * (t161 * t446)
-        + t38 * t446;
-    let drum_v_x_dot_by_rod_x = R::literal(0.666_666_666_666_666_6) * (t160 * t446)
-        + t37 * t446;
-    let bobbin_v_y_dot_by_rod_x = -(c.inverse_bobbin_mass * t447) - t36 * t446;
-    let bobbin_v_x_dot_by_rod_x = -(c.inverse_bobbin_mass * t448) - t35 * t446;
-    let rod_omega_dot_by_rod_x = t33 * t450 - R::literal(4_166.666_666_666_667) * t452
-        - t34 * t449;
-    let rod_v_y_dot_by_rod_x = t440 - t32 * t451 - R::literal(5.0) * t449;
-    let rod_v_x_dot_by_rod_x = t438 + t31 * t451 - R::literal(5.0) * t450;
-    let cylinder_omega_dot_by_rod_x = t431 * R::literal(2_777.777_777_777_778)
-        - t28 * t454 + t29 * t453 - R::literal(-2_777.777_777_777_778) * t452
-        + t30 * t451;
-    let cylinder_v_y_dot_by_rod_x = t434 - R::literal(3.333_333_333_333_333_5) * t453
-        + t27 * t451;
-    let cylinder_v_x_dot_by_rod_x = t432 - R::literal(3.333_333_333_333_333_5) * t454
-        - t26 * t451;
-    let plate_omega_dot_by_rod_x = t23 * t455 - t22 * t456 - t22 * t454 + t23 * t453
-        + t24 * t448 - t25 * t447;
-    let plate_v_y_dot_by_rod_x = -(R::literal(0.833_333_333_333_333_4) * t455)
-        - R::literal(-0.833_333_333_333_333_4) * t453
-        - R::literal(-0.833_333_333_333_333_4) * t447;
-    let plate_v_x_dot_by_rod_x = -(R::literal(0.833_333_333_333_333_4) * t456)
-        - R::literal(-0.833_333_333_333_333_4) * t454
-        - R::literal(-0.833_333_333_333_333_4) * t448;
-    let post_omega_dot_by_rod_x = t20 * t457 - t19 * t458 - t19 * t456 + t20 * t455
-        - t21 * t445;
-    let post_v_y_dot_by_rod_x = -(R::literal(1.25) * t457) - R::literal(-1.25) * t455;
-    let post_v_x_dot_by_rod_x = -(R::literal(1.25) * t458) - R::literal(-1.25) * t456;
-    let t459 = -t357 - t168 - t170 - t358 + t362;
-    let t460 = R::literal(3.333_333_333_333_333_5) * t360;
-    let t461 = -t460 - t28 * t459;
-    let t462 = R::literal(3.333_333_333_333_333_5) * t361;
-    let t463 = t29 * t459 - t462 - t89 * t461;
-    let t464 = t91 * t461 - R::literal(-2_777.777_777_777_778) * t459 - t102 * t463;
-    let t465 = t188 + t364 - t26 * t360 + t27 * t361 + t30 * t459 + t31 * t355
-        - t32 * t356 - t93 * t461 - t104 * t463 - t113 * t464;
-    let t466 = R::literal(5.0) * t355;
-    let t467 = -t466 - t114 * t464 - t124 * t465;
-    let t468 = R::literal(5.0) * t356;
-    let t469 = t115 * t464 - t468 - t126 * t465 - t135 * t467;
-    let t470 = -(t95 * t461) - t106 * t463 - t117 * t464 - t128 * t465 - t137 * t467
-        - t144 * t469;
-    let t471 = -(t97 * t461) - t108 * t463 - t119 * t464 - t130 * t465 - t139 * t467
-        - t146 * t469 - t151 * t470;
-    let t472 = t152 * t470 - t157 * t471;
-    let t473 = (-(t99 * t461) - t110 * t463 - t121 * t464 - t132 * t465 - t141 * t467
-        - t148 * t469 - t154 * t470 - t159 * t471 - t164 * t472) * t166;
-    let t474 = t472 * t162 - t164 * t473;
-    let t475 = t471 * t155 - t157 * t474 - t159 * t473;
-    let t476 = t470 * t149 - t151 * t475 + t152 * t474 - t154 * t473;
-    let t477 = t469 * t142 - t144 * t476 - t146 * t475 - t148 * t473;
-    let t478 = t467 * t133 - t135 * t477 - t137 * t476 - t139 * t475 - t141 * t473;
-    let t479 = t465 * t122 - t124 * t478 - t126 * t477 - t128 * t476 - t130 * t475
-        - t132 * t473;
-    let t480 = t464 * t111 - t113 * t479 - t114 * t478 + t115 * t477 - t117 * t476
-        - t119 * t475 - t121 * t473;
-    let t481 = t463 * t100 - t102 * t480 - t104 * t479 - t106 * t476 - t108 * t475
-        - t110 * t473;
-    let t482 = t461 * t87 - t89 * t481 + t91 * t480 - t93 * t479 - t95 * t476
-        - t97 * t475 - t99 * t473;
-    let t483 = -(t76 * t482) - t78 * t481 - t81 * t476 - t84 * t475 - t86 * t473;
-    let t484 = -(t62 * t483) - t64 * t482 - t65 * t481 - t68 * t476 + t70 * t475
-        - t72 * t473;
-    let t485 = -(t53 * t484) - t55 * t483 - t57 * t473;
-    let t486 = -(t43 * t485) - t45 * t484 - t43 * t483 + t47 * t473;
-    let drum_v_y_dot_by_rod_y = R::literal(0.666_666_666_666_666_6) * (t161 * t474)
-        + t38 * t474;
-    let drum_v_x_dot_by_rod_y = R::literal(0.666_666_666_666_666_6) * (t160 * t474)
-        + t37 * t474;
-    let bobbin_v_y_dot_by_rod_y = -(c.inverse_bobbin_mass * t475) - t36 * t474;
-    let bobbin_v_x_dot_by_rod_y = -(c.inverse_bobbin_mass * t476) - t35 * t474;
-    let rod_omega_dot_by_rod_y = t33 * t478 - R::literal(4_166.666_666_666_667) * t480
-        - t34 * t477;
-    let rod_v_y_dot_by_rod_y = t468 - t32 * t479 - R::literal(5.0) * t477;
-    let rod_v_x_dot_by_rod_y = t466 + t31 * t479 - R::literal(5.0) * t478;
-    let cylinder_omega_dot_by_rod_y = t459 * R::literal(2_777.777_777_777_778)
-        - t28 * t482 + t29 * t481 - R::literal(-2_777.777_777_777_778) * t480
-        + t30 * t479;
-    let cylinder_v_y_dot_by_rod_y = t462 - R::literal(3.333_333_333_333_333_5) * t481
-        + t27 * t479;
-    let cylinder_v_x_dot_by_rod_y = t460 - R::literal(3.333_333_333_333_333_5) * t482
-        - t26 * t479;
-    let plate_omega_dot_by_rod_y = t23 * t483 - t22 * t484 - t22 * t482 + t23 * t481
-        + t24 * t476 - t25 * t475;
-    let plate_v_y_dot_by_rod_y = -(R::literal(0.833_333_333_333_333_4) * t483)
-        - R::literal(-0.833_333_333_333_333_4) * t481
-        - R::literal(-0.833_333_333_333_333_4) * t475;
-    let plate_v_x_dot_by_rod_y = -(R::literal(0.833_333_333_333_333_4) * t484)
-        - R::literal(-0.833_333_333_333_333_4) * t482
-        - R::literal(-0.833_333_333_333_333_4) * t476;
-    let post_omega_dot_by_rod_y = t20 * t485 - t19 * t486 - t19 * t484 + t20 * t483
-        - t21 * t473;
-    let post_v_y_dot_by_rod_y = -(R::literal(1.25) * t485) - R::literal(-1.25) * t483;
-    let post_v_x_dot_by_rod_y = -(R::literal(1.25) * t486) - R::literal(-1.25) * t484;
-    let t487 = t6 * t243 + t7 * t242;
-    let t488 = R::literal(4_166.666_666_666_667) * t487;
-    let t489 = t113 * t488;
-    let t490 = t6 * rod_omega_dot - t200 + t33 * t487 + t114 * t488 - t124 * t489;
-    let t491 = t199 + t7 * rod_omega_dot - t34 * t487 - t115 * t488 - t126 * t489
-        - t135 * t490;
-    let t492 = t117 * t488 - t128 * t489 - t137 * t490 - t144 * t491;
-    let t493 = t119 * t488 - t130 * t489 - t139 * t490 - t146 * t491 - t151 * t492;
-    let t494 = t152 * t492 - t157 * t493;
-    let t495 = (t121 * t488 - t132 * t489 - t141 * t490 - t148 * t491 - t154 * t492
-        - t159 * t493 - t164 * t494) * t166;
-    let t496 = t494 * t162 - t164 * t495;
-    let t497 = t493 * t155 - t157 * t496 - t159 * t495;
-    let t498 = t492 * t149 - t151 * t497 + t152 * t496 - t154 * t495;
-    let t499 = t491 * t142 - t144 * t498 - t146 * t497 - t148 * t495;
-    let t500 = t490 * t133 - t135 * t499 - t137 * t498 - t139 * t497 - t141 * t495;
-    let t501 = t489 * t122 - t124 * t500 - t126 * t499 - t128 * t498 - t130 * t497
-        - t132 * t495;
-    let t502 = -(t488 * t111) - t113 * t501 - t114 * t500 + t115 * t499 - t117 * t498
-        - t119 * t497 - t121 * t495;
-    let t503 = -(t102 * t502) - t104 * t501 - t106 * t498 - t108 * t497 - t110 * t495;
-    let t504 = t91 * t502 - t89 * t503 - t93 * t501 - t95 * t498 - t97 * t497
-        - t99 * t495;
-    let t505 = -(t76 * t504) - t78 * t503 - t81 * t498 - t84 * t497 - t86 * t495;
-    let t506 = -(t62 * t505) - t64 * t504 - t65 * t503 - t68 * t498 + t70 * t497
-        - t72 * t495;
-    let t507 = -(t53 * t506) - t55 * t505 - t57 * t495;
-    let t508 = -(t43 * t507) - t45 * t506 - t43 * t505 + t47 * t495;
-    let drum_v_y_dot_by_rod_phi = R::literal(0.666_666_666_666_666_6) * (t161 * t496)
-        + t38 * t496;
-    let drum_v_x_dot_by_rod_phi = R::literal(0.666_666_666_666_666_6) * (t160 * t496)
-        + t37 * t496;
-    let bobbin_v_y_dot_by_rod_phi = -(c.inverse_bobbin_mass * t497) - t36 * t496;
-    let bobbin_v_x_dot_by_rod_phi = -(c.inverse_bobbin_mass * t498) - t35 * t496;
-    let rod_omega_dot_by_rod_phi = t488 - R::literal(4_166.666_666_666_667) * t502
-        + t33 * t500 - t34 * t499;
-    let rod_v_y_dot_by_rod_phi = -(t32 * t501) - R::literal(5.0) * t499;
-    let rod_v_x_dot_by_rod_phi = t31 * t501 - R::literal(5.0) * t500;
-    let cylinder_omega_dot_by_rod_phi = t29 * t503 - t28 * t504
-        - R::literal(-2_777.777_777_777_778) * t502 + t30 * t501;
-    let cylinder_v_y_dot_by_rod_phi = t27 * t501
-        - R::literal(3.333_333_333_333_333_5) * t503;
-    let cylinder_v_x_dot_by_rod_phi = -(R::literal(3.333_333_333_333_333_5) * t504)
-        - t26 * t501;
-    let plate_omega_dot_by_rod_phi = t23 * t505 - t22 * t506 - t22 * t504 + t23 * t503
-        + t24 * t498 - t25 * t497;
-    let plate_v_y_dot_by_rod_phi = -(R::literal(0.833_333_333_333_333_4) * t505)
-        - R::literal(-0.833_333_333_333_333_4) * t503
-        - R::literal(-0.833_333_333_333_333_4) * t497;
-    let plate_v_x_dot_by_rod_phi = -(R::literal(0.833_333_333_333_333_4) * t506)
-        - R::literal(-0.833_333_333_333_333_4) * t504
-        - R::literal(-0.833_333_333_333_333_4) * t498;
-    let post_omega_dot_by_rod_phi = t20 * t507 - t19 * t508 - t19 * t506 + t20 * t505
-        - t21 * t495;
-    let post_v_y_dot_by_rod_phi = -(R::literal(1.25) * t507) - R::literal(-1.25) * t505;
-    let post_v_x_dot_by_rod_phi = -(R::literal(1.25) * t508) - R::literal(-1.25) * t506;
-    let t509 = t180 * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t510 = p.winding_force * bobbin_x_minus_drum_x_squared
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            R::literal(-14.714_999_999_999_998).sub_product(t161, t236),
+        )
+        .add_product(t38, t236);
+    let drum_v_x_dot = (t37 * t236)
+        .add_product(R::literal(0.666_666_666_666_666_6), axle_b_x);
+    let bobbin_v_y_dot = t232
+        .sub_product(c.inverse_bobbin_mass, t237)
+        .sub_product(t36, t236);
+    let bobbin_v_x_dot = (-t230)
+        .sub_product(c.inverse_bobbin_mass, t238)
+        .sub_product(t35, t236);
+    let rod_omega_dot = (t33 * t240)
+        .sub_product(R::literal(4_166.666_666_666_667), t242)
+        .sub_product(t34, t239);
+    let rod_v_y_dot = t228.sub_product(t32, t241).sub_product(R::literal(5.0), t239);
+    let rod_v_x_dot = t226.add_product(t31, t241).sub_product(R::literal(5.0), t240);
+    let cylinder_omega_dot = (t174 * R::literal(2_777.777_777_777_778))
+        .sub_product(t28, t244)
+        .add_product(t29, t243)
+        .sub_product(R::literal(-2_777.777_777_777_778), t242)
+        .add_product(t30, t241);
+    let cylinder_v_y_dot = t222
+        .sub_product(R::literal(3.333_333_333_333_333_5), t243)
+        .add_product(t27, t241);
+    let cylinder_v_x_dot = t220
+        .sub_product(R::literal(3.333_333_333_333_333_5), t244)
+        .sub_product(t26, t241);
+    let plate_omega_dot = c
+        .t1
+        .sub_product(t22, t246)
+        .add_product(t23, t245)
+        .sub_product(t22, t244)
+        .add_product(t23, t243)
+        .add_product(t24, t238)
+        .sub_product(t25, t237);
+    let post_omega_dot = (t20 * t247)
+        .sub_product(t19, t248)
+        .sub_product(t19, t246)
+        .add_product(t20, t245)
+        .sub_product(t21, t235);
+    let t249 = t212 - t213;
+    let t250 = (-(t1 * t247))
+        .sub_product(t0, t248)
+        .sub_product(t0, t246)
+        .sub_product(t1, t245)
+        .sub_product(t249, t235);
+    let t251 = t183.sub_product(t0, post_omega_dot).sub_product(t19, t250);
+    let t252 = (-t182)
+        .sub_product(t1, post_omega_dot)
+        .add_product(t20, t250)
+        .sub_product(t43, t251);
+    let t253 = t251.sub_product(t45, t251).sub_product(t53, t252);
+    let t254 = t252.sub_product(t55, t252).sub_product(t62, t253);
+    let t255 = (-(t64 * t253)).sub_product(t76, t254);
+    let t256 = (-(t65 * t253)).sub_product(t78, t254).sub_product(t89, t255);
+    let t257 = (t91 * t255).sub_product(t102, t256);
+    let t258 = (-(t93 * t255)).sub_product(t104, t256).sub_product(t113, t257);
+    let t259 = (-(t114 * t257)).sub_product(t124, t258);
+    let t260 = (t115 * t257).sub_product(t126, t258).sub_product(t135, t259);
+    let t261 = (-(t68 * t253))
+        .sub_product(t81, t254)
+        .sub_product(t95, t255)
+        .sub_product(t106, t256)
+        .sub_product(t117, t257)
+        .sub_product(t128, t258)
+        .sub_product(t137, t259)
+        .sub_product(t144, t260);
+    let t262 = (t70 * t253)
+        .sub_product(t84, t254)
+        .sub_product(t97, t255)
+        .sub_product(t108, t256)
+        .sub_product(t119, t257)
+        .sub_product(t130, t258)
+        .sub_product(t139, t259)
+        .sub_product(t146, t260)
+        .sub_product(t151, t261);
+    let t263 = (t152 * t261).sub_product(t157, t262);
+    let t264 = (t15 * post_omega_squared)
+        .sub_product(t249, post_omega_dot)
+        .sub_product(t21, t250)
+        .add_product(t47, t251)
+        .sub_product(t57, t252)
+        .sub_product(t72, t253)
+        .sub_product(t86, t254)
+        .sub_product(t99, t255)
+        .sub_product(t110, t256)
+        .sub_product(t121, t257)
+        .sub_product(t132, t258)
+        .sub_product(t141, t259)
+        .sub_product(t148, t260)
+        .sub_product(t154, t261)
+        .sub_product(t159, t262)
+        .sub_product(t164, t263) * t165;
+    let t265 = (t263 * t162).sub_product(t164, t264);
+    let t266 = (t262 * t155).sub_product(t157, t265).sub_product(t159, t264);
+    let t267 = (t261 * t149)
+        .sub_product(t151, t266)
+        .add_product(t152, t265)
+        .sub_product(t154, t264);
+    let t268 = (t260 * t142)
+        .sub_product(t144, t267)
+        .sub_product(t146, t266)
+        .sub_product(t148, t264);
+    let t269 = (t259 * t133)
+        .sub_product(t135, t268)
+        .sub_product(t137, t267)
+        .sub_product(t139, t266)
+        .sub_product(t141, t264);
+    let t270 = (t258 * t122)
+        .sub_product(t124, t269)
+        .sub_product(t126, t268)
+        .sub_product(t128, t267)
+        .sub_product(t130, t266)
+        .sub_product(t132, t264);
+    let t271 = (t257 * t111)
+        .sub_product(t113, t270)
+        .sub_product(t114, t269)
+        .add_product(t115, t268)
+        .sub_product(t117, t267)
+        .sub_product(t119, t266)
+        .sub_product(t121, t264);
+    let t272 = (t256 * t100)
+        .sub_product(t102, t271)
+        .sub_product(t104, t270)
+        .sub_product(t106, t267)
+        .sub_product(t108, t266)
+        .sub_product(t110, t264);
+    let t273 = (t255 * t87)
+        .sub_product(t89, t272)
+        .add_product(t91, t271)
+        .sub_product(t93, t270)
+        .sub_product(t95, t267)
+        .sub_product(t97, t266)
+        .sub_product(t99, t264);
+    let t274 = (t254 * t74)
+        .sub_product(t76, t273)
+        .sub_product(t78, t272)
+        .sub_product(t81, t267)
+        .sub_product(t84, t266)
+        .sub_product(t86, t264);
+    let t275 = (t253 * t59)
+        .sub_product(t62, t274)
+        .sub_product(t64, t273)
+        .sub_product(t65, t272)
+        .sub_product(t68, t267)
+        .add_product(t70, t266)
+        .sub_product(t72, t264);
+    let t276 = (t252 * t51)
+        .sub_product(t53, t275)
+        .sub_product(t55, t274)
+        .sub_product(t57, t264);
+    let t277 = (t251 * t41)
+        .sub_product(t43, t276)
+        .sub_product(t45, t275)
+        .sub_product(t43, t274)
+        .add_product(t47, t264);
+    let drum_v_y_dot_by_post_phi = (t38 * t265)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t265);
+    let drum_v_x_dot_by_post_phi = (t37 * t265)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t265);
+    let bobbin_v_y_dot_by_post_phi = (-(t36 * t265))
+        .sub_product(c.inverse_bobbin_mass, t266);
+    let bobbin_v_x_dot_by_post_phi = (-(t35 * t265))
+        .sub_product(c.inverse_bobbin_mass, t267);
+    let rod_omega_dot_by_post_phi = (t33 * t269)
+        .sub_product(R::literal(4_166.666_666_666_667), t271)
+        .sub_product(t34, t268);
+    let rod_v_y_dot_by_post_phi = (-(R::literal(5.0) * t268)).sub_product(t32, t270);
+    let rod_v_x_dot_by_post_phi = (-(R::literal(5.0) * t269)).add_product(t31, t270);
+    let cylinder_omega_dot_by_post_phi = (t29 * t272)
+        .sub_product(t28, t273)
+        .sub_product(R::literal(-2_777.777_777_777_778), t271)
+        .add_product(t30, t270);
+    let cylinder_v_y_dot_by_post_phi = (t27 * t270)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t272);
+    let cylinder_v_x_dot_by_post_phi = (-(t26 * t270))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t273);
+    let plate_omega_dot_by_post_phi = (t23 * t274)
+        .sub_product(t22, t275)
+        .sub_product(t22, t273)
+        .add_product(t23, t272)
+        .add_product(t24, t267)
+        .sub_product(t25, t266);
+    let plate_v_y_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t272))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t274)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t266);
+    let plate_v_x_dot_by_post_phi = (-(R::literal(-0.833_333_333_333_333_4) * t273))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t275)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t267);
+    let post_omega_dot_by_post_phi = (t250 * R::literal(370.370_370_370_370_3))
+        .sub_product(t19, t277)
+        .add_product(t20, t276)
+        .sub_product(t19, t275)
+        .add_product(t20, t274)
+        .sub_product(t21, t264);
+    let post_v_y_dot_by_post_phi = (-(R::literal(-1.25) * t274))
+        .sub_product(R::literal(1.25), t276);
+    let post_v_x_dot_by_post_phi = (-(R::literal(-1.25) * t275))
+        .sub_product(R::literal(1.25), t277);
+    let t278 = (-(t3 * t245))
+        .sub_product(t2, t246)
+        .sub_product(t2, t244)
+        .sub_product(t3, t243)
+        .sub_product(t17, t238)
+        .add_product(t16, t237);
+    let t279 = t186.sub_product(t2, plate_omega_dot).sub_product(t22, t278);
+    let t280 = (-t185).sub_product(t3, plate_omega_dot).add_product(t23, t278);
+    let t281 = t280.sub_product(t62, t279);
+    let t282 = t279.sub_product(t64, t279).sub_product(t76, t281);
+    let t283 = t280.sub_product(t65, t279).sub_product(t78, t281).sub_product(t89, t282);
+    let t284 = (t91 * t282).sub_product(t102, t283);
+    let t285 = (-(t93 * t282)).sub_product(t104, t283).sub_product(t113, t284);
+    let t286 = (-(t114 * t284)).sub_product(t124, t285);
+    let t287 = (t115 * t284).sub_product(t126, t285).sub_product(t135, t286);
+    let t288 = ((-t10 - t11) * plate_omega_squared)
+        .sub_product(t17, plate_omega_dot)
+        .add_product(t24, t278)
+        .sub_product(t68, t279)
+        .sub_product(t81, t281)
+        .sub_product(t95, t282)
+        .sub_product(t106, t283)
+        .sub_product(t117, t284)
+        .sub_product(t128, t285)
+        .sub_product(t137, t286)
+        .sub_product(t144, t287);
+    let t289 = t200
+        .add_product(t16, plate_omega_dot)
+        .sub_product(t25, t278)
+        .add_product(t70, t279)
+        .sub_product(t84, t281)
+        .sub_product(t97, t282)
+        .sub_product(t108, t283)
+        .sub_product(t119, t284)
+        .sub_product(t130, t285)
+        .sub_product(t139, t286)
+        .sub_product(t146, t287)
+        .sub_product(t151, t288);
+    let t290 = (t152 * t288).sub_product(t157, t289);
+    let t291 = (-(t72 * t279))
+        .sub_product(t86, t281)
+        .sub_product(t99, t282)
+        .sub_product(t110, t283)
+        .sub_product(t121, t284)
+        .sub_product(t132, t285)
+        .sub_product(t141, t286)
+        .sub_product(t148, t287)
+        .sub_product(t154, t288)
+        .sub_product(t159, t289)
+        .sub_product(t164, t290) * t165;
+    let t292 = (t290 * t162).sub_product(t164, t291);
+    let t293 = (t289 * t155).sub_product(t157, t292).sub_product(t159, t291);
+    let t294 = (t288 * t149)
+        .sub_product(t151, t293)
+        .add_product(t152, t292)
+        .sub_product(t154, t291);
+    let t295 = (t287 * t142)
+        .sub_product(t144, t294)
+        .sub_product(t146, t293)
+        .sub_product(t148, t291);
+    let t296 = (t286 * t133)
+        .sub_product(t135, t295)
+        .sub_product(t137, t294)
+        .sub_product(t139, t293)
+        .sub_product(t141, t291);
+    let t297 = (t285 * t122)
+        .sub_product(t124, t296)
+        .sub_product(t126, t295)
+        .sub_product(t128, t294)
+        .sub_product(t130, t293)
+        .sub_product(t132, t291);
+    let t298 = (t284 * t111)
+        .sub_product(t113, t297)
+        .sub_product(t114, t296)
+        .add_product(t115, t295)
+        .sub_product(t117, t294)
+        .sub_product(t119, t293)
+        .sub_product(t121, t291);
+    let t299 = (t283 * t100)
+        .sub_product(t102, t298)
+        .sub_product(t104, t297)
+        .sub_product(t106, t294)
+        .sub_product(t108, t293)
+        .sub_product(t110, t291);
+    let t300 = (t282 * t87)
+        .sub_product(t89, t299)
+        .add_product(t91, t298)
+        .sub_product(t93, t297)
+        .sub_product(t95, t294)
+        .sub_product(t97, t293)
+        .sub_product(t99, t291);
+    let t301 = (t281 * t74)
+        .sub_product(t76, t300)
+        .sub_product(t78, t299)
+        .sub_product(t81, t294)
+        .sub_product(t84, t293)
+        .sub_product(t86, t291);
+    let t302 = (t279 * t59)
+        .sub_product(t62, t301)
+        .sub_product(t64, t300)
+        .sub_product(t65, t299)
+        .sub_product(t68, t294)
+        .add_product(t70, t293)
+        .sub_product(t72, t291);
+    let t303 = (-(t55 * t301)).sub_product(t53, t302).sub_product(t57, t291);
+    let t304 = (-(t45 * t302))
+        .sub_product(t43, t303)
+        .sub_product(t43, t301)
+        .add_product(t47, t291);
+    let drum_v_y_dot_by_plate_phi = (t38 * t292)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t292);
+    let drum_v_x_dot_by_plate_phi = (t37 * t292)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t292);
+    let bobbin_v_y_dot_by_plate_phi = (-(t36 * t292))
+        .sub_product(c.inverse_bobbin_mass, t293);
+    let bobbin_v_x_dot_by_plate_phi = (-(t35 * t292))
+        .sub_product(c.inverse_bobbin_mass, t294);
+    let rod_omega_dot_by_plate_phi = (t33 * t296)
+        .sub_product(R::literal(4_166.666_666_666_667), t298)
+        .sub_product(t34, t295);
+    let rod_v_y_dot_by_plate_phi = (-(R::literal(5.0) * t295)).sub_product(t32, t297);
+    let rod_v_x_dot_by_plate_phi = (-(R::literal(5.0) * t296)).add_product(t31, t297);
+    let cylinder_omega_dot_by_plate_phi = (t29 * t299)
+        .sub_product(t28, t300)
+        .sub_product(R::literal(-2_777.777_777_777_778), t298)
+        .add_product(t30, t297);
+    let cylinder_v_y_dot_by_plate_phi = (t27 * t297)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t299);
+    let cylinder_v_x_dot_by_plate_phi = (-(t26 * t297))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t300);
+    let plate_omega_dot_by_plate_phi = (t278 * R::literal(400.0))
+        .sub_product(t22, t302)
+        .add_product(t23, t301)
+        .sub_product(t22, t300)
+        .add_product(t23, t299)
+        .add_product(t24, t294)
+        .sub_product(t25, t293);
+    let plate_v_y_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t299))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t301)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t293);
+    let plate_v_x_dot_by_plate_phi = (-(R::literal(-0.833_333_333_333_333_4) * t300))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t302)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t294);
+    let post_omega_dot_by_plate_phi = (t20 * t303)
+        .sub_product(t19, t304)
+        .sub_product(t19, t302)
+        .add_product(t20, t301)
+        .sub_product(t21, t291);
+    let post_v_y_dot_by_plate_phi = (-(R::literal(-1.25) * t301))
+        .sub_product(R::literal(1.25), t303);
+    let post_v_x_dot_by_plate_phi = (-(R::literal(-1.25) * t302))
+        .sub_product(R::literal(1.25), t304);
+    let t305 = p.spring_stiffness * cos_cylinder_phi;
+    let t306 = R::literal(50.0) * cylinder_omega;
+    let t307 = t306 * sin_cylinder_phi;
+    let t308 = t307 - t305;
+    let t309 = t308 * cos_cylinder_phi;
+    let t310 = t308 * sin_cylinder_phi;
+    let t311 = t306 * t14;
+    let t312 = t311 * sin_cylinder_phi;
+    let t313 = p.spring_stiffness * t14;
+    let t314 = t313 * cos_cylinder_phi;
+    let t315 = t305 - t307;
+    let t316 = t315 * cos_cylinder_phi;
+    let t317 = t315 * sin_cylinder_phi;
+    let t318 = cos_cylinder_phi * t241;
+    let t319 = t314 - t312 - t172 - t171 - t318;
+    let t320 = cos_cylinder_phi * cylinder_omega_dot;
+    let t321 = R::literal(3.333_333_333_333_333_5) * t309;
+    let t322 = (-t321).sub_product(t28, t319);
+    let t323 = R::literal(3.333_333_333_333_333_5) * t310;
+    let t324 = (-t323).add_product(t29, t319).sub_product(t89, t322);
+    let t325 = (-(R::literal(-2_777.777_777_777_778) * t319))
+        .add_product(t91, t322)
+        .sub_product(t102, t324);
+    let t326 = (t188 - t320)
+        .sub_product(t26, t309)
+        .add_product(t27, t310)
+        .add_product(t30, t319)
+        .add_product(t31, t316)
+        .sub_product(t32, t317)
+        .sub_product(t93, t322)
+        .sub_product(t104, t324)
+        .sub_product(t113, t325);
+    let t327 = R::literal(5.0) * t316;
+    let t328 = (-t327).sub_product(t114, t325).sub_product(t124, t326);
+    let t329 = R::literal(5.0) * t317;
+    let t330 = (-t329)
+        .add_product(t115, t325)
+        .sub_product(t126, t326)
+        .sub_product(t135, t328);
+    let t331 = (-(t95 * t322))
+        .sub_product(t106, t324)
+        .sub_product(t117, t325)
+        .sub_product(t128, t326)
+        .sub_product(t137, t328)
+        .sub_product(t144, t330);
+    let t332 = (-(t97 * t322))
+        .sub_product(t108, t324)
+        .sub_product(t119, t325)
+        .sub_product(t130, t326)
+        .sub_product(t139, t328)
+        .sub_product(t146, t330)
+        .sub_product(t151, t331);
+    let t333 = (t152 * t331).sub_product(t157, t332);
+    let t334 = (-(t99 * t322))
+        .sub_product(t110, t324)
+        .sub_product(t121, t325)
+        .sub_product(t132, t326)
+        .sub_product(t141, t328)
+        .sub_product(t148, t330)
+        .sub_product(t154, t331)
+        .sub_product(t159, t332)
+        .sub_product(t164, t333) * t165;
+    let t335 = (t333 * t162).sub_product(t164, t334);
+    let t336 = (t332 * t155).sub_product(t157, t335).sub_product(t159, t334);
+    let t337 = (t331 * t149)
+        .sub_product(t151, t336)
+        .add_product(t152, t335)
+        .sub_product(t154, t334);
+    let t338 = (t330 * t142)
+        .sub_product(t144, t337)
+        .sub_product(t146, t336)
+        .sub_product(t148, t334);
+    let t339 = (t328 * t133)
+        .sub_product(t135, t338)
+        .sub_product(t137, t337)
+        .sub_product(t139, t336)
+        .sub_product(t141, t334);
+    let t340 = (t326 * t122)
+        .sub_product(t124, t339)
+        .sub_product(t126, t338)
+        .sub_product(t128, t337)
+        .sub_product(t130, t336)
+        .sub_product(t132, t334);
+    let t341 = (t325 * t111)
+        .sub_product(t113, t340)
+        .sub_product(t114, t339)
+        .add_product(t115, t338)
+        .sub_product(t117, t337)
+        .sub_product(t119, t336)
+        .sub_product(t121, t334);
+    let t342 = (t324 * t100)
+        .sub_product(t102, t341)
+        .sub_product(t104, t340)
+        .sub_product(t106, t337)
+        .sub_product(t108, t336)
+        .sub_product(t110, t334);
+    let t343 = (t322 * t87)
+        .sub_product(t89, t342)
+        .add_product(t91, t341)
+        .sub_product(t93, t340)
+        .sub_product(t95, t337)
+        .sub_product(t97, t336)
+        .sub_product(t99, t334);
+    let t344 = (-(t78 * t342))
+        .sub_product(t76, t343)
+        .sub_product(t81, t337)
+        .sub_product(t84, t336)
+        .sub_product(t86, t334);
+    let t345 = (-(t64 * t343))
+        .sub_product(t62, t344)
+        .sub_product(t65, t342)
+        .sub_product(t68, t337)
+        .add_product(t70, t336)
+        .sub_product(t72, t334);
+    let t346 = (-(t55 * t344)).sub_product(t53, t345).sub_product(t57, t334);
+    let t347 = (-(t45 * t345))
+        .sub_product(t43, t346)
+        .sub_product(t43, t344)
+        .add_product(t47, t334);
+    let drum_v_y_dot_by_cylinder_x = (t38 * t335)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t335);
+    let drum_v_x_dot_by_cylinder_x = (t37 * t335)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t335);
+    let bobbin_v_y_dot_by_cylinder_x = (-(t36 * t335))
+        .sub_product(c.inverse_bobbin_mass, t336);
+    let bobbin_v_x_dot_by_cylinder_x = (-(t35 * t335))
+        .sub_product(c.inverse_bobbin_mass, t337);
+    let rod_omega_dot_by_cylinder_x = (t33 * t339)
+        .sub_product(R::literal(4_166.666_666_666_667), t341)
+        .sub_product(t34, t338);
+    let rod_v_y_dot_by_cylinder_x = t329
+        .sub_product(t32, t340)
+        .sub_product(R::literal(5.0), t338);
+    let rod_v_x_dot_by_cylinder_x = t327
+        .add_product(t31, t340)
+        .sub_product(R::literal(5.0), t339);
+    let cylinder_omega_dot_by_cylinder_x = (t319 * R::literal(2_777.777_777_777_778))
+        .sub_product(t28, t343)
+        .add_product(t29, t342)
+        .sub_product(R::literal(-2_777.777_777_777_778), t341)
+        .add_product(t30, t340);
+    let cylinder_v_y_dot_by_cylinder_x = t323
+        .sub_product(R::literal(3.333_333_333_333_333_5), t342)
+        .add_product(t27, t340);
+    let cylinder_v_x_dot_by_cylinder_x = t321
+        .sub_product(R::literal(3.333_333_333_333_333_5), t343)
+        .sub_product(t26, t340);
+    let plate_omega_dot_by_cylinder_x = (t23 * t344)
+        .sub_product(t22, t345)
+        .sub_product(t22, t343)
+        .add_product(t23, t342)
+        .add_product(t24, t337)
+        .sub_product(t25, t336);
+    let plate_v_y_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t342))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t344)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t336);
+    let plate_v_x_dot_by_cylinder_x = (-(R::literal(-0.833_333_333_333_333_4) * t343))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t345)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t337);
+    let post_omega_dot_by_cylinder_x = (t20 * t346)
+        .sub_product(t19, t347)
+        .sub_product(t19, t345)
+        .add_product(t20, t344)
+        .sub_product(t21, t334);
+    let post_v_y_dot_by_cylinder_x = (-(R::literal(-1.25) * t344))
+        .sub_product(R::literal(1.25), t346);
+    let post_v_x_dot_by_cylinder_x = (-(R::literal(-1.25) * t345))
+        .sub_product(R::literal(1.25), t347);
+    let t348 = t306 * cos_cylinder_phi;
+    let t349 = p.spring_stiffness * sin_cylinder_phi;
+    let t350 = -t348 - t349;
+    let t351 = t350 * cos_cylinder_phi;
+    let t352 = t350 * sin_cylinder_phi;
+    let t353 = t311 * cos_cylinder_phi;
+    let t354 = t313 * sin_cylinder_phi;
+    let t355 = t348 + t349;
+    let t356 = t355 * cos_cylinder_phi;
+    let t357 = t355 * sin_cylinder_phi;
+    let t358 = sin_cylinder_phi * t241;
+    let t359 = t353 + t167 + t169 + t354 - t358;
+    let t360 = sin_cylinder_phi * cylinder_omega_dot;
+    let t361 = R::literal(3.333_333_333_333_333_5) * t351;
+    let t362 = (-t361).sub_product(t28, t359);
+    let t363 = R::literal(3.333_333_333_333_333_5) * t352;
+    let t364 = (-t363).add_product(t29, t359).sub_product(t89, t362);
+    let t365 = (-(R::literal(-2_777.777_777_777_778) * t359))
+        .add_product(t91, t362)
+        .sub_product(t102, t364);
+    let t366 = (-t187 - t360)
+        .sub_product(t26, t351)
+        .add_product(t27, t352)
+        .add_product(t30, t359)
+        .add_product(t31, t356)
+        .sub_product(t32, t357)
+        .sub_product(t93, t362)
+        .sub_product(t104, t364)
+        .sub_product(t113, t365);
+    let t367 = R::literal(5.0) * t356;
+    let t368 = (-t367).sub_product(t114, t365).sub_product(t124, t366);
+    let t369 = R::literal(5.0) * t357;
+    let t370 = (-t369)
+        .add_product(t115, t365)
+        .sub_product(t126, t366)
+        .sub_product(t135, t368);
+    let t371 = (-(t95 * t362))
+        .sub_product(t106, t364)
+        .sub_product(t117, t365)
+        .sub_product(t128, t366)
+        .sub_product(t137, t368)
+        .sub_product(t144, t370);
+    let t372 = (-(t97 * t362))
+        .sub_product(t108, t364)
+        .sub_product(t119, t365)
+        .sub_product(t130, t366)
+        .sub_product(t139, t368)
+        .sub_product(t146, t370)
+        .sub_product(t151, t371);
+    let t373 = (t152 * t371).sub_product(t157, t372);
+    let t374 = (-(t99 * t362))
+        .sub_product(t110, t364)
+        .sub_product(t121, t365)
+        .sub_product(t132, t366)
+        .sub_product(t141, t368)
+        .sub_product(t148, t370)
+        .sub_product(t154, t371)
+        .sub_product(t159, t372)
+        .sub_product(t164, t373) * t165;
+    let t375 = (t373 * t162).sub_product(t164, t374);
+    let t376 = (t372 * t155).sub_product(t157, t375).sub_product(t159, t374);
+    let t377 = (t371 * t149)
+        .sub_product(t151, t376)
+        .add_product(t152, t375)
+        .sub_product(t154, t374);
+    let t378 = (t370 * t142)
+        .sub_product(t144, t377)
+        .sub_product(t146, t376)
+        .sub_product(t148, t374);
+    let t379 = (t368 * t133)
+        .sub_product(t135, t378)
+        .sub_product(t137, t377)
+        .sub_product(t139, t376)
+        .sub_product(t141, t374);
+    let t380 = (t366 * t122)
+        .sub_product(t124, t379)
+        .sub_product(t126, t378)
+        .sub_product(t128, t377)
+        .sub_product(t130, t376)
+        .sub_product(t132, t374);
+    let t381 = (t365 * t111)
+        .sub_product(t113, t380)
+        .sub_product(t114, t379)
+        .add_product(t115, t378)
+        .sub_product(t117, t377)
+        .sub_product(t119, t376)
+        .sub_product(t121, t374);
+    let t382 = (t364 * t100)
+        .sub_product(t102, t381)
+        .sub_product(t104, t380)
+        .sub_product(t106, t377)
+        .sub_product(t108, t376)
+        .sub_product(t110, t374);
+    let t383 = (t362 * t87)
+        .sub_product(t89, t382)
+        .add_product(t91, t381)
+        .sub_product(t93, t380)
+        .sub_product(t95, t377)
+        .sub_product(t97, t376)
+        .sub_product(t99, t374);
+    let t384 = (-(t78 * t382))
+        .sub_product(t76, t383)
+        .sub_product(t81, t377)
+        .sub_product(t84, t376)
+        .sub_product(t86, t374);
+    let t385 = (-(t64 * t383))
+        .sub_product(t62, t384)
+        .sub_product(t65, t382)
+        .sub_product(t68, t377)
+        .add_product(t70, t376)
+        .sub_product(t72, t374);
+    let t386 = (-(t55 * t384)).sub_product(t53, t385).sub_product(t57, t374);
+    let t387 = (-(t45 * t385))
+        .sub_product(t43, t386)
+        .sub_product(t43, t384)
+        .add_product(t47, t374);
+    let drum_v_y_dot_by_cylinder_y = (t38 * t375)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t375);
+    let drum_v_x_dot_by_cylinder_y = (t37 * t375)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t375);
+    let bobbin_v_y_dot_by_cylinder_y = (-(t36 * t375))
+        .sub_product(c.inverse_bobbin_mass, t376);
+    let bobbin_v_x_dot_by_cylinder_y = (-(t35 * t375))
+        .sub_product(c.inverse_bobbin_mass, t377);
+    let rod_omega_dot_by_cylinder_y = (t33 * t379)
+        .sub_product(R::literal(4_166.666_666_666_667), t381)
+        .sub_product(t34, t378);
+    let rod_v_y_dot_by_cylinder_y = t369
+        .sub_product(t32, t380)
+        .sub_product(R::literal(5.0), t378);
+    let rod_v_x_dot_by_cylinder_y = t367
+        .add_product(t31, t380)
+        .sub_product(R::literal(5.0), t379);
+    let cylinder_omega_dot_by_cylinder_y = (t359 * R::literal(2_777.777_777_777_778))
+        .sub_product(t28, t383)
+        .add_product(t29, t382)
+        .sub_product(R::literal(-2_777.777_777_777_778), t381)
+        .add_product(t30, t380);
+    let cylinder_v_y_dot_by_cylinder_y = t363
+        .sub_product(R::literal(3.333_333_333_333_333_5), t382)
+        .add_product(t27, t380);
+    let cylinder_v_x_dot_by_cylinder_y = t361
+        .sub_product(R::literal(3.333_333_333_333_333_5), t383)
+        .sub_product(t26, t380);
+    let plate_omega_dot_by_cylinder_y = (t23 * t384)
+        .sub_product(t22, t385)
+        .sub_product(t22, t383)
+        .add_product(t23, t382)
+        .add_product(t24, t377)
+        .sub_product(t25, t376);
+    let plate_v_y_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t382))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t384)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t376);
+    let plate_v_x_dot_by_cylinder_y = (-(R::literal(-0.833_333_333_333_333_4) * t383))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t385)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t377);
+    let post_omega_dot_by_cylinder_y = (t20 * t386)
+        .sub_product(t19, t387)
+        .sub_product(t19, t385)
+        .add_product(t20, t384)
+        .sub_product(t21, t374);
+    let post_v_y_dot_by_cylinder_y = (-(R::literal(-1.25) * t384))
+        .sub_product(R::literal(1.25), t386);
+    let post_v_x_dot_by_cylinder_y = (-(R::literal(-1.25) * t385))
+        .sub_product(R::literal(1.25), t387);
+    let t388 = R::literal(50.0)
+        * (rod_v_y_minus_cylinder_v_y * cos_cylinder_phi)
+            .sub_product(cylinder_omega, slide)
+            .sub_product(rod_v_x_minus_cylinder_v_x, sin_cylinder_phi);
+    let t389 = t388 * cos_cylinder_phi;
+    let t390 = t388 * sin_cylinder_phi;
+    let t391 = t14 * t14;
+    let t392 = R::literal(0.06) * cylinder_omega_squared;
+    let t393 = t389 + t314 - t172 - t171 - t318;
+    let t394 = t167 + t390 - (-t169 - t354) - t358;
+    let t395 = t12 - t13;
+    let t396 = (p.spring_stiffness * slide * slide_minus_spring_free_length)
+        .add_product(R::literal(50.0) * slide, slide_rate)
+        .sub_product(t388, t14)
+        .sub_product(p.spring_stiffness, t391)
+        .sub_product(t4, t244)
+        .sub_product(t5, t243)
+        .sub_product(t395, t241);
+    let t397 = t172 + t171 - t389 - t314 + t318;
+    let t398 = t175 - t390 - (t169 + t354) + t358;
+    let t399 = R::literal(3.333_333_333_333_333_5) * t393;
+    let t400 = ((t392 * sin_cylinder_phi).sub_product(t4, cylinder_omega_dot) - t399)
+        .sub_product(t28, t396);
+    let t401 = R::literal(3.333_333_333_333_333_5) * t394;
+    let t402 = ((-(t392 * cos_cylinder_phi)).sub_product(t5, cylinder_omega_dot) - t401)
+        .add_product(t29, t396)
+        .sub_product(t89, t400);
+    let t403 = (-(R::literal(-2_777.777_777_777_778) * t396))
+        .add_product(t91, t400)
+        .sub_product(t102, t402);
+    let t404 = (cylinder_omega
+        * (t189 * sin_cylinder_phi)
+            .add_product(t194, cos_cylinder_phi)
+            .add_product(cylinder_x_times_cylinder_omega, cos_cylinder_phi)
+            .add_product(cylinder_y_times_cylinder_omega, sin_cylinder_phi)
+            .sub_product(t190, cos_cylinder_phi)
+            .sub_product(t193, sin_cylinder_phi)
+            .sub_product(rod_x_times_cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_y_times_cylinder_omega, sin_cylinder_phi))
+        .sub_product(cos_cylinder_phi, cylinder_v_x_dot)
+        .sub_product(sin_cylinder_phi, cylinder_v_y_dot)
+        .sub_product(t395, cylinder_omega_dot)
+        .add_product(cos_cylinder_phi, rod_v_x_dot)
+        .add_product(sin_cylinder_phi, rod_v_y_dot)
+        .sub_product(t26, t393)
+        .add_product(t27, t394)
+        .add_product(t30, t396)
+        .add_product(t31, t397)
+        .sub_product(t32, t398)
+        .sub_product(t93, t400)
+        .sub_product(t104, t402)
+        .sub_product(t113, t403);
+    let t405 = R::literal(5.0) * t397;
+    let t406 = (-t405).sub_product(t114, t403).sub_product(t124, t404);
+    let t407 = R::literal(5.0) * t398;
+    let t408 = (-t407)
+        .add_product(t115, t403)
+        .sub_product(t126, t404)
+        .sub_product(t135, t406);
+    let t409 = (-(t95 * t400))
+        .sub_product(t106, t402)
+        .sub_product(t117, t403)
+        .sub_product(t128, t404)
+        .sub_product(t137, t406)
+        .sub_product(t144, t408);
+    let t410 = (-(t97 * t400))
+        .sub_product(t108, t402)
+        .sub_product(t119, t403)
+        .sub_product(t130, t404)
+        .sub_product(t139, t406)
+        .sub_product(t146, t408)
+        .sub_product(t151, t409);
+    let t411 = (t152 * t409).sub_product(t157, t410);
+    let t412 = (-(t99 * t400))
+        .sub_product(t110, t402)
+        .sub_product(t121, t403)
+        .sub_product(t132, t404)
+        .sub_product(t141, t406)
+        .sub_product(t148, t408)
+        .sub_product(t154, t409)
+        .sub_product(t159, t410)
+        .sub_product(t164, t411) * t165;
+    let t413 = (t411 * t162).sub_product(t164, t412);
+    let t414 = (t410 * t155).sub_product(t157, t413).sub_product(t159, t412);
+    let t415 = (t409 * t149)
+        .sub_product(t151, t414)
+        .add_product(t152, t413)
+        .sub_product(t154, t412);
+    let t416 = (t408 * t142)
+        .sub_product(t144, t415)
+        .sub_product(t146, t414)
+        .sub_product(t148, t412);
+    let t417 = (t406 * t133)
+        .sub_product(t135, t416)
+        .sub_product(t137, t415)
+        .sub_product(t139, t414)
+        .sub_product(t141, t412);
+    let t418 = (t404 * t122)
+        .sub_product(t124, t417)
+        .sub_product(t126, t416)
+        .sub_product(t128, t415)
+        .sub_product(t130, t414)
+        .sub_product(t132, t412);
+    let t419 = (t403 * t111)
+        .sub_product(t113, t418)
+        .sub_product(t114, t417)
+        .add_product(t115, t416)
+        .sub_product(t117, t415)
+        .sub_product(t119, t414)
+        .sub_product(t121, t412);
+    let t420 = (t402 * t100)
+        .sub_product(t102, t419)
+        .sub_product(t104, t418)
+        .sub_product(t106, t415)
+        .sub_product(t108, t414)
+        .sub_product(t110, t412);
+    let t421 = (t400 * t87)
+        .sub_product(t89, t420)
+        .add_product(t91, t419)
+        .sub_product(t93, t418)
+        .sub_product(t95, t415)
+        .sub_product(t97, t414)
+        .sub_product(t99, t412);
+    let t422 = (-(t78 * t420))
+        .sub_product(t76, t421)
+        .sub_product(t81, t415)
+        .sub_product(t84, t414)
+        .sub_product(t86, t412);
+    let t423 = (-(t64 * t421))
+        .sub_product(t62, t422)
+        .sub_product(t65, t420)
+        .sub_product(t68, t415)
+        .add_product(t70, t414)
+        .sub_product(t72, t412);
+    let t424 = (-(t55 * t422)).sub_product(t53, t423).sub_product(t57, t412);
+    let t425 = (-(t45 * t423))
+        .sub_product(t43, t424)
+        .sub_product(t43, t422)
+        .add_product(t47, t412);
+    let drum_v_y_dot_by_cylinder_phi = (t38 * t413)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t413);
+    let drum_v_x_dot_by_cylinder_phi = (t37 * t413)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t413);
+    let bobbin_v_y_dot_by_cylinder_phi = (-(t36 * t413))
+        .sub_product(c.inverse_bobbin_mass, t414);
+    let bobbin_v_x_dot_by_cylinder_phi = (-(t35 * t413))
+        .sub_product(c.inverse_bobbin_mass, t415);
+    let rod_omega_dot_by_cylinder_phi = (t33 * t417)
+        .sub_product(R::literal(4_166.666_666_666_667), t419)
+        .sub_product(t34, t416);
+    let rod_v_y_dot_by_cylinder_phi = t407
+        .sub_product(t32, t418)
+        .sub_product(R::literal(5.0), t416);
+    let rod_v_x_dot_by_cylinder_phi = t405
+        .add_product(t31, t418)
+        .sub_product(R::literal(5.0), t417);
+    let cylinder_omega_dot_by_cylinder_phi = (t396 * R::literal(2_777.777_777_777_778))
+        .sub_product(t28, t421)
+        .add_product(t29, t420)
+        .sub_product(R::literal(-2_777.777_777_777_778), t419)
+        .add_product(t30, t418);
+    let cylinder_v_y_dot_by_cylinder_phi = t401
+        .sub_product(R::literal(3.333_333_333_333_333_5), t420)
+        .add_product(t27, t418);
+    let cylinder_v_x_dot_by_cylinder_phi = t399
+        .sub_product(R::literal(3.333_333_333_333_333_5), t421)
+        .sub_product(t26, t418);
+    let plate_omega_dot_by_cylinder_phi = (t23 * t422)
+        .sub_product(t22, t423)
+        .sub_product(t22, t421)
+        .add_product(t23, t420)
+        .add_product(t24, t415)
+        .sub_product(t25, t414);
+    let plate_v_y_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t420))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t422)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t414);
+    let plate_v_x_dot_by_cylinder_phi = (-(R::literal(-0.833_333_333_333_333_4) * t421))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t423)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t415);
+    let post_omega_dot_by_cylinder_phi = (t20 * t424)
+        .sub_product(t19, t425)
+        .sub_product(t19, t423)
+        .add_product(t20, t422)
+        .sub_product(t21, t412);
+    let post_v_y_dot_by_cylinder_phi = (-(R::literal(-1.25) * t422))
+        .sub_product(R::literal(1.25), t424);
+    let post_v_x_dot_by_cylinder_phi = (-(R::literal(-1.25) * t423))
+        .sub_product(R::literal(1.25), t425);
+    let t426 = t312 + t172 + t171 - t314 + t318;
+    let t427 = R::literal(3.333_333_333_333_333_5) * t316;
+    let t428 = (-t427).sub_product(t28, t426);
+    let t429 = R::literal(3.333_333_333_333_333_5) * t317;
+    let t430 = (-t429).add_product(t29, t426).sub_product(t89, t428);
+    let t431 = (-(R::literal(-2_777.777_777_777_778) * t426))
+        .add_product(t91, t428)
+        .sub_product(t102, t430);
+    let t432 = (t320 - t188)
+        .sub_product(t26, t316)
+        .add_product(t27, t317)
+        .add_product(t30, t426)
+        .add_product(t31, t309)
+        .sub_product(t32, t310)
+        .sub_product(t93, t428)
+        .sub_product(t104, t430)
+        .sub_product(t113, t431);
+    let t433 = R::literal(5.0) * t309;
+    let t434 = (-t433).sub_product(t114, t431).sub_product(t124, t432);
+    let t435 = R::literal(5.0) * t310;
+    let t436 = (-t435)
+        .add_product(t115, t431)
+        .sub_product(t126, t432)
+        .sub_product(t135, t434);
+    let t437 = (-(t95 * t428))
+        .sub_product(t106, t430)
+        .sub_product(t117, t431)
+        .sub_product(t128, t432)
+        .sub_product(t137, t434)
+        .sub_product(t144, t436);
+    let t438 = (-(t97 * t428))
+        .sub_product(t108, t430)
+        .sub_product(t119, t431)
+        .sub_product(t130, t432)
+        .sub_product(t139, t434)
+        .sub_product(t146, t436)
+        .sub_product(t151, t437);
+    let t439 = (t152 * t437).sub_product(t157, t438);
+    let t440 = (-(t99 * t428))
+        .sub_product(t110, t430)
+        .sub_product(t121, t431)
+        .sub_product(t132, t432)
+        .sub_product(t141, t434)
+        .sub_product(t148, t436)
+        .sub_product(t154, t437)
+        .sub_product(t159, t438)
+        .sub_product(t164, t439) * t165;
+    let t441 = (t439 * t162).sub_product(t164, t440);
+    let t442 = (t438 * t155).sub_product(t157, t441).sub_product(t159, t440);
+    let t443 = (t437 * t149)
+        .sub_product(t151, t442)
+        .add_product(t152, t441)
+        .sub_product(t154, t440);
+    let t444 = (t436 * t142)
+        .sub_product(t144, t443)
+        .sub_product(t146, t442)
+        .sub_product(t148, t440);
+    let t445 = (t434 * t133)
+        .sub_product(t135, t444)
+        .sub_product(t137, t443)
+        .sub_product(t139, t442)
+        .sub_product(t141, t440);
+    let t446 = (t432 * t122)
+        .sub_product(t124, t445)
+        .sub_product(t126, t444)
+        .sub_product(t128, t443)
+        .sub_product(t130, t442)
+        .sub_product(t132, t440);
+    let t447 = (t431 * t111)
+        .sub_product(t113, t446)
+        .sub_product(t114, t445)
+        .add_product(t115, t444)
+        .sub_product(t117, t443)
+        .sub_product(t119, t442)
+        .sub_product(t121, t440);
+    let t448 = (t430 * t100)
+        .sub_product(t102, t447)
+        .sub_product(t104, t446)
+        .sub_product(t106, t443)
+        .sub_product(t108, t442)
+        .sub_product(t110, t440);
+    let t449 = (t428 * t87)
+        .sub_product(t89, t448)
+        .add_product(t91, t447)
+        .sub_product(t93, t446)
+        .sub_product(t95, t443)
+        .sub_product(t97, t442)
+        .sub_product(t99, t440);
+    let t450 = (-(t78 * t448))
+        .sub_product(t76, t449)
+        .sub_product(t81, t443)
+        .sub_product(t84, t442)
+        .sub_product(t86, t440);
+    let t451 = (-(t64 * t449))
+        .sub_product(t62, t450)
+        .sub_product(t65, t448)
+        .sub_product(t68, t443)
+        .add_product(t70, t442)
+        .sub_product(t72, t440);
+    let t452 = (-(t55 * t450)).sub_product(t53, t451).sub_product(t57, t440);
+    let t453 = (-(t45 * t451))
+        .sub_product(t43, t452)
+        .sub_product(t43, t450)
+        .add_product(t47, t440);
+    let drum_v_y_dot_by_rod_x = (t38 * t441)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t441);
+    let drum_v_x_dot_by_rod_x = (t37 * t441)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t441);
+    let bobbin_v_y_dot_by_rod_x = (-(t36 * t441))
+        .sub_product(c.inverse_bobbin_mass, t442);
+    let bobbin_v_x_dot_by_rod_x = (-(t35 * t441))
+        .sub_product(c.inverse_bobbin_mass, t443);
+    let rod_omega_dot_by_rod_x = (t33 * t445)
+        .sub_product(R::literal(4_166.666_666_666_667), t447)
+        .sub_product(t34, t444);
+    let rod_v_y_dot_by_rod_x = t435
+        .sub_product(t32, t446)
+        .sub_product(R::literal(5.0), t444);
+    let rod_v_x_dot_by_rod_x = t433
+        .add_product(t31, t446)
+        .sub_product(R::literal(5.0), t445);
+    let cylinder_omega_dot_by_rod_x = (t426 * R::literal(2_777.777_777_777_778))
+        .sub_product(t28, t449)
+        .add_product(t29, t448)
+        .sub_product(R::literal(-2_777.777_777_777_778), t447)
+        .add_product(t30, t446);
+    let cylinder_v_y_dot_by_rod_x = t429
+        .sub_product(R::literal(3.333_333_333_333_333_5), t448)
+        .add_product(t27, t446);
+    let cylinder_v_x_dot_by_rod_x = t427
+        .sub_product(R::literal(3.333_333_333_333_333_5), t449)
+        .sub_product(t26, t446);
+    let plate_omega_dot_by_rod_x = (t23 * t450)
+        .sub_product(t22, t451)
+        .sub_product(t22, t449)
+        .add_product(t23, t448)
+        .add_product(t24, t443)
+        .sub_product(t25, t442);
+    let plate_v_y_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t448))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t450)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t442);
+    let plate_v_x_dot_by_rod_x = (-(R::literal(-0.833_333_333_333_333_4) * t449))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t451)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t443);
+    let post_omega_dot_by_rod_x = (t20 * t452)
+        .sub_product(t19, t453)
+        .sub_product(t19, t451)
+        .add_product(t20, t450)
+        .sub_product(t21, t440);
+    let post_v_y_dot_by_rod_x = (-(R::literal(-1.25) * t450))
+        .sub_product(R::literal(1.25), t452);
+    let post_v_x_dot_by_rod_x = (-(R::literal(-1.25) * t451))
+        .sub_product(R::literal(1.25), t453);
+    let t454 = -t353 - t167 - t169 - t354 + t358;
+    let t455 = R::literal(3.333_333_333_333_333_5) * t356;
+    let t456 = (-t455).sub_product(t28, t454);
+    let t457 = R::literal(3.333_333_333_333_333_5) * t357;
+    let t458 = (-t457).add_product(t29, t454).sub_product(t89, t456);
+    let t459 = (-(R::literal(-2_777.777_777_777_778) * t454))
+        .add_product(t91, t456)
+        .sub_product(t102, t458);
+    let t460 = (t187 + t360)
+        .sub_product(t26, t356)
+        .add_product(t27, t357)
+        .add_product(t30, t454)
+        .add_product(t31, t351)
+        .sub_product(t32, t352)
+        .sub_product(t93, t456)
+        .sub_product(t104, t458)
+        .sub_product(t113, t459);
+    let t461 = R::literal(5.0) * t351;
+    let t462 = (-t461).sub_product(t114, t459).sub_product(t124, t460);
+    let t463 = R::literal(5.0) * t352;
+    let t464 = (-t463)
+        .add_product(t115, t459)
+        .sub_product(t126, t460)
+        .sub_product(t135, t462);
+    let t465 = (-(t95 * t456))
+        .sub_product(t106, t458)
+        .sub_product(t117, t459)
+        .sub_product(t128, t460)
+        .sub_product(t137, t462)
+        .sub_product(t144, t464);
+    let t466 = (-(t97 * t456))
+        .sub_product(t108, t458)
+        .sub_product(t119, t459)
+        .sub_product(t130, t460)
+        .sub_product(t139, t462)
+        .sub_product(t146, t464)
+        .sub_product(t151, t465);
+    let t467 = (t152 * t465).sub_product(t157, t466);
+    let t468 = (-(t99 * t456))
+        .sub_product(t110, t458)
+        .sub_product(t121, t459)
+        .sub_product(t132, t460)
+        .sub_product(t141, t462)
+        .sub_product(t148, t464)
+        .sub_product(t154, t465)
+        .sub_product(t159, t466)
+        .sub_product(t164, t467) * t165;
+    let t469 = (t467 * t162).sub_product(t164, t468);
+    let t470 = (t466 * t155).sub_product(t157, t469).sub_product(t159, t468);
+    let t471 = (t465 * t149)
+        .sub_product(t151, t470)
+        .add_product(t152, t469)
+        .sub_product(t154, t468);
+    let t472 = (t464 * t142)
+        .sub_product(t144, t471)
+        .sub_product(t146, t470)
+        .sub_product(t148, t468);
+    let t473 = (t462 * t133)
+        .sub_product(t135, t472)
+        .sub_product(t137, t471)
+        .sub_product(t139, t470)
+        .sub_product(t141, t468);
+    let t474 = (t460 * t122)
+        .sub_product(t124, t473)
+        .sub_product(t126, t472)
+        .sub_product(t128, t471)
+        .sub_product(t130, t470)
+        .sub_product(t132, t468);
+    let t475 = (t459 * t111)
+        .sub_product(t113, t474)
+        .sub_product(t114, t473)
+        .add_product(t115, t472)
+        .sub_product(t117, t471)
+        .sub_product(t119, t470)
+        .sub_product(t121, t468);
+    let t476 = (t458 * t100)
+        .sub_product(t102, t475)
+        .sub_product(t104, t474)
+        .sub_product(t106, t471)
+        .sub_product(t108, t470)
+        .sub_product(t110, t468);
+    let t477 = (t456 * t87)
+        .sub_product(t89, t476)
+        .add_product(t91, t475)
+        .sub_product(t93, t474)
+        .sub_product(t95, t471)
+        .sub_product(t97, t470)
+        .sub_product(t99, t468);
+    let t478 = (-(t78 * t476))
+        .sub_product(t76, t477)
+        .sub_product(t81, t471)
+        .sub_product(t84, t470)
+        .sub_product(t86, t468);
+    let t479 = (-(t64 * t477))
+        .sub_product(t62, t478)
+        .sub_product(t65, t476)
+        .sub_product(t68, t471)
+        .add_product(t70, t470)
+        .sub_product(t72, t468);
+    let t480 = (-(t55 * t478)).sub_product(t53, t479).sub_product(t57, t468);
+    let t481 = (-(t45 * t479))
+        .sub_product(t43, t480)
+        .sub_product(t43, t478)
+        .add_product(t47, t468);
+    let drum_v_y_dot_by_rod_y = (t38 * t469)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t469);
+    let drum_v_x_dot_by_rod_y = (t37 * t469)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t469);
+    let bobbin_v_y_dot_by_rod_y = (-(t36 * t469))
+        .sub_product(c.inverse_bobbin_mass, t470);
+    let bobbin_v_x_dot_by_rod_y = (-(t35 * t469))
+        .sub_product(c.inverse_bobbin_mass, t471);
+    let rod_omega_dot_by_rod_y = (t33 * t473)
+        .sub_product(R::literal(4_166.666_666_666_667), t475)
+        .sub_product(t34, t472);
+    let rod_v_y_dot_by_rod_y = t463
+        .sub_product(t32, t474)
+        .sub_product(R::literal(5.0), t472);
+    let rod_v_x_dot_by_rod_y = t461
+        .add_product(t31, t474)
+        .sub_product(R::literal(5.0), t473);
+    let cylinder_omega_dot_by_rod_y = (t454 * R::literal(2_777.777_777_777_778))
+        .sub_product(t28, t477)
+        .add_product(t29, t476)
+        .sub_product(R::literal(-2_777.777_777_777_778), t475)
+        .add_product(t30, t474);
+    let cylinder_v_y_dot_by_rod_y = t457
+        .sub_product(R::literal(3.333_333_333_333_333_5), t476)
+        .add_product(t27, t474);
+    let cylinder_v_x_dot_by_rod_y = t455
+        .sub_product(R::literal(3.333_333_333_333_333_5), t477)
+        .sub_product(t26, t474);
+    let plate_omega_dot_by_rod_y = (t23 * t478)
+        .sub_product(t22, t479)
+        .sub_product(t22, t477)
+        .add_product(t23, t476)
+        .add_product(t24, t471)
+        .sub_product(t25, t470);
+    let plate_v_y_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t476))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t478)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t470);
+    let plate_v_x_dot_by_rod_y = (-(R::literal(-0.833_333_333_333_333_4) * t477))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t479)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t471);
+    let post_omega_dot_by_rod_y = (t20 * t480)
+        .sub_product(t19, t481)
+        .sub_product(t19, t479)
+        .add_product(t20, t478)
+        .sub_product(t21, t468);
+    let post_v_y_dot_by_rod_y = (-(R::literal(-1.25) * t478))
+        .sub_product(R::literal(1.25), t480);
+    let post_v_x_dot_by_rod_y = (-(R::literal(-1.25) * t479))
+        .sub_product(R::literal(1.25), t481);
+    let t482 = (t7 * t239).add_product(t6, t240);
+    let t483 = R::literal(4_166.666_666_666_667) * t482;
+    let t484 = t113 * t483;
+    let t485 = (-t199)
+        .add_product(t6, rod_omega_dot)
+        .add_product(t33, t482)
+        .add_product(t114, t483)
+        .sub_product(t124, t484);
+    let t486 = t198
+        .add_product(t7, rod_omega_dot)
+        .sub_product(t34, t482)
+        .sub_product(t115, t483)
+        .sub_product(t126, t484)
+        .sub_product(t135, t485);
+    let t487 = (t117 * t483)
+        .sub_product(t128, t484)
+        .sub_product(t137, t485)
+        .sub_product(t144, t486);
+    let t488 = (t119 * t483)
+        .sub_product(t130, t484)
+        .sub_product(t139, t485)
+        .sub_product(t146, t486)
+        .sub_product(t151, t487);
+    let t489 = (t152 * t487).sub_product(t157, t488);
+    let t490 = (t121 * t483)
+        .sub_product(t132, t484)
+        .sub_product(t141, t485)
+        .sub_product(t148, t486)
+        .sub_product(t154, t487)
+        .sub_product(t159, t488)
+        .sub_product(t164, t489) * t165;
+    let t491 = (t489 * t162).sub_product(t164, t490);
+    let t492 = (t488 * t155).sub_product(t157, t491).sub_product(t159, t490);
+    let t493 = (t487 * t149)
+        .sub_product(t151, t492)
+        .add_product(t152, t491)
+        .sub_product(t154, t490);
+    let t494 = (t486 * t142)
+        .sub_product(t144, t493)
+        .sub_product(t146, t492)
+        .sub_product(t148, t490);
+    let t495 = (t485 * t133)
+        .sub_product(t135, t494)
+        .sub_product(t137, t493)
+        .sub_product(t139, t492)
+        .sub_product(t141, t490);
+    let t496 = (t484 * t122)
+        .sub_product(t124, t495)
+        .sub_product(t126, t494)
+        .sub_product(t128, t493)
+        .sub_product(t130, t492)
+        .sub_product(t132, t490);
+    let t497 = (-(t483 * t111))
+        .sub_product(t113, t496)
+        .sub_product(t114, t495)
+        .add_product(t115, t494)
+        .sub_product(t117, t493)
+        .sub_product(t119, t492)
+        .sub_product(t121, t490);
+    let t498 = (-(t104 * t496))
+        .sub_product(t102, t497)
+        .sub_product(t106, t493)
+        .sub_product(t108, t492)
+        .sub_product(t110, t490);
+    let t499 = (t91 * t497)
+        .sub_product(t89, t498)
+        .sub_product(t93, t496)
+        .sub_product(t95, t493)
+        .sub_product(t97, t492)
+        .sub_product(t99, t490);
+    let t500 = (-(t78 * t498))
+        .sub_product(t76, t499)
+        .sub_product(t81, t493)
+        .sub_product(t84, t492)
+        .sub_product(t86, t490);
+    let t501 = (-(t64 * t499))
+        .sub_product(t62, t500)
+        .sub_product(t65, t498)
+        .sub_product(t68, t493)
+        .add_product(t70, t492)
+        .sub_product(t72, t490);
+    let t502 = (-(t55 * t500)).sub_product(t53, t501).sub_product(t57, t490);
+    let t503 = (-(t45 * t501))
+        .sub_product(t43, t502)
+        .sub_product(t43, t500)
+        .add_product(t47, t490);
+    let drum_v_y_dot_by_rod_phi = (t38 * t491)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t491);
+    let drum_v_x_dot_by_rod_phi = (t37 * t491)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t491);
+    let bobbin_v_y_dot_by_rod_phi = (-(t36 * t491))
+        .sub_product(c.inverse_bobbin_mass, t492);
+    let bobbin_v_x_dot_by_rod_phi = (-(t35 * t491))
+        .sub_product(c.inverse_bobbin_mass, t493);
+    let rod_omega_dot_by_rod_phi = t483
+        .sub_product(R::literal(4_166.666_666_666_667), t497)
+        .add_product(t33, t495)
+        .sub_product(t34, t494);
+    let rod_v_y_dot_by_rod_phi = (-(R::literal(5.0) * t494)).sub_product(t32, t496);
+    let rod_v_x_dot_by_rod_phi = (-(R::literal(5.0) * t495)).add_product(t31, t496);
+    let cylinder_omega_dot_by_rod_phi = (t29 * t498)
+        .sub_product(t28, t499)
+        .sub_product(R::literal(-2_777.777_777_777_778), t497)
+        .add_product(t30, t496);
+    let cylinder_v_y_dot_by_rod_phi = (t27 * t496)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t498);
+    let cylinder_v_x_dot_by_rod_phi = (-(t26 * t496))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t499);
+    let plate_omega_dot_by_rod_phi = (t23 * t500)
+        .sub_product(t22, t501)
+        .sub_product(t22, t499)
+        .add_product(t23, t498)
+        .add_product(t24, t493)
+        .sub_product(t25, t492);
+    let plate_v_y_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t498))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t500)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t492);
+    let plate_v_x_dot_by_rod_phi = (-(R::literal(-0.833_333_333_333_333_4) * t499))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t501)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t493);
+    let post_omega_dot_by_rod_phi = (t20 * t502)
+        .sub_product(t19, t503)
+        .sub_product(t19, t501)
+        .add_product(t20, t500)
+        .sub_product(t21, t490);
+    let post_v_y_dot_by_rod_phi = (-(R::literal(-1.25) * t500))
+        .sub_product(R::literal(1.25), t502);
+    let post_v_x_dot_by_rod_phi = (-(R::literal(-1.25) * t501))
+        .sub_product(R::literal(1.25), t503);
+    let t504 = t179 * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t505 = p.winding_force * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
     let winding_force_over_between = p.winding_force / between;
-    let t511 = R::literal(3.0) * bobbin_v_x;
-    let t512 = t511 * bobbin_x_minus_drum_x;
-    let t513 = t512 / between_squared_times_between;
-    let t514 = between.powi(5);
-    let t515 = bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
-    let t516 = R::literal(3.0) * drum_v_x;
-    let t517 = t516 * t515 / t514;
-    let t518 = R::literal(3.0) * drum_v_y;
+    let t506 = R::literal(3.0) * bobbin_v_x;
+    let t507 = t506 * bobbin_x_minus_drum_x;
+    let t508 = t507 / between_squared_times_between;
+    let t509 = between.powi(5);
+    let t510 = bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
+    let t511 = R::literal(3.0) * drum_v_x;
+    let t512 = t511 * t510 / t509;
+    let t513 = R::literal(3.0) * drum_v_y;
+    let t514 = t513 * bobbin_y_minus_drum_y;
+    let t515 = t514 * bobbin_x_minus_drum_x_squared / t509;
+    let t516 = bobbin_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t517 = t506 * t510 / t509;
+    let t518 = R::literal(3.0) * bobbin_v_y;
     let t519 = t518 * bobbin_y_minus_drum_y;
-    let t520 = t519 * bobbin_x_minus_drum_x_squared / t514;
-    let t521 = bobbin_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t522 = t511 * t515 / t514;
-    let t523 = R::literal(3.0) * bobbin_v_y;
-    let t524 = t523 * bobbin_y_minus_drum_y;
-    let t525 = t524 * bobbin_x_minus_drum_x_squared / t514;
-    let t526 = t516 * bobbin_x_minus_drum_x;
-    let t527 = t526 / between_squared_times_between;
-    let t528 = drum_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t529 = t522 + t525 + t527 + t528 - t513 - t517 - t520 - t521;
-    let t530 = t516 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t514;
-    let t531 = t518 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t514;
-    let t532 = bobbin_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t533 = t203 / between_squared_times_between;
-    let t534 = t511 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t514;
-    let t535 = t523 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t514;
-    let t536 = drum_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t537 = drum_v_y_times_bobbin_x_minus_drum_x / between_squared_times_between;
-    let t538 = t534 + t535 + t536 + t537 - t530 - t531 - t532 - t533;
-    let t539 = t513 + t517 + t520 + t521 - t522 - t525 - t527 - t528;
-    let t540 = t530 + t531 + t532 + t533 - t534 - t535 - t536 - t537;
-    let t541 = bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t520 = t519 * bobbin_x_minus_drum_x_squared / t509;
+    let t521 = t511 * bobbin_x_minus_drum_x;
+    let t522 = t521 / between_squared_times_between;
+    let t523 = drum_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t524 = t517 + t520 + t522 + t523 - t508 - t512 - t515 - t516;
+    let t525 = t511 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t509;
+    let t526 = t513 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t509;
+    let t527 = bobbin_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t528 = t202 / between_squared_times_between;
+    let t529 = t506 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t509;
+    let t530 = t518 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t509;
+    let t531 = drum_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t532 = drum_v_y_times_bobbin_x_minus_drum_x / between_squared_times_between;
+    let t533 = t529 + t530 + t531 + t532 - t525 - t526 - t527 - t528;
+    let t534 = t508 + t512 + t515 + t516 - t517 - t520 - t522 - t523;
+    let t535 = t525 + t526 + t527 + t528 - t529 - t530 - t531 - t532;
+    let t536 = bobbin_x_minus_drum_x_squared / between_squared_times_between;
     let inverse_between = R::literal(1.0) / between;
-    let t542 = inverse_between - t541;
-    let t543 = t542 * t239;
-    let t544 = t509 - t543;
-    let t545 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t537 = inverse_between - t536;
+    let t538 = t537 * t236;
+    let t539 = t504 - t538;
+    let t540 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t546 = t545 * t239;
-    let t547 = winding_force_over_between - t510 + t546;
-    let t548 = t545 * bobbin_v_y_dot;
-    let t549 = t541 - inverse_between;
-    let t550 = t549 * t239;
-    let t551 = t545 * drum_v_y_dot;
-    let t552 = c.inverse_bobbin_mass * t544;
-    let t553 = c.inverse_bobbin_mass * t547;
-    let t554 = t151 * t552 - t553;
-    let t555 = R::literal(0.666_666_666_666_666_6) * t550;
-    let t556 = R::literal(0.666_666_666_666_666_6) * t546;
-    let t557 = -t556;
-    let t558 = t38 * t546;
-    let t559 = -(bobbin_v_x * t529 + bobbin_v_y * t538 + drum_v_x * t539
-        + drum_v_y * t540) - t542 * bobbin_v_x_dot + t548 - t549 * drum_v_x_dot - t551
-        - t35 * t544 - t36 * t547 - t37 * t550 - t558 - t152 * t552;
-    let t560 = t161 * t556;
-    let t561 = t559 - t157 * t554 - t160 * t555 - t560;
-    let t562 = t556 * R::literal(-1.5);
-    let t563 = (t154 * t552 - t159 * t554 - t164 * t561) * t166;
-    let t564 = t561 * t162 - t164 * t563;
-    let t565 = t554 * t155 - t157 * t564 - t159 * t563;
-    let t566 = -(t552 * t149) - t151 * t565 + t152 * t564 - t154 * t563;
-    let t567 = -(t144 * t566) - t146 * t565 - t148 * t563;
-    let t568 = -(t135 * t567) - t137 * t566 - t139 * t565 - t141 * t563;
-    let t569 = -(t124 * t568) - t126 * t567 - t128 * t566 - t130 * t565 - t132 * t563;
-    let t570 = -(t113 * t569) - t114 * t568 + t115 * t567 - t117 * t566 - t119 * t565
-        - t121 * t563;
-    let t571 = -(t102 * t570) - t104 * t569 - t106 * t566 - t108 * t565 - t110 * t563;
-    let t572 = t91 * t570 - t89 * t571 - t93 * t569 - t95 * t566 - t97 * t565
-        - t99 * t563;
-    let t573 = -(t76 * t572) - t78 * t571 - t81 * t566 - t84 * t565 - t86 * t563;
-    let t574 = -(t62 * t573) - t64 * t572 - t65 * t571 - t68 * t566 + t70 * t565
-        - t72 * t563;
-    let t575 = -(t53 * t574) - t55 * t573 - t57 * t563;
-    let t576 = -(t43 * t575) - t45 * t574 - t43 * t573 + t47 * t563;
-    let drum_v_y_dot_by_bobbin_x = t557
-        - R::literal(0.666_666_666_666_666_6) * (t562 - t161 * t564) + t38 * t564;
-    let drum_v_x_dot_by_bobbin_x = -t555
-        - R::literal(0.666_666_666_666_666_6) * (t555 * R::literal(-1.5) - t160 * t564)
-        + t37 * t564;
-    let bobbin_v_y_dot_by_bobbin_x = t553 - c.inverse_bobbin_mass * t565 - t36 * t564;
-    let bobbin_v_x_dot_by_bobbin_x = t552 - c.inverse_bobbin_mass * t566 - t35 * t564;
-    let rod_omega_dot_by_bobbin_x = t33 * t568 - R::literal(4_166.666_666_666_667) * t570
-        - t34 * t567;
-    let rod_v_y_dot_by_bobbin_x = -(t32 * t569) - R::literal(5.0) * t567;
-    let rod_v_x_dot_by_bobbin_x = t31 * t569 - R::literal(5.0) * t568;
-    let cylinder_omega_dot_by_bobbin_x = t29 * t571 - t28 * t572
-        - R::literal(-2_777.777_777_777_778) * t570 + t30 * t569;
-    let cylinder_v_y_dot_by_bobbin_x = t27 * t569
-        - R::literal(3.333_333_333_333_333_5) * t571;
-    let cylinder_v_x_dot_by_bobbin_x = -(R::literal(3.333_333_333_333_333_5) * t572)
-        - t26 * t569;
-    let plate_omega_dot_by_bobbin_x = t23 * t573 - t22 * t574 - t22 * t572 + t23 * t571
-        + t24 * t566 - t25 * t565;
-    let plate_v_y_dot_by_bobbin_x = -(R::literal(0.833_333_333_333_333_4) * t573)
-        - R::literal(-0.833_333_333_333_333_4) * t571
-        - R::literal(-0.833_333_333_333_333_4) * t565;
-    let plate_v_x_dot_by_bobbin_x = -(R::literal(0.833_333_333_333_333_4) * t574)
-        - R::literal(-0.833_333_333_333_333_4) * t572
-        - R::literal(-0.833_333_333_333_333_4) * t566;
-    let post_omega_dot_by_bobbin_x = t20 * t575 - t19 * t576 - t19 * t574 + t20 * t573
-        - t21 * t563;
-    let post_v_y_dot_by_bobbin_x = -(R::literal(1.25) * t575) - R::literal(-1.25) * t573;
-    let post_v_x_dot_by_bobbin_x = -(R::literal(1.25) * t576) - R::literal(-1.25) * t574;
-    let t577 = p.winding_force * bobbin_y_minus_drum_y_squared
+    let t541 = t540 * t236;
+    let t542 = winding_force_over_between - t505 + t541;
+    let t543 = t540 * bobbin_v_y_dot;
+    let t544 = t536 - inverse_between;
+    let t545 = t544 * t236;
+    let t546 = t540 * drum_v_y_dot;
+    let t547 = c.inverse_bobbin_mass * t539;
+    let t548 = c.inverse_bobbin_mass * t542;
+    let t549 = (-t548).add_product(t151, t547);
+    let t550 = R::literal(0.666_666_666_666_666_6) * t545;
+    let t551 = R::literal(0.666_666_666_666_666_6) * t541;
+    let t552 = -t551;
+    let t553 = t38 * t541;
+    let t554 = t161 * t551;
+    let t555 = ((((-(bobbin_v_x * t524)
+        .add_product(bobbin_v_y, t533)
+        .add_product(drum_v_x, t534)
+        .add_product(drum_v_y, t535))
+        .sub_product(t537, bobbin_v_x_dot) + t543)
+        .sub_product(t544, drum_v_x_dot) - t546)
+        .sub_product(t35, t539)
+        .sub_product(t36, t542)
+        .sub_product(t37, t545) - t553)
+        .sub_product(t152, t547)
+        .sub_product(t157, t549)
+        .sub_product(t160, t550) - t554;
+    let t556 = t551 * R::literal(-1.5);
+    let t557 = (t154 * t547).sub_product(t159, t549).sub_product(t164, t555) * t165;
+    let t558 = (t555 * t162).sub_product(t164, t557);
+    let t559 = (t549 * t155).sub_product(t157, t558).sub_product(t159, t557);
+    let t560 = (-(t547 * t149))
+        .sub_product(t151, t559)
+        .add_product(t152, t558)
+        .sub_product(t154, t557);
+    let t561 = (-(t146 * t559)).sub_product(t144, t560).sub_product(t148, t557);
+    let t562 = (-(t137 * t560))
+        .sub_product(t135, t561)
+        .sub_product(t139, t559)
+        .sub_product(t141, t557);
+    let t563 = (-(t126 * t561))
+        .sub_product(t124, t562)
+        .sub_product(t128, t560)
+        .sub_product(t130, t559)
+        .sub_product(t132, t557);
+    let t564 = (-(t114 * t562))
+        .sub_product(t113, t563)
+        .add_product(t115, t561)
+        .sub_product(t117, t560)
+        .sub_product(t119, t559)
+        .sub_product(t121, t557);
+    let t565 = (-(t104 * t563))
+        .sub_product(t102, t564)
+        .sub_product(t106, t560)
+        .sub_product(t108, t559)
+        .sub_product(t110, t557);
+    let t566 = (t91 * t564)
+        .sub_product(t89, t565)
+        .sub_product(t93, t563)
+        .sub_product(t95, t560)
+        .sub_product(t97, t559)
+        .sub_product(t99, t557);
+    let t567 = (-(t78 * t565))
+        .sub_product(t76, t566)
+        .sub_product(t81, t560)
+        .sub_product(t84, t559)
+        .sub_product(t86, t557);
+    let t568 = (-(t64 * t566))
+        .sub_product(t62, t567)
+        .sub_product(t65, t565)
+        .sub_product(t68, t560)
+        .add_product(t70, t559)
+        .sub_product(t72, t557);
+    let t569 = (-(t55 * t567)).sub_product(t53, t568).sub_product(t57, t557);
+    let t570 = (-(t45 * t568))
+        .sub_product(t43, t569)
+        .sub_product(t43, t567)
+        .add_product(t47, t557);
+    let drum_v_y_dot_by_bobbin_x = t552
+        .sub_product(R::literal(0.666_666_666_666_666_6), t556.sub_product(t161, t558))
+        .add_product(t38, t558);
+    let drum_v_x_dot_by_bobbin_x = (-t550)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (t550 * R::literal(-1.5)).sub_product(t160, t558),
+        )
+        .add_product(t37, t558);
+    let bobbin_v_y_dot_by_bobbin_x = t548
+        .sub_product(c.inverse_bobbin_mass, t559)
+        .sub_product(t36, t558);
+    let bobbin_v_x_dot_by_bobbin_x = t547
+        .sub_product(c.inverse_bobbin_mass, t560)
+        .sub_product(t35, t558);
+    let rod_omega_dot_by_bobbin_x = (t33 * t562)
+        .sub_product(R::literal(4_166.666_666_666_667), t564)
+        .sub_product(t34, t561);
+    let rod_v_y_dot_by_bobbin_x = (-(R::literal(5.0) * t561)).sub_product(t32, t563);
+    let rod_v_x_dot_by_bobbin_x = (-(R::literal(5.0) * t562)).add_product(t31, t563);
+    let cylinder_omega_dot_by_bobbin_x = (t29 * t565)
+        .sub_product(t28, t566)
+        .sub_product(R::literal(-2_777.777_777_777_778), t564)
+        .add_product(t30, t563);
+    let cylinder_v_y_dot_by_bobbin_x = (t27 * t563)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t565);
+    let cylinder_v_x_dot_by_bobbin_x = (-(t26 * t563))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t566);
+    let plate_omega_dot_by_bobbin_x = (t23 * t567)
+        .sub_product(t22, t568)
+        .sub_product(t22, t566)
+        .add_product(t23, t565)
+        .add_product(t24, t560)
+        .sub_product(t25, t559);
+    let plate_v_y_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t565))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t567)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t559);
+    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t566))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t568)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t560);
+    let post_omega_dot_by_bobbin_x = (t20 * t569)
+        .sub_product(t19, t570)
+        .sub_product(t19, t568)
+        .add_product(t20, t567)
+        .sub_product(t21, t557);
+    let post_v_y_dot_by_bobbin_x = (-(R::literal(-1.25) * t567))
+        .sub_product(R::literal(1.25), t569);
+    let post_v_x_dot_by_bobbin_x = (-(R::literal(-1.25) * t568))
+        .sub_product(R::literal(1.25), t570);
+    let t571 = p.winding_force * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
-    let t578 = -t509;
-    let t579 = t524 / between_squared_times_between;
-    let t580 = t526 * bobbin_y_minus_drum_y_squared / t514;
-    let t581 = bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
-    let t582 = t518 * t581 / t514;
-    let t583 = t207 / between_squared_times_between;
-    let t584 = t512 * bobbin_y_minus_drum_y_squared / t514;
-    let t585 = t523 * t581 / t514;
-    let t586 = t519 / between_squared_times_between;
-    let t587 = drum_v_x_times_bobbin_x_minus_drum_x / between_squared_times_between;
-    let t588 = t584 + t585 + t586 + t587 - t579 - t580 - t582 - t583;
-    let t589 = t579 + t580 + t582 + t583 - t584 - t585 - t586 - t587;
-    let t590 = t577 - winding_force_over_between + t546;
-    let t591 = t545 * bobbin_v_x_dot;
-    let t592 = bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t593 = inverse_between - t592;
-    let t594 = t593 * t239;
-    let t595 = t578 - t594;
-    let t596 = t545 * drum_v_x_dot;
-    let t597 = t592 - inverse_between;
-    let t598 = t597 * t239;
-    let t599 = c.inverse_bobbin_mass * t590;
-    let t600 = c.inverse_bobbin_mass * t595;
-    let t601 = t151 * t599 - t600;
-    let t602 = R::literal(0.666_666_666_666_666_6) * t598;
-    let t603 = t37 * t546;
-    let t604 = t591
-        - (bobbin_v_x * t538 + bobbin_v_y * t588 + drum_v_x * t540 + drum_v_y * t589)
-        - t593 * bobbin_v_y_dot - t596 - t597 * drum_v_y_dot - t35 * t590 - t36 * t595
-        - t603 - t38 * t598 - t152 * t599 - t157 * t601;
-    let t605 = t160 * t556;
-    let t606 = t604 - t605 - t161 * t602;
-    let t607 = (t154 * t599 - t159 * t601 - t164 * t606) * t166;
-    let t608 = t606 * t162 - t164 * t607;
-    let t609 = t601 * t155 - t157 * t608 - t159 * t607;
-    let t610 = -(t599 * t149) - t151 * t609 + t152 * t608 - t154 * t607;
-    let t611 = -(t144 * t610) - t146 * t609 - t148 * t607;
-    let t612 = -(t135 * t611) - t137 * t610 - t139 * t609 - t141 * t607;
-    let t613 = -(t124 * t612) - t126 * t611 - t128 * t610 - t130 * t609 - t132 * t607;
-    let t614 = -(t113 * t613) - t114 * t612 + t115 * t611 - t117 * t610 - t119 * t609
-        - t121 * t607;
-    let t615 = -(t102 * t614) - t104 * t613 - t106 * t610 - t108 * t609 - t110 * t607;
-    let t616 = t91 * t614 - t89 * t615 - t93 * t613 - t95 * t610 - t97 * t609
-        - t99 * t607;
-    let t617 = -(t76 * t616) - t78 * t615 - t81 * t610 - t84 * t609 - t86 * t607;
-    let t618 = -(t62 * t617) - t64 * t616 - t65 * t615 - t68 * t610 + t70 * t609
-        - t72 * t607;
-    let t619 = -(t53 * t618) - t55 * t617 - t57 * t607;
-    let t620 = -(t43 * t619) - t45 * t618 - t43 * t617 + t47 * t607;
-    let drum_v_y_dot_by_bobbin_y = -t602
-        - R::literal(0.666_666_666_666_666_6) * (t602 * R::literal(-1.5) - t161 * t608)
-        + t38 * t608;
-    let drum_v_x_dot_by_bobbin_y = t557
-        - R::literal(0.666_666_666_666_666_6) * (t562 - t160 * t608) + t37 * t608;
-    let bobbin_v_y_dot_by_bobbin_y = t600 - c.inverse_bobbin_mass * t609 - t36 * t608;
-    let bobbin_v_x_dot_by_bobbin_y = t599 - c.inverse_bobbin_mass * t610 - t35 * t608;
-    let rod_omega_dot_by_bobbin_y = t33 * t612 - R::literal(4_166.666_666_666_667) * t614
-        - t34 * t611;
-    let rod_v_y_dot_by_bobbin_y = -(t32 * t613) - R::literal(5.0) * t611;
-    let rod_v_x_dot_by_bobbin_y = t31 * t613 - R::literal(5.0) * t612;
-    let cylinder_omega_dot_by_bobbin_y = t29 * t615 - t28 * t616
-        - R::literal(-2_777.777_777_777_778) * t614 + t30 * t613;
-    let cylinder_v_y_dot_by_bobbin_y = t27 * t613
-        - R::literal(3.333_333_333_333_333_5) * t615;
-    let cylinder_v_x_dot_by_bobbin_y = -(R::literal(3.333_333_333_333_333_5) * t616)
-        - t26 * t613;
-    let plate_omega_dot_by_bobbin_y = t23 * t617 - t22 * t618 - t22 * t616 + t23 * t615
-        + t24 * t610 - t25 * t609;
-    let plate_v_y_dot_by_bobbin_y = -(R::literal(0.833_333_333_333_333_4) * t617)
-        - R::literal(-0.833_333_333_333_333_4) * t615
-        - R::literal(-0.833_333_333_333_333_4) * t609;
-    let plate_v_x_dot_by_bobbin_y = -(R::literal(0.833_333_333_333_333_4) * t618)
-        - R::literal(-0.833_333_333_333_333_4) * t616
-        - R::literal(-0.833_333_333_333_333_4) * t610;
-    let post_omega_dot_by_bobbin_y = t20 * t619 - t19 * t620 - t19 * t618 + t20 * t617
-        - t21 * t607;
-    let post_v_y_dot_by_bobbin_y = -(R::literal(1.25) * t619) - R::literal(-1.25) * t617;
-    let post_v_x_dot_by_bobbin_y = -(R::literal(1.25) * t620) - R::literal(-1.25) * t618;
-    let t621 = t578 - t550;
-    let t622 = t510 - winding_force_over_between - t546;
-    let t623 = c.inverse_bobbin_mass * t621;
-    let t624 = c.inverse_bobbin_mass * t622;
-    let t625 = t151 * t623 - t624;
-    let t626 = R::literal(0.666_666_666_666_666_6) * t543;
-    let t627 = -(bobbin_v_x * t539 + bobbin_v_y * t540 + drum_v_x * t529
-        + drum_v_y * t538) - t549 * bobbin_v_x_dot - t548 - t542 * drum_v_x_dot + t551
-        - t35 * t621 - t36 * t622 - t37 * t543 + t558 - t152 * t623;
-    let t628 = t627 - t157 * t625 - t160 * t626 + t560;
-    let t629 = -t562;
-    let t630 = (t154 * t623 - t159 * t625 - t164 * t628) * t166;
-    let t631 = t628 * t162 - t164 * t630;
-    let t632 = t625 * t155 - t157 * t631 - t159 * t630;
-    let t633 = -(t623 * t149) - t151 * t632 + t152 * t631 - t154 * t630;
-    let t634 = -(t144 * t633) - t146 * t632 - t148 * t630;
-    let t635 = -(t135 * t634) - t137 * t633 - t139 * t632 - t141 * t630;
-    let t636 = -(t124 * t635) - t126 * t634 - t128 * t633 - t130 * t632 - t132 * t630;
-    let t637 = -(t113 * t636) - t114 * t635 + t115 * t634 - t117 * t633 - t119 * t632
-        - t121 * t630;
-    let t638 = -(t102 * t637) - t104 * t636 - t106 * t633 - t108 * t632 - t110 * t630;
-    let t639 = t91 * t637 - t89 * t638 - t93 * t636 - t95 * t633 - t97 * t632
-        - t99 * t630;
-    let t640 = -(t76 * t639) - t78 * t638 - t81 * t633 - t84 * t632 - t86 * t630;
-    let t641 = -(t62 * t640) - t64 * t639 - t65 * t638 - t68 * t633 + t70 * t632
-        - t72 * t630;
-    let t642 = -(t53 * t641) - t55 * t640 - t57 * t630;
-    let t643 = -(t43 * t642) - t45 * t641 - t43 * t640 + t47 * t630;
-    let drum_v_y_dot_by_drum_x = t556
-        - R::literal(0.666_666_666_666_666_6) * (t629 - t161 * t631) + t38 * t631;
-    let drum_v_x_dot_by_drum_x = -t626
-        - R::literal(0.666_666_666_666_666_6) * (t626 * R::literal(-1.5) - t160 * t631)
-        + t37 * t631;
-    let bobbin_v_y_dot_by_drum_x = t624 - c.inverse_bobbin_mass * t632 - t36 * t631;
-    let bobbin_v_x_dot_by_drum_x = t623 - c.inverse_bobbin_mass * t633 - t35 * t631;
-    let rod_omega_dot_by_drum_x = t33 * t635 - R::literal(4_166.666_666_666_667) * t637
-        - t34 * t634;
-    let rod_v_y_dot_by_drum_x = -(t32 * t636) - R::literal(5.0) * t634;
-    let rod_v_x_dot_by_drum_x = t31 * t636 - R::literal(5.0) * t635;
-    let cylinder_omega_dot_by_drum_x = t29 * t638 - t28 * t639
-        - R::literal(-2_777.777_777_777_778) * t637 + t30 * t636;
-    let cylinder_v_y_dot_by_drum_x = t27 * t636
-        - R::literal(3.333_333_333_333_333_5) * t638;
-    let cylinder_v_x_dot_by_drum_x = -(R::literal(3.333_333_333_333_333_5) * t639)
-        - t26 * t636;
-    let plate_omega_dot_by_drum_x = t23 * t640 - t22 * t641 - t22 * t639 + t23 * t638
-        + t24 * t633 - t25 * t632;
-    let plate_v_y_dot_by_drum_x = -(R::literal(0.833_333_333_333_333_4) * t640)
-        - R::literal(-0.833_333_333_333_333_4) * t638
-        - R::literal(-0.833_333_333_333_333_4) * t632;
-    let plate_v_x_dot_by_drum_x = -(R::literal(0.833_333_333_333_333_4) * t641)
-        - R::literal(-0.833_333_333_333_333_4) * t639
-        - R::literal(-0.833_333_333_333_333_4) * t633;
-    let post_omega_dot_by_drum_x = t20 * t642 - t19 * t643 - t19 * t641 + t20 * t640
-        - t21 * t630;
-    let post_v_y_dot_by_drum_x = -(R::literal(1.25) * t642) - R::literal(-1.25) * t640;
-    let post_v_x_dot_by_drum_x = -(R::literal(1.25) * t643) - R::literal(-1.25) * t641;
-    let t644 = winding_force_over_between - t577 - t546;
-    let t645 = t509 - t598;
-    let t646 = c.inverse_bobbin_mass * t644;
-    let t647 = c.inverse_bobbin_mass * t645;
-    let t648 = t151 * t646 - t647;
-    let t649 = R::literal(0.666_666_666_666_666_6) * t594;
-    let t650 = -(bobbin_v_x * t540 + bobbin_v_y * t589 + drum_v_x * t538
-        + drum_v_y * t588) - t591 - t597 * bobbin_v_y_dot + t596 - t593 * drum_v_y_dot
-        - t35 * t644 - t36 * t645 + t603 - t38 * t594 - t152 * t646;
-    let t651 = t650 - t157 * t648 + t605 - t161 * t649;
-    let t652 = (t154 * t646 - t159 * t648 - t164 * t651) * t166;
-    let t653 = t651 * t162 - t164 * t652;
-    let t654 = t648 * t155 - t157 * t653 - t159 * t652;
-    let t655 = -(t646 * t149) - t151 * t654 + t152 * t653 - t154 * t652;
-    let t656 = -(t144 * t655) - t146 * t654 - t148 * t652;
-    let t657 = -(t135 * t656) - t137 * t655 - t139 * t654 - t141 * t652;
-    let t658 = -(t124 * t657) - t126 * t656 - t128 * t655 - t130 * t654 - t132 * t652;
-    let t659 = -(t113 * t658) - t114 * t657 + t115 * t656 - t117 * t655 - t119 * t654
-        - t121 * t652;
-    let t660 = -(t102 * t659) - t104 * t658 - t106 * t655 - t108 * t654 - t110 * t652;
-    let t661 = t91 * t659 - t89 * t660 - t93 * t658 - t95 * t655 - t97 * t654
-        - t99 * t652;
-    let t662 = -(t76 * t661) - t78 * t660 - t81 * t655 - t84 * t654 - t86 * t652;
-    let t663 = -(t62 * t662) - t64 * t661 - t65 * t660 - t68 * t655 + t70 * t654
-        - t72 * t652;
-    let t664 = -(t53 * t663) - t55 * t662 - t57 * t652;
-    let t665 = -(t43 * t664) - t45 * t663 - t43 * t662 + t47 * t652;
-    let drum_v_y_dot_by_drum_y = -t649
-        - R::literal(0.666_666_666_666_666_6) * (t649 * R::literal(-1.5) - t161 * t653)
-        + t38 * t653;
-    let drum_v_x_dot_by_drum_y = t556
-        - R::literal(0.666_666_666_666_666_6) * (t629 - t160 * t653) + t37 * t653;
-    let bobbin_v_y_dot_by_drum_y = t647 - c.inverse_bobbin_mass * t654 - t36 * t653;
-    let bobbin_v_x_dot_by_drum_y = t646 - c.inverse_bobbin_mass * t655 - t35 * t653;
-    let rod_omega_dot_by_drum_y = t33 * t657 - R::literal(4_166.666_666_666_667) * t659
-        - t34 * t656;
-    let rod_v_y_dot_by_drum_y = -(t32 * t658) - R::literal(5.0) * t656;
-    let rod_v_x_dot_by_drum_y = t31 * t658 - R::literal(5.0) * t657;
-    let cylinder_omega_dot_by_drum_y = t29 * t660 - t28 * t661
-        - R::literal(-2_777.777_777_777_778) * t659 + t30 * t658;
-    let cylinder_v_y_dot_by_drum_y = t27 * t658
-        - R::literal(3.333_333_333_333_333_5) * t660;
-    let cylinder_v_x_dot_by_drum_y = -(R::literal(3.333_333_333_333_333_5) * t661)
-        - t26 * t658;
-    let plate_omega_dot_by_drum_y = t23 * t662 - t22 * t663 - t22 * t661 + t23 * t660
-        + t24 * t655 - t25 * t654;
-    let plate_v_y_dot_by_drum_y = -(R::literal(0.833_333_333_333_333_4) * t662)
-        - R::literal(-0.833_333_333_333_333_4) * t660
-        - R::literal(-0.833_333_333_333_333_4) * t654;
-    let plate_v_x_dot_by_drum_y = -(R::literal(0.833_333_333_333_333_4) * t663)
-        - R::literal(-0.833_333_333_333_333_4) * t661
-        - R::literal(-0.833_333_333_333_333_4) * t655;
-    let post_omega_dot_by_drum_y = t20 * t664 - t19 * t665 - t19 * t663 + t20 * t662
-        - t21 * t652;
-    let post_v_y_dot_by_drum_y = -(R::literal(1.25) * t664) - R::literal(-1.25) * t662;
-    let post_v_x_dot_by_drum_y = -(R::literal(1.25) * t665) - R::literal(-1.25) * t663;
-    let t666 = R::literal(0.2) * post_omega;
-    let t667 = t666 * cos_post_phi;
-    let t668 = t43 * t667 - t666 * sin_post_phi;
-    let t669 = t45 * t667 - t667 - t53 * t668;
-    let t670 = t668 - t55 * t668 - t62 * t669;
-    let t671 = -(t64 * t669) - t76 * t670;
-    let t672 = -(t65 * t669) - t78 * t670 - t89 * t671;
-    let t673 = t91 * t671 - t102 * t672;
-    let t674 = -(t93 * t671) - t104 * t672 - t113 * t673;
-    let t675 = -(t114 * t673) - t124 * t674;
-    let t676 = t115 * t673 - t126 * t674 - t135 * t675;
-    let t677 = -(t68 * t669) - t81 * t670 - t95 * t671 - t106 * t672 - t117 * t673
-        - t128 * t674 - t137 * t675 - t144 * t676;
-    let t678 = t70 * t669 - t84 * t670 - t97 * t671 - t108 * t672 - t119 * t673
-        - t130 * t674 - t139 * t675 - t146 * t676 - t151 * t677;
-    let t679 = t152 * t677 - t157 * t678;
-    let t680 = post_omega
-        * (R::literal(0.286) * sin_post_phi - R::literal(0.088) * cos_post_phi)
-        - t47 * t667 - t57 * t668 - t72 * t669 - t86 * t670 - t99 * t671 - t110 * t672
-        - t121 * t673 - t132 * t674 - t141 * t675 - t148 * t676;
-    let t681 = (t680 - t154 * t677 - t159 * t678 - t164 * t679) * t166;
-    let t682 = t679 * t162 - t164 * t681;
-    let t683 = t678 * t155 - t157 * t682 - t159 * t681;
-    let t684 = t677 * t149 - t151 * t683 + t152 * t682 - t154 * t681;
-    let t685 = t676 * t142 - t144 * t684 - t146 * t683 - t148 * t681;
-    let t686 = t675 * t133 - t135 * t685 - t137 * t684 - t139 * t683 - t141 * t681;
-    let t687 = t674 * t122 - t124 * t686 - t126 * t685 - t128 * t684 - t130 * t683
-        - t132 * t681;
-    let t688 = t673 * t111 - t113 * t687 - t114 * t686 + t115 * t685 - t117 * t684
-        - t119 * t683 - t121 * t681;
-    let t689 = t672 * t100 - t102 * t688 - t104 * t687 - t106 * t684 - t108 * t683
-        - t110 * t681;
-    let t690 = t671 * t87 - t89 * t689 + t91 * t688 - t93 * t687 - t95 * t684
-        - t97 * t683 - t99 * t681;
-    let t691 = t670 * t74 - t76 * t690 - t78 * t689 - t81 * t684 - t84 * t683
-        - t86 * t681;
-    let t692 = t669 * t59 - t62 * t691 - t64 * t690 - t65 * t689 - t68 * t684
-        + t70 * t683 - t72 * t681;
-    let t693 = t668 * t51 - t53 * t692 - t55 * t691 - t57 * t681;
-    let t694 = -(t667 * t41) - t43 * t693 - t45 * t692 - t43 * t691 + t47 * t681;
-    let drum_v_y_dot_by_post_omega = R::literal(0.666_666_666_666_666_6) * (t161 * t682)
-        + t38 * t682;
-    let drum_v_x_dot_by_post_omega = R::literal(0.666_666_666_666_666_6) * (t160 * t682)
-        + t37 * t682;
-    let bobbin_v_y_dot_by_post_omega = -(c.inverse_bobbin_mass * t683) - t36 * t682;
-    let bobbin_v_x_dot_by_post_omega = -(c.inverse_bobbin_mass * t684) - t35 * t682;
-    let rod_omega_dot_by_post_omega = t33 * t686
-        - R::literal(4_166.666_666_666_667) * t688 - t34 * t685;
-    let rod_v_y_dot_by_post_omega = -(t32 * t687) - R::literal(5.0) * t685;
-    let rod_v_x_dot_by_post_omega = t31 * t687 - R::literal(5.0) * t686;
-    let cylinder_omega_dot_by_post_omega = t29 * t689 - t28 * t690
-        - R::literal(-2_777.777_777_777_778) * t688 + t30 * t687;
-    let cylinder_v_y_dot_by_post_omega = t27 * t687
-        - R::literal(3.333_333_333_333_333_5) * t689;
-    let cylinder_v_x_dot_by_post_omega = -(R::literal(3.333_333_333_333_333_5) * t690)
-        - t26 * t687;
-    let plate_omega_dot_by_post_omega = t23 * t691 - t22 * t692 - t22 * t690 + t23 * t689
-        + t24 * t684 - t25 * t683;
-    let plate_v_y_dot_by_post_omega = -(R::literal(0.833_333_333_333_333_4) * t691)
-        - R::literal(-0.833_333_333_333_333_4) * t689
-        - R::literal(-0.833_333_333_333_333_4) * t683;
-    let plate_v_x_dot_by_post_omega = -(R::literal(0.833_333_333_333_333_4) * t692)
-        - R::literal(-0.833_333_333_333_333_4) * t690
-        - R::literal(-0.833_333_333_333_333_4) * t684;
-    let post_omega_dot_by_post_omega = t20 * t693 - t19 * t694 - t19 * t692 + t20 * t691
-        - t21 * t681;
-    let post_v_y_dot_by_post_omega = -(R::literal(1.25) * t693)
-        - R::literal(-1.25) * t691;
-    let post_v_x_dot_by_post_omega = -(R::literal(1.25) * t694)
-        - R::literal(-1.25) * t692;
-    let t695 = R::literal(0.12) * plate_omega;
-    let t696 = t695 * cos_plate_phi;
-    let t697 = t695 * sin_plate_phi;
-    let t698 = t62 * t696 - t697;
-    let t699 = t64 * t696 - t696 - t76 * t698;
-    let t700 = t65 * t696 - t697 - t78 * t698 - t89 * t699;
-    let t701 = t91 * t699 - t102 * t700;
-    let t702 = -(t93 * t699) - t104 * t700 - t113 * t701;
-    let t703 = -(t114 * t701) - t124 * t702;
-    let t704 = t115 * t701 - t126 * t702 - t135 * t703;
-    let t705 = plate_omega
-        * (R::literal(0.02) * cos_plate_phi - R::literal(0.2) * sin_plate_phi)
-        + t68 * t696 - t81 * t698 - t95 * t699 - t106 * t700 - t117 * t701 - t128 * t702
-        - t137 * t703 - t144 * t704;
-    let t706 = plate_omega
-        * (R::literal(0.02) * sin_plate_phi + R::literal(0.2) * cos_plate_phi)
-        - t70 * t696 - t84 * t698 - t97 * t699 - t108 * t700 - t119 * t701 - t130 * t702
-        - t139 * t703 - t146 * t704 - t151 * t705;
-    let t707 = t152 * t705 - t157 * t706;
-    let t708 = (t72 * t696 - t86 * t698 - t99 * t699 - t110 * t700 - t121 * t701
-        - t132 * t702 - t141 * t703 - t148 * t704 - t154 * t705 - t159 * t706
-        - t164 * t707) * t166;
-    let t709 = t707 * t162 - t164 * t708;
-    let t710 = t706 * t155 - t157 * t709 - t159 * t708;
-    let t711 = t705 * t149 - t151 * t710 + t152 * t709 - t154 * t708;
-    let t712 = t704 * t142 - t144 * t711 - t146 * t710 - t148 * t708;
-    let t713 = t703 * t133 - t135 * t712 - t137 * t711 - t139 * t710 - t141 * t708;
-    let t714 = t702 * t122 - t124 * t713 - t126 * t712 - t128 * t711 - t130 * t710
-        - t132 * t708;
-    let t715 = t701 * t111 - t113 * t714 - t114 * t713 + t115 * t712 - t117 * t711
-        - t119 * t710 - t121 * t708;
-    let t716 = t700 * t100 - t102 * t715 - t104 * t714 - t106 * t711 - t108 * t710
-        - t110 * t708;
-    let t717 = t699 * t87 - t89 * t716 + t91 * t715 - t93 * t714 - t95 * t711
-        - t97 * t710 - t99 * t708;
-    let t718 = t698 * t74 - t76 * t717 - t78 * t716 - t81 * t711 - t84 * t710
-        - t86 * t708;
-    let t719 = -(t696 * t59) - t62 * t718 - t64 * t717 - t65 * t716 - t68 * t711
-        + t70 * t710 - t72 * t708;
-    let t720 = -(t53 * t719) - t55 * t718 - t57 * t708;
-    let t721 = -(t43 * t720) - t45 * t719 - t43 * t718 + t47 * t708;
-    let drum_v_y_dot_by_plate_omega = R::literal(0.666_666_666_666_666_6) * (t161 * t709)
-        + t38 * t709;
-    let drum_v_x_dot_by_plate_omega = R::literal(0.666_666_666_666_666_6) * (t160 * t709)
-        + t37 * t709;
-    let bobbin_v_y_dot_by_plate_omega = -(c.inverse_bobbin_mass * t710) - t36 * t709;
-    let bobbin_v_x_dot_by_plate_omega = -(c.inverse_bobbin_mass * t711) - t35 * t709;
-    let rod_omega_dot_by_plate_omega = t33 * t713
-        - R::literal(4_166.666_666_666_667) * t715 - t34 * t712;
-    let rod_v_y_dot_by_plate_omega = -(t32 * t714) - R::literal(5.0) * t712;
-    let rod_v_x_dot_by_plate_omega = t31 * t714 - R::literal(5.0) * t713;
-    let cylinder_omega_dot_by_plate_omega = t29 * t716 - t28 * t717
-        - R::literal(-2_777.777_777_777_778) * t715 + t30 * t714;
-    let cylinder_v_y_dot_by_plate_omega = t27 * t714
-        - R::literal(3.333_333_333_333_333_5) * t716;
-    let cylinder_v_x_dot_by_plate_omega = -(R::literal(3.333_333_333_333_333_5) * t717)
-        - t26 * t714;
-    let plate_omega_dot_by_plate_omega = t23 * t718 - t22 * t719 - t22 * t717
-        + t23 * t716 + t24 * t711 - t25 * t710;
-    let plate_v_y_dot_by_plate_omega = -(R::literal(0.833_333_333_333_333_4) * t718)
-        - R::literal(-0.833_333_333_333_333_4) * t716
-        - R::literal(-0.833_333_333_333_333_4) * t710;
-    let plate_v_x_dot_by_plate_omega = -(R::literal(0.833_333_333_333_333_4) * t719)
-        - R::literal(-0.833_333_333_333_333_4) * t717
-        - R::literal(-0.833_333_333_333_333_4) * t711;
-    let post_omega_dot_by_plate_omega = t20 * t720 - t19 * t721 - t19 * t719 + t20 * t718
-        - t21 * t708;
-    let post_v_y_dot_by_plate_omega = -(R::literal(1.25) * t720)
-        - R::literal(-1.25) * t718;
-    let post_v_x_dot_by_plate_omega = -(R::literal(1.25) * t721)
-        - R::literal(-1.25) * t719;
-    let t722 = R::literal(50.0) * (cos_cylinder_phi * cos_cylinder_phi);
-    let t723 = R::literal(50.0) * sin_cylinder_phi * cos_cylinder_phi;
-    let t724 = R::literal(50.0) * t14;
-    let t725 = t724 * cos_cylinder_phi;
-    let t726 = R::literal(2.0) * cylinder_omega;
-    let t727 = t726 * cos_cylinder_phi;
-    let t728 = R::literal(3.333_333_333_333_333_5) * t722;
-    let t729 = t28 * t725;
-    let t730 = t728 - t729;
-    let t731 = R::literal(3.333_333_333_333_333_5) * t723;
-    let t732 = -t731;
-    let t733 = t29 * t725;
-    let t734 = t731 + t733 - t89 * t730;
-    let t735 = R::literal(-2_777.777_777_777_778) * t725;
-    let t736 = t91 * t730 - t735 - t102 * t734;
-    let t737 = t26 * t722;
-    let t738 = t27 * t723;
-    let t739 = t30 * t725;
-    let t740 = t31 * t722;
-    let t741 = t32 * t723;
-    let t742 = t737 - t727 - t738 + t739 + t740 - t741 - t93 * t730 - t104 * t734
-        - t113 * t736;
-    let t743 = R::literal(5.0) * t722;
-    let t744 = -t743 - t114 * t736 - t124 * t742;
-    let t745 = R::literal(5.0) * t723;
-    let t746 = -t745;
-    let t747 = t115 * t736 - t745 - t126 * t742 - t135 * t744;
-    let t748 = -(t95 * t730) - t106 * t734 - t117 * t736 - t128 * t742 - t137 * t744
-        - t144 * t747;
-    let t749 = -(t97 * t730) - t108 * t734 - t119 * t736 - t130 * t742 - t139 * t744
-        - t146 * t747 - t151 * t748;
-    let t750 = t152 * t748 - t157 * t749;
-    let t751 = t725 * R::literal(2_777.777_777_777_778);
-    let t752 = (-(t99 * t730) - t110 * t734 - t121 * t736 - t132 * t742 - t141 * t744
-        - t148 * t747 - t154 * t748 - t159 * t749 - t164 * t750) * t166;
-    let t753 = t750 * t162 - t164 * t752;
-    let t754 = t749 * t155 - t157 * t753 - t159 * t752;
-    let t755 = t748 * t149 - t151 * t754 + t152 * t753 - t154 * t752;
-    let t756 = t747 * t142 - t144 * t755 - t146 * t754 - t148 * t752;
-    let t757 = t744 * t133 - t135 * t756 - t137 * t755 - t139 * t754 - t141 * t752;
-    let t758 = t742 * t122 - t124 * t757 - t126 * t756 - t128 * t755 - t130 * t754
-        - t132 * t752;
-    let t759 = t736 * t111 - t113 * t758 - t114 * t757 + t115 * t756 - t117 * t755
-        - t119 * t754 - t121 * t752;
-    let t760 = t734 * t100 - t102 * t759 - t104 * t758 - t106 * t755 - t108 * t754
-        - t110 * t752;
-    let t761 = t730 * t87 - t89 * t760 + t91 * t759 - t93 * t758 - t95 * t755
-        - t97 * t754 - t99 * t752;
-    let t762 = -(t76 * t761) - t78 * t760 - t81 * t755 - t84 * t754 - t86 * t752;
-    let t763 = -(t62 * t762) - t64 * t761 - t65 * t760 - t68 * t755 + t70 * t754
-        - t72 * t752;
-    let t764 = -(t53 * t763) - t55 * t762 - t57 * t752;
-    let t765 = -(t43 * t764) - t45 * t763 - t43 * t762 + t47 * t752;
-    let drum_v_y_dot_by_cylinder_v_x = R::literal(0.666_666_666_666_666_6)
-        * (t161 * t753) + t38 * t753;
-    let drum_v_x_dot_by_cylinder_v_x = R::literal(0.666_666_666_666_666_6)
-        * (t160 * t753) + t37 * t753;
-    let bobbin_v_y_dot_by_cylinder_v_x = -(c.inverse_bobbin_mass * t754) - t36 * t753;
-    let bobbin_v_x_dot_by_cylinder_v_x = -(c.inverse_bobbin_mass * t755) - t35 * t753;
-    let rod_omega_dot_by_cylinder_v_x = t33 * t757
-        - R::literal(4_166.666_666_666_667) * t759 - t34 * t756;
-    let rod_v_y_dot_by_cylinder_v_x = t745 - t32 * t758 - R::literal(5.0) * t756;
-    let rod_v_x_dot_by_cylinder_v_x = t743 + t31 * t758 - R::literal(5.0) * t757;
-    let cylinder_omega_dot_by_cylinder_v_x = t751 - t28 * t761 + t29 * t760
-        - R::literal(-2_777.777_777_777_778) * t759 + t30 * t758;
-    let cylinder_v_y_dot_by_cylinder_v_x = t732
-        - R::literal(3.333_333_333_333_333_5) * t760 + t27 * t758;
-    let cylinder_v_x_dot_by_cylinder_v_x = -t728
-        - R::literal(3.333_333_333_333_333_5) * t761 - t26 * t758;
-    let plate_omega_dot_by_cylinder_v_x = t23 * t762 - t22 * t763 - t22 * t761
-        + t23 * t760 + t24 * t755 - t25 * t754;
-    let plate_v_y_dot_by_cylinder_v_x = -(R::literal(0.833_333_333_333_333_4) * t762)
-        - R::literal(-0.833_333_333_333_333_4) * t760
-        - R::literal(-0.833_333_333_333_333_4) * t754;
-    let plate_v_x_dot_by_cylinder_v_x = -(R::literal(0.833_333_333_333_333_4) * t763)
-        - R::literal(-0.833_333_333_333_333_4) * t761
-        - R::literal(-0.833_333_333_333_333_4) * t755;
-    let post_omega_dot_by_cylinder_v_x = t20 * t764 - t19 * t765 - t19 * t763
-        + t20 * t762 - t21 * t752;
-    let post_v_y_dot_by_cylinder_v_x = -(R::literal(1.25) * t764)
-        - R::literal(-1.25) * t762;
-    let post_v_x_dot_by_cylinder_v_x = -(R::literal(1.25) * t765)
-        - R::literal(-1.25) * t763;
-    let t766 = R::literal(50.0) * (sin_cylinder_phi * sin_cylinder_phi);
-    let t767 = t724 * sin_cylinder_phi;
-    let t768 = t726 * sin_cylinder_phi;
-    let t769 = t28 * t767;
-    let t770 = t731 - t769;
-    let t771 = R::literal(3.333_333_333_333_333_5) * t766;
-    let t772 = -t771;
-    let t773 = t29 * t767;
-    let t774 = t771 + t773 - t89 * t770;
-    let t775 = R::literal(-2_777.777_777_777_778) * t767;
-    let t776 = t91 * t770 - t775 - t102 * t774;
-    let t777 = t26 * t723;
-    let t778 = t27 * t766;
-    let t779 = t30 * t767;
-    let t780 = t31 * t723;
-    let t781 = t32 * t766;
-    let t782 = t777 - t768 - t778 + t779 + t780 - t781 - t93 * t770 - t104 * t774
-        - t113 * t776;
-    let t783 = t746 - t114 * t776 - t124 * t782;
-    let t784 = R::literal(5.0) * t766;
-    let t785 = t115 * t776 - t784 - t126 * t782 - t135 * t783;
-    let t786 = -(t95 * t770) - t106 * t774 - t117 * t776 - t128 * t782 - t137 * t783
-        - t144 * t785;
-    let t787 = -(t97 * t770) - t108 * t774 - t119 * t776 - t130 * t782 - t139 * t783
-        - t146 * t785 - t151 * t786;
-    let t788 = t152 * t786 - t157 * t787;
-    let t789 = t767 * R::literal(2_777.777_777_777_778);
-    let t790 = (-(t99 * t770) - t110 * t774 - t121 * t776 - t132 * t782 - t141 * t783
-        - t148 * t785 - t154 * t786 - t159 * t787 - t164 * t788) * t166;
-    let t791 = t788 * t162 - t164 * t790;
-    let t792 = t787 * t155 - t157 * t791 - t159 * t790;
-    let t793 = t786 * t149 - t151 * t792 + t152 * t791 - t154 * t790;
-    let t794 = t785 * t142 - t144 * t793 - t146 * t792 - t148 * t790;
-    let t795 = t783 * t133 - t135 * t794 - t137 * t793 - t139 * t792 - t141 * t790;
-    let t796 = t782 * t122 - t124 * t795 - t126 * t794 - t128 * t793 - t130 * t792
-        - t132 * t790;
-    let t797 = t776 * t111 - t113 * t796 - t114 * t795 + t115 * t794 - t117 * t793
-        - t119 * t792 - t121 * t790;
-    let t798 = t774 * t100 - t102 * t797 - t104 * t796 - t106 * t793 - t108 * t792
-        - t110 * t790;
-    let t799 = t770 * t87 - t89 * t798 + t91 * t797 - t93 * t796 - t95 * t793
-        - t97 * t792 - t99 * t790;
-    let t800 = -(t76 * t799) - t78 * t798 - t81 * t793 - t84 * t792 - t86 * t790;
-    let t801 = -(t62 * t800) - t64 * t799 - t65 * t798 - t68 * t793 + t70 * t792
-        - t72 * t790;
-    let t802 = -(t53 * t801) - t55 * t800 - t57 * t790;
-    let t803 = -(t43 * t802) - t45 * t801 - t43 * t800 + t47 * t790;
-    let drum_v_y_dot_by_cylinder_v_y = R::literal(0.666_666_666_666_666_6)
-        * (t161 * t791) + t38 * t791;
-    let drum_v_x_dot_by_cylinder_v_y = R::literal(0.666_666_666_666_666_6)
-        * (t160 * t791) + t37 * t791;
-    let bobbin_v_y_dot_by_cylinder_v_y = -(c.inverse_bobbin_mass * t792) - t36 * t791;
-    let bobbin_v_x_dot_by_cylinder_v_y = -(c.inverse_bobbin_mass * t793) - t35 * t791;
-    let rod_omega_dot_by_cylinder_v_y = t33 * t795
-        - R::literal(4_166.666_666_666_667) * t797 - t34 * t794;
-    let rod_v_y_dot_by_cylinder_v_y = t784 - t32 * t796 - R::literal(5.0) * t794;
-    let rod_v_x_dot_by_cylinder_v_y = t745 + t31 * t796 - R::literal(5.0) * t795;
-    let cylinder_omega_dot_by_cylinder_v_y = t789 - t28 * t799 + t29 * t798
-        - R::literal(-2_777.777_777_777_778) * t797 + t30 * t796;
-    let cylinder_v_y_dot_by_cylinder_v_y = t772
-        - R::literal(3.333_333_333_333_333_5) * t798 + t27 * t796;
-    let cylinder_v_x_dot_by_cylinder_v_y = t732
-        - R::literal(3.333_333_333_333_333_5) * t799 - t26 * t796;
-    let plate_omega_dot_by_cylinder_v_y = t23 * t800 - t22 * t801 - t22 * t799
-        + t23 * t798 + t24 * t793 - t25 * t792;
-    let plate_v_y_dot_by_cylinder_v_y = -(R::literal(0.833_333_333_333_333_4) * t800)
-        - R::literal(-0.833_333_333_333_333_4) * t798
-        - R::literal(-0.833_333_333_333_333_4) * t792;
-    let plate_v_x_dot_by_cylinder_v_y = -(R::literal(0.833_333_333_333_333_4) * t801)
-        - R::literal(-0.833_333_333_333_333_4) * t799
-        - R::literal(-0.833_333_333_333_333_4) * t793;
-    let post_omega_dot_by_cylinder_v_y = t20 * t802 - t19 * t803 - t19 * t801
-        + t20 * t800 - t21 * t790;
-    let post_v_y_dot_by_cylinder_v_y = -(R::literal(1.25) * t802)
-        - R::literal(-1.25) * t800;
-    let post_v_x_dot_by_cylinder_v_y = -(R::literal(1.25) * t803)
-        - R::literal(-1.25) * t801;
-    let t804 = R::literal(50.0) * t395;
-    let t805 = R::literal(0.12) * cylinder_omega;
-    let t806 = R::literal(3.333_333_333_333_333_5) * t725;
-    let t807 = -(t805 * cos_cylinder_phi) - t806 + t28 * t804;
-    let t808 = R::literal(3.333_333_333_333_333_5) * t767;
-    let t809 = -(t805 * sin_cylinder_phi) - t808 - t29 * t804 - t89 * t807;
-    let t810 = R::literal(-2_777.777_777_777_778) * t804 + t91 * t807 - t102 * t809;
-    let t811 = R::literal(2.0)
-        * (t196 + t197 + rod_v_x * cos_cylinder_phi + rod_v_y * sin_cylinder_phi - t192
-            - t193 - cylinder_v_x * cos_cylinder_phi - cylinder_v_y * sin_cylinder_phi)
-        - t26 * t725 + t27 * t767 - t30 * t804 - t31 * t725 + t32 * t767 - t93 * t807;
-    let t812 = t811 - t104 * t809 - t113 * t810;
-    let t813 = R::literal(5.0) * t725;
-    let t814 = t813 - t114 * t810 - t124 * t812;
-    let t815 = R::literal(5.0) * t767;
-    let t816 = t815 + t115 * t810 - t126 * t812 - t135 * t814;
-    let t817 = -(t95 * t807) - t106 * t809 - t117 * t810 - t128 * t812 - t137 * t814
-        - t144 * t816;
-    let t818 = -(t97 * t807) - t108 * t809 - t119 * t810 - t130 * t812 - t139 * t814
-        - t146 * t816 - t151 * t817;
-    let t819 = t152 * t817 - t157 * t818;
-    let t820 = (-(t99 * t807) - t110 * t809 - t121 * t810 - t132 * t812 - t141 * t814
-        - t148 * t816 - t154 * t817 - t159 * t818 - t164 * t819) * t166;
-    let t821 = t819 * t162 - t164 * t820;
-    let t822 = t818 * t155 - t157 * t821 - t159 * t820;
-    let t823 = t817 * t149 - t151 * t822 + t152 * t821 - t154 * t820;
-    let t824 = t816 * t142 - t144 * t823 - t146 * t822 - t148 * t820;
-    let t825 = t814 * t133 - t135 * t824 - t137 * t823 - t139 * t822 - t141 * t820;
-    let t826 = t812 * t122 - t124 * t825 - t126 * t824 - t128 * t823 - t130 * t822
-        - t132 * t820;
-    let t827 = t810 * t111 - t113 * t826 - t114 * t825 + t115 * t824 - t117 * t823
-        - t119 * t822 - t121 * t820;
-    let t828 = t809 * t100 - t102 * t827 - t104 * t826 - t106 * t823 - t108 * t822
-        - t110 * t820;
-    let t829 = t807 * t87 - t89 * t828 + t91 * t827 - t93 * t826 - t95 * t823
-        - t97 * t822 - t99 * t820;
-    let t830 = -(t76 * t829) - t78 * t828 - t81 * t823 - t84 * t822 - t86 * t820;
-    let t831 = -(t62 * t830) - t64 * t829 - t65 * t828 - t68 * t823 + t70 * t822
-        - t72 * t820;
-    let t832 = -(t53 * t831) - t55 * t830 - t57 * t820;
-    let t833 = -(t43 * t832) - t45 * t831 - t43 * t830 + t47 * t820;
-    let drum_v_y_dot_by_cylinder_omega = R::literal(0.666_666_666_666_666_6)
-        * (t161 * t821) + t38 * t821;
-    let drum_v_x_dot_by_cylinder_omega = R::literal(0.666_666_666_666_666_6)
-        * (t160 * t821) + t37 * t821;
-    let bobbin_v_y_dot_by_cylinder_omega = -(c.inverse_bobbin_mass * t822) - t36 * t821;
-    let bobbin_v_x_dot_by_cylinder_omega = -(c.inverse_bobbin_mass * t823) - t35 * t821;
-    let rod_omega_dot_by_cylinder_omega = t33 * t825
-        - R::literal(4_166.666_666_666_667) * t827 - t34 * t824;
-    let rod_v_y_dot_by_cylinder_omega = -t815 - t32 * t826 - R::literal(5.0) * t824;
-    let rod_v_x_dot_by_cylinder_omega = t31 * t826 - t813 - R::literal(5.0) * t825;
-    let cylinder_omega_dot_by_cylinder_omega = -(t804
-        * R::literal(2_777.777_777_777_778)) - t28 * t829 + t29 * t828
-        - R::literal(-2_777.777_777_777_778) * t827 + t30 * t826;
-    let cylinder_v_y_dot_by_cylinder_omega = t808
-        - R::literal(3.333_333_333_333_333_5) * t828 + t27 * t826;
-    let cylinder_v_x_dot_by_cylinder_omega = t806
-        - R::literal(3.333_333_333_333_333_5) * t829 - t26 * t826;
-    let plate_omega_dot_by_cylinder_omega = t23 * t830 - t22 * t831 - t22 * t829
-        + t23 * t828 + t24 * t823 - t25 * t822;
-    let plate_v_y_dot_by_cylinder_omega = -(R::literal(0.833_333_333_333_333_4) * t830)
-        - R::literal(-0.833_333_333_333_333_4) * t828
-        - R::literal(-0.833_333_333_333_333_4) * t822;
-    let plate_v_x_dot_by_cylinder_omega = -(R::literal(0.833_333_333_333_333_4) * t831)
-        - R::literal(-0.833_333_333_333_333_4) * t829
-        - R::literal(-0.833_333_333_333_333_4) * t823;
-    let post_omega_dot_by_cylinder_omega = t20 * t832 - t19 * t833 - t19 * t831
-        + t20 * t830 - t21 * t820;
-    let post_v_y_dot_by_cylinder_omega = -(R::literal(1.25) * t832)
-        - R::literal(-1.25) * t830;
-    let post_v_x_dot_by_cylinder_omega = -(R::literal(1.25) * t833)
-        - R::literal(-1.25) * t831;
-    let t834 = t729 - t728;
-    let t835 = t732 - t733 - t89 * t834;
-    let t836 = t735 + t91 * t834 - t102 * t835;
-    let t837 = t727 - t737 + t738 - t739 - t740 + t741 - t93 * t834 - t104 * t835
-        - t113 * t836;
-    let t838 = t743 - t114 * t836 - t124 * t837;
-    let t839 = t745 + t115 * t836 - t126 * t837 - t135 * t838;
-    let t840 = -(t95 * t834) - t106 * t835 - t117 * t836 - t128 * t837 - t137 * t838
-        - t144 * t839;
-    let t841 = -(t97 * t834) - t108 * t835 - t119 * t836 - t130 * t837 - t139 * t838
-        - t146 * t839 - t151 * t840;
-    let t842 = t152 * t840 - t157 * t841;
-    let t843 = (-(t99 * t834) - t110 * t835 - t121 * t836 - t132 * t837 - t141 * t838
-        - t148 * t839 - t154 * t840 - t159 * t841 - t164 * t842) * t166;
-    let t844 = t842 * t162 - t164 * t843;
-    let t845 = t841 * t155 - t157 * t844 - t159 * t843;
-    let t846 = t840 * t149 - t151 * t845 + t152 * t844 - t154 * t843;
-    let t847 = t839 * t142 - t144 * t846 - t146 * t845 - t148 * t843;
-    let t848 = t838 * t133 - t135 * t847 - t137 * t846 - t139 * t845 - t141 * t843;
-    let t849 = t837 * t122 - t124 * t848 - t126 * t847 - t128 * t846 - t130 * t845
-        - t132 * t843;
-    let t850 = t836 * t111 - t113 * t849 - t114 * t848 + t115 * t847 - t117 * t846
-        - t119 * t845 - t121 * t843;
-    let t851 = t835 * t100 - t102 * t850 - t104 * t849 - t106 * t846 - t108 * t845
-        - t110 * t843;
-    let t852 = t834 * t87 - t89 * t851 + t91 * t850 - t93 * t849 - t95 * t846
-        - t97 * t845 - t99 * t843;
-    let t853 = -(t76 * t852) - t78 * t851 - t81 * t846 - t84 * t845 - t86 * t843;
-    let t854 = -(t62 * t853) - t64 * t852 - t65 * t851 - t68 * t846 + t70 * t845
-        - t72 * t843;
-    let t855 = -(t53 * t854) - t55 * t853 - t57 * t843;
-    let t856 = -(t43 * t855) - t45 * t854 - t43 * t853 + t47 * t843;
-    let drum_v_y_dot_by_rod_v_x = R::literal(0.666_666_666_666_666_6) * (t161 * t844)
-        + t38 * t844;
-    let drum_v_x_dot_by_rod_v_x = R::literal(0.666_666_666_666_666_6) * (t160 * t844)
-        + t37 * t844;
-    let bobbin_v_y_dot_by_rod_v_x = -(c.inverse_bobbin_mass * t845) - t36 * t844;
-    let bobbin_v_x_dot_by_rod_v_x = -(c.inverse_bobbin_mass * t846) - t35 * t844;
-    let rod_omega_dot_by_rod_v_x = t33 * t848 - R::literal(4_166.666_666_666_667) * t850
-        - t34 * t847;
-    let rod_v_y_dot_by_rod_v_x = t746 - t32 * t849 - R::literal(5.0) * t847;
-    let rod_v_x_dot_by_rod_v_x = t31 * t849 - t743 - R::literal(5.0) * t848;
-    let cylinder_omega_dot_by_rod_v_x = -t751 - t28 * t852 + t29 * t851
-        - R::literal(-2_777.777_777_777_778) * t850 + t30 * t849;
-    let cylinder_v_y_dot_by_rod_v_x = t731 - R::literal(3.333_333_333_333_333_5) * t851
-        + t27 * t849;
-    let cylinder_v_x_dot_by_rod_v_x = t728 - R::literal(3.333_333_333_333_333_5) * t852
-        - t26 * t849;
-    let plate_omega_dot_by_rod_v_x = t23 * t853 - t22 * t854 - t22 * t852 + t23 * t851
-        + t24 * t846 - t25 * t845;
-    let plate_v_y_dot_by_rod_v_x = -(R::literal(0.833_333_333_333_333_4) * t853)
-        - R::literal(-0.833_333_333_333_333_4) * t851
-        - R::literal(-0.833_333_333_333_333_4) * t845;
-    let plate_v_x_dot_by_rod_v_x = -(R::literal(0.833_333_333_333_333_4) * t854)
-        - R::literal(-0.833_333_333_333_333_4) * t852
-        - R::literal(-0.833_333_333_333_333_4) * t846;
-    let post_omega_dot_by_rod_v_x = t20 * t855 - t19 * t856 - t19 * t854 + t20 * t853
-        - t21 * t843;
-    let post_v_y_dot_by_rod_v_x = -(R::literal(1.25) * t855) - R::literal(-1.25) * t853;
-    let post_v_x_dot_by_rod_v_x = -(R::literal(1.25) * t856) - R::literal(-1.25) * t854;
-    let t857 = t769 - t731;
-    let t858 = t772 - t773 - t89 * t857;
-    let t859 = t775 + t91 * t857 - t102 * t858;
-    let t860 = t768 - t777 + t778 - t779 - t780 + t781 - t93 * t857 - t104 * t858
-        - t113 * t859;
-    let t861 = t745 - t114 * t859 - t124 * t860;
-    let t862 = t784 + t115 * t859 - t126 * t860 - t135 * t861;
-    let t863 = -(t95 * t857) - t106 * t858 - t117 * t859 - t128 * t860 - t137 * t861
-        - t144 * t862;
-    let t864 = -(t97 * t857) - t108 * t858 - t119 * t859 - t130 * t860 - t139 * t861
-        - t146 * t862 - t151 * t863;
-    let t865 = t152 * t863 - t157 * t864;
-    let t866 = (-(t99 * t857) - t110 * t858 - t121 * t859 - t132 * t860 - t141 * t861
-        - t148 * t862 - t154 * t863 - t159 * t864 - t164 * t865) * t166;
-    let t867 = t865 * t162 - t164 * t866;
-    let t868 = t864 * t155 - t157 * t867 - t159 * t866;
-    let t869 = t863 * t149 - t151 * t868 + t152 * t867 - t154 * t866;
-    let t870 = t862 * t142 - t144 * t869 - t146 * t868 - t148 * t866;
-    let t871 = t861 * t133 - t135 * t870 - t137 * t869 - t139 * t868 - t141 * t866;
-    let t872 = t860 * t122 - t124 * t871 - t126 * t870 - t128 * t869 - t130 * t868
-        - t132 * t866;
-    let t873 = t859 * t111 - t113 * t872 - t114 * t871 + t115 * t870 - t117 * t869
-        - t119 * t868 - t121 * t866;
-    let t874 = t858 * t100 - t102 * t873 - t104 * t872 - t106 * t869 - t108 * t868
-        - t110 * t866;
-    let t875 = t857 * t87 - t89 * t874 + t91 * t873 - t93 * t872 - t95 * t869
-        - t97 * t868 - t99 * t866;
-    let t876 = -(t76 * t875) - t78 * t874 - t81 * t869 - t84 * t868 - t86 * t866;
-    let t877 = -(t62 * t876) - t64 * t875 - t65 * t874 - t68 * t869 + t70 * t868
-        - t72 * t866;
-    let t878 = -(t53 * t877) - t55 * t876 - t57 * t866;
-    let t879 = -(t43 * t878) - t45 * t877 - t43 * t876 + t47 * t866;
-    let drum_v_y_dot_by_rod_v_y = R::literal(0.666_666_666_666_666_6) * (t161 * t867)
-        + t38 * t867;
-    let drum_v_x_dot_by_rod_v_y = R::literal(0.666_666_666_666_666_6) * (t160 * t867)
-        + t37 * t867;
-    let bobbin_v_y_dot_by_rod_v_y = -(c.inverse_bobbin_mass * t868) - t36 * t867;
-    let bobbin_v_x_dot_by_rod_v_y = -(c.inverse_bobbin_mass * t869) - t35 * t867;
-    let rod_omega_dot_by_rod_v_y = t33 * t871 - R::literal(4_166.666_666_666_667) * t873
-        - t34 * t870;
-    let rod_v_y_dot_by_rod_v_y = -t784 - t32 * t872 - R::literal(5.0) * t870;
-    let rod_v_x_dot_by_rod_v_y = t31 * t872 - t745 - R::literal(5.0) * t871;
-    let cylinder_omega_dot_by_rod_v_y = -t789 - t28 * t875 + t29 * t874
-        - R::literal(-2_777.777_777_777_778) * t873 + t30 * t872;
-    let cylinder_v_y_dot_by_rod_v_y = t771 - R::literal(3.333_333_333_333_333_5) * t874
-        + t27 * t872;
-    let cylinder_v_x_dot_by_rod_v_y = t731 - R::literal(3.333_333_333_333_333_5) * t875
-        - t26 * t872;
-    let plate_omega_dot_by_rod_v_y = t23 * t876 - t22 * t877 - t22 * t875 + t23 * t874
-        + t24 * t869 - t25 * t868;
-    let plate_v_y_dot_by_rod_v_y = -(R::literal(0.833_333_333_333_333_4) * t876)
-        - R::literal(-0.833_333_333_333_333_4) * t874
-        - R::literal(-0.833_333_333_333_333_4) * t868;
-    let plate_v_x_dot_by_rod_v_y = -(R::literal(0.833_333_333_333_333_4) * t877)
-        - R::literal(-0.833_333_333_333_333_4) * t875
-        - R::literal(-0.833_333_333_333_333_4) * t869;
-    let post_omega_dot_by_rod_v_y = t20 * t878 - t19 * t879 - t19 * t877 + t20 * t876
-        - t21 * t866;
-    let post_v_y_dot_by_rod_v_y = -(R::literal(1.25) * t878) - R::literal(-1.25) * t876;
-    let post_v_x_dot_by_rod_v_y = -(R::literal(1.25) * t879) - R::literal(-1.25) * t877;
-    let t880 = R::literal(0.12) * rod_omega;
-    let t881 = t880 * cos_rod_phi;
-    let t882 = t880 * sin_rod_phi - t135 * t881;
-    let t883 = -(t137 * t881) - t144 * t882;
-    let t884 = -(t139 * t881) - t146 * t882 - t151 * t883;
-    let t885 = t152 * t883 - t157 * t884;
-    let t886 = (-(t141 * t881) - t148 * t882 - t154 * t883 - t159 * t884 - t164 * t885)
-        * t166;
-    let t887 = t885 * t162 - t164 * t886;
-    let t888 = t884 * t155 - t157 * t887 - t159 * t886;
-    let t889 = t883 * t149 - t151 * t888 + t152 * t887 - t154 * t886;
-    let t890 = t882 * t142 - t144 * t889 - t146 * t888 - t148 * t886;
-    let t891 = t881 * t133 - t135 * t890 - t137 * t889 - t139 * t888 - t141 * t886;
-    let t892 = -(t124 * t891) - t126 * t890 - t128 * t889 - t130 * t888 - t132 * t886;
-    let t893 = -(t113 * t892) - t114 * t891 + t115 * t890 - t117 * t889 - t119 * t888
-        - t121 * t886;
-    let t894 = -(t102 * t893) - t104 * t892 - t106 * t889 - t108 * t888 - t110 * t886;
-    let t895 = t91 * t893 - t89 * t894 - t93 * t892 - t95 * t889 - t97 * t888
-        - t99 * t886;
-    let t896 = -(t76 * t895) - t78 * t894 - t81 * t889 - t84 * t888 - t86 * t886;
-    let t897 = -(t62 * t896) - t64 * t895 - t65 * t894 - t68 * t889 + t70 * t888
-        - t72 * t886;
-    let t898 = -(t53 * t897) - t55 * t896 - t57 * t886;
-    let t899 = -(t43 * t898) - t45 * t897 - t43 * t896 + t47 * t886;
-    let drum_v_y_dot_by_rod_omega = R::literal(0.666_666_666_666_666_6) * (t161 * t887)
-        + t38 * t887;
-    let drum_v_x_dot_by_rod_omega = R::literal(0.666_666_666_666_666_6) * (t160 * t887)
-        + t37 * t887;
-    let bobbin_v_y_dot_by_rod_omega = -(c.inverse_bobbin_mass * t888) - t36 * t887;
-    let bobbin_v_x_dot_by_rod_omega = -(c.inverse_bobbin_mass * t889) - t35 * t887;
-    let rod_omega_dot_by_rod_omega = t33 * t891
-        - R::literal(4_166.666_666_666_667) * t893 - t34 * t890;
-    let rod_v_y_dot_by_rod_omega = -(t32 * t892) - R::literal(5.0) * t890;
-    let rod_v_x_dot_by_rod_omega = t31 * t892 - R::literal(5.0) * t891;
-    let cylinder_omega_dot_by_rod_omega = t29 * t894 - t28 * t895
-        - R::literal(-2_777.777_777_777_778) * t893 + t30 * t892;
-    let cylinder_v_y_dot_by_rod_omega = t27 * t892
-        - R::literal(3.333_333_333_333_333_5) * t894;
-    let cylinder_v_x_dot_by_rod_omega = -(R::literal(3.333_333_333_333_333_5) * t895)
-        - t26 * t892;
-    let plate_omega_dot_by_rod_omega = t23 * t896 - t22 * t897 - t22 * t895 + t23 * t894
-        + t24 * t889 - t25 * t888;
-    let plate_v_y_dot_by_rod_omega = -(R::literal(0.833_333_333_333_333_4) * t896)
-        - R::literal(-0.833_333_333_333_333_4) * t894
-        - R::literal(-0.833_333_333_333_333_4) * t888;
-    let plate_v_x_dot_by_rod_omega = -(R::literal(0.833_333_333_333_333_4) * t897)
-        - R::literal(-0.833_333_333_333_333_4) * t895
-        - R::literal(-0.833_333_333_333_333_4) * t889;
-    let post_omega_dot_by_rod_omega = t20 * t898 - t19 * t899 - t19 * t897 + t20 * t896
-        - t21 * t886;
-    let post_v_y_dot_by_rod_omega = -(R::literal(1.25) * t898)
-        - R::literal(-1.25) * t896;
-    let post_v_x_dot_by_rod_omega = -(R::literal(1.25) * t899)
-        - R::literal(-1.25) * t897;
-    let t900 = R::literal(2.0) * bobbin_v_y * bobbin_x_minus_drum_x
+    let t572 = -t504;
+    let t573 = t519 / between_squared_times_between;
+    let t574 = t521 * bobbin_y_minus_drum_y_squared / t509;
+    let t575 = bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
+    let t576 = t513 * t575 / t509;
+    let t577 = t206 / between_squared_times_between;
+    let t578 = t507 * bobbin_y_minus_drum_y_squared / t509;
+    let t579 = t518 * t575 / t509;
+    let t580 = t514 / between_squared_times_between;
+    let t581 = drum_v_x_times_bobbin_x_minus_drum_x / between_squared_times_between;
+    let t582 = t578 + t579 + t580 + t581 - t573 - t574 - t576 - t577;
+    let t583 = t573 + t574 + t576 + t577 - t578 - t579 - t580 - t581;
+    let t584 = t571 - winding_force_over_between + t541;
+    let t585 = t540 * bobbin_v_x_dot;
+    let t586 = bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t587 = inverse_between - t586;
+    let t588 = t587 * t236;
+    let t589 = t572 - t588;
+    let t590 = t540 * drum_v_x_dot;
+    let t591 = t586 - inverse_between;
+    let t592 = t591 * t236;
+    let t593 = c.inverse_bobbin_mass * t584;
+    let t594 = c.inverse_bobbin_mass * t589;
+    let t595 = (-t594).add_product(t151, t593);
+    let t596 = R::literal(0.666_666_666_666_666_6) * t592;
+    let t597 = t37 * t541;
+    let t598 = t160 * t551;
+    let t599 = ((((t585
+        - (bobbin_v_x * t533)
+            .add_product(bobbin_v_y, t582)
+            .add_product(drum_v_x, t535)
+            .add_product(drum_v_y, t583))
+        .sub_product(t587, bobbin_v_y_dot) - t590)
+        .sub_product(t591, drum_v_y_dot)
+        .sub_product(t35, t584)
+        .sub_product(t36, t589) - t597)
+        .sub_product(t38, t592)
+        .sub_product(t152, t593)
+        .sub_product(t157, t595) - t598)
+        .sub_product(t161, t596);
+    let t600 = (t154 * t593).sub_product(t159, t595).sub_product(t164, t599) * t165;
+    let t601 = (t599 * t162).sub_product(t164, t600);
+    let t602 = (t595 * t155).sub_product(t157, t601).sub_product(t159, t600);
+    let t603 = (-(t593 * t149))
+        .sub_product(t151, t602)
+        .add_product(t152, t601)
+        .sub_product(t154, t600);
+    let t604 = (-(t146 * t602)).sub_product(t144, t603).sub_product(t148, t600);
+    let t605 = (-(t137 * t603))
+        .sub_product(t135, t604)
+        .sub_product(t139, t602)
+        .sub_product(t141, t600);
+    let t606 = (-(t126 * t604))
+        .sub_product(t124, t605)
+        .sub_product(t128, t603)
+        .sub_product(t130, t602)
+        .sub_product(t132, t600);
+    let t607 = (-(t114 * t605))
+        .sub_product(t113, t606)
+        .add_product(t115, t604)
+        .sub_product(t117, t603)
+        .sub_product(t119, t602)
+        .sub_product(t121, t600);
+    let t608 = (-(t104 * t606))
+        .sub_product(t102, t607)
+        .sub_product(t106, t603)
+        .sub_product(t108, t602)
+        .sub_product(t110, t600);
+    let t609 = (t91 * t607)
+        .sub_product(t89, t608)
+        .sub_product(t93, t606)
+        .sub_product(t95, t603)
+        .sub_product(t97, t602)
+        .sub_product(t99, t600);
+    let t610 = (-(t78 * t608))
+        .sub_product(t76, t609)
+        .sub_product(t81, t603)
+        .sub_product(t84, t602)
+        .sub_product(t86, t600);
+    let t611 = (-(t64 * t609))
+        .sub_product(t62, t610)
+        .sub_product(t65, t608)
+        .sub_product(t68, t603)
+        .add_product(t70, t602)
+        .sub_product(t72, t600);
+    let t612 = (-(t55 * t610)).sub_product(t53, t611).sub_product(t57, t600);
+    let t613 = (-(t45 * t611))
+        .sub_product(t43, t612)
+        .sub_product(t43, t610)
+        .add_product(t47, t600);
+    let drum_v_y_dot_by_bobbin_y = (-t596)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (t596 * R::literal(-1.5)).sub_product(t161, t601),
+        )
+        .add_product(t38, t601);
+    let drum_v_x_dot_by_bobbin_y = t552
+        .sub_product(R::literal(0.666_666_666_666_666_6), t556.sub_product(t160, t601))
+        .add_product(t37, t601);
+    let bobbin_v_y_dot_by_bobbin_y = t594
+        .sub_product(c.inverse_bobbin_mass, t602)
+        .sub_product(t36, t601);
+    let bobbin_v_x_dot_by_bobbin_y = t593
+        .sub_product(c.inverse_bobbin_mass, t603)
+        .sub_product(t35, t601);
+    let rod_omega_dot_by_bobbin_y = (t33 * t605)
+        .sub_product(R::literal(4_166.666_666_666_667), t607)
+        .sub_product(t34, t604);
+    let rod_v_y_dot_by_bobbin_y = (-(R::literal(5.0) * t604)).sub_product(t32, t606);
+    let rod_v_x_dot_by_bobbin_y = (-(R::literal(5.0) * t605)).add_product(t31, t606);
+    let cylinder_omega_dot_by_bobbin_y = (t29 * t608)
+        .sub_product(t28, t609)
+        .sub_product(R::literal(-2_777.777_777_777_778), t607)
+        .add_product(t30, t606);
+    let cylinder_v_y_dot_by_bobbin_y = (t27 * t606)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t608);
+    let cylinder_v_x_dot_by_bobbin_y = (-(t26 * t606))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t609);
+    let plate_omega_dot_by_bobbin_y = (t23 * t610)
+        .sub_product(t22, t611)
+        .sub_product(t22, t609)
+        .add_product(t23, t608)
+        .add_product(t24, t603)
+        .sub_product(t25, t602);
+    let plate_v_y_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t608))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t610)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t602);
+    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t609))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t611)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t603);
+    let post_omega_dot_by_bobbin_y = (t20 * t612)
+        .sub_product(t19, t613)
+        .sub_product(t19, t611)
+        .add_product(t20, t610)
+        .sub_product(t21, t600);
+    let post_v_y_dot_by_bobbin_y = (-(R::literal(-1.25) * t610))
+        .sub_product(R::literal(1.25), t612);
+    let post_v_x_dot_by_bobbin_y = (-(R::literal(-1.25) * t611))
+        .sub_product(R::literal(1.25), t613);
+    let t614 = t572 - t545;
+    let t615 = t505 - winding_force_over_between - t541;
+    let t616 = c.inverse_bobbin_mass * t614;
+    let t617 = c.inverse_bobbin_mass * t615;
+    let t618 = (-t617).add_product(t151, t616);
+    let t619 = R::literal(0.666_666_666_666_666_6) * t538;
+    let t620 = ((((-(bobbin_v_y * t535)
+        .add_product(bobbin_v_x, t534)
+        .add_product(drum_v_x, t524)
+        .add_product(drum_v_y, t533))
+        .sub_product(t544, bobbin_v_x_dot) - t543)
+        .sub_product(t537, drum_v_x_dot) + t546)
+        .sub_product(t35, t614)
+        .sub_product(t36, t615)
+        .sub_product(t37, t538) + t553)
+        .sub_product(t152, t616)
+        .sub_product(t157, t618)
+        .sub_product(t160, t619) + t554;
+    let t621 = -t556;
+    let t622 = (t154 * t616).sub_product(t159, t618).sub_product(t164, t620) * t165;
+    let t623 = (t620 * t162).sub_product(t164, t622);
+    let t624 = (t618 * t155).sub_product(t157, t623).sub_product(t159, t622);
+    let t625 = (-(t616 * t149))
+        .sub_product(t151, t624)
+        .add_product(t152, t623)
+        .sub_product(t154, t622);
+    let t626 = (-(t146 * t624)).sub_product(t144, t625).sub_product(t148, t622);
+    let t627 = (-(t137 * t625))
+        .sub_product(t135, t626)
+        .sub_product(t139, t624)
+        .sub_product(t141, t622);
+    let t628 = (-(t126 * t626))
+        .sub_product(t124, t627)
+        .sub_product(t128, t625)
+        .sub_product(t130, t624)
+        .sub_product(t132, t622);
+    let t629 = (-(t114 * t627))
+        .sub_product(t113, t628)
+        .add_product(t115, t626)
+        .sub_product(t117, t625)
+        .sub_product(t119, t624)
+        .sub_product(t121, t622);
+    let t630 = (-(t104 * t628))
+        .sub_product(t102, t629)
+        .sub_product(t106, t625)
+        .sub_product(t108, t624)
+        .sub_product(t110, t622);
+    let t631 = (t91 * t629)
+        .sub_product(t89, t630)
+        .sub_product(t93, t628)
+        .sub_product(t95, t625)
+        .sub_product(t97, t624)
+        .sub_product(t99, t622);
+    let t632 = (-(t78 * t630))
+        .sub_product(t76, t631)
+        .sub_product(t81, t625)
+        .sub_product(t84, t624)
+        .sub_product(t86, t622);
+    let t633 = (-(t64 * t631))
+        .sub_product(t62, t632)
+        .sub_product(t65, t630)
+        .sub_product(t68, t625)
+        .add_product(t70, t624)
+        .sub_product(t72, t622);
+    let t634 = (-(t55 * t632)).sub_product(t53, t633).sub_product(t57, t622);
+    let t635 = (-(t45 * t633))
+        .sub_product(t43, t634)
+        .sub_product(t43, t632)
+        .add_product(t47, t622);
+    let drum_v_y_dot_by_drum_x = t551
+        .sub_product(R::literal(0.666_666_666_666_666_6), t621.sub_product(t161, t623))
+        .add_product(t38, t623);
+    let drum_v_x_dot_by_drum_x = (-t619)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (t619 * R::literal(-1.5)).sub_product(t160, t623),
+        )
+        .add_product(t37, t623);
+    let bobbin_v_y_dot_by_drum_x = t617
+        .sub_product(c.inverse_bobbin_mass, t624)
+        .sub_product(t36, t623);
+    let bobbin_v_x_dot_by_drum_x = t616
+        .sub_product(c.inverse_bobbin_mass, t625)
+        .sub_product(t35, t623);
+    let rod_omega_dot_by_drum_x = (t33 * t627)
+        .sub_product(R::literal(4_166.666_666_666_667), t629)
+        .sub_product(t34, t626);
+    let rod_v_y_dot_by_drum_x = (-(R::literal(5.0) * t626)).sub_product(t32, t628);
+    let rod_v_x_dot_by_drum_x = (-(R::literal(5.0) * t627)).add_product(t31, t628);
+    let cylinder_omega_dot_by_drum_x = (t29 * t630)
+        .sub_product(t28, t631)
+        .sub_product(R::literal(-2_777.777_777_777_778), t629)
+        .add_product(t30, t628);
+    let cylinder_v_y_dot_by_drum_x = (t27 * t628)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t630);
+    let cylinder_v_x_dot_by_drum_x = (-(t26 * t628))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t631);
+    let plate_omega_dot_by_drum_x = (t23 * t632)
+        .sub_product(t22, t633)
+        .sub_product(t22, t631)
+        .add_product(t23, t630)
+        .add_product(t24, t625)
+        .sub_product(t25, t624);
+    let plate_v_y_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t630))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t632)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t624);
+    let plate_v_x_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t631))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t633)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t625);
+    let post_omega_dot_by_drum_x = (t20 * t634)
+        .sub_product(t19, t635)
+        .sub_product(t19, t633)
+        .add_product(t20, t632)
+        .sub_product(t21, t622);
+    let post_v_y_dot_by_drum_x = (-(R::literal(-1.25) * t632))
+        .sub_product(R::literal(1.25), t634);
+    let post_v_x_dot_by_drum_x = (-(R::literal(-1.25) * t633))
+        .sub_product(R::literal(1.25), t635);
+    let t636 = winding_force_over_between - t571 - t541;
+    let t637 = t504 - t592;
+    let t638 = c.inverse_bobbin_mass * t636;
+    let t639 = c.inverse_bobbin_mass * t637;
+    let t640 = (-t639).add_product(t151, t638);
+    let t641 = R::literal(0.666_666_666_666_666_6) * t588;
+    let t642 = ((((-(bobbin_v_x * t535)
+        .add_product(bobbin_v_y, t583)
+        .add_product(drum_v_x, t533)
+        .add_product(drum_v_y, t582) - t585)
+        .sub_product(t591, bobbin_v_y_dot) + t590)
+        .sub_product(t587, drum_v_y_dot)
+        .sub_product(t35, t636)
+        .sub_product(t36, t637) + t597)
+        .sub_product(t38, t588)
+        .sub_product(t152, t638)
+        .sub_product(t157, t640) + t598)
+        .sub_product(t161, t641);
+    let t643 = (t154 * t638).sub_product(t159, t640).sub_product(t164, t642) * t165;
+    let t644 = (t642 * t162).sub_product(t164, t643);
+    let t645 = (t640 * t155).sub_product(t157, t644).sub_product(t159, t643);
+    let t646 = (-(t638 * t149))
+        .sub_product(t151, t645)
+        .add_product(t152, t644)
+        .sub_product(t154, t643);
+    let t647 = (-(t146 * t645)).sub_product(t144, t646).sub_product(t148, t643);
+    let t648 = (-(t137 * t646))
+        .sub_product(t135, t647)
+        .sub_product(t139, t645)
+        .sub_product(t141, t643);
+    let t649 = (-(t126 * t647))
+        .sub_product(t124, t648)
+        .sub_product(t128, t646)
+        .sub_product(t130, t645)
+        .sub_product(t132, t643);
+    let t650 = (-(t114 * t648))
+        .sub_product(t113, t649)
+        .add_product(t115, t647)
+        .sub_product(t117, t646)
+        .sub_product(t119, t645)
+        .sub_product(t121, t643);
+    let t651 = (-(t104 * t649))
+        .sub_product(t102, t650)
+        .sub_product(t106, t646)
+        .sub_product(t108, t645)
+        .sub_product(t110, t643);
+    let t652 = (t91 * t650)
+        .sub_product(t89, t651)
+        .sub_product(t93, t649)
+        .sub_product(t95, t646)
+        .sub_product(t97, t645)
+        .sub_product(t99, t643);
+    let t653 = (-(t78 * t651))
+        .sub_product(t76, t652)
+        .sub_product(t81, t646)
+        .sub_product(t84, t645)
+        .sub_product(t86, t643);
+    let t654 = (-(t64 * t652))
+        .sub_product(t62, t653)
+        .sub_product(t65, t651)
+        .sub_product(t68, t646)
+        .add_product(t70, t645)
+        .sub_product(t72, t643);
+    let t655 = (-(t55 * t653)).sub_product(t53, t654).sub_product(t57, t643);
+    let t656 = (-(t45 * t654))
+        .sub_product(t43, t655)
+        .sub_product(t43, t653)
+        .add_product(t47, t643);
+    let drum_v_y_dot_by_drum_y = (-t641)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (t641 * R::literal(-1.5)).sub_product(t161, t644),
+        )
+        .add_product(t38, t644);
+    let drum_v_x_dot_by_drum_y = t551
+        .sub_product(R::literal(0.666_666_666_666_666_6), t621.sub_product(t160, t644))
+        .add_product(t37, t644);
+    let bobbin_v_y_dot_by_drum_y = t639
+        .sub_product(c.inverse_bobbin_mass, t645)
+        .sub_product(t36, t644);
+    let bobbin_v_x_dot_by_drum_y = t638
+        .sub_product(c.inverse_bobbin_mass, t646)
+        .sub_product(t35, t644);
+    let rod_omega_dot_by_drum_y = (t33 * t648)
+        .sub_product(R::literal(4_166.666_666_666_667), t650)
+        .sub_product(t34, t647);
+    let rod_v_y_dot_by_drum_y = (-(R::literal(5.0) * t647)).sub_product(t32, t649);
+    let rod_v_x_dot_by_drum_y = (-(R::literal(5.0) * t648)).add_product(t31, t649);
+    let cylinder_omega_dot_by_drum_y = (t29 * t651)
+        .sub_product(t28, t652)
+        .sub_product(R::literal(-2_777.777_777_777_778), t650)
+        .add_product(t30, t649);
+    let cylinder_v_y_dot_by_drum_y = (t27 * t649)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t651);
+    let cylinder_v_x_dot_by_drum_y = (-(t26 * t649))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t652);
+    let plate_omega_dot_by_drum_y = (t23 * t653)
+        .sub_product(t22, t654)
+        .sub_product(t22, t652)
+        .add_product(t23, t651)
+        .add_product(t24, t646)
+        .sub_product(t25, t645);
+    let plate_v_y_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t651))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t653)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t645);
+    let plate_v_x_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t652))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t654)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t646);
+    let post_omega_dot_by_drum_y = (t20 * t655)
+        .sub_product(t19, t656)
+        .sub_product(t19, t654)
+        .add_product(t20, t653)
+        .sub_product(t21, t643);
+    let post_v_y_dot_by_drum_y = (-(R::literal(-1.25) * t653))
+        .sub_product(R::literal(1.25), t655);
+    let post_v_x_dot_by_drum_y = (-(R::literal(-1.25) * t654))
+        .sub_product(R::literal(1.25), t656);
+    let t657 = R::literal(0.2) * post_omega;
+    let t658 = t657 * cos_post_phi;
+    let t659 = (-(t657 * sin_post_phi)).add_product(t43, t658);
+    let t660 = (-t658).add_product(t45, t658).sub_product(t53, t659);
+    let t661 = t659.sub_product(t55, t659).sub_product(t62, t660);
+    let t662 = (-(t64 * t660)).sub_product(t76, t661);
+    let t663 = (-(t65 * t660)).sub_product(t78, t661).sub_product(t89, t662);
+    let t664 = (t91 * t662).sub_product(t102, t663);
+    let t665 = (-(t93 * t662)).sub_product(t104, t663).sub_product(t113, t664);
+    let t666 = (-(t114 * t664)).sub_product(t124, t665);
+    let t667 = (t115 * t664).sub_product(t126, t665).sub_product(t135, t666);
+    let t668 = (-(t68 * t660))
+        .sub_product(t81, t661)
+        .sub_product(t95, t662)
+        .sub_product(t106, t663)
+        .sub_product(t117, t664)
+        .sub_product(t128, t665)
+        .sub_product(t137, t666)
+        .sub_product(t144, t667);
+    let t669 = (t70 * t660)
+        .sub_product(t84, t661)
+        .sub_product(t97, t662)
+        .sub_product(t108, t663)
+        .sub_product(t119, t664)
+        .sub_product(t130, t665)
+        .sub_product(t139, t666)
+        .sub_product(t146, t667)
+        .sub_product(t151, t668);
+    let t670 = (t152 * t668).sub_product(t157, t669);
+    let t671 = (post_omega
+        * (R::literal(0.286) * sin_post_phi)
+            .sub_product(R::literal(0.088), cos_post_phi))
+        .sub_product(t47, t658)
+        .sub_product(t57, t659)
+        .sub_product(t72, t660)
+        .sub_product(t86, t661)
+        .sub_product(t99, t662)
+        .sub_product(t110, t663)
+        .sub_product(t121, t664)
+        .sub_product(t132, t665)
+        .sub_product(t141, t666)
+        .sub_product(t148, t667)
+        .sub_product(t154, t668)
+        .sub_product(t159, t669)
+        .sub_product(t164, t670) * t165;
+    let t672 = (t670 * t162).sub_product(t164, t671);
+    let t673 = (t669 * t155).sub_product(t157, t672).sub_product(t159, t671);
+    let t674 = (t668 * t149)
+        .sub_product(t151, t673)
+        .add_product(t152, t672)
+        .sub_product(t154, t671);
+    let t675 = (t667 * t142)
+        .sub_product(t144, t674)
+        .sub_product(t146, t673)
+        .sub_product(t148, t671);
+    let t676 = (t666 * t133)
+        .sub_product(t135, t675)
+        .sub_product(t137, t674)
+        .sub_product(t139, t673)
+        .sub_product(t141, t671);
+    let t677 = (t665 * t122)
+        .sub_product(t124, t676)
+        .sub_product(t126, t675)
+        .sub_product(t128, t674)
+        .sub_product(t130, t673)
+        .sub_product(t132, t671);
+    let t678 = (t664 * t111)
+        .sub_product(t113, t677)
+        .sub_product(t114, t676)
+        .add_product(t115, t675)
+        .sub_product(t117, t674)
+        .sub_product(t119, t673)
+        .sub_product(t121, t671);
+    let t679 = (t663 * t100)
+        .sub_product(t102, t678)
+        .sub_product(t104, t677)
+        .sub_product(t106, t674)
+        .sub_product(t108, t673)
+        .sub_product(t110, t671);
+    let t680 = (t662 * t87)
+        .sub_product(t89, t679)
+        .add_product(t91, t678)
+        .sub_product(t93, t677)
+        .sub_product(t95, t674)
+        .sub_product(t97, t673)
+        .sub_product(t99, t671);
+    let t681 = (t661 * t74)
+        .sub_product(t76, t680)
+        .sub_product(t78, t679)
+        .sub_product(t81, t674)
+        .sub_product(t84, t673)
+        .sub_product(t86, t671);
+    let t682 = (t660 * t59)
+        .sub_product(t62, t681)
+        .sub_product(t64, t680)
+        .sub_product(t65, t679)
+        .sub_product(t68, t674)
+        .add_product(t70, t673)
+        .sub_product(t72, t671);
+    let t683 = (t659 * t51)
+        .sub_product(t53, t682)
+        .sub_product(t55, t681)
+        .sub_product(t57, t671);
+    let t684 = (-(t658 * t41))
+        .sub_product(t43, t683)
+        .sub_product(t45, t682)
+        .sub_product(t43, t681)
+        .add_product(t47, t671);
+    let drum_v_y_dot_by_post_omega = (t38 * t672)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t672);
+    let drum_v_x_dot_by_post_omega = (t37 * t672)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t672);
+    let bobbin_v_y_dot_by_post_omega = (-(t36 * t672))
+        .sub_product(c.inverse_bobbin_mass, t673);
+    let bobbin_v_x_dot_by_post_omega = (-(t35 * t672))
+        .sub_product(c.inverse_bobbin_mass, t674);
+    let rod_omega_dot_by_post_omega = (t33 * t676)
+        .sub_product(R::literal(4_166.666_666_666_667), t678)
+        .sub_product(t34, t675);
+    let rod_v_y_dot_by_post_omega = (-(R::literal(5.0) * t675)).sub_product(t32, t677);
+    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t676)).add_product(t31, t677);
+    let cylinder_omega_dot_by_post_omega = (t29 * t679)
+        .sub_product(t28, t680)
+        .sub_product(R::literal(-2_777.777_777_777_778), t678)
+        .add_product(t30, t677);
+    let cylinder_v_y_dot_by_post_omega = (t27 * t677)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t679);
+    let cylinder_v_x_dot_by_post_omega = (-(t26 * t677))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t680);
+    let plate_omega_dot_by_post_omega = (t23 * t681)
+        .sub_product(t22, t682)
+        .sub_product(t22, t680)
+        .add_product(t23, t679)
+        .add_product(t24, t674)
+        .sub_product(t25, t673);
+    let plate_v_y_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t679))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t681)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t673);
+    let plate_v_x_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t680))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t682)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t674);
+    let post_omega_dot_by_post_omega = (t20 * t683)
+        .sub_product(t19, t684)
+        .sub_product(t19, t682)
+        .add_product(t20, t681)
+        .sub_product(t21, t671);
+    let post_v_y_dot_by_post_omega = (-(R::literal(-1.25) * t681))
+        .sub_product(R::literal(1.25), t683);
+    let post_v_x_dot_by_post_omega = (-(R::literal(-1.25) * t682))
+        .sub_product(R::literal(1.25), t684);
+    let t685 = R::literal(0.12) * plate_omega;
+    let t686 = t685 * cos_plate_phi;
+    let t687 = t685 * sin_plate_phi;
+    let t688 = (-t687).add_product(t62, t686);
+    let t689 = (-t686).add_product(t64, t686).sub_product(t76, t688);
+    let t690 = (-t687)
+        .add_product(t65, t686)
+        .sub_product(t78, t688)
+        .sub_product(t89, t689);
+    let t691 = (t91 * t689).sub_product(t102, t690);
+    let t692 = (-(t93 * t689)).sub_product(t104, t690).sub_product(t113, t691);
+    let t693 = (-(t114 * t691)).sub_product(t124, t692);
+    let t694 = (t115 * t691).sub_product(t126, t692).sub_product(t135, t693);
+    let t695 = (plate_omega
+        * (R::literal(0.02) * cos_plate_phi).sub_product(R::literal(0.2), sin_plate_phi))
+        .add_product(t68, t686)
+        .sub_product(t81, t688)
+        .sub_product(t95, t689)
+        .sub_product(t106, t690)
+        .sub_product(t117, t691)
+        .sub_product(t128, t692)
+        .sub_product(t137, t693)
+        .sub_product(t144, t694);
+    let t696 = (plate_omega
+        * (R::literal(0.02) * sin_plate_phi).add_product(R::literal(0.2), cos_plate_phi))
+        .sub_product(t70, t686)
+        .sub_product(t84, t688)
+        .sub_product(t97, t689)
+        .sub_product(t108, t690)
+        .sub_product(t119, t691)
+        .sub_product(t130, t692)
+        .sub_product(t139, t693)
+        .sub_product(t146, t694)
+        .sub_product(t151, t695);
+    let t697 = (t152 * t695).sub_product(t157, t696);
+    let t698 = (t72 * t686)
+        .sub_product(t86, t688)
+        .sub_product(t99, t689)
+        .sub_product(t110, t690)
+        .sub_product(t121, t691)
+        .sub_product(t132, t692)
+        .sub_product(t141, t693)
+        .sub_product(t148, t694)
+        .sub_product(t154, t695)
+        .sub_product(t159, t696)
+        .sub_product(t164, t697) * t165;
+    let t699 = (t697 * t162).sub_product(t164, t698);
+    let t700 = (t696 * t155).sub_product(t157, t699).sub_product(t159, t698);
+    let t701 = (t695 * t149)
+        .sub_product(t151, t700)
+        .add_product(t152, t699)
+        .sub_product(t154, t698);
+    let t702 = (t694 * t142)
+        .sub_product(t144, t701)
+        .sub_product(t146, t700)
+        .sub_product(t148, t698);
+    let t703 = (t693 * t133)
+        .sub_product(t135, t702)
+        .sub_product(t137, t701)
+        .sub_product(t139, t700)
+        .sub_product(t141, t698);
+    let t704 = (t692 * t122)
+        .sub_product(t124, t703)
+        .sub_product(t126, t702)
+        .sub_product(t128, t701)
+        .sub_product(t130, t700)
+        .sub_product(t132, t698);
+    let t705 = (t691 * t111)
+        .sub_product(t113, t704)
+        .sub_product(t114, t703)
+        .add_product(t115, t702)
+        .sub_product(t117, t701)
+        .sub_product(t119, t700)
+        .sub_product(t121, t698);
+    let t706 = (t690 * t100)
+        .sub_product(t102, t705)
+        .sub_product(t104, t704)
+        .sub_product(t106, t701)
+        .sub_product(t108, t700)
+        .sub_product(t110, t698);
+    let t707 = (t689 * t87)
+        .sub_product(t89, t706)
+        .add_product(t91, t705)
+        .sub_product(t93, t704)
+        .sub_product(t95, t701)
+        .sub_product(t97, t700)
+        .sub_product(t99, t698);
+    let t708 = (t688 * t74)
+        .sub_product(t76, t707)
+        .sub_product(t78, t706)
+        .sub_product(t81, t701)
+        .sub_product(t84, t700)
+        .sub_product(t86, t698);
+    let t709 = (-(t686 * t59))
+        .sub_product(t62, t708)
+        .sub_product(t64, t707)
+        .sub_product(t65, t706)
+        .sub_product(t68, t701)
+        .add_product(t70, t700)
+        .sub_product(t72, t698);
+    let t710 = (-(t55 * t708)).sub_product(t53, t709).sub_product(t57, t698);
+    let t711 = (-(t45 * t709))
+        .sub_product(t43, t710)
+        .sub_product(t43, t708)
+        .add_product(t47, t698);
+    let drum_v_y_dot_by_plate_omega = (t38 * t699)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t699);
+    let drum_v_x_dot_by_plate_omega = (t37 * t699)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t699);
+    let bobbin_v_y_dot_by_plate_omega = (-(t36 * t699))
+        .sub_product(c.inverse_bobbin_mass, t700);
+    let bobbin_v_x_dot_by_plate_omega = (-(t35 * t699))
+        .sub_product(c.inverse_bobbin_mass, t701);
+    let rod_omega_dot_by_plate_omega = (t33 * t703)
+        .sub_product(R::literal(4_166.666_666_666_667), t705)
+        .sub_product(t34, t702);
+    let rod_v_y_dot_by_plate_omega = (-(R::literal(5.0) * t702)).sub_product(t32, t704);
+    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t703)).add_product(t31, t704);
+    let cylinder_omega_dot_by_plate_omega = (t29 * t706)
+        .sub_product(t28, t707)
+        .sub_product(R::literal(-2_777.777_777_777_778), t705)
+        .add_product(t30, t704);
+    let cylinder_v_y_dot_by_plate_omega = (t27 * t704)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t706);
+    let cylinder_v_x_dot_by_plate_omega = (-(t26 * t704))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t707);
+    let plate_omega_dot_by_plate_omega = (t23 * t708)
+        .sub_product(t22, t709)
+        .sub_product(t22, t707)
+        .add_product(t23, t706)
+        .add_product(t24, t701)
+        .sub_product(t25, t700);
+    let plate_v_y_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t706))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t708)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t700);
+    let plate_v_x_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t707))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t709)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t701);
+    let post_omega_dot_by_plate_omega = (t20 * t710)
+        .sub_product(t19, t711)
+        .sub_product(t19, t709)
+        .add_product(t20, t708)
+        .sub_product(t21, t698);
+    let post_v_y_dot_by_plate_omega = (-(R::literal(-1.25) * t708))
+        .sub_product(R::literal(1.25), t710);
+    let post_v_x_dot_by_plate_omega = (-(R::literal(-1.25) * t709))
+        .sub_product(R::literal(1.25), t711);
+    let t712 = R::literal(50.0) * (cos_cylinder_phi * cos_cylinder_phi);
+    let t713 = R::literal(50.0) * sin_cylinder_phi * cos_cylinder_phi;
+    let t714 = R::literal(50.0) * t14;
+    let t715 = t714 * cos_cylinder_phi;
+    let t716 = R::literal(2.0) * cylinder_omega;
+    let t717 = t716 * cos_cylinder_phi;
+    let t718 = R::literal(3.333_333_333_333_333_5) * t712;
+    let t719 = t28 * t715;
+    let t720 = t718 - t719;
+    let t721 = R::literal(3.333_333_333_333_333_5) * t713;
+    let t722 = -t721;
+    let t723 = t29 * t715;
+    let t724 = (t721 + t723).sub_product(t89, t720);
+    let t725 = R::literal(-2_777.777_777_777_778) * t715;
+    let t726 = (-t725).add_product(t91, t720).sub_product(t102, t724);
+    let t727 = t26 * t712;
+    let t728 = t27 * t713;
+    let t729 = t30 * t715;
+    let t730 = t31 * t712;
+    let t731 = t32 * t713;
+    let t732 = (t727 - t717 - t728 + t729 + t730 - t731)
+        .sub_product(t93, t720)
+        .sub_product(t104, t724)
+        .sub_product(t113, t726);
+    let t733 = R::literal(5.0) * t712;
+    let t734 = (-t733).sub_product(t114, t726).sub_product(t124, t732);
+    let t735 = R::literal(5.0) * t713;
+    let t736 = -t735;
+    let t737 = (-t735)
+        .add_product(t115, t726)
+        .sub_product(t126, t732)
+        .sub_product(t135, t734);
+    let t738 = (-(t95 * t720))
+        .sub_product(t106, t724)
+        .sub_product(t117, t726)
+        .sub_product(t128, t732)
+        .sub_product(t137, t734)
+        .sub_product(t144, t737);
+    let t739 = (-(t97 * t720))
+        .sub_product(t108, t724)
+        .sub_product(t119, t726)
+        .sub_product(t130, t732)
+        .sub_product(t139, t734)
+        .sub_product(t146, t737)
+        .sub_product(t151, t738);
+    let t740 = (t152 * t738).sub_product(t157, t739);
+    let t741 = t715 * R::literal(2_777.777_777_777_778);
+    let t742 = (-(t99 * t720))
+        .sub_product(t110, t724)
+        .sub_product(t121, t726)
+        .sub_product(t132, t732)
+        .sub_product(t141, t734)
+        .sub_product(t148, t737)
+        .sub_product(t154, t738)
+        .sub_product(t159, t739)
+        .sub_product(t164, t740) * t165;
+    let t743 = (t740 * t162).sub_product(t164, t742);
+    let t744 = (t739 * t155).sub_product(t157, t743).sub_product(t159, t742);
+    let t745 = (t738 * t149)
+        .sub_product(t151, t744)
+        .add_product(t152, t743)
+        .sub_product(t154, t742);
+    let t746 = (t737 * t142)
+        .sub_product(t144, t745)
+        .sub_product(t146, t744)
+        .sub_product(t148, t742);
+    let t747 = (t734 * t133)
+        .sub_product(t135, t746)
+        .sub_product(t137, t745)
+        .sub_product(t139, t744)
+        .sub_product(t141, t742);
+    let t748 = (t732 * t122)
+        .sub_product(t124, t747)
+        .sub_product(t126, t746)
+        .sub_product(t128, t745)
+        .sub_product(t130, t744)
+        .sub_product(t132, t742);
+    let t749 = (t726 * t111)
+        .sub_product(t113, t748)
+        .sub_product(t114, t747)
+        .add_product(t115, t746)
+        .sub_product(t117, t745)
+        .sub_product(t119, t744)
+        .sub_product(t121, t742);
+    let t750 = (t724 * t100)
+        .sub_product(t102, t749)
+        .sub_product(t104, t748)
+        .sub_product(t106, t745)
+        .sub_product(t108, t744)
+        .sub_product(t110, t742);
+    let t751 = (t720 * t87)
+        .sub_product(t89, t750)
+        .add_product(t91, t749)
+        .sub_product(t93, t748)
+        .sub_product(t95, t745)
+        .sub_product(t97, t744)
+        .sub_product(t99, t742);
+    let t752 = (-(t78 * t750))
+        .sub_product(t76, t751)
+        .sub_product(t81, t745)
+        .sub_product(t84, t744)
+        .sub_product(t86, t742);
+    let t753 = (-(t64 * t751))
+        .sub_product(t62, t752)
+        .sub_product(t65, t750)
+        .sub_product(t68, t745)
+        .add_product(t70, t744)
+        .sub_product(t72, t742);
+    let t754 = (-(t55 * t752)).sub_product(t53, t753).sub_product(t57, t742);
+    let t755 = (-(t45 * t753))
+        .sub_product(t43, t754)
+        .sub_product(t43, t752)
+        .add_product(t47, t742);
+    let drum_v_y_dot_by_cylinder_v_x = (t38 * t743)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t743);
+    let drum_v_x_dot_by_cylinder_v_x = (t37 * t743)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t743);
+    let bobbin_v_y_dot_by_cylinder_v_x = (-(t36 * t743))
+        .sub_product(c.inverse_bobbin_mass, t744);
+    let bobbin_v_x_dot_by_cylinder_v_x = (-(t35 * t743))
+        .sub_product(c.inverse_bobbin_mass, t745);
+    let rod_omega_dot_by_cylinder_v_x = (t33 * t747)
+        .sub_product(R::literal(4_166.666_666_666_667), t749)
+        .sub_product(t34, t746);
+    let rod_v_y_dot_by_cylinder_v_x = t735
+        .sub_product(t32, t748)
+        .sub_product(R::literal(5.0), t746);
+    let rod_v_x_dot_by_cylinder_v_x = t733
+        .add_product(t31, t748)
+        .sub_product(R::literal(5.0), t747);
+    let cylinder_omega_dot_by_cylinder_v_x = t741
+        .sub_product(t28, t751)
+        .add_product(t29, t750)
+        .sub_product(R::literal(-2_777.777_777_777_778), t749)
+        .add_product(t30, t748);
+    let cylinder_v_y_dot_by_cylinder_v_x = t722
+        .sub_product(R::literal(3.333_333_333_333_333_5), t750)
+        .add_product(t27, t748);
+    let cylinder_v_x_dot_by_cylinder_v_x = (-t718)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t751)
+        .sub_product(t26, t748);
+    let plate_omega_dot_by_cylinder_v_x = (t23 * t752)
+        .sub_product(t22, t753)
+        .sub_product(t22, t751)
+        .add_product(t23, t750)
+        .add_product(t24, t745)
+        .sub_product(t25, t744);
+    let plate_v_y_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t750))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t752)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t744);
+    let plate_v_x_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t751))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t753)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t745);
+    let post_omega_dot_by_cylinder_v_x = (t20 * t754)
+        .sub_product(t19, t755)
+        .sub_product(t19, t753)
+        .add_product(t20, t752)
+        .sub_product(t21, t742);
+    let post_v_y_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t752))
+        .sub_product(R::literal(1.25), t754);
+    let post_v_x_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t753))
+        .sub_product(R::literal(1.25), t755);
+    let t756 = R::literal(50.0) * (sin_cylinder_phi * sin_cylinder_phi);
+    let t757 = t714 * sin_cylinder_phi;
+    let t758 = t716 * sin_cylinder_phi;
+    let t759 = t28 * t757;
+    let t760 = t721 - t759;
+    let t761 = R::literal(3.333_333_333_333_333_5) * t756;
+    let t762 = -t761;
+    let t763 = t29 * t757;
+    let t764 = (t761 + t763).sub_product(t89, t760);
+    let t765 = R::literal(-2_777.777_777_777_778) * t757;
+    let t766 = (-t765).add_product(t91, t760).sub_product(t102, t764);
+    let t767 = t26 * t713;
+    let t768 = t27 * t756;
+    let t769 = t30 * t757;
+    let t770 = t31 * t713;
+    let t771 = t32 * t756;
+    let t772 = (t767 - t758 - t768 + t769 + t770 - t771)
+        .sub_product(t93, t760)
+        .sub_product(t104, t764)
+        .sub_product(t113, t766);
+    let t773 = t736.sub_product(t114, t766).sub_product(t124, t772);
+    let t774 = R::literal(5.0) * t756;
+    let t775 = (-t774)
+        .add_product(t115, t766)
+        .sub_product(t126, t772)
+        .sub_product(t135, t773);
+    let t776 = (-(t95 * t760))
+        .sub_product(t106, t764)
+        .sub_product(t117, t766)
+        .sub_product(t128, t772)
+        .sub_product(t137, t773)
+        .sub_product(t144, t775);
+    let t777 = (-(t97 * t760))
+        .sub_product(t108, t764)
+        .sub_product(t119, t766)
+        .sub_product(t130, t772)
+        .sub_product(t139, t773)
+        .sub_product(t146, t775)
+        .sub_product(t151, t776);
+    let t778 = (t152 * t776).sub_product(t157, t777);
+    let t779 = t757 * R::literal(2_777.777_777_777_778);
+    let t780 = (-(t99 * t760))
+        .sub_product(t110, t764)
+        .sub_product(t121, t766)
+        .sub_product(t132, t772)
+        .sub_product(t141, t773)
+        .sub_product(t148, t775)
+        .sub_product(t154, t776)
+        .sub_product(t159, t777)
+        .sub_product(t164, t778) * t165;
+    let t781 = (t778 * t162).sub_product(t164, t780);
+    let t782 = (t777 * t155).sub_product(t157, t781).sub_product(t159, t780);
+    let t783 = (t776 * t149)
+        .sub_product(t151, t782)
+        .add_product(t152, t781)
+        .sub_product(t154, t780);
+    let t784 = (t775 * t142)
+        .sub_product(t144, t783)
+        .sub_product(t146, t782)
+        .sub_product(t148, t780);
+    let t785 = (t773 * t133)
+        .sub_product(t135, t784)
+        .sub_product(t137, t783)
+        .sub_product(t139, t782)
+        .sub_product(t141, t780);
+    let t786 = (t772 * t122)
+        .sub_product(t124, t785)
+        .sub_product(t126, t784)
+        .sub_product(t128, t783)
+        .sub_product(t130, t782)
+        .sub_product(t132, t780);
+    let t787 = (t766 * t111)
+        .sub_product(t113, t786)
+        .sub_product(t114, t785)
+        .add_product(t115, t784)
+        .sub_product(t117, t783)
+        .sub_product(t119, t782)
+        .sub_product(t121, t780);
+    let t788 = (t764 * t100)
+        .sub_product(t102, t787)
+        .sub_product(t104, t786)
+        .sub_product(t106, t783)
+        .sub_product(t108, t782)
+        .sub_product(t110, t780);
+    let t789 = (t760 * t87)
+        .sub_product(t89, t788)
+        .add_product(t91, t787)
+        .sub_product(t93, t786)
+        .sub_product(t95, t783)
+        .sub_product(t97, t782)
+        .sub_product(t99, t780);
+    let t790 = (-(t78 * t788))
+        .sub_product(t76, t789)
+        .sub_product(t81, t783)
+        .sub_product(t84, t782)
+        .sub_product(t86, t780);
+    let t791 = (-(t64 * t789))
+        .sub_product(t62, t790)
+        .sub_product(t65, t788)
+        .sub_product(t68, t783)
+        .add_product(t70, t782)
+        .sub_product(t72, t780);
+    let t792 = (-(t55 * t790)).sub_product(t53, t791).sub_product(t57, t780);
+    let t793 = (-(t45 * t791))
+        .sub_product(t43, t792)
+        .sub_product(t43, t790)
+        .add_product(t47, t780);
+    let drum_v_y_dot_by_cylinder_v_y = (t38 * t781)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t781);
+    let drum_v_x_dot_by_cylinder_v_y = (t37 * t781)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t781);
+    let bobbin_v_y_dot_by_cylinder_v_y = (-(t36 * t781))
+        .sub_product(c.inverse_bobbin_mass, t782);
+    let bobbin_v_x_dot_by_cylinder_v_y = (-(t35 * t781))
+        .sub_product(c.inverse_bobbin_mass, t783);
+    let rod_omega_dot_by_cylinder_v_y = (t33 * t785)
+        .sub_product(R::literal(4_166.666_666_666_667), t787)
+        .sub_product(t34, t784);
+    let rod_v_y_dot_by_cylinder_v_y = t774
+        .sub_product(t32, t786)
+        .sub_product(R::literal(5.0), t784);
+    let rod_v_x_dot_by_cylinder_v_y = t735
+        .add_product(t31, t786)
+        .sub_product(R::literal(5.0), t785);
+    let cylinder_omega_dot_by_cylinder_v_y = t779
+        .sub_product(t28, t789)
+        .add_product(t29, t788)
+        .sub_product(R::literal(-2_777.777_777_777_778), t787)
+        .add_product(t30, t786);
+    let cylinder_v_y_dot_by_cylinder_v_y = t762
+        .sub_product(R::literal(3.333_333_333_333_333_5), t788)
+        .add_product(t27, t786);
+    let cylinder_v_x_dot_by_cylinder_v_y = t722
+        .sub_product(R::literal(3.333_333_333_333_333_5), t789)
+        .sub_product(t26, t786);
+    let plate_omega_dot_by_cylinder_v_y = (t23 * t790)
+        .sub_product(t22, t791)
+        .sub_product(t22, t789)
+        .add_product(t23, t788)
+        .add_product(t24, t783)
+        .sub_product(t25, t782);
+    let plate_v_y_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t788))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t790)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t782);
+    let plate_v_x_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t789))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t791)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t783);
+    let post_omega_dot_by_cylinder_v_y = (t20 * t792)
+        .sub_product(t19, t793)
+        .sub_product(t19, t791)
+        .add_product(t20, t790)
+        .sub_product(t21, t780);
+    let post_v_y_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t790))
+        .sub_product(R::literal(1.25), t792);
+    let post_v_x_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t791))
+        .sub_product(R::literal(1.25), t793);
+    let t794 = R::literal(50.0) * t391;
+    let t795 = R::literal(0.12) * cylinder_omega;
+    let t796 = R::literal(3.333_333_333_333_333_5) * t715;
+    let t797 = (-t796).sub_product(t795, cos_cylinder_phi).add_product(t28, t794);
+    let t798 = R::literal(3.333_333_333_333_333_5) * t757;
+    let t799 = (-t798)
+        .sub_product(t795, sin_cylinder_phi)
+        .sub_product(t29, t794)
+        .sub_product(t89, t797);
+    let t800 = (R::literal(-2_777.777_777_777_778) * t794)
+        .add_product(t91, t797)
+        .sub_product(t102, t799);
+    let t801 = (-(t26 * t715))
+        .add_product(
+            R::literal(2.0),
+            ((t195 + t196)
+                .add_product(rod_v_x, cos_cylinder_phi)
+                .add_product(rod_v_y, sin_cylinder_phi) - t191 - t192)
+                .sub_product(cylinder_v_x, cos_cylinder_phi)
+                .sub_product(cylinder_v_y, sin_cylinder_phi),
+        )
+        .add_product(t27, t757)
+        .sub_product(t30, t794)
+        .sub_product(t31, t715)
+        .add_product(t32, t757)
+        .sub_product(t93, t797)
+        .sub_product(t104, t799)
+        .sub_product(t113, t800);
+    let t802 = R::literal(5.0) * t715;
+    let t803 = t802.sub_product(t114, t800).sub_product(t124, t801);
+    let t804 = R::literal(5.0) * t757;
+    let t805 = t804
+        .add_product(t115, t800)
+        .sub_product(t126, t801)
+        .sub_product(t135, t803);
+    let t806 = (-(t95 * t797))
+        .sub_product(t106, t799)
+        .sub_product(t117, t800)
+        .sub_product(t128, t801)
+        .sub_product(t137, t803)
+        .sub_product(t144, t805);
+    let t807 = (-(t97 * t797))
+        .sub_product(t108, t799)
+        .sub_product(t119, t800)
+        .sub_product(t130, t801)
+        .sub_product(t139, t803)
+        .sub_product(t146, t805)
+        .sub_product(t151, t806);
+    let t808 = (t152 * t806).sub_product(t157, t807);
+    let t809 = (-(t99 * t797))
+        .sub_product(t110, t799)
+        .sub_product(t121, t800)
+        .sub_product(t132, t801)
+        .sub_product(t141, t803)
+        .sub_product(t148, t805)
+        .sub_product(t154, t806)
+        .sub_product(t159, t807)
+        .sub_product(t164, t808) * t165;
+    let t810 = (t808 * t162).sub_product(t164, t809);
+    let t811 = (t807 * t155).sub_product(t157, t810).sub_product(t159, t809);
+    let t812 = (t806 * t149)
+        .sub_product(t151, t811)
+        .add_product(t152, t810)
+        .sub_product(t154, t809);
+    let t813 = (t805 * t142)
+        .sub_product(t144, t812)
+        .sub_product(t146, t811)
+        .sub_product(t148, t809);
+    let t814 = (t803 * t133)
+        .sub_product(t135, t813)
+        .sub_product(t137, t812)
+        .sub_product(t139, t811)
+        .sub_product(t141, t809);
+    let t815 = (t801 * t122)
+        .sub_product(t124, t814)
+        .sub_product(t126, t813)
+        .sub_product(t128, t812)
+        .sub_product(t130, t811)
+        .sub_product(t132, t809);
+    let t816 = (t800 * t111)
+        .sub_product(t113, t815)
+        .sub_product(t114, t814)
+        .add_product(t115, t813)
+        .sub_product(t117, t812)
+        .sub_product(t119, t811)
+        .sub_product(t121, t809);
+    let t817 = (t799 * t100)
+        .sub_product(t102, t816)
+        .sub_product(t104, t815)
+        .sub_product(t106, t812)
+        .sub_product(t108, t811)
+        .sub_product(t110, t809);
+    let t818 = (t797 * t87)
+        .sub_product(t89, t817)
+        .add_product(t91, t816)
+        .sub_product(t93, t815)
+        .sub_product(t95, t812)
+        .sub_product(t97, t811)
+        .sub_product(t99, t809);
+    let t819 = (-(t78 * t817))
+        .sub_product(t76, t818)
+        .sub_product(t81, t812)
+        .sub_product(t84, t811)
+        .sub_product(t86, t809);
+    let t820 = (-(t64 * t818))
+        .sub_product(t62, t819)
+        .sub_product(t65, t817)
+        .sub_product(t68, t812)
+        .add_product(t70, t811)
+        .sub_product(t72, t809);
+    let t821 = (-(t55 * t819)).sub_product(t53, t820).sub_product(t57, t809);
+    let t822 = (-(t45 * t820))
+        .sub_product(t43, t821)
+        .sub_product(t43, t819)
+        .add_product(t47, t809);
+    let drum_v_y_dot_by_cylinder_omega = (t38 * t810)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t810);
+    let drum_v_x_dot_by_cylinder_omega = (t37 * t810)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t810);
+    let bobbin_v_y_dot_by_cylinder_omega = (-(t36 * t810))
+        .sub_product(c.inverse_bobbin_mass, t811);
+    let bobbin_v_x_dot_by_cylinder_omega = (-(t35 * t810))
+        .sub_product(c.inverse_bobbin_mass, t812);
+    let rod_omega_dot_by_cylinder_omega = (t33 * t814)
+        .sub_product(R::literal(4_166.666_666_666_667), t816)
+        .sub_product(t34, t813);
+    let rod_v_y_dot_by_cylinder_omega = (-t804)
+        .sub_product(t32, t815)
+        .sub_product(R::literal(5.0), t813);
+    let rod_v_x_dot_by_cylinder_omega = (-t802)
+        .add_product(t31, t815)
+        .sub_product(R::literal(5.0), t814);
+    let cylinder_omega_dot_by_cylinder_omega = (-(t794
+        * R::literal(2_777.777_777_777_778)))
+        .sub_product(t28, t818)
+        .add_product(t29, t817)
+        .sub_product(R::literal(-2_777.777_777_777_778), t816)
+        .add_product(t30, t815);
+    let cylinder_v_y_dot_by_cylinder_omega = t798
+        .sub_product(R::literal(3.333_333_333_333_333_5), t817)
+        .add_product(t27, t815);
+    let cylinder_v_x_dot_by_cylinder_omega = t796
+        .sub_product(R::literal(3.333_333_333_333_333_5), t818)
+        .sub_product(t26, t815);
+    let plate_omega_dot_by_cylinder_omega = (t23 * t819)
+        .sub_product(t22, t820)
+        .sub_product(t22, t818)
+        .add_product(t23, t817)
+        .add_product(t24, t812)
+        .sub_product(t25, t811);
+    let plate_v_y_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
+        * t817))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t819)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t811);
+    let plate_v_x_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
+        * t818))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t820)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t812);
+    let post_omega_dot_by_cylinder_omega = (t20 * t821)
+        .sub_product(t19, t822)
+        .sub_product(t19, t820)
+        .add_product(t20, t819)
+        .sub_product(t21, t809);
+    let post_v_y_dot_by_cylinder_omega = (-(R::literal(-1.25) * t819))
+        .sub_product(R::literal(1.25), t821);
+    let post_v_x_dot_by_cylinder_omega = (-(R::literal(-1.25) * t820))
+        .sub_product(R::literal(1.25), t822);
+    let t823 = t719 - t718;
+    let t824 = (t722 - t723).sub_product(t89, t823);
+    let t825 = t725.add_product(t91, t823).sub_product(t102, t824);
+    let t826 = (t717 - t727 + t728 - t729 - t730 + t731)
+        .sub_product(t93, t823)
+        .sub_product(t104, t824)
+        .sub_product(t113, t825);
+    let t827 = t733.sub_product(t114, t825).sub_product(t124, t826);
+    let t828 = t735
+        .add_product(t115, t825)
+        .sub_product(t126, t826)
+        .sub_product(t135, t827);
+    let t829 = (-(t95 * t823))
+        .sub_product(t106, t824)
+        .sub_product(t117, t825)
+        .sub_product(t128, t826)
+        .sub_product(t137, t827)
+        .sub_product(t144, t828);
+    let t830 = (-(t97 * t823))
+        .sub_product(t108, t824)
+        .sub_product(t119, t825)
+        .sub_product(t130, t826)
+        .sub_product(t139, t827)
+        .sub_product(t146, t828)
+        .sub_product(t151, t829);
+    let t831 = (t152 * t829).sub_product(t157, t830);
+    let t832 = (-(t99 * t823))
+        .sub_product(t110, t824)
+        .sub_product(t121, t825)
+        .sub_product(t132, t826)
+        .sub_product(t141, t827)
+        .sub_product(t148, t828)
+        .sub_product(t154, t829)
+        .sub_product(t159, t830)
+        .sub_product(t164, t831) * t165;
+    let t833 = (t831 * t162).sub_product(t164, t832);
+    let t834 = (t830 * t155).sub_product(t157, t833).sub_product(t159, t832);
+    let t835 = (t829 * t149)
+        .sub_product(t151, t834)
+        .add_product(t152, t833)
+        .sub_product(t154, t832);
+    let t836 = (t828 * t142)
+        .sub_product(t144, t835)
+        .sub_product(t146, t834)
+        .sub_product(t148, t832);
+    let t837 = (t827 * t133)
+        .sub_product(t135, t836)
+        .sub_product(t137, t835)
+        .sub_product(t139, t834)
+        .sub_product(t141, t832);
+    let t838 = (t826 * t122)
+        .sub_product(t124, t837)
+        .sub_product(t126, t836)
+        .sub_product(t128, t835)
+        .sub_product(t130, t834)
+        .sub_product(t132, t832);
+    let t839 = (t825 * t111)
+        .sub_product(t113, t838)
+        .sub_product(t114, t837)
+        .add_product(t115, t836)
+        .sub_product(t117, t835)
+        .sub_product(t119, t834)
+        .sub_product(t121, t832);
+    let t840 = (t824 * t100)
+        .sub_product(t102, t839)
+        .sub_product(t104, t838)
+        .sub_product(t106, t835)
+        .sub_product(t108, t834)
+        .sub_product(t110, t832);
+    let t841 = (t823 * t87)
+        .sub_product(t89, t840)
+        .add_product(t91, t839)
+        .sub_product(t93, t838)
+        .sub_product(t95, t835)
+        .sub_product(t97, t834)
+        .sub_product(t99, t832);
+    let t842 = (-(t78 * t840))
+        .sub_product(t76, t841)
+        .sub_product(t81, t835)
+        .sub_product(t84, t834)
+        .sub_product(t86, t832);
+    let t843 = (-(t64 * t841))
+        .sub_product(t62, t842)
+        .sub_product(t65, t840)
+        .sub_product(t68, t835)
+        .add_product(t70, t834)
+        .sub_product(t72, t832);
+    let t844 = (-(t55 * t842)).sub_product(t53, t843).sub_product(t57, t832);
+    let t845 = (-(t45 * t843))
+        .sub_product(t43, t844)
+        .sub_product(t43, t842)
+        .add_product(t47, t832);
+    let drum_v_y_dot_by_rod_v_x = (t38 * t833)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t833);
+    let drum_v_x_dot_by_rod_v_x = (t37 * t833)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t833);
+    let bobbin_v_y_dot_by_rod_v_x = (-(t36 * t833))
+        .sub_product(c.inverse_bobbin_mass, t834);
+    let bobbin_v_x_dot_by_rod_v_x = (-(t35 * t833))
+        .sub_product(c.inverse_bobbin_mass, t835);
+    let rod_omega_dot_by_rod_v_x = (t33 * t837)
+        .sub_product(R::literal(4_166.666_666_666_667), t839)
+        .sub_product(t34, t836);
+    let rod_v_y_dot_by_rod_v_x = t736
+        .sub_product(t32, t838)
+        .sub_product(R::literal(5.0), t836);
+    let rod_v_x_dot_by_rod_v_x = (-t733)
+        .add_product(t31, t838)
+        .sub_product(R::literal(5.0), t837);
+    let cylinder_omega_dot_by_rod_v_x = (-t741)
+        .sub_product(t28, t841)
+        .add_product(t29, t840)
+        .sub_product(R::literal(-2_777.777_777_777_778), t839)
+        .add_product(t30, t838);
+    let cylinder_v_y_dot_by_rod_v_x = t721
+        .sub_product(R::literal(3.333_333_333_333_333_5), t840)
+        .add_product(t27, t838);
+    let cylinder_v_x_dot_by_rod_v_x = t718
+        .sub_product(R::literal(3.333_333_333_333_333_5), t841)
+        .sub_product(t26, t838);
+    let plate_omega_dot_by_rod_v_x = (t23 * t842)
+        .sub_product(t22, t843)
+        .sub_product(t22, t841)
+        .add_product(t23, t840)
+        .add_product(t24, t835)
+        .sub_product(t25, t834);
+    let plate_v_y_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t840))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t842)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t834);
+    let plate_v_x_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t841))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t843)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t835);
+    let post_omega_dot_by_rod_v_x = (t20 * t844)
+        .sub_product(t19, t845)
+        .sub_product(t19, t843)
+        .add_product(t20, t842)
+        .sub_product(t21, t832);
+    let post_v_y_dot_by_rod_v_x = (-(R::literal(-1.25) * t842))
+        .sub_product(R::literal(1.25), t844);
+    let post_v_x_dot_by_rod_v_x = (-(R::literal(-1.25) * t843))
+        .sub_product(R::literal(1.25), t845);
+    let t846 = t759 - t721;
+    let t847 = (t762 - t763).sub_product(t89, t846);
+    let t848 = t765.add_product(t91, t846).sub_product(t102, t847);
+    let t849 = (t758 - t767 + t768 - t769 - t770 + t771)
+        .sub_product(t93, t846)
+        .sub_product(t104, t847)
+        .sub_product(t113, t848);
+    let t850 = t735.sub_product(t114, t848).sub_product(t124, t849);
+    let t851 = t774
+        .add_product(t115, t848)
+        .sub_product(t126, t849)
+        .sub_product(t135, t850);
+    let t852 = (-(t95 * t846))
+        .sub_product(t106, t847)
+        .sub_product(t117, t848)
+        .sub_product(t128, t849)
+        .sub_product(t137, t850)
+        .sub_product(t144, t851);
+    let t853 = (-(t97 * t846))
+        .sub_product(t108, t847)
+        .sub_product(t119, t848)
+        .sub_product(t130, t849)
+        .sub_product(t139, t850)
+        .sub_product(t146, t851)
+        .sub_product(t151, t852);
+    let t854 = (t152 * t852).sub_product(t157, t853);
+    let t855 = (-(t99 * t846))
+        .sub_product(t110, t847)
+        .sub_product(t121, t848)
+        .sub_product(t132, t849)
+        .sub_product(t141, t850)
+        .sub_product(t148, t851)
+        .sub_product(t154, t852)
+        .sub_product(t159, t853)
+        .sub_product(t164, t854) * t165;
+    let t856 = (t854 * t162).sub_product(t164, t855);
+    let t857 = (t853 * t155).sub_product(t157, t856).sub_product(t159, t855);
+    let t858 = (t852 * t149)
+        .sub_product(t151, t857)
+        .add_product(t152, t856)
+        .sub_product(t154, t855);
+    let t859 = (t851 * t142)
+        .sub_product(t144, t858)
+        .sub_product(t146, t857)
+        .sub_product(t148, t855);
+    let t860 = (t850 * t133)
+        .sub_product(t135, t859)
+        .sub_product(t137, t858)
+        .sub_product(t139, t857)
+        .sub_product(t141, t855);
+    let t861 = (t849 * t122)
+        .sub_product(t124, t860)
+        .sub_product(t126, t859)
+        .sub_product(t128, t858)
+        .sub_product(t130, t857)
+        .sub_product(t132, t855);
+    let t862 = (t848 * t111)
+        .sub_product(t113, t861)
+        .sub_product(t114, t860)
+        .add_product(t115, t859)
+        .sub_product(t117, t858)
+        .sub_product(t119, t857)
+        .sub_product(t121, t855);
+    let t863 = (t847 * t100)
+        .sub_product(t102, t862)
+        .sub_product(t104, t861)
+        .sub_product(t106, t858)
+        .sub_product(t108, t857)
+        .sub_product(t110, t855);
+    let t864 = (t846 * t87)
+        .sub_product(t89, t863)
+        .add_product(t91, t862)
+        .sub_product(t93, t861)
+        .sub_product(t95, t858)
+        .sub_product(t97, t857)
+        .sub_product(t99, t855);
+    let t865 = (-(t78 * t863))
+        .sub_product(t76, t864)
+        .sub_product(t81, t858)
+        .sub_product(t84, t857)
+        .sub_product(t86, t855);
+    let t866 = (-(t64 * t864))
+        .sub_product(t62, t865)
+        .sub_product(t65, t863)
+        .sub_product(t68, t858)
+        .add_product(t70, t857)
+        .sub_product(t72, t855);
+    let t867 = (-(t55 * t865)).sub_product(t53, t866).sub_product(t57, t855);
+    let t868 = (-(t45 * t866))
+        .sub_product(t43, t867)
+        .sub_product(t43, t865)
+        .add_product(t47, t855);
+    let drum_v_y_dot_by_rod_v_y = (t38 * t856)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t856);
+    let drum_v_x_dot_by_rod_v_y = (t37 * t856)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t856);
+    let bobbin_v_y_dot_by_rod_v_y = (-(t36 * t856))
+        .sub_product(c.inverse_bobbin_mass, t857);
+    let bobbin_v_x_dot_by_rod_v_y = (-(t35 * t856))
+        .sub_product(c.inverse_bobbin_mass, t858);
+    let rod_omega_dot_by_rod_v_y = (t33 * t860)
+        .sub_product(R::literal(4_166.666_666_666_667), t862)
+        .sub_product(t34, t859);
+    let rod_v_y_dot_by_rod_v_y = (-t774)
+        .sub_product(t32, t861)
+        .sub_product(R::literal(5.0), t859);
+    let rod_v_x_dot_by_rod_v_y = (-t735)
+        .add_product(t31, t861)
+        .sub_product(R::literal(5.0), t860);
+    let cylinder_omega_dot_by_rod_v_y = (-t779)
+        .sub_product(t28, t864)
+        .add_product(t29, t863)
+        .sub_product(R::literal(-2_777.777_777_777_778), t862)
+        .add_product(t30, t861);
+    let cylinder_v_y_dot_by_rod_v_y = t761
+        .sub_product(R::literal(3.333_333_333_333_333_5), t863)
+        .add_product(t27, t861);
+    let cylinder_v_x_dot_by_rod_v_y = t721
+        .sub_product(R::literal(3.333_333_333_333_333_5), t864)
+        .sub_product(t26, t861);
+    let plate_omega_dot_by_rod_v_y = (t23 * t865)
+        .sub_product(t22, t866)
+        .sub_product(t22, t864)
+        .add_product(t23, t863)
+        .add_product(t24, t858)
+        .sub_product(t25, t857);
+    let plate_v_y_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t863))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t865)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t857);
+    let plate_v_x_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t864))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t866)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t858);
+    let post_omega_dot_by_rod_v_y = (t20 * t867)
+        .sub_product(t19, t868)
+        .sub_product(t19, t866)
+        .add_product(t20, t865)
+        .sub_product(t21, t855);
+    let post_v_y_dot_by_rod_v_y = (-(R::literal(-1.25) * t865))
+        .sub_product(R::literal(1.25), t867);
+    let post_v_x_dot_by_rod_v_y = (-(R::literal(-1.25) * t866))
+        .sub_product(R::literal(1.25), t868);
+    let t869 = R::literal(0.12) * rod_omega;
+    let t870 = t869 * cos_rod_phi;
+    let t871 = (t869 * sin_rod_phi).sub_product(t135, t870);
+    let t872 = (-(t137 * t870)).sub_product(t144, t871);
+    let t873 = (-(t139 * t870)).sub_product(t146, t871).sub_product(t151, t872);
+    let t874 = (t152 * t872).sub_product(t157, t873);
+    let t875 = (-(t141 * t870))
+        .sub_product(t148, t871)
+        .sub_product(t154, t872)
+        .sub_product(t159, t873)
+        .sub_product(t164, t874) * t165;
+    let t876 = (t874 * t162).sub_product(t164, t875);
+    let t877 = (t873 * t155).sub_product(t157, t876).sub_product(t159, t875);
+    let t878 = (t872 * t149)
+        .sub_product(t151, t877)
+        .add_product(t152, t876)
+        .sub_product(t154, t875);
+    let t879 = (t871 * t142)
+        .sub_product(t144, t878)
+        .sub_product(t146, t877)
+        .sub_product(t148, t875);
+    let t880 = (t870 * t133)
+        .sub_product(t135, t879)
+        .sub_product(t137, t878)
+        .sub_product(t139, t877)
+        .sub_product(t141, t875);
+    let t881 = (-(t126 * t879))
+        .sub_product(t124, t880)
+        .sub_product(t128, t878)
+        .sub_product(t130, t877)
+        .sub_product(t132, t875);
+    let t882 = (-(t114 * t880))
+        .sub_product(t113, t881)
+        .add_product(t115, t879)
+        .sub_product(t117, t878)
+        .sub_product(t119, t877)
+        .sub_product(t121, t875);
+    let t883 = (-(t104 * t881))
+        .sub_product(t102, t882)
+        .sub_product(t106, t878)
+        .sub_product(t108, t877)
+        .sub_product(t110, t875);
+    let t884 = (t91 * t882)
+        .sub_product(t89, t883)
+        .sub_product(t93, t881)
+        .sub_product(t95, t878)
+        .sub_product(t97, t877)
+        .sub_product(t99, t875);
+    let t885 = (-(t78 * t883))
+        .sub_product(t76, t884)
+        .sub_product(t81, t878)
+        .sub_product(t84, t877)
+        .sub_product(t86, t875);
+    let t886 = (-(t64 * t884))
+        .sub_product(t62, t885)
+        .sub_product(t65, t883)
+        .sub_product(t68, t878)
+        .add_product(t70, t877)
+        .sub_product(t72, t875);
+    let t887 = (-(t55 * t885)).sub_product(t53, t886).sub_product(t57, t875);
+    let t888 = (-(t45 * t886))
+        .sub_product(t43, t887)
+        .sub_product(t43, t885)
+        .add_product(t47, t875);
+    let drum_v_y_dot_by_rod_omega = (t38 * t876)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t876);
+    let drum_v_x_dot_by_rod_omega = (t37 * t876)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t876);
+    let bobbin_v_y_dot_by_rod_omega = (-(t36 * t876))
+        .sub_product(c.inverse_bobbin_mass, t877);
+    let bobbin_v_x_dot_by_rod_omega = (-(t35 * t876))
+        .sub_product(c.inverse_bobbin_mass, t878);
+    let rod_omega_dot_by_rod_omega = (t33 * t880)
+        .sub_product(R::literal(4_166.666_666_666_667), t882)
+        .sub_product(t34, t879);
+    let rod_v_y_dot_by_rod_omega = (-(R::literal(5.0) * t879)).sub_product(t32, t881);
+    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t880)).add_product(t31, t881);
+    let cylinder_omega_dot_by_rod_omega = (t29 * t883)
+        .sub_product(t28, t884)
+        .sub_product(R::literal(-2_777.777_777_777_778), t882)
+        .add_product(t30, t881);
+    let cylinder_v_y_dot_by_rod_omega = (t27 * t881)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t883);
+    let cylinder_v_x_dot_by_rod_omega = (-(t26 * t881))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t884);
+    let plate_omega_dot_by_rod_omega = (t23 * t885)
+        .sub_product(t22, t886)
+        .sub_product(t22, t884)
+        .add_product(t23, t883)
+        .add_product(t24, t878)
+        .sub_product(t25, t877);
+    let plate_v_y_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t883))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t885)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t877);
+    let plate_v_x_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t884))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t886)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t878);
+    let post_omega_dot_by_rod_omega = (t20 * t887)
+        .sub_product(t19, t888)
+        .sub_product(t19, t886)
+        .add_product(t20, t885)
+        .sub_product(t21, t875);
+    let post_v_y_dot_by_rod_omega = (-(R::literal(-1.25) * t885))
+        .sub_product(R::literal(1.25), t887);
+    let post_v_x_dot_by_rod_omega = (-(R::literal(-1.25) * t886))
+        .sub_product(R::literal(1.25), t888);
+    let t889 = R::literal(2.0) * bobbin_v_y * bobbin_x_minus_drum_x
         * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t901 = R::literal(2.0) * drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t890 = R::literal(2.0) * drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t902 = drum_v_x_over_between
-        - (t901 + bobbin_v_x * t542 + bobbin_v_x_over_between + drum_v_x * t549 + t205
-            - t900 - t202);
-    let t903 = t164 * t902 * t166;
-    let t904 = t902 * t162 + t164 * t903;
-    let t905 = t159 * t903 - t157 * t904;
-    let t906 = t152 * t904 - t151 * t905 + t154 * t903;
-    let t907 = -(t144 * t906) - t146 * t905 + t148 * t903;
-    let t908 = -(t135 * t907) - t137 * t906 - t139 * t905 + t141 * t903;
-    let t909 = -(t124 * t908) - t126 * t907 - t128 * t906 - t130 * t905 + t132 * t903;
-    let t910 = -(t113 * t909) - t114 * t908 + t115 * t907 - t117 * t906 - t119 * t905
-        + t121 * t903;
-    let t911 = -(t102 * t910) - t104 * t909 - t106 * t906 - t108 * t905 + t110 * t903;
-    let t912 = t91 * t910 - t89 * t911 - t93 * t909 - t95 * t906 - t97 * t905
-        + t99 * t903;
-    let t913 = -(t76 * t912) - t78 * t911 - t81 * t906 - t84 * t905 + t86 * t903;
-    let t914 = -(t62 * t913) - t64 * t912 - t65 * t911 - t68 * t906 + t70 * t905
-        + t72 * t903;
-    let t915 = -(t53 * t914) - t55 * t913 + t57 * t903;
-    let t916 = -(t43 * t915) - t45 * t914 - t43 * t913 - t47 * t903;
-    let drum_v_y_dot_by_bobbin_v_x = R::literal(0.666_666_666_666_666_6) * (t161 * t904)
-        + t38 * t904;
-    let drum_v_x_dot_by_bobbin_v_x = R::literal(0.666_666_666_666_666_6) * (t160 * t904)
-        + t37 * t904;
-    let bobbin_v_y_dot_by_bobbin_v_x = -(c.inverse_bobbin_mass * t905) - t36 * t904;
-    let bobbin_v_x_dot_by_bobbin_v_x = -(c.inverse_bobbin_mass * t906) - t35 * t904;
-    let rod_omega_dot_by_bobbin_v_x = t33 * t908
-        - R::literal(4_166.666_666_666_667) * t910 - t34 * t907;
-    let rod_v_y_dot_by_bobbin_v_x = -(t32 * t909) - R::literal(5.0) * t907;
-    let rod_v_x_dot_by_bobbin_v_x = t31 * t909 - R::literal(5.0) * t908;
-    let cylinder_omega_dot_by_bobbin_v_x = t29 * t911 - t28 * t912
-        - R::literal(-2_777.777_777_777_778) * t910 + t30 * t909;
-    let cylinder_v_y_dot_by_bobbin_v_x = t27 * t909
-        - R::literal(3.333_333_333_333_333_5) * t911;
-    let cylinder_v_x_dot_by_bobbin_v_x = -(R::literal(3.333_333_333_333_333_5) * t912)
-        - t26 * t909;
-    let plate_omega_dot_by_bobbin_v_x = t23 * t913 - t22 * t914 - t22 * t912 + t23 * t911
-        + t24 * t906 - t25 * t905;
-    let plate_v_y_dot_by_bobbin_v_x = -(R::literal(0.833_333_333_333_333_4) * t913)
-        - R::literal(-0.833_333_333_333_333_4) * t911
-        - R::literal(-0.833_333_333_333_333_4) * t905;
-    let plate_v_x_dot_by_bobbin_v_x = -(R::literal(0.833_333_333_333_333_4) * t914)
-        - R::literal(-0.833_333_333_333_333_4) * t912
-        - R::literal(-0.833_333_333_333_333_4) * t906;
-    let post_omega_dot_by_bobbin_v_x = t20 * t915 - t19 * t916 - t19 * t914 + t20 * t913
-        + t21 * t903;
-    let post_v_y_dot_by_bobbin_v_x = -(R::literal(1.25) * t915)
-        - R::literal(-1.25) * t913;
-    let post_v_x_dot_by_bobbin_v_x = -(R::literal(1.25) * t916)
-        - R::literal(-1.25) * t914;
-    let t917 = R::literal(2.0) * bobbin_v_x * bobbin_x_minus_drum_x
+    let t891 = drum_v_x_over_between
+        - ((t890.add_product(bobbin_v_x, t537) + bobbin_v_x_over_between)
+            .add_product(drum_v_x, t544) + t204 - t889 - t201);
+    let t892 = t164 * t891 * t165;
+    let t893 = (t891 * t162).add_product(t164, t892);
+    let t894 = (t159 * t892).sub_product(t157, t893);
+    let t895 = (t152 * t893).sub_product(t151, t894).add_product(t154, t892);
+    let t896 = (-(t146 * t894)).sub_product(t144, t895).add_product(t148, t892);
+    let t897 = (-(t137 * t895))
+        .sub_product(t135, t896)
+        .sub_product(t139, t894)
+        .add_product(t141, t892);
+    let t898 = (-(t126 * t896))
+        .sub_product(t124, t897)
+        .sub_product(t128, t895)
+        .sub_product(t130, t894)
+        .add_product(t132, t892);
+    let t899 = (-(t114 * t897))
+        .sub_product(t113, t898)
+        .add_product(t115, t896)
+        .sub_product(t117, t895)
+        .sub_product(t119, t894)
+        .add_product(t121, t892);
+    let t900 = (-(t104 * t898))
+        .sub_product(t102, t899)
+        .sub_product(t106, t895)
+        .sub_product(t108, t894)
+        .add_product(t110, t892);
+    let t901 = (t91 * t899)
+        .sub_product(t89, t900)
+        .sub_product(t93, t898)
+        .sub_product(t95, t895)
+        .sub_product(t97, t894)
+        .add_product(t99, t892);
+    let t902 = (-(t78 * t900))
+        .sub_product(t76, t901)
+        .sub_product(t81, t895)
+        .sub_product(t84, t894)
+        .add_product(t86, t892);
+    let t903 = (-(t64 * t901))
+        .sub_product(t62, t902)
+        .sub_product(t65, t900)
+        .sub_product(t68, t895)
+        .add_product(t70, t894)
+        .add_product(t72, t892);
+    let t904 = (-(t55 * t902)).sub_product(t53, t903).add_product(t57, t892);
+    let t905 = (-(t45 * t903))
+        .sub_product(t43, t904)
+        .sub_product(t43, t902)
+        .sub_product(t47, t892);
+    let drum_v_y_dot_by_bobbin_v_x = (t38 * t893)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t893);
+    let drum_v_x_dot_by_bobbin_v_x = (t37 * t893)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t893);
+    let bobbin_v_y_dot_by_bobbin_v_x = (-(t36 * t893))
+        .sub_product(c.inverse_bobbin_mass, t894);
+    let bobbin_v_x_dot_by_bobbin_v_x = (-(t35 * t893))
+        .sub_product(c.inverse_bobbin_mass, t895);
+    let rod_omega_dot_by_bobbin_v_x = (t33 * t897)
+        .sub_product(R::literal(4_166.666_666_666_667), t899)
+        .sub_product(t34, t896);
+    let rod_v_y_dot_by_bobbin_v_x = (-(R::literal(5.0) * t896)).sub_product(t32, t898);
+    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t897)).add_product(t31, t898);
+    let cylinder_omega_dot_by_bobbin_v_x = (t29 * t900)
+        .sub_product(t28, t901)
+        .sub_product(R::literal(-2_777.777_777_777_778), t899)
+        .add_product(t30, t898);
+    let cylinder_v_y_dot_by_bobbin_v_x = (t27 * t898)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t900);
+    let cylinder_v_x_dot_by_bobbin_v_x = (-(t26 * t898))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t901);
+    let plate_omega_dot_by_bobbin_v_x = (t23 * t902)
+        .sub_product(t22, t903)
+        .sub_product(t22, t901)
+        .add_product(t23, t900)
+        .add_product(t24, t895)
+        .sub_product(t25, t894);
+    let plate_v_y_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t900))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t902)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t894);
+    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t901))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t903)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t895);
+    let post_omega_dot_by_bobbin_v_x = (t20 * t904)
+        .sub_product(t19, t905)
+        .sub_product(t19, t903)
+        .add_product(t20, t902)
+        .add_product(t21, t892);
+    let post_v_y_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t902))
+        .sub_product(R::literal(1.25), t904);
+    let post_v_x_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t903))
+        .sub_product(R::literal(1.25), t905);
+    let t906 = R::literal(2.0) * bobbin_v_x * bobbin_x_minus_drum_x
         * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t918 = R::literal(2.0) * drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t907 = R::literal(2.0) * drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t919 = drum_v_y_over_between
-        - (t918 + bobbin_v_y * t593 + bobbin_v_y_over_between + drum_v_y * t597 + t211
-            - t917 - t209);
-    let t920 = t164 * t919 * t166;
-    let t921 = t919 * t162 + t164 * t920;
-    let t922 = t159 * t920 - t157 * t921;
-    let t923 = t152 * t921 - t151 * t922 + t154 * t920;
-    let t924 = -(t144 * t923) - t146 * t922 + t148 * t920;
-    let t925 = -(t135 * t924) - t137 * t923 - t139 * t922 + t141 * t920;
-    let t926 = -(t124 * t925) - t126 * t924 - t128 * t923 - t130 * t922 + t132 * t920;
-    let t927 = -(t113 * t926) - t114 * t925 + t115 * t924 - t117 * t923 - t119 * t922
-        + t121 * t920;
-    let t928 = -(t102 * t927) - t104 * t926 - t106 * t923 - t108 * t922 + t110 * t920;
-    let t929 = t91 * t927 - t89 * t928 - t93 * t926 - t95 * t923 - t97 * t922
-        + t99 * t920;
-    let t930 = -(t76 * t929) - t78 * t928 - t81 * t923 - t84 * t922 + t86 * t920;
-    let t931 = -(t62 * t930) - t64 * t929 - t65 * t928 - t68 * t923 + t70 * t922
-        + t72 * t920;
-    let t932 = -(t53 * t931) - t55 * t930 + t57 * t920;
-    let t933 = -(t43 * t932) - t45 * t931 - t43 * t930 - t47 * t920;
-    let drum_v_y_dot_by_bobbin_v_y = R::literal(0.666_666_666_666_666_6) * (t161 * t921)
-        + t38 * t921;
-    let drum_v_x_dot_by_bobbin_v_y = R::literal(0.666_666_666_666_666_6) * (t160 * t921)
-        + t37 * t921;
-    let bobbin_v_y_dot_by_bobbin_v_y = -(c.inverse_bobbin_mass * t922) - t36 * t921;
-    let bobbin_v_x_dot_by_bobbin_v_y = -(c.inverse_bobbin_mass * t923) - t35 * t921;
-    let rod_omega_dot_by_bobbin_v_y = t33 * t925
-        - R::literal(4_166.666_666_666_667) * t927 - t34 * t924;
-    let rod_v_y_dot_by_bobbin_v_y = -(t32 * t926) - R::literal(5.0) * t924;
-    let rod_v_x_dot_by_bobbin_v_y = t31 * t926 - R::literal(5.0) * t925;
-    let cylinder_omega_dot_by_bobbin_v_y = t29 * t928 - t28 * t929
-        - R::literal(-2_777.777_777_777_778) * t927 + t30 * t926;
-    let cylinder_v_y_dot_by_bobbin_v_y = t27 * t926
-        - R::literal(3.333_333_333_333_333_5) * t928;
-    let cylinder_v_x_dot_by_bobbin_v_y = -(R::literal(3.333_333_333_333_333_5) * t929)
-        - t26 * t926;
-    let plate_omega_dot_by_bobbin_v_y = t23 * t930 - t22 * t931 - t22 * t929 + t23 * t928
-        + t24 * t923 - t25 * t922;
-    let plate_v_y_dot_by_bobbin_v_y = -(R::literal(0.833_333_333_333_333_4) * t930)
-        - R::literal(-0.833_333_333_333_333_4) * t928
-        - R::literal(-0.833_333_333_333_333_4) * t922;
-    let plate_v_x_dot_by_bobbin_v_y = -(R::literal(0.833_333_333_333_333_4) * t931)
-        - R::literal(-0.833_333_333_333_333_4) * t929
-        - R::literal(-0.833_333_333_333_333_4) * t923;
-    let post_omega_dot_by_bobbin_v_y = t20 * t932 - t19 * t933 - t19 * t931 + t20 * t930
-        + t21 * t920;
-    let post_v_y_dot_by_bobbin_v_y = -(R::literal(1.25) * t932)
-        - R::literal(-1.25) * t930;
-    let post_v_x_dot_by_bobbin_v_y = -(R::literal(1.25) * t933)
-        - R::literal(-1.25) * t931;
-    let t934 = t205
-        - (t900 + bobbin_v_x * t549 + t202 + drum_v_x * t542 + drum_v_x_over_between
-            - t901 - bobbin_v_x_over_between);
-    let t935 = t164 * t934 * t166;
-    let t936 = t934 * t162 + t164 * t935;
-    let t937 = t159 * t935 - t157 * t936;
-    let t938 = t152 * t936 - t151 * t937 + t154 * t935;
-    let t939 = -(t144 * t938) - t146 * t937 + t148 * t935;
-    let t940 = -(t135 * t939) - t137 * t938 - t139 * t937 + t141 * t935;
-    let t941 = -(t124 * t940) - t126 * t939 - t128 * t938 - t130 * t937 + t132 * t935;
-    let t942 = -(t113 * t941) - t114 * t940 + t115 * t939 - t117 * t938 - t119 * t937
-        + t121 * t935;
-    let t943 = -(t102 * t942) - t104 * t941 - t106 * t938 - t108 * t937 + t110 * t935;
-    let t944 = t91 * t942 - t89 * t943 - t93 * t941 - t95 * t938 - t97 * t937
-        + t99 * t935;
-    let t945 = -(t76 * t944) - t78 * t943 - t81 * t938 - t84 * t937 + t86 * t935;
-    let t946 = -(t62 * t945) - t64 * t944 - t65 * t943 - t68 * t938 + t70 * t937
-        + t72 * t935;
-    let t947 = -(t53 * t946) - t55 * t945 + t57 * t935;
-    let t948 = -(t43 * t947) - t45 * t946 - t43 * t945 - t47 * t935;
-    let drum_v_y_dot_by_drum_v_x = R::literal(0.666_666_666_666_666_6) * (t161 * t936)
-        + t38 * t936;
-    let drum_v_x_dot_by_drum_v_x = R::literal(0.666_666_666_666_666_6) * (t160 * t936)
-        + t37 * t936;
-    let bobbin_v_y_dot_by_drum_v_x = -(c.inverse_bobbin_mass * t937) - t36 * t936;
-    let bobbin_v_x_dot_by_drum_v_x = -(c.inverse_bobbin_mass * t938) - t35 * t936;
-    let rod_omega_dot_by_drum_v_x = t33 * t940 - R::literal(4_166.666_666_666_667) * t942
-        - t34 * t939;
-    let rod_v_y_dot_by_drum_v_x = -(t32 * t941) - R::literal(5.0) * t939;
-    let rod_v_x_dot_by_drum_v_x = t31 * t941 - R::literal(5.0) * t940;
-    let cylinder_omega_dot_by_drum_v_x = t29 * t943 - t28 * t944
-        - R::literal(-2_777.777_777_777_778) * t942 + t30 * t941;
-    let cylinder_v_y_dot_by_drum_v_x = t27 * t941
-        - R::literal(3.333_333_333_333_333_5) * t943;
-    let cylinder_v_x_dot_by_drum_v_x = -(R::literal(3.333_333_333_333_333_5) * t944)
-        - t26 * t941;
-    let plate_omega_dot_by_drum_v_x = t23 * t945 - t22 * t946 - t22 * t944 + t23 * t943
-        + t24 * t938 - t25 * t937;
-    let plate_v_y_dot_by_drum_v_x = -(R::literal(0.833_333_333_333_333_4) * t945)
-        - R::literal(-0.833_333_333_333_333_4) * t943
-        - R::literal(-0.833_333_333_333_333_4) * t937;
-    let plate_v_x_dot_by_drum_v_x = -(R::literal(0.833_333_333_333_333_4) * t946)
-        - R::literal(-0.833_333_333_333_333_4) * t944
-        - R::literal(-0.833_333_333_333_333_4) * t938;
-    let post_omega_dot_by_drum_v_x = t20 * t947 - t19 * t948 - t19 * t946 + t20 * t945
-        + t21 * t935;
-    let post_v_y_dot_by_drum_v_x = -(R::literal(1.25) * t947) - R::literal(-1.25) * t945;
-    let post_v_x_dot_by_drum_v_x = -(R::literal(1.25) * t948) - R::literal(-1.25) * t946;
-    let t949 = t211
-        - (t917 + bobbin_v_y * t597 + t209 + drum_v_y * t593 + drum_v_y_over_between
-            - t918 - bobbin_v_y_over_between);
-    let t950 = t164 * t949 * t166;
-    let t951 = t949 * t162 + t164 * t950;
-    let t952 = t159 * t950 - t157 * t951;
-    let t953 = t152 * t951 - t151 * t952 + t154 * t950;
-    let t954 = -(t144 * t953) - t146 * t952 + t148 * t950;
-    let t955 = -(t135 * t954) - t137 * t953 - t139 * t952 + t141 * t950;
-    let t956 = -(t124 * t955) - t126 * t954 - t128 * t953 - t130 * t952 + t132 * t950;
-    let t957 = -(t113 * t956) - t114 * t955 + t115 * t954 - t117 * t953 - t119 * t952
-        + t121 * t950;
-    let t958 = -(t102 * t957) - t104 * t956 - t106 * t953 - t108 * t952 + t110 * t950;
-    let t959 = t91 * t957 - t89 * t958 - t93 * t956 - t95 * t953 - t97 * t952
-        + t99 * t950;
-    let t960 = -(t76 * t959) - t78 * t958 - t81 * t953 - t84 * t952 + t86 * t950;
-    let t961 = -(t62 * t960) - t64 * t959 - t65 * t958 - t68 * t953 + t70 * t952
-        + t72 * t950;
-    let t962 = -(t53 * t961) - t55 * t960 + t57 * t950;
-    let t963 = -(t43 * t962) - t45 * t961 - t43 * t960 - t47 * t950;
-    let drum_v_y_dot_by_drum_v_y = R::literal(0.666_666_666_666_666_6) * (t161 * t951)
-        + t38 * t951;
-    let drum_v_x_dot_by_drum_v_y = R::literal(0.666_666_666_666_666_6) * (t160 * t951)
-        + t37 * t951;
-    let bobbin_v_y_dot_by_drum_v_y = -(c.inverse_bobbin_mass * t952) - t36 * t951;
-    let bobbin_v_x_dot_by_drum_v_y = -(c.inverse_bobbin_mass * t953) - t35 * t951;
-    let rod_omega_dot_by_drum_v_y = t33 * t955 - R::literal(4_166.666_666_666_667) * t957
-        - t34 * t954;
-    let rod_v_y_dot_by_drum_v_y = -(t32 * t956) - R::literal(5.0) * t954;
-    let rod_v_x_dot_by_drum_v_y = t31 * t956 - R::literal(5.0) * t955;
-    let cylinder_omega_dot_by_drum_v_y = t29 * t958 - t28 * t959
-        - R::literal(-2_777.777_777_777_778) * t957 + t30 * t956;
-    let cylinder_v_y_dot_by_drum_v_y = t27 * t956
-        - R::literal(3.333_333_333_333_333_5) * t958;
-    let cylinder_v_x_dot_by_drum_v_y = -(R::literal(3.333_333_333_333_333_5) * t959)
-        - t26 * t956;
-    let plate_omega_dot_by_drum_v_y = t23 * t960 - t22 * t961 - t22 * t959 + t23 * t958
-        + t24 * t953 - t25 * t952;
-    let plate_v_y_dot_by_drum_v_y = -(R::literal(0.833_333_333_333_333_4) * t960)
-        - R::literal(-0.833_333_333_333_333_4) * t958
-        - R::literal(-0.833_333_333_333_333_4) * t952;
-    let plate_v_x_dot_by_drum_v_y = -(R::literal(0.833_333_333_333_333_4) * t961)
-        - R::literal(-0.833_333_333_333_333_4) * t959
-        - R::literal(-0.833_333_333_333_333_4) * t953;
-    let post_omega_dot_by_drum_v_y = t20 * t962 - t19 * t963 - t19 * t961 + t20 * t960
-        + t21 * t950;
-    let post_v_y_dot_by_drum_v_y = -(R::literal(1.25) * t962) - R::literal(-1.25) * t960;
-    let post_v_x_dot_by_drum_v_y = -(R::literal(1.25) * t963) - R::literal(-1.25) * t961;
+    let t908 = drum_v_y_over_between
+        - ((t907.add_product(bobbin_v_y, t587) + bobbin_v_y_over_between)
+            .add_product(drum_v_y, t591) + t210 - t906 - t208);
+    let t909 = t164 * t908 * t165;
+    let t910 = (t908 * t162).add_product(t164, t909);
+    let t911 = (t159 * t909).sub_product(t157, t910);
+    let t912 = (t152 * t910).sub_product(t151, t911).add_product(t154, t909);
+    let t913 = (-(t146 * t911)).sub_product(t144, t912).add_product(t148, t909);
+    let t914 = (-(t137 * t912))
+        .sub_product(t135, t913)
+        .sub_product(t139, t911)
+        .add_product(t141, t909);
+    let t915 = (-(t126 * t913))
+        .sub_product(t124, t914)
+        .sub_product(t128, t912)
+        .sub_product(t130, t911)
+        .add_product(t132, t909);
+    let t916 = (-(t114 * t914))
+        .sub_product(t113, t915)
+        .add_product(t115, t913)
+        .sub_product(t117, t912)
+        .sub_product(t119, t911)
+        .add_product(t121, t909);
+    let t917 = (-(t104 * t915))
+        .sub_product(t102, t916)
+        .sub_product(t106, t912)
+        .sub_product(t108, t911)
+        .add_product(t110, t909);
+    let t918 = (t91 * t916)
+        .sub_product(t89, t917)
+        .sub_product(t93, t915)
+        .sub_product(t95, t912)
+        .sub_product(t97, t911)
+        .add_product(t99, t909);
+    let t919 = (-(t78 * t917))
+        .sub_product(t76, t918)
+        .sub_product(t81, t912)
+        .sub_product(t84, t911)
+        .add_product(t86, t909);
+    let t920 = (-(t64 * t918))
+        .sub_product(t62, t919)
+        .sub_product(t65, t917)
+        .sub_product(t68, t912)
+        .add_product(t70, t911)
+        .add_product(t72, t909);
+    let t921 = (-(t55 * t919)).sub_product(t53, t920).add_product(t57, t909);
+    let t922 = (-(t45 * t920))
+        .sub_product(t43, t921)
+        .sub_product(t43, t919)
+        .sub_product(t47, t909);
+    let drum_v_y_dot_by_bobbin_v_y = (t38 * t910)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t910);
+    let drum_v_x_dot_by_bobbin_v_y = (t37 * t910)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t910);
+    let bobbin_v_y_dot_by_bobbin_v_y = (-(t36 * t910))
+        .sub_product(c.inverse_bobbin_mass, t911);
+    let bobbin_v_x_dot_by_bobbin_v_y = (-(t35 * t910))
+        .sub_product(c.inverse_bobbin_mass, t912);
+    let rod_omega_dot_by_bobbin_v_y = (t33 * t914)
+        .sub_product(R::literal(4_166.666_666_666_667), t916)
+        .sub_product(t34, t913);
+    let rod_v_y_dot_by_bobbin_v_y = (-(R::literal(5.0) * t913)).sub_product(t32, t915);
+    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t914)).add_product(t31, t915);
+    let cylinder_omega_dot_by_bobbin_v_y = (t29 * t917)
+        .sub_product(t28, t918)
+        .sub_product(R::literal(-2_777.777_777_777_778), t916)
+        .add_product(t30, t915);
+    let cylinder_v_y_dot_by_bobbin_v_y = (t27 * t915)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t917);
+    let cylinder_v_x_dot_by_bobbin_v_y = (-(t26 * t915))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t918);
+    let plate_omega_dot_by_bobbin_v_y = (t23 * t919)
+        .sub_product(t22, t920)
+        .sub_product(t22, t918)
+        .add_product(t23, t917)
+        .add_product(t24, t912)
+        .sub_product(t25, t911);
+    let plate_v_y_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t917))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t919)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t911);
+    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t918))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t920)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t912);
+    let post_omega_dot_by_bobbin_v_y = (t20 * t921)
+        .sub_product(t19, t922)
+        .sub_product(t19, t920)
+        .add_product(t20, t919)
+        .add_product(t21, t909);
+    let post_v_y_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t919))
+        .sub_product(R::literal(1.25), t921);
+    let post_v_x_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t920))
+        .sub_product(R::literal(1.25), t922);
+    let t923 = t204
+        - ((t889.add_product(bobbin_v_x, t544) + t201).add_product(drum_v_x, t537)
+            + drum_v_x_over_between - t890 - bobbin_v_x_over_between);
+    let t924 = t164 * t923 * t165;
+    let t925 = (t923 * t162).add_product(t164, t924);
+    let t926 = (t159 * t924).sub_product(t157, t925);
+    let t927 = (t152 * t925).sub_product(t151, t926).add_product(t154, t924);
+    let t928 = (-(t146 * t926)).sub_product(t144, t927).add_product(t148, t924);
+    let t929 = (-(t137 * t927))
+        .sub_product(t135, t928)
+        .sub_product(t139, t926)
+        .add_product(t141, t924);
+    let t930 = (-(t126 * t928))
+        .sub_product(t124, t929)
+        .sub_product(t128, t927)
+        .sub_product(t130, t926)
+        .add_product(t132, t924);
+    let t931 = (-(t114 * t929))
+        .sub_product(t113, t930)
+        .add_product(t115, t928)
+        .sub_product(t117, t927)
+        .sub_product(t119, t926)
+        .add_product(t121, t924);
+    let t932 = (-(t104 * t930))
+        .sub_product(t102, t931)
+        .sub_product(t106, t927)
+        .sub_product(t108, t926)
+        .add_product(t110, t924);
+    let t933 = (t91 * t931)
+        .sub_product(t89, t932)
+        .sub_product(t93, t930)
+        .sub_product(t95, t927)
+        .sub_product(t97, t926)
+        .add_product(t99, t924);
+    let t934 = (-(t78 * t932))
+        .sub_product(t76, t933)
+        .sub_product(t81, t927)
+        .sub_product(t84, t926)
+        .add_product(t86, t924);
+    let t935 = (-(t64 * t933))
+        .sub_product(t62, t934)
+        .sub_product(t65, t932)
+        .sub_product(t68, t927)
+        .add_product(t70, t926)
+        .add_product(t72, t924);
+    let t936 = (-(t55 * t934)).sub_product(t53, t935).add_product(t57, t924);
+    let t937 = (-(t45 * t935))
+        .sub_product(t43, t936)
+        .sub_product(t43, t934)
+        .sub_product(t47, t924);
+    let drum_v_y_dot_by_drum_v_x = (t38 * t925)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t925);
+    let drum_v_x_dot_by_drum_v_x = (t37 * t925)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t925);
+    let bobbin_v_y_dot_by_drum_v_x = (-(t36 * t925))
+        .sub_product(c.inverse_bobbin_mass, t926);
+    let bobbin_v_x_dot_by_drum_v_x = (-(t35 * t925))
+        .sub_product(c.inverse_bobbin_mass, t927);
+    let rod_omega_dot_by_drum_v_x = (t33 * t929)
+        .sub_product(R::literal(4_166.666_666_666_667), t931)
+        .sub_product(t34, t928);
+    let rod_v_y_dot_by_drum_v_x = (-(R::literal(5.0) * t928)).sub_product(t32, t930);
+    let rod_v_x_dot_by_drum_v_x = (-(R::literal(5.0) * t929)).add_product(t31, t930);
+    let cylinder_omega_dot_by_drum_v_x = (t29 * t932)
+        .sub_product(t28, t933)
+        .sub_product(R::literal(-2_777.777_777_777_778), t931)
+        .add_product(t30, t930);
+    let cylinder_v_y_dot_by_drum_v_x = (t27 * t930)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t932);
+    let cylinder_v_x_dot_by_drum_v_x = (-(t26 * t930))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t933);
+    let plate_omega_dot_by_drum_v_x = (t23 * t934)
+        .sub_product(t22, t935)
+        .sub_product(t22, t933)
+        .add_product(t23, t932)
+        .add_product(t24, t927)
+        .sub_product(t25, t926);
+    let plate_v_y_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t932))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t934)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t926);
+    let plate_v_x_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t933))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t935)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t927);
+    let post_omega_dot_by_drum_v_x = (t20 * t936)
+        .sub_product(t19, t937)
+        .sub_product(t19, t935)
+        .add_product(t20, t934)
+        .add_product(t21, t924);
+    let post_v_y_dot_by_drum_v_x = (-(R::literal(-1.25) * t934))
+        .sub_product(R::literal(1.25), t936);
+    let post_v_x_dot_by_drum_v_x = (-(R::literal(-1.25) * t935))
+        .sub_product(R::literal(1.25), t937);
+    let t938 = t210
+        - ((t906.add_product(bobbin_v_y, t591) + t208).add_product(drum_v_y, t587)
+            + drum_v_y_over_between - t907 - bobbin_v_y_over_between);
+    let t939 = t164 * t938 * t165;
+    let t940 = (t938 * t162).add_product(t164, t939);
+    let t941 = (t159 * t939).sub_product(t157, t940);
+    let t942 = (t152 * t940).sub_product(t151, t941).add_product(t154, t939);
+    let t943 = (-(t146 * t941)).sub_product(t144, t942).add_product(t148, t939);
+    let t944 = (-(t137 * t942))
+        .sub_product(t135, t943)
+        .sub_product(t139, t941)
+        .add_product(t141, t939);
+    let t945 = (-(t126 * t943))
+        .sub_product(t124, t944)
+        .sub_product(t128, t942)
+        .sub_product(t130, t941)
+        .add_product(t132, t939);
+    let t946 = (-(t114 * t944))
+        .sub_product(t113, t945)
+        .add_product(t115, t943)
+        .sub_product(t117, t942)
+        .sub_product(t119, t941)
+        .add_product(t121, t939);
+    let t947 = (-(t104 * t945))
+        .sub_product(t102, t946)
+        .sub_product(t106, t942)
+        .sub_product(t108, t941)
+        .add_product(t110, t939);
+    let t948 = (t91 * t946)
+        .sub_product(t89, t947)
+        .sub_product(t93, t945)
+        .sub_product(t95, t942)
+        .sub_product(t97, t941)
+        .add_product(t99, t939);
+    let t949 = (-(t78 * t947))
+        .sub_product(t76, t948)
+        .sub_product(t81, t942)
+        .sub_product(t84, t941)
+        .add_product(t86, t939);
+    let t950 = (-(t64 * t948))
+        .sub_product(t62, t949)
+        .sub_product(t65, t947)
+        .sub_product(t68, t942)
+        .add_product(t70, t941)
+        .add_product(t72, t939);
+    let t951 = (-(t55 * t949)).sub_product(t53, t950).add_product(t57, t939);
+    let t952 = (-(t45 * t950))
+        .sub_product(t43, t951)
+        .sub_product(t43, t949)
+        .sub_product(t47, t939);
+    let drum_v_y_dot_by_drum_v_y = (t38 * t940)
+        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t940);
+    let drum_v_x_dot_by_drum_v_y = (t37 * t940)
+        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t940);
+    let bobbin_v_y_dot_by_drum_v_y = (-(t36 * t940))
+        .sub_product(c.inverse_bobbin_mass, t941);
+    let bobbin_v_x_dot_by_drum_v_y = (-(t35 * t940))
+        .sub_product(c.inverse_bobbin_mass, t942);
+    let rod_omega_dot_by_drum_v_y = (t33 * t944)
+        .sub_product(R::literal(4_166.666_666_666_667), t946)
+        .sub_product(t34, t943);
+    let rod_v_y_dot_by_drum_v_y = (-(R::literal(5.0) * t943)).sub_product(t32, t945);
+    let rod_v_x_dot_by_drum_v_y = (-(R::literal(5.0) * t944)).add_product(t31, t945);
+    let cylinder_omega_dot_by_drum_v_y = (t29 * t947)
+        .sub_product(t28, t948)
+        .sub_product(R::literal(-2_777.777_777_777_778), t946)
+        .add_product(t30, t945);
+    let cylinder_v_y_dot_by_drum_v_y = (t27 * t945)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t947);
+    let cylinder_v_x_dot_by_drum_v_y = (-(t26 * t945))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t948);
+    let plate_omega_dot_by_drum_v_y = (t23 * t949)
+        .sub_product(t22, t950)
+        .sub_product(t22, t948)
+        .add_product(t23, t947)
+        .add_product(t24, t942)
+        .sub_product(t25, t941);
+    let plate_v_y_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t947))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t949)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t941);
+    let plate_v_x_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t948))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t950)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t942);
+    let post_omega_dot_by_drum_v_y = (t20 * t951)
+        .sub_product(t19, t952)
+        .sub_product(t19, t950)
+        .add_product(t20, t949)
+        .add_product(t21, t939);
+    let post_v_y_dot_by_drum_v_y = (-(R::literal(-1.25) * t949))
+        .sub_product(R::literal(1.25), t951);
+    let post_v_x_dot_by_drum_v_y = (-(R::literal(-1.25) * t950))
+        .sub_product(R::literal(1.25), t952);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -3994,15 +6131,19 @@ pub fn parameter_jacobian<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let t8 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t8 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
-    let t9 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
-    let t10 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t11 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t8)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
+    let t9 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
+    let t10 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t11 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
     let t12 = t1 * R::literal(370.370_370_370_370_3);
@@ -4039,17 +6180,19 @@ pub fn parameter_jacobian<R: Real>(
     let t42 = R::literal(-1.25) - t41;
     let t43 = t36 * t35;
     let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = t12 * t0 - t38 * t35;
+    let t45 = (t12 * t0).sub_product(t38, t35);
     let t46 = t45 * t44;
     let t47 = R::literal(1.25) - t41 - t43;
     let t48 = t47 * t44;
-    let t49 = t14 * t0 + t40 * t35;
+    let t49 = (t14 * t0).add_product(t40, t35);
     let t50 = t49 * t44;
     let t51 = t15 * t3;
     let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51 - t38 * t37 - t46 * t45);
+        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
+            .sub_product(t38, t37)
+            .sub_product(t46, t45);
     let t53 = t16 * t3;
-    let t54 = t35 + t53 - t36 * t37 - t48 * t45;
+    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
     let t55 = t54 * t52;
     let t56 = R::literal(0.833_333_333_333_333_4) - t51;
     let t57 = t56 * t52;
@@ -4059,571 +6202,1093 @@ pub fn parameter_jacobian<R: Real>(
     let t61 = t60 * t52;
     let t62 = t18 * t3;
     let t63 = t62 * t52;
-    let t64 = t40 * t37 - t39 - t50 * t45;
+    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
     let t65 = t64 * t52;
     let t66 = t16 * t2;
     let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43 - t48 * t47
-            - t55 * t54);
-    let t68 = t15 * t2 - t57 * t54;
+        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
+            .sub_product(t48, t47)
+            .sub_product(t55, t54);
+    let t68 = (t15 * t2).sub_product(t57, t54);
     let t69 = t68 * t67;
-    let t70 = R::literal(0.833_333_333_333_333_4) - t66 - t58 * t54;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
     let t71 = t70 * t67;
     let t72 = -(t17 * t2);
-    let t73 = t72 - t61 * t54;
+    let t73 = t72.sub_product(t61, t54);
     let t74 = t73 * t67;
     let t75 = t18 * t2;
-    let t76 = R::literal(0.833_333_333_333_333_4) + t75 + t63 * t54;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
     let t77 = t76 * t67;
-    let t78 = t49 - t50 * t47 - t65 * t54;
+    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
     let t79 = t78 * t67;
     let t80 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t51
-            - R::literal(3.333_333_333_333_333_5) - t21 * t5 - t57 * t56 - t69 * t68);
-    let t81 = t53 + t22 * t5 - t58 * t56 - t71 * t68;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t21, t5)
+            .sub_product(t57, t56)
+            .sub_product(t69, t68);
+    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
     let t82 = t81 * t80;
     let t83 = R::literal(-2_777.777_777_777_778) * t5;
     let t84 = t83 * t80;
-    let t85 = t23 * t5 - t19;
+    let t85 = (-t19).add_product(t23, t5);
     let t86 = t85 * t80;
-    let t87 = R::literal(-0.833_333_333_333_333_4) + t59 - t61 * t56 - t74 * t68;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
+        .sub_product(t61, t56)
+        .sub_product(t74, t68);
     let t88 = t87 * t80;
-    let t89 = t63 * t56 - t62 - t77 * t68;
+    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
     let t90 = t89 * t80;
-    let t91 = -(t65 * t56) - t79 * t68;
+    let t91 = (-(t65 * t56)).sub_product(t79, t68);
     let t92 = t91 * t80;
     let t93 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t66
-            - R::literal(3.333_333_333_333_333_5) - t22 * t4 - t58 * t53 - t71 * t70
-            - t82 * t81);
-    let t94 = R::literal(-2_777.777_777_777_778) * t4 + t84 * t81;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t4)
+            .sub_product(t58, t53)
+            .sub_product(t71, t70)
+            .sub_product(t82, t81);
+    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
     let t95 = t94 * t93;
-    let t96 = t20 - t23 * t4 - t86 * t81;
+    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
     let t97 = t96 * t93;
-    let t98 = t72 - t61 * t53 - t74 * t70 - t88 * t81;
+    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
     let t99 = t98 * t93;
-    let t100 = R::literal(-0.833_333_333_333_333_4) + t75 + t63 * t53 - t77 * t70
-        - t90 * t81;
+    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
+        .add_product(t63, t53)
+        .sub_product(t77, t70)
+        .sub_product(t90, t81);
     let t101 = t100 * t93;
-    let t102 = -(t65 * t53) - t79 * t70 - t92 * t81;
+    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
     let t103 = t102 * t93;
     let t104 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t84 * t83 - t95 * t94);
-    let t105 = t86 * t83 - t23 - t97 * t94;
+        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
+    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
     let t106 = t105 * t104;
     let t107 = t26 * t104;
     let t108 = t27 * t104;
-    let t109 = t88 * t83 - t99 * t94;
+    let t109 = (t88 * t83).sub_product(t99, t94);
     let t110 = t109 * t104;
-    let t111 = t90 * t83 - t101 * t94;
+    let t111 = (t90 * t83).sub_product(t101, t94);
     let t112 = t111 * t104;
-    let t113 = t92 * t83 - t103 * t94;
+    let t113 = (t92 * t83).sub_product(t103, t94);
     let t114 = t113 * t104;
     let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi) - t20 * cos_cylinder_phi - t23 * slide
-            - t24 * sin_cylinder_phi - t25 * cos_cylinder_phi - t86 * t85 - t97 * t96
-            - t106 * t105);
-    let t116 = t24 - t107 * t105;
+        / (-(t19 * sin_cylinder_phi))
+            .sub_product(t20, cos_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t86, t85)
+            .sub_product(t97, t96)
+            .sub_product(t106, t105);
+    let t116 = t24.sub_product(t107, t105);
     let t117 = t116 * t115;
-    let t118 = t108 * t105 - t25;
+    let t118 = (-t25).add_product(t108, t105);
     let t119 = t118 * t115;
-    let t120 = -(t88 * t85) - t99 * t96 - t110 * t105;
+    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
     let t121 = t120 * t115;
-    let t122 = -(t90 * t85) - t101 * t96 - t112 * t105;
+    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
     let t123 = t122 * t115;
-    let t124 = -(t92 * t85) - t103 * t96 - t114 * t105;
+    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
     let t125 = t124 * t115;
     let t126 = R::literal(1.0)
-        / (R::literal(-5.0) - t26 * t7 - t107 * t26 - t117 * t116);
-    let t127 = t27 * t7 + t108 * t26 - t119 * t116;
+        / R::literal(-5.0)
+            .sub_product(t26, t7)
+            .sub_product(t107, t26)
+            .sub_product(t117, t116);
+    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
     let t128 = t127 * t126;
-    let t129 = -(t110 * t26) - t121 * t116;
+    let t129 = (-(t110 * t26)).sub_product(t121, t116);
     let t130 = t129 * t126;
-    let t131 = -(t112 * t26) - t123 * t116;
+    let t131 = (-(t112 * t26)).sub_product(t123, t116);
     let t132 = t131 * t126;
-    let t133 = -(t114 * t26) - t125 * t116;
+    let t133 = (-(t114 * t26)).sub_product(t125, t116);
     let t134 = t133 * t126;
     let t135 = R::literal(1.0)
-        / (R::literal(-5.0) - t27 * t6 - t108 * t27 - t119 * t118 - t128 * t127);
-    let t136 = t110 * t27 - t121 * t118 - t130 * t127;
+        / R::literal(-5.0)
+            .sub_product(t27, t6)
+            .sub_product(t108, t27)
+            .sub_product(t119, t118)
+            .sub_product(t128, t127);
+    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
     let t137 = t136 * t135;
-    let t138 = t112 * t27 - t123 * t118 - t132 * t127;
+    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
     let t139 = t138 * t135;
-    let t140 = t114 * t27 - t125 * t118 - t134 * t127;
+    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
     let t141 = t140 * t135;
     let t142 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t17 * t10 - inverse_bobbin_mass
-            - t61 * t60 - t74 * t73 - t88 * t87 - t99 * t98 - t110 * t109 - t121 * t120
-            - t130 * t129 - t137 * t136);
-    let t143 = t18 * t10 + t63 * t60 - t77 * t73 - t90 * t87 - t101 * t98 - t112 * t109
-        - t123 * t120 - t132 * t129 - t139 * t136;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
+            - inverse_bobbin_mass)
+            .sub_product(t61, t60)
+            .sub_product(t74, t73)
+            .sub_product(t88, t87)
+            .sub_product(t99, t98)
+            .sub_product(t110, t109)
+            .sub_product(t121, t120)
+            .sub_product(t130, t129)
+            .sub_product(t137, t136);
+    let t143 = (t18 * t10)
+        .add_product(t63, t60)
+        .sub_product(t77, t73)
+        .sub_product(t90, t87)
+        .sub_product(t101, t98)
+        .sub_product(t112, t109)
+        .sub_product(t123, t120)
+        .sub_product(t132, t129)
+        .sub_product(t139, t136);
     let t144 = t143 * t142;
     let t145 = t28 * t142;
-    let t146 = -(t65 * t60) - t79 * t73 - t92 * t87 - t103 * t98 - t114 * t109
-        - t125 * t120 - t134 * t129 - t141 * t136;
+    let t146 = (-(t65 * t60))
+        .sub_product(t79, t73)
+        .sub_product(t92, t87)
+        .sub_product(t103, t98)
+        .sub_product(t114, t109)
+        .sub_product(t125, t120)
+        .sub_product(t134, t129)
+        .sub_product(t141, t136);
     let t147 = t146 * t142;
     let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t11 - inverse_bobbin_mass
-            - t63 * t62 - t77 * t76 - t90 * t89 - t101 * t100 - t112 * t111 - t123 * t122
-            - t132 * t131 - t139 * t138 - t144 * t143);
-    let t149 = t145 * t143 - t29;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
+            - inverse_bobbin_mass)
+            .sub_product(t63, t62)
+            .sub_product(t77, t76)
+            .sub_product(t90, t89)
+            .sub_product(t101, t100)
+            .sub_product(t112, t111)
+            .sub_product(t123, t122)
+            .sub_product(t132, t131)
+            .sub_product(t139, t138)
+            .sub_product(t144, t143);
+    let t149 = (-t29).add_product(t145, t143);
     let t150 = t149 * t148;
-    let t151 = t65 * t62 - t79 * t76 - t92 * t89 - t103 * t100 - t114 * t111
-        - t125 * t122 - t134 * t131 - t141 * t138 - t147 * t143;
+    let t151 = (t65 * t62)
+        .sub_product(t79, t76)
+        .sub_product(t92, t89)
+        .sub_product(t103, t100)
+        .sub_product(t114, t111)
+        .sub_product(t125, t122)
+        .sub_product(t134, t131)
+        .sub_product(t141, t138)
+        .sub_product(t147, t143);
     let t152 = t151 * t148;
     let t153 = t30 * R::literal(-1.5);
     let t154 = t31 * R::literal(-1.5);
     let t155 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between)
-            - t29 * bobbin_y_minus_drum_y_over_between
-            - t30 * bobbin_x_minus_drum_x_over_between
-            - t31 * bobbin_y_minus_drum_y_over_between - t145 * t28 - t150 * t149
-            - t153 * t30 - t154 * t31);
-    let t156 = t147 * t28 - t152 * t149;
+        / (-(t28 * bobbin_x_minus_drum_x_over_between))
+            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
+            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t145, t28)
+            .sub_product(t150, t149)
+            .sub_product(t153, t30)
+            .sub_product(t154, t31);
+    let t156 = (t147 * t28).sub_product(t152, t149);
     let t157 = t156 * t155;
-    let t158 = -(t14 * t9) - t40 * t39 - t50 * t49 - t65 * t64 - t79 * t78 - t92 * t91
-        - t103 * t102 - t114 * t113 - t125 * t124 - t134 * t133 - t141 * t140
-        - t147 * t146;
-    let t159 = R::literal(1.0) / (t158 - t152 * t151 - t157 * t156);
+    let t158 = R::literal(1.0)
+        / (-(t14 * t9))
+            .sub_product(t40, t39)
+            .sub_product(t50, t49)
+            .sub_product(t65, t64)
+            .sub_product(t79, t78)
+            .sub_product(t92, t91)
+            .sub_product(t103, t102)
+            .sub_product(t114, t113)
+            .sub_product(t125, t124)
+            .sub_product(t134, t133)
+            .sub_product(t141, t140)
+            .sub_product(t147, t146)
+            .sub_product(t152, t151)
+            .sub_product(t157, t156);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
-    let t160 = R::literal(50.0) * slide_rate;
-    let t161 = t160 * cos_cylinder_phi;
+    let t159 = R::literal(50.0) * slide_rate;
+    let t160 = t159 * cos_cylinder_phi;
     let slide_minus_spring_free_length = slide - p.spring_free_length;
-    let t162 = p.spring_stiffness * slide_minus_spring_free_length;
-    let t163 = t162 * cos_cylinder_phi;
-    let t164 = t161 + t163;
-    let t165 = t162 * sin_cylinder_phi;
-    let t166 = t160 * sin_cylinder_phi;
-    let t167 = t166 - (R::literal(2.943) - t165);
-    let t168 = -(t160 * t8) - t162 * t8;
-    let t169 = -t161 - t163;
-    let t170 = -t166 - (R::literal(1.962) + t165);
-    let t171 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t172 = p.winding_force * bobbin_x_minus_drum_x / between
-        - R::literal(9.81) * p.bobbin_mass;
+    let t161 = p.spring_stiffness * slide_minus_spring_free_length;
+    let t162 = t161 * cos_cylinder_phi;
+    let t163 = t160 + t162;
+    let t164 = t161 * sin_cylinder_phi;
+    let t165 = t159 * sin_cylinder_phi;
+    let t166 = t165 - (R::literal(2.943) - t164);
+    let t167 = (-(t161 * t8)).sub_product(t159, t8);
+    let t168 = -t160 - t162;
+    let t169 = -t165 - (R::literal(1.962) + t164);
+    let t170 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t171 = (p.winding_force * bobbin_x_minus_drum_x / between)
+        .sub_product(R::literal(9.81), p.bobbin_mass);
     let post_omega_squared = post_omega * post_omega;
-    let t173 = R::literal(0.1) * post_omega_squared;
-    let t174 = t173 * cos_post_phi;
-    let t175 = t173 * sin_post_phi;
+    let t172 = R::literal(0.1) * post_omega_squared;
+    let t173 = t172 * cos_post_phi;
+    let t174 = t172 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t176 = R::literal(0.06) * plate_omega_squared;
+    let t175 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t177 = cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi
-            + R::literal(2.0) * rod_v_y * sin_cylinder_phi
-            + cylinder_x * cylinder_omega * sin_cylinder_phi
-            + rod_y * cylinder_omega * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_x * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_y * sin_cylinder_phi
-            - cylinder_y * cylinder_omega * cos_cylinder_phi
-            - rod_x * cylinder_omega * sin_cylinder_phi);
-    let t178 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t176 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t179 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t177 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t180 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t178 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t181 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t182 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t179 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t180 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t183 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t181 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t184 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t182 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t185 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t183 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t186 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t187 = bobbin_v_x
-        * (bobbin_v_x_over_between + t181 + t182 - t179 - t180 - drum_v_x_over_between)
-        + bobbin_v_y
-            * (bobbin_v_y_over_between + t185 + t186 - t183 - t184
-                - drum_v_y_over_between)
-        + drum_v_x
-            * (t179 + t180 + drum_v_x_over_between - bobbin_v_x_over_between - t181
-                - t182);
-    let t188 = t36 * t174;
-    let t189 = -t175 - R::literal(-9.81) + t188;
-    let t190 = t15 * bobbin_radius_times_winding_force;
-    let t191 = t190 - (t176 * cos_plate_phi + t174) + t38 * t174 - t46 * t189;
-    let t192 = t16 * bobbin_radius_times_winding_force;
-    let t193 = -(t176 * sin_plate_phi + t175) - R::literal(9.81) - R::literal(-9.81)
-        - t192 + t188 - t48 * t189 - t55 * t191;
-    let t194 = t190
-        - R::literal(0.06)
-            * (plate_omega_squared * cos_plate_phi
-                + cylinder_omega_squared * cos_cylinder_phi)
-        - R::literal(3.333_333_333_333_333_5) * t164 - t21 * t168 - t57 * t191
-        - t69 * t193;
-    let t195 = -(R::literal(0.06)
-        * (plate_omega_squared * sin_plate_phi
-            + cylinder_omega_squared * sin_cylinder_phi)) - R::literal(9.81) - t192
-        - R::literal(3.333_333_333_333_333_5) * t167 + t22 * t168 - t58 * t191
-        - t71 * t193 - t82 * t194;
-    let t196 = t84 * t194 - R::literal(-2_777.777_777_777_778) * t168 - t95 * t195;
-    let t197 = t177 - t19 * t164 + t20 * t167 + t23 * t168 + t24 * t169 - t25 * t170
-        - t86 * t194 - t97 * t195 - t106 * t196;
-    let t198 = t178 * cos_rod_phi - R::literal(5.0) * t169 - t107 * t196 - t117 * t197;
-    let t199 = t178 * sin_rod_phi - R::literal(5.0) * t170 + t108 * t196 - t119 * t197
-        - t128 * t198;
-    let t200 = inverse_bobbin_mass * t171;
-    let t201 = t11 * plate_omega_squared - t17 * bobbin_radius_times_winding_force + t200
-        - t61 * t191 - t74 * t193 - t88 * t194 - t99 * t195 - t110 * t196 - t121 * t197
-        - t130 * t198 - t137 * t199;
-    let t202 = inverse_bobbin_mass * t172;
-    let t203 = t10 * plate_omega_squared - R::literal(9.81)
-        + t18 * bobbin_radius_times_winding_force - t202 + t63 * t191 - t77 * t193
-        - t90 * t194 - t101 * t195 - t112 * t196 - t123 * t197 - t132 * t198
-        - t139 * t199 - t144 * t201;
-    let t204 = t28 * t171
-        - (t187
-            + drum_v_y
-                * (t183 + t184 + drum_v_y_over_between - bobbin_v_y_over_between - t185
-                    - t186)) - t29 * t172 + t31 * R::literal(-14.715) + t145 * t201
-        - t150 * t203 - t154 * R::literal(9.809_999_999_999_999);
-    let t205 = (R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi)
-        * post_omega_squared - t40 * t174 - t50 * t189 - t65 * t191 - t79 * t193
-        - t92 * t194 - t103 * t195 - t114 * t196 - t125 * t197 - t134 * t198
-        - t141 * t199;
-    let t206 = (t205 - t147 * t201 - t152 * t203 - t157 * t204) * t159;
-    let t207 = t204 * t155 - t157 * t206;
-    let t208 = t203 * t148 - t150 * t207 - t152 * t206;
-    let bobbin_v_y_dot = t202 - inverse_bobbin_mass * t208 - t29 * t207;
-    let t209 = p.spring_stiffness * cos_cylinder_phi;
-    let t210 = p.spring_stiffness * t8;
-    let t211 = p.spring_stiffness * sin_cylinder_phi;
-    let t212 = t15 * p.winding_force;
-    let t213 = -(t16 * p.winding_force);
-    let t214 = t213 - t55 * t212;
-    let t215 = t212 - t57 * t212 - t69 * t214;
-    let t216 = t213 - t58 * t212 - t71 * t214 - t82 * t215;
-    let t217 = t84 * t215 - t95 * t216;
-    let t218 = -(t86 * t215) - t97 * t216 - t106 * t217;
-    let t219 = -(t107 * t217) - t117 * t218;
-    let t220 = t108 * t217 - t119 * t218 - t128 * t219;
-    let t221 = -(t17 * p.winding_force) - t61 * t212 - t74 * t214 - t88 * t215
-        - t99 * t216 - t110 * t217 - t121 * t218 - t130 * t219 - t137 * t220;
-    let t222 = t18 * p.winding_force + t63 * t212 - t77 * t214 - t90 * t215 - t101 * t216
-        - t112 * t217 - t123 * t218 - t132 * t219 - t139 * t220 - t144 * t221;
-    let t223 = t145 * t221 - t150 * t222;
-    let t224 = (-(t65 * t212) - t79 * t214 - t92 * t215 - t103 * t216 - t114 * t217
-        - t125 * t218 - t134 * t219 - t141 * t220 - t147 * t221 - t152 * t222
-        - t157 * t223) * t159;
-    let t225 = t223 * t155 - t157 * t224;
-    let t226 = t222 * t148 - t150 * t225 - t152 * t224;
-    let t227 = t221 * t142 - t144 * t226 + t145 * t225 - t147 * t224;
-    let t228 = t220 * t135 - t137 * t227 - t139 * t226 - t141 * t224;
-    let t229 = t219 * t126 - t128 * t228 - t130 * t227 - t132 * t226 - t134 * t224;
-    let t230 = t218 * t115 - t117 * t229 - t119 * t228 - t121 * t227 - t123 * t226
-        - t125 * t224;
-    let t231 = t217 * t104 - t106 * t230 - t107 * t229 + t108 * t228 - t110 * t227
-        - t112 * t226 - t114 * t224;
-    let t232 = t216 * t93 - t95 * t231 - t97 * t230 - t99 * t227 - t101 * t226
-        - t103 * t224;
-    let t233 = t215 * t80 - t82 * t232 + t84 * t231 - t86 * t230 - t88 * t227
-        - t90 * t226 - t92 * t224;
-    let t234 = t214 * t67 - t69 * t233 - t71 * t232 - t74 * t227 - t77 * t226
-        - t79 * t224;
-    let t235 = t212 * t52 - t55 * t234 - t57 * t233 - t58 * t232 - t61 * t227
-        + t63 * t226 - t65 * t224;
-    let t236 = -(t46 * t235) - t48 * t234 - t50 * t224;
-    let t237 = -(t36 * t236) - t38 * t235 - t36 * t234 + t40 * t224;
-    let drum_v_y_dot_by_bobbin_radius = R::literal(0.666_666_666_666_666_6)
-        * (t154 * t225) + t31 * t225;
-    let drum_v_x_dot_by_bobbin_radius = R::literal(0.666_666_666_666_666_6)
-        * (t153 * t225) + t30 * t225;
-    let bobbin_v_y_dot_by_bobbin_radius = -(inverse_bobbin_mass * t226) - t29 * t225;
-    let bobbin_v_x_dot_by_bobbin_radius = -(inverse_bobbin_mass * t227) - t28 * t225;
-    let rod_omega_dot_by_bobbin_radius = t26 * t229
-        - R::literal(4_166.666_666_666_667) * t231 - t27 * t228;
-    let rod_v_y_dot_by_bobbin_radius = -(t25 * t230) - R::literal(5.0) * t228;
-    let rod_v_x_dot_by_bobbin_radius = t24 * t230 - R::literal(5.0) * t229;
-    let cylinder_omega_dot_by_bobbin_radius = t22 * t232 - t21 * t233
-        - R::literal(-2_777.777_777_777_778) * t231 + t23 * t230;
-    let cylinder_v_y_dot_by_bobbin_radius = t20 * t230
-        - R::literal(3.333_333_333_333_333_5) * t232;
-    let cylinder_v_x_dot_by_bobbin_radius = -(R::literal(3.333_333_333_333_333_5) * t233)
-        - t19 * t230;
-    let plate_omega_dot_by_bobbin_radius = -(p.winding_force * R::literal(400.0))
-        - t15 * t235 + t16 * t234 - t15 * t233 + t16 * t232 + t17 * t227 - t18 * t226;
-    let plate_v_y_dot_by_bobbin_radius = -(R::literal(0.833_333_333_333_333_4) * t234)
-        - R::literal(-0.833_333_333_333_333_4) * t232
-        - R::literal(-0.833_333_333_333_333_4) * t226;
-    let plate_v_x_dot_by_bobbin_radius = -(R::literal(0.833_333_333_333_333_4) * t235)
-        - R::literal(-0.833_333_333_333_333_4) * t233
-        - R::literal(-0.833_333_333_333_333_4) * t227;
-    let post_omega_dot_by_bobbin_radius = t13 * t236 - t12 * t237 - t12 * t235
-        + t13 * t234 - t14 * t224;
-    let post_v_y_dot_by_bobbin_radius = -(R::literal(1.25) * t236)
-        - R::literal(-1.25) * t234;
-    let post_v_x_dot_by_bobbin_radius = -(R::literal(1.25) * t237)
-        - R::literal(-1.25) * t235;
-    let t238 = t15 * p.bobbin_radius;
-    let t239 = -(t16 * p.bobbin_radius);
-    let t240 = t239 - t55 * t238;
-    let t241 = t238 - t57 * t238 - t69 * t240;
-    let t242 = t239 - t58 * t238 - t71 * t240 - t82 * t241;
-    let t243 = t84 * t241 - t95 * t242;
-    let t244 = -(t86 * t241) - t97 * t242 - t106 * t243;
-    let t245 = -(t107 * t243) - t117 * t244;
-    let t246 = t108 * t243 - t119 * t244 - t128 * t245;
-    let t247 = t29 - t17 * p.bobbin_radius - t61 * t238 - t74 * t240 - t88 * t241
-        - t99 * t242 - t110 * t243 - t121 * t244 - t130 * t245 - t137 * t246;
-    let t248 = t18 * p.bobbin_radius - t28 + t63 * t238 - t77 * t240 - t90 * t241
-        - t101 * t242 - t112 * t243 - t123 * t244 - t132 * t245 - t139 * t246
-        - t144 * t247;
-    let t249 = t28 * bobbin_y_minus_drum_y_over_between
-        - t29 * bobbin_x_minus_drum_x_over_between + t145 * t247 - t150 * t248;
-    let t250 = (-(t65 * t238) - t79 * t240 - t92 * t241 - t103 * t242 - t114 * t243
-        - t125 * t244 - t134 * t245 - t141 * t246 - t147 * t247 - t152 * t248
-        - t157 * t249) * t159;
-    let t251 = t249 * t155 - t157 * t250;
-    let t252 = t248 * t148 - t150 * t251 - t152 * t250;
-    let t253 = t247 * t142 - t144 * t252 + t145 * t251 - t147 * t250;
-    let t254 = t246 * t135 - t137 * t253 - t139 * t252 - t141 * t250;
-    let t255 = t245 * t126 - t128 * t254 - t130 * t253 - t132 * t252 - t134 * t250;
-    let t256 = t244 * t115 - t117 * t255 - t119 * t254 - t121 * t253 - t123 * t252
-        - t125 * t250;
-    let t257 = t243 * t104 - t106 * t256 - t107 * t255 + t108 * t254 - t110 * t253
-        - t112 * t252 - t114 * t250;
-    let t258 = t242 * t93 - t95 * t257 - t97 * t256 - t99 * t253 - t101 * t252
-        - t103 * t250;
-    let t259 = t241 * t80 - t82 * t258 + t84 * t257 - t86 * t256 - t88 * t253
-        - t90 * t252 - t92 * t250;
-    let t260 = t240 * t67 - t69 * t259 - t71 * t258 - t74 * t253 - t77 * t252
-        - t79 * t250;
-    let t261 = t238 * t52 - t55 * t260 - t57 * t259 - t58 * t258 - t61 * t253
-        + t63 * t252 - t65 * t250;
-    let t262 = -(t46 * t261) - t48 * t260 - t50 * t250;
-    let t263 = -(t36 * t262) - t38 * t261 - t36 * t260 + t40 * t250;
-    let drum_v_y_dot_by_winding_force = R::literal(0.666_666_666_666_666_6)
-        * (t154 * t251) + t31 * t251;
-    let drum_v_x_dot_by_winding_force = R::literal(0.666_666_666_666_666_6)
-        * (t153 * t251) + t30 * t251;
-    let bobbin_v_y_dot_by_winding_force = t28 - inverse_bobbin_mass * t252 - t29 * t251;
-    let bobbin_v_x_dot_by_winding_force = -t29 - inverse_bobbin_mass * t253 - t28 * t251;
-    let rod_omega_dot_by_winding_force = t26 * t255
-        - R::literal(4_166.666_666_666_667) * t257 - t27 * t254;
-    let rod_v_y_dot_by_winding_force = -(t25 * t256) - R::literal(5.0) * t254;
-    let rod_v_x_dot_by_winding_force = t24 * t256 - R::literal(5.0) * t255;
-    let cylinder_omega_dot_by_winding_force = t22 * t258 - t21 * t259
-        - R::literal(-2_777.777_777_777_778) * t257 + t23 * t256;
-    let cylinder_v_y_dot_by_winding_force = t20 * t256
-        - R::literal(3.333_333_333_333_333_5) * t258;
-    let cylinder_v_x_dot_by_winding_force = -(R::literal(3.333_333_333_333_333_5) * t259)
-        - t19 * t256;
-    let plate_omega_dot_by_winding_force = -(p.bobbin_radius * R::literal(400.0))
-        - t15 * t261 + t16 * t260 - t15 * t259 + t16 * t258 + t17 * t253 - t18 * t252;
-    let plate_v_y_dot_by_winding_force = -(R::literal(0.833_333_333_333_333_4) * t260)
-        - R::literal(-0.833_333_333_333_333_4) * t258
-        - R::literal(-0.833_333_333_333_333_4) * t252;
-    let plate_v_x_dot_by_winding_force = -(R::literal(0.833_333_333_333_333_4) * t261)
-        - R::literal(-0.833_333_333_333_333_4) * t259
-        - R::literal(-0.833_333_333_333_333_4) * t253;
-    let post_omega_dot_by_winding_force = t13 * t262 - t12 * t263 - t12 * t261
-        + t13 * t260 - t14 * t250;
-    let post_v_y_dot_by_winding_force = -(R::literal(1.25) * t262)
-        - R::literal(-1.25) * t260;
-    let post_v_x_dot_by_winding_force = -(R::literal(1.25) * t263)
-        - R::literal(-1.25) * t261;
-    let t264 = t28 * t207
-        - (-t200
-            - inverse_bobbin_mass
-                * (t201 * t142 - t144 * t208 + t145 * t207 - t147 * t206));
-    let t265 = R::literal(-9.81) - bobbin_v_y_dot;
-    let t266 = inverse_bobbin_mass * t264;
-    let t267 = inverse_bobbin_mass * t265;
-    let t268 = t144 * t266 - t267;
-    let t269 = -(t28 * t264) - t29 * t265 - t145 * t266 - t150 * t268;
-    let t270 = (t147 * t266 - t152 * t268 - t157 * t269) * t159;
-    let t271 = t269 * t155 - t157 * t270;
-    let t272 = t268 * t148 - t150 * t271 - t152 * t270;
-    let t273 = -(t266 * t142) - t144 * t272 + t145 * t271 - t147 * t270;
-    let t274 = -(t137 * t273) - t139 * t272 - t141 * t270;
-    let t275 = -(t128 * t274) - t130 * t273 - t132 * t272 - t134 * t270;
-    let t276 = -(t117 * t275) - t119 * t274 - t121 * t273 - t123 * t272 - t125 * t270;
-    let t277 = -(t106 * t276) - t107 * t275 + t108 * t274 - t110 * t273 - t112 * t272
-        - t114 * t270;
-    let t278 = -(t95 * t277) - t97 * t276 - t99 * t273 - t101 * t272 - t103 * t270;
-    let t279 = t84 * t277 - t82 * t278 - t86 * t276 - t88 * t273 - t90 * t272
-        - t92 * t270;
-    let t280 = -(t69 * t279) - t71 * t278 - t74 * t273 - t77 * t272 - t79 * t270;
-    let t281 = -(t55 * t280) - t57 * t279 - t58 * t278 - t61 * t273 + t63 * t272
-        - t65 * t270;
-    let t282 = -(t46 * t281) - t48 * t280 - t50 * t270;
-    let t283 = -(t36 * t282) - t38 * t281 - t36 * t280 + t40 * t270;
-    let drum_v_y_dot_by_bobbin_mass = R::literal(0.666_666_666_666_666_6) * (t154 * t271)
-        + t31 * t271;
-    let drum_v_x_dot_by_bobbin_mass = R::literal(0.666_666_666_666_666_6) * (t153 * t271)
-        + t30 * t271;
-    let bobbin_v_y_dot_by_bobbin_mass = t267 - inverse_bobbin_mass * t272 - t29 * t271;
-    let bobbin_v_x_dot_by_bobbin_mass = t266 - inverse_bobbin_mass * t273 - t28 * t271;
-    let rod_omega_dot_by_bobbin_mass = t26 * t275
-        - R::literal(4_166.666_666_666_667) * t277 - t27 * t274;
-    let rod_v_y_dot_by_bobbin_mass = -(t25 * t276) - R::literal(5.0) * t274;
-    let rod_v_x_dot_by_bobbin_mass = t24 * t276 - R::literal(5.0) * t275;
-    let cylinder_omega_dot_by_bobbin_mass = t22 * t278 - t21 * t279
-        - R::literal(-2_777.777_777_777_778) * t277 + t23 * t276;
-    let cylinder_v_y_dot_by_bobbin_mass = t20 * t276
-        - R::literal(3.333_333_333_333_333_5) * t278;
-    let cylinder_v_x_dot_by_bobbin_mass = -(R::literal(3.333_333_333_333_333_5) * t279)
-        - t19 * t276;
-    let plate_omega_dot_by_bobbin_mass = t16 * t280 - t15 * t281 - t15 * t279
-        + t16 * t278 + t17 * t273 - t18 * t272;
-    let plate_v_y_dot_by_bobbin_mass = -(R::literal(0.833_333_333_333_333_4) * t280)
-        - R::literal(-0.833_333_333_333_333_4) * t278
-        - R::literal(-0.833_333_333_333_333_4) * t272;
-    let plate_v_x_dot_by_bobbin_mass = -(R::literal(0.833_333_333_333_333_4) * t281)
-        - R::literal(-0.833_333_333_333_333_4) * t279
-        - R::literal(-0.833_333_333_333_333_4) * t273;
-    let post_omega_dot_by_bobbin_mass = t13 * t282 - t12 * t283 - t12 * t281 + t13 * t280
-        - t14 * t270;
-    let post_v_y_dot_by_bobbin_mass = -(R::literal(1.25) * t282)
-        - R::literal(-1.25) * t280;
-    let post_v_x_dot_by_bobbin_mass = -(R::literal(1.25) * t283)
-        - R::literal(-1.25) * t281;
-    let t284 = slide_minus_spring_free_length * cos_cylinder_phi;
-    let t285 = slide_minus_spring_free_length * sin_cylinder_phi;
-    let t286 = slide_minus_spring_free_length * t8;
-    let t287 = R::literal(3.333_333_333_333_333_5) * t284;
-    let t288 = t21 * t286 - t287;
-    let t289 = R::literal(3.333_333_333_333_333_5) * t285;
-    let t290 = -t289 - t22 * t286 - t82 * t288;
-    let t291 = R::literal(-2_777.777_777_777_778) * t286 + t84 * t288 - t95 * t290;
-    let t292 = t20 * t285 - t19 * t284 - t23 * t286 - t24 * t284 + t25 * t285
-        - t86 * t288 - t97 * t290 - t106 * t291;
-    let t293 = R::literal(5.0) * t284;
-    let t294 = t293 - t107 * t291 - t117 * t292;
-    let t295 = R::literal(5.0) * t285;
-    let t296 = t295 + t108 * t291 - t119 * t292 - t128 * t294;
-    let t297 = -(t88 * t288) - t99 * t290 - t110 * t291 - t121 * t292 - t130 * t294
-        - t137 * t296;
-    let t298 = -(t90 * t288) - t101 * t290 - t112 * t291 - t123 * t292 - t132 * t294
-        - t139 * t296 - t144 * t297;
-    let t299 = t145 * t297 - t150 * t298;
-    let t300 = (-(t92 * t288) - t103 * t290 - t114 * t291 - t125 * t292 - t134 * t294
-        - t141 * t296 - t147 * t297 - t152 * t298 - t157 * t299) * t159;
-    let t301 = t299 * t155 - t157 * t300;
-    let t302 = t298 * t148 - t150 * t301 - t152 * t300;
-    let t303 = t297 * t142 - t144 * t302 + t145 * t301 - t147 * t300;
-    let t304 = t296 * t135 - t137 * t303 - t139 * t302 - t141 * t300;
-    let t305 = t294 * t126 - t128 * t304 - t130 * t303 - t132 * t302 - t134 * t300;
-    let t306 = t292 * t115 - t117 * t305 - t119 * t304 - t121 * t303 - t123 * t302
-        - t125 * t300;
-    let t307 = t291 * t104 - t106 * t306 - t107 * t305 + t108 * t304 - t110 * t303
-        - t112 * t302 - t114 * t300;
-    let t308 = t290 * t93 - t95 * t307 - t97 * t306 - t99 * t303 - t101 * t302
-        - t103 * t300;
-    let t309 = t288 * t80 - t82 * t308 + t84 * t307 - t86 * t306 - t88 * t303
-        - t90 * t302 - t92 * t300;
-    let t310 = -(t69 * t309) - t71 * t308 - t74 * t303 - t77 * t302 - t79 * t300;
-    let t311 = -(t55 * t310) - t57 * t309 - t58 * t308 - t61 * t303 + t63 * t302
-        - t65 * t300;
-    let t312 = -(t46 * t311) - t48 * t310 - t50 * t300;
-    let t313 = -(t36 * t312) - t38 * t311 - t36 * t310 + t40 * t300;
-    let drum_v_y_dot_by_spring_stiffness = R::literal(0.666_666_666_666_666_6)
-        * (t154 * t301) + t31 * t301;
-    let drum_v_x_dot_by_spring_stiffness = R::literal(0.666_666_666_666_666_6)
-        * (t153 * t301) + t30 * t301;
-    let bobbin_v_y_dot_by_spring_stiffness = -(inverse_bobbin_mass * t302) - t29 * t301;
-    let bobbin_v_x_dot_by_spring_stiffness = -(inverse_bobbin_mass * t303) - t28 * t301;
-    let rod_omega_dot_by_spring_stiffness = t26 * t305
-        - R::literal(4_166.666_666_666_667) * t307 - t27 * t304;
-    let rod_v_y_dot_by_spring_stiffness = -t295 - t25 * t306 - R::literal(5.0) * t304;
-    let rod_v_x_dot_by_spring_stiffness = t24 * t306 - t293 - R::literal(5.0) * t305;
-    let cylinder_omega_dot_by_spring_stiffness = -(t286
-        * R::literal(2_777.777_777_777_778)) - t21 * t309 + t22 * t308
-        - R::literal(-2_777.777_777_777_778) * t307 + t23 * t306;
-    let cylinder_v_y_dot_by_spring_stiffness = t289
-        - R::literal(3.333_333_333_333_333_5) * t308 + t20 * t306;
-    let cylinder_v_x_dot_by_spring_stiffness = t287
-        - R::literal(3.333_333_333_333_333_5) * t309 - t19 * t306;
-    let plate_omega_dot_by_spring_stiffness = t16 * t310 - t15 * t311 - t15 * t309
-        + t16 * t308 + t17 * t303 - t18 * t302;
-    let plate_v_y_dot_by_spring_stiffness = -(R::literal(0.833_333_333_333_333_4) * t310)
-        - R::literal(-0.833_333_333_333_333_4) * t308
-        - R::literal(-0.833_333_333_333_333_4) * t302;
-    let plate_v_x_dot_by_spring_stiffness = -(R::literal(0.833_333_333_333_333_4) * t311)
-        - R::literal(-0.833_333_333_333_333_4) * t309
-        - R::literal(-0.833_333_333_333_333_4) * t303;
-    let post_omega_dot_by_spring_stiffness = t13 * t312 - t12 * t313 - t12 * t311
-        + t13 * t310 - t14 * t300;
-    let post_v_y_dot_by_spring_stiffness = -(R::literal(1.25) * t312)
-        - R::literal(-1.25) * t310;
-    let post_v_x_dot_by_spring_stiffness = -(R::literal(1.25) * t313)
-        - R::literal(-1.25) * t311;
+    let t184 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t185 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t179 + t180 - t177 - t178 - drum_v_x_over_between))
+        .add_product(
+            bobbin_v_y,
+            bobbin_v_y_over_between + t183 + t184 - t181 - t182 - drum_v_y_over_between,
+        )
+        .add_product(
+            drum_v_x,
+            t177 + t178 + drum_v_x_over_between - bobbin_v_x_over_between - t179 - t180,
+        )
+        .add_product(
+            drum_v_y,
+            t181 + t182 + drum_v_y_over_between - bobbin_v_y_over_between - t183 - t184,
+        );
+    let t186 = t36 * t173;
+    let t187 = -t174 - R::literal(-9.81) + t186;
+    let t188 = t15 * bobbin_radius_times_winding_force;
+    let t189 = (t188 - t173.add_product(t175, cos_plate_phi))
+        .add_product(t38, t173)
+        .sub_product(t46, t187);
+    let t190 = t16 * bobbin_radius_times_winding_force;
+    let t191 = (-t174.add_product(t175, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t190 + t186)
+        .sub_product(t48, t187)
+        .sub_product(t55, t189);
+    let t192 = t188
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * cos_plate_phi)
+                .add_product(cylinder_omega_squared, cos_cylinder_phi),
+        )
+        .sub_product(R::literal(3.333_333_333_333_333_5), t163)
+        .sub_product(t21, t167)
+        .sub_product(t57, t189)
+        .sub_product(t69, t191);
+    let t193 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        ) - t190)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t166)
+        .add_product(t22, t167)
+        .sub_product(t58, t189)
+        .sub_product(t71, t191)
+        .sub_product(t82, t192);
+    let t194 = (-(R::literal(-2_777.777_777_777_778) * t167))
+        .add_product(t84, t192)
+        .sub_product(t95, t193);
+    let t195 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t19, t163)
+        .add_product(t20, t166)
+        .add_product(t23, t167)
+        .add_product(t24, t168)
+        .sub_product(t25, t169)
+        .sub_product(t86, t192)
+        .sub_product(t97, t193);
+    let t196 = t195.sub_product(t106, t194);
+    let t197 = (t176 * cos_rod_phi)
+        .sub_product(R::literal(5.0), t168)
+        .sub_product(t107, t194)
+        .sub_product(t117, t196);
+    let t198 = (t176 * sin_rod_phi)
+        .sub_product(R::literal(5.0), t169)
+        .add_product(t108, t194)
+        .sub_product(t119, t196)
+        .sub_product(t128, t197);
+    let t199 = inverse_bobbin_mass * t170;
+    let t200 = ((t11 * plate_omega_squared)
+        .sub_product(t17, bobbin_radius_times_winding_force) + t199)
+        .sub_product(t61, t189)
+        .sub_product(t74, t191)
+        .sub_product(t88, t192)
+        .sub_product(t99, t193)
+        .sub_product(t110, t194)
+        .sub_product(t121, t196)
+        .sub_product(t130, t197)
+        .sub_product(t137, t198);
+    let t201 = inverse_bobbin_mass * t171;
+    let t202 = (R::literal(-9.81)
+        .add_product(t10, plate_omega_squared)
+        .add_product(t18, bobbin_radius_times_winding_force) - t201)
+        .add_product(t63, t189)
+        .sub_product(t77, t191)
+        .sub_product(t90, t192)
+        .sub_product(t101, t193)
+        .sub_product(t112, t194)
+        .sub_product(t123, t196)
+        .sub_product(t132, t197)
+        .sub_product(t139, t198)
+        .sub_product(t144, t200);
+    let t203 = (-t185)
+        .add_product(t28, t170)
+        .sub_product(t29, t171)
+        .add_product(t31, R::literal(-14.715))
+        .add_product(t145, t200)
+        .sub_product(t150, t202)
+        .sub_product(t154, R::literal(9.809_999_999_999_999));
+    let t204 = ((R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
+        .sub_product(t40, t173)
+        .sub_product(t50, t187)
+        .sub_product(t65, t189)
+        .sub_product(t79, t191)
+        .sub_product(t92, t192)
+        .sub_product(t103, t193)
+        .sub_product(t114, t194)
+        .sub_product(t125, t196)
+        .sub_product(t134, t197)
+        .sub_product(t141, t198)
+        .sub_product(t147, t200)
+        .sub_product(t152, t202)
+        .sub_product(t157, t203) * t158;
+    let t205 = (t203 * t155).sub_product(t157, t204);
+    let t206 = (t202 * t148).sub_product(t150, t205).sub_product(t152, t204);
+    let bobbin_v_y_dot = t201
+        .sub_product(inverse_bobbin_mass, t206)
+        .sub_product(t29, t205);
+    let t207 = p.spring_stiffness * cos_cylinder_phi;
+    let t208 = p.spring_stiffness * t8;
+    let t209 = p.spring_stiffness * sin_cylinder_phi;
+    let t210 = t15 * p.winding_force;
+    let t211 = -(t16 * p.winding_force);
+    let t212 = t211.sub_product(t55, t210);
+    let t213 = t210.sub_product(t57, t210).sub_product(t69, t212);
+    let t214 = t211.sub_product(t58, t210).sub_product(t71, t212).sub_product(t82, t213);
+    let t215 = (t84 * t213).sub_product(t95, t214);
+    let t216 = (-(t86 * t213)).sub_product(t97, t214).sub_product(t106, t215);
+    let t217 = (-(t107 * t215)).sub_product(t117, t216);
+    let t218 = (t108 * t215).sub_product(t119, t216).sub_product(t128, t217);
+    let t219 = (-(t17 * p.winding_force))
+        .sub_product(t61, t210)
+        .sub_product(t74, t212)
+        .sub_product(t88, t213)
+        .sub_product(t99, t214)
+        .sub_product(t110, t215)
+        .sub_product(t121, t216)
+        .sub_product(t130, t217)
+        .sub_product(t137, t218);
+    let t220 = (t18 * p.winding_force)
+        .add_product(t63, t210)
+        .sub_product(t77, t212)
+        .sub_product(t90, t213)
+        .sub_product(t101, t214)
+        .sub_product(t112, t215)
+        .sub_product(t123, t216)
+        .sub_product(t132, t217)
+        .sub_product(t139, t218)
+        .sub_product(t144, t219);
+    let t221 = (t145 * t219).sub_product(t150, t220);
+    let t222 = (-(t65 * t210))
+        .sub_product(t79, t212)
+        .sub_product(t92, t213)
+        .sub_product(t103, t214)
+        .sub_product(t114, t215)
+        .sub_product(t125, t216)
+        .sub_product(t134, t217)
+        .sub_product(t141, t218)
+        .sub_product(t147, t219)
+        .sub_product(t152, t220)
+        .sub_product(t157, t221) * t158;
+    let t223 = (t221 * t155).sub_product(t157, t222);
+    let t224 = (t220 * t148).sub_product(t150, t223).sub_product(t152, t222);
+    let t225 = (t219 * t142)
+        .sub_product(t144, t224)
+        .add_product(t145, t223)
+        .sub_product(t147, t222);
+    let t226 = (t218 * t135)
+        .sub_product(t137, t225)
+        .sub_product(t139, t224)
+        .sub_product(t141, t222);
+    let t227 = (t217 * t126)
+        .sub_product(t128, t226)
+        .sub_product(t130, t225)
+        .sub_product(t132, t224)
+        .sub_product(t134, t222);
+    let t228 = (t216 * t115)
+        .sub_product(t117, t227)
+        .sub_product(t119, t226)
+        .sub_product(t121, t225)
+        .sub_product(t123, t224)
+        .sub_product(t125, t222);
+    let t229 = (t215 * t104)
+        .sub_product(t106, t228)
+        .sub_product(t107, t227)
+        .add_product(t108, t226)
+        .sub_product(t110, t225)
+        .sub_product(t112, t224)
+        .sub_product(t114, t222);
+    let t230 = (t214 * t93)
+        .sub_product(t95, t229)
+        .sub_product(t97, t228)
+        .sub_product(t99, t225)
+        .sub_product(t101, t224)
+        .sub_product(t103, t222);
+    let t231 = (t213 * t80)
+        .sub_product(t82, t230)
+        .add_product(t84, t229)
+        .sub_product(t86, t228)
+        .sub_product(t88, t225)
+        .sub_product(t90, t224)
+        .sub_product(t92, t222);
+    let t232 = (t212 * t67)
+        .sub_product(t69, t231)
+        .sub_product(t71, t230)
+        .sub_product(t74, t225)
+        .sub_product(t77, t224)
+        .sub_product(t79, t222);
+    let t233 = (t210 * t52)
+        .sub_product(t55, t232)
+        .sub_product(t57, t231)
+        .sub_product(t58, t230)
+        .sub_product(t61, t225)
+        .add_product(t63, t224)
+        .sub_product(t65, t222);
+    let t234 = (-(t48 * t232)).sub_product(t46, t233).sub_product(t50, t222);
+    let t235 = (-(t38 * t233))
+        .sub_product(t36, t234)
+        .sub_product(t36, t232)
+        .add_product(t40, t222);
+    let drum_v_y_dot_by_bobbin_radius = (t31 * t223)
+        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t223);
+    let drum_v_x_dot_by_bobbin_radius = (t30 * t223)
+        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t223);
+    let bobbin_v_y_dot_by_bobbin_radius = (-(t29 * t223))
+        .sub_product(inverse_bobbin_mass, t224);
+    let bobbin_v_x_dot_by_bobbin_radius = (-(t28 * t223))
+        .sub_product(inverse_bobbin_mass, t225);
+    let rod_omega_dot_by_bobbin_radius = (t26 * t227)
+        .sub_product(R::literal(4_166.666_666_666_667), t229)
+        .sub_product(t27, t226);
+    let rod_v_y_dot_by_bobbin_radius = (-(R::literal(5.0) * t226))
+        .sub_product(t25, t228);
+    let rod_v_x_dot_by_bobbin_radius = (-(R::literal(5.0) * t227))
+        .add_product(t24, t228);
+    let cylinder_omega_dot_by_bobbin_radius = (t22 * t230)
+        .sub_product(t21, t231)
+        .sub_product(R::literal(-2_777.777_777_777_778), t229)
+        .add_product(t23, t228);
+    let cylinder_v_y_dot_by_bobbin_radius = (t20 * t228)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t230);
+    let cylinder_v_x_dot_by_bobbin_radius = (-(t19 * t228))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t231);
+    let plate_omega_dot_by_bobbin_radius = (-(p.winding_force * R::literal(400.0)))
+        .sub_product(t15, t233)
+        .add_product(t16, t232)
+        .sub_product(t15, t231)
+        .add_product(t16, t230)
+        .add_product(t17, t225)
+        .sub_product(t18, t224);
+    let plate_v_y_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t230))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t232)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t224);
+    let plate_v_x_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t231))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t233)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t225);
+    let post_omega_dot_by_bobbin_radius = (t13 * t234)
+        .sub_product(t12, t235)
+        .sub_product(t12, t233)
+        .add_product(t13, t232)
+        .sub_product(t14, t222);
+    let post_v_y_dot_by_bobbin_radius = (-(R::literal(-1.25) * t232))
+        .sub_product(R::literal(1.25), t234);
+    let post_v_x_dot_by_bobbin_radius = (-(R::literal(-1.25) * t233))
+        .sub_product(R::literal(1.25), t235);
+    let t236 = t15 * p.bobbin_radius;
+    let t237 = -(t16 * p.bobbin_radius);
+    let t238 = t237.sub_product(t55, t236);
+    let t239 = t236.sub_product(t57, t236).sub_product(t69, t238);
+    let t240 = t237.sub_product(t58, t236).sub_product(t71, t238).sub_product(t82, t239);
+    let t241 = (t84 * t239).sub_product(t95, t240);
+    let t242 = (-(t86 * t239)).sub_product(t97, t240).sub_product(t106, t241);
+    let t243 = (-(t107 * t241)).sub_product(t117, t242);
+    let t244 = (t108 * t241).sub_product(t119, t242).sub_product(t128, t243);
+    let t245 = t29
+        .sub_product(t17, p.bobbin_radius)
+        .sub_product(t61, t236)
+        .sub_product(t74, t238)
+        .sub_product(t88, t239)
+        .sub_product(t99, t240)
+        .sub_product(t110, t241)
+        .sub_product(t121, t242)
+        .sub_product(t130, t243)
+        .sub_product(t137, t244);
+    let t246 = (-t28)
+        .add_product(t18, p.bobbin_radius)
+        .add_product(t63, t236)
+        .sub_product(t77, t238)
+        .sub_product(t90, t239)
+        .sub_product(t101, t240)
+        .sub_product(t112, t241)
+        .sub_product(t123, t242)
+        .sub_product(t132, t243)
+        .sub_product(t139, t244)
+        .sub_product(t144, t245);
+    let t247 = (t28 * bobbin_y_minus_drum_y_over_between)
+        .sub_product(t29, bobbin_x_minus_drum_x_over_between)
+        .add_product(t145, t245)
+        .sub_product(t150, t246);
+    let t248 = (-(t65 * t236))
+        .sub_product(t79, t238)
+        .sub_product(t92, t239)
+        .sub_product(t103, t240)
+        .sub_product(t114, t241)
+        .sub_product(t125, t242)
+        .sub_product(t134, t243)
+        .sub_product(t141, t244)
+        .sub_product(t147, t245)
+        .sub_product(t152, t246)
+        .sub_product(t157, t247) * t158;
+    let t249 = (t247 * t155).sub_product(t157, t248);
+    let t250 = (t246 * t148).sub_product(t150, t249).sub_product(t152, t248);
+    let t251 = (t245 * t142)
+        .sub_product(t144, t250)
+        .add_product(t145, t249)
+        .sub_product(t147, t248);
+    let t252 = (t244 * t135)
+        .sub_product(t137, t251)
+        .sub_product(t139, t250)
+        .sub_product(t141, t248);
+    let t253 = (t243 * t126)
+        .sub_product(t128, t252)
+        .sub_product(t130, t251)
+        .sub_product(t132, t250)
+        .sub_product(t134, t248);
+    let t254 = (t242 * t115)
+        .sub_product(t117, t253)
+        .sub_product(t119, t252)
+        .sub_product(t121, t251)
+        .sub_product(t123, t250)
+        .sub_product(t125, t248);
+    let t255 = (t241 * t104)
+        .sub_product(t106, t254)
+        .sub_product(t107, t253)
+        .add_product(t108, t252)
+        .sub_product(t110, t251)
+        .sub_product(t112, t250)
+        .sub_product(t114, t248);
+    let t256 = (t240 * t93)
+        .sub_product(t95, t255)
+        .sub_product(t97, t254)
+        .sub_product(t99, t251)
+        .sub_product(t101, t250)
+        .sub_product(t103, t248);
+    let t257 = (t239 * t80)
+        .sub_product(t82, t256)
+        .add_product(t84, t255)
+        .sub_product(t86, t254)
+        .sub_product(t88, t251)
+        .sub_product(t90, t250)
+        .sub_product(t92, t248);
+    let t258 = (t238 * t67)
+        .sub_product(t69, t257)
+        .sub_product(t71, t256)
+        .sub_product(t74, t251)
+        .sub_product(t77, t250)
+        .sub_product(t79, t248);
+    let t259 = (t236 * t52)
+        .sub_product(t55, t258)
+        .sub_product(t57, t257)
+        .sub_product(t58, t256)
+        .sub_product(t61, t251)
+        .add_product(t63, t250)
+        .sub_product(t65, t248);
+    let t260 = (-(t48 * t258)).sub_product(t46, t259).sub_product(t50, t248);
+    let t261 = (-(t38 * t259))
+        .sub_product(t36, t260)
+        .sub_product(t36, t258)
+        .add_product(t40, t248);
+    let drum_v_y_dot_by_winding_force = (t31 * t249)
+        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t249);
+    let drum_v_x_dot_by_winding_force = (t30 * t249)
+        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t249);
+    let bobbin_v_y_dot_by_winding_force = t28
+        .sub_product(inverse_bobbin_mass, t250)
+        .sub_product(t29, t249);
+    let bobbin_v_x_dot_by_winding_force = (-t29)
+        .sub_product(inverse_bobbin_mass, t251)
+        .sub_product(t28, t249);
+    let rod_omega_dot_by_winding_force = (t26 * t253)
+        .sub_product(R::literal(4_166.666_666_666_667), t255)
+        .sub_product(t27, t252);
+    let rod_v_y_dot_by_winding_force = (-(R::literal(5.0) * t252))
+        .sub_product(t25, t254);
+    let rod_v_x_dot_by_winding_force = (-(R::literal(5.0) * t253))
+        .add_product(t24, t254);
+    let cylinder_omega_dot_by_winding_force = (t22 * t256)
+        .sub_product(t21, t257)
+        .sub_product(R::literal(-2_777.777_777_777_778), t255)
+        .add_product(t23, t254);
+    let cylinder_v_y_dot_by_winding_force = (t20 * t254)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t256);
+    let cylinder_v_x_dot_by_winding_force = (-(t19 * t254))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t257);
+    let plate_omega_dot_by_winding_force = (-(p.bobbin_radius * R::literal(400.0)))
+        .sub_product(t15, t259)
+        .add_product(t16, t258)
+        .sub_product(t15, t257)
+        .add_product(t16, t256)
+        .add_product(t17, t251)
+        .sub_product(t18, t250);
+    let plate_v_y_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t256))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t258)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t250);
+    let plate_v_x_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t257))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t259)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t251);
+    let post_omega_dot_by_winding_force = (t13 * t260)
+        .sub_product(t12, t261)
+        .sub_product(t12, t259)
+        .add_product(t13, t258)
+        .sub_product(t14, t248);
+    let post_v_y_dot_by_winding_force = (-(R::literal(-1.25) * t258))
+        .sub_product(R::literal(1.25), t260);
+    let post_v_x_dot_by_winding_force = (-(R::literal(-1.25) * t259))
+        .sub_product(R::literal(1.25), t261);
+    let t262 = (-(-t199)
+        .sub_product(
+            inverse_bobbin_mass,
+            (t200 * t142)
+                .sub_product(t144, t206)
+                .add_product(t145, t205)
+                .sub_product(t147, t204),
+        ))
+        .add_product(t28, t205);
+    let t263 = R::literal(-9.81) - bobbin_v_y_dot;
+    let t264 = inverse_bobbin_mass * t262;
+    let t265 = inverse_bobbin_mass * t263;
+    let t266 = (-t265).add_product(t144, t264);
+    let t267 = (-(t29 * t263))
+        .sub_product(t28, t262)
+        .sub_product(t145, t264)
+        .sub_product(t150, t266);
+    let t268 = (t147 * t264).sub_product(t152, t266).sub_product(t157, t267) * t158;
+    let t269 = (t267 * t155).sub_product(t157, t268);
+    let t270 = (t266 * t148).sub_product(t150, t269).sub_product(t152, t268);
+    let t271 = (-(t264 * t142))
+        .sub_product(t144, t270)
+        .add_product(t145, t269)
+        .sub_product(t147, t268);
+    let t272 = (-(t139 * t270)).sub_product(t137, t271).sub_product(t141, t268);
+    let t273 = (-(t130 * t271))
+        .sub_product(t128, t272)
+        .sub_product(t132, t270)
+        .sub_product(t134, t268);
+    let t274 = (-(t119 * t272))
+        .sub_product(t117, t273)
+        .sub_product(t121, t271)
+        .sub_product(t123, t270)
+        .sub_product(t125, t268);
+    let t275 = (-(t107 * t273))
+        .sub_product(t106, t274)
+        .add_product(t108, t272)
+        .sub_product(t110, t271)
+        .sub_product(t112, t270)
+        .sub_product(t114, t268);
+    let t276 = (-(t97 * t274))
+        .sub_product(t95, t275)
+        .sub_product(t99, t271)
+        .sub_product(t101, t270)
+        .sub_product(t103, t268);
+    let t277 = (t84 * t275)
+        .sub_product(t82, t276)
+        .sub_product(t86, t274)
+        .sub_product(t88, t271)
+        .sub_product(t90, t270)
+        .sub_product(t92, t268);
+    let t278 = (-(t71 * t276))
+        .sub_product(t69, t277)
+        .sub_product(t74, t271)
+        .sub_product(t77, t270)
+        .sub_product(t79, t268);
+    let t279 = (-(t57 * t277))
+        .sub_product(t55, t278)
+        .sub_product(t58, t276)
+        .sub_product(t61, t271)
+        .add_product(t63, t270)
+        .sub_product(t65, t268);
+    let t280 = (-(t48 * t278)).sub_product(t46, t279).sub_product(t50, t268);
+    let t281 = (-(t38 * t279))
+        .sub_product(t36, t280)
+        .sub_product(t36, t278)
+        .add_product(t40, t268);
+    let drum_v_y_dot_by_bobbin_mass = (t31 * t269)
+        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t269);
+    let drum_v_x_dot_by_bobbin_mass = (t30 * t269)
+        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t269);
+    let bobbin_v_y_dot_by_bobbin_mass = t265
+        .sub_product(inverse_bobbin_mass, t270)
+        .sub_product(t29, t269);
+    let bobbin_v_x_dot_by_bobbin_mass = t264
+        .sub_product(inverse_bobbin_mass, t271)
+        .sub_product(t28, t269);
+    let rod_omega_dot_by_bobbin_mass = (t26 * t273)
+        .sub_product(R::literal(4_166.666_666_666_667), t275)
+        .sub_product(t27, t272);
+    let rod_v_y_dot_by_bobbin_mass = (-(R::literal(5.0) * t272)).sub_product(t25, t274);
+    let rod_v_x_dot_by_bobbin_mass = (-(R::literal(5.0) * t273)).add_product(t24, t274);
+    let cylinder_omega_dot_by_bobbin_mass = (t22 * t276)
+        .sub_product(t21, t277)
+        .sub_product(R::literal(-2_777.777_777_777_778), t275)
+        .add_product(t23, t274);
+    let cylinder_v_y_dot_by_bobbin_mass = (t20 * t274)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t276);
+    let cylinder_v_x_dot_by_bobbin_mass = (-(t19 * t274))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t277);
+    let plate_omega_dot_by_bobbin_mass = (t16 * t278)
+        .sub_product(t15, t279)
+        .sub_product(t15, t277)
+        .add_product(t16, t276)
+        .add_product(t17, t271)
+        .sub_product(t18, t270);
+    let plate_v_y_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t276))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t278)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t270);
+    let plate_v_x_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t277))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t279)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t271);
+    let post_omega_dot_by_bobbin_mass = (t13 * t280)
+        .sub_product(t12, t281)
+        .sub_product(t12, t279)
+        .add_product(t13, t278)
+        .sub_product(t14, t268);
+    let post_v_y_dot_by_bobbin_mass = (-(R::literal(-1.25) * t278))
+        .sub_product(R::literal(1.25), t280);
+    let post_v_x_dot_by_bobbin_mass = (-(R::literal(-1.25) * t279))
+        .sub_product(R::literal(1.25), t281);
+    let t282 = slide_minus_spring_free_length * cos_cylinder_phi;
+    let t283 = slide_minus_spring_free_length * sin_cylinder_phi;
+    let t284 = slide_minus_spring_free_length * t8;
+    let t285 = R::literal(3.333_333_333_333_333_5) * t282;
+    let t286 = (-t285).add_product(t21, t284);
+    let t287 = R::literal(3.333_333_333_333_333_5) * t283;
+    let t288 = (-t287).sub_product(t22, t284).sub_product(t82, t286);
+    let t289 = (R::literal(-2_777.777_777_777_778) * t284)
+        .add_product(t84, t286)
+        .sub_product(t95, t288);
+    let t290 = (t20 * t283)
+        .sub_product(t19, t282)
+        .sub_product(t23, t284)
+        .sub_product(t24, t282)
+        .add_product(t25, t283)
+        .sub_product(t86, t286)
+        .sub_product(t97, t288)
+        .sub_product(t106, t289);
+    let t291 = R::literal(5.0) * t282;
+    let t292 = t291.sub_product(t107, t289).sub_product(t117, t290);
+    let t293 = R::literal(5.0) * t283;
+    let t294 = t293
+        .add_product(t108, t289)
+        .sub_product(t119, t290)
+        .sub_product(t128, t292);
+    let t295 = (-(t88 * t286))
+        .sub_product(t99, t288)
+        .sub_product(t110, t289)
+        .sub_product(t121, t290)
+        .sub_product(t130, t292)
+        .sub_product(t137, t294);
+    let t296 = (-(t90 * t286))
+        .sub_product(t101, t288)
+        .sub_product(t112, t289)
+        .sub_product(t123, t290)
+        .sub_product(t132, t292)
+        .sub_product(t139, t294)
+        .sub_product(t144, t295);
+    let t297 = (t145 * t295).sub_product(t150, t296);
+    let t298 = (-(t92 * t286))
+        .sub_product(t103, t288)
+        .sub_product(t114, t289)
+        .sub_product(t125, t290)
+        .sub_product(t134, t292)
+        .sub_product(t141, t294)
+        .sub_product(t147, t295)
+        .sub_product(t152, t296)
+        .sub_product(t157, t297) * t158;
+    let t299 = (t297 * t155).sub_product(t157, t298);
+    let t300 = (t296 * t148).sub_product(t150, t299).sub_product(t152, t298);
+    let t301 = (t295 * t142)
+        .sub_product(t144, t300)
+        .add_product(t145, t299)
+        .sub_product(t147, t298);
+    let t302 = (t294 * t135)
+        .sub_product(t137, t301)
+        .sub_product(t139, t300)
+        .sub_product(t141, t298);
+    let t303 = (t292 * t126)
+        .sub_product(t128, t302)
+        .sub_product(t130, t301)
+        .sub_product(t132, t300)
+        .sub_product(t134, t298);
+    let t304 = (t290 * t115)
+        .sub_product(t117, t303)
+        .sub_product(t119, t302)
+        .sub_product(t121, t301)
+        .sub_product(t123, t300)
+        .sub_product(t125, t298);
+    let t305 = (t289 * t104)
+        .sub_product(t106, t304)
+        .sub_product(t107, t303)
+        .add_product(t108, t302)
+        .sub_product(t110, t301)
+        .sub_product(t112, t300)
+        .sub_product(t114, t298);
+    let t306 = (t288 * t93)
+        .sub_product(t95, t305)
+        .sub_product(t97, t304)
+        .sub_product(t99, t301)
+        .sub_product(t101, t300)
+        .sub_product(t103, t298);
+    let t307 = (t286 * t80)
+        .sub_product(t82, t306)
+        .add_product(t84, t305)
+        .sub_product(t86, t304)
+        .sub_product(t88, t301)
+        .sub_product(t90, t300)
+        .sub_product(t92, t298);
+    let t308 = (-(t71 * t306))
+        .sub_product(t69, t307)
+        .sub_product(t74, t301)
+        .sub_product(t77, t300)
+        .sub_product(t79, t298);
+    let t309 = (-(t57 * t307))
+        .sub_product(t55, t308)
+        .sub_product(t58, t306)
+        .sub_product(t61, t301)
+        .add_product(t63, t300)
+        .sub_product(t65, t298);
+    let t310 = (-(t48 * t308)).sub_product(t46, t309).sub_product(t50, t298);
+    let t311 = (-(t38 * t309))
+        .sub_product(t36, t310)
+        .sub_product(t36, t308)
+        .add_product(t40, t298);
+    let drum_v_y_dot_by_spring_stiffness = (t31 * t299)
+        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t299);
+    let drum_v_x_dot_by_spring_stiffness = (t30 * t299)
+        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t299);
+    let bobbin_v_y_dot_by_spring_stiffness = (-(t29 * t299))
+        .sub_product(inverse_bobbin_mass, t300);
+    let bobbin_v_x_dot_by_spring_stiffness = (-(t28 * t299))
+        .sub_product(inverse_bobbin_mass, t301);
+    let rod_omega_dot_by_spring_stiffness = (t26 * t303)
+        .sub_product(R::literal(4_166.666_666_666_667), t305)
+        .sub_product(t27, t302);
+    let rod_v_y_dot_by_spring_stiffness = (-t293)
+        .sub_product(t25, t304)
+        .sub_product(R::literal(5.0), t302);
+    let rod_v_x_dot_by_spring_stiffness = (-t291)
+        .add_product(t24, t304)
+        .sub_product(R::literal(5.0), t303);
+    let cylinder_omega_dot_by_spring_stiffness = (-(t284
+        * R::literal(2_777.777_777_777_778)))
+        .sub_product(t21, t307)
+        .add_product(t22, t306)
+        .sub_product(R::literal(-2_777.777_777_777_778), t305)
+        .add_product(t23, t304);
+    let cylinder_v_y_dot_by_spring_stiffness = t287
+        .sub_product(R::literal(3.333_333_333_333_333_5), t306)
+        .add_product(t20, t304);
+    let cylinder_v_x_dot_by_spring_stiffness = t285
+        .sub_product(R::literal(3.333_333_333_333_333_5), t307)
+        .sub_product(t19, t304);
+    let plate_omega_dot_by_spring_stiffness = (t16 * t308)
+        .sub_product(t15, t309)
+        .sub_product(t15, t307)
+        .add_product(t16, t306)
+        .add_product(t17, t301)
+        .sub_product(t18, t300);
+    let plate_v_y_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t306))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t308)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t300);
+    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t307))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t309)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t301);
+    let post_omega_dot_by_spring_stiffness = (t13 * t310)
+        .sub_product(t12, t311)
+        .sub_product(t12, t309)
+        .add_product(t13, t308)
+        .sub_product(t14, t298);
+    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t308))
+        .sub_product(R::literal(1.25), t310);
+    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t309))
+        .sub_product(R::literal(1.25), t311);
+    let t312 = R::literal(3.333_333_333_333_333_5) * t207;
+    let t313 = t312.sub_product(t21, t208);
     let t314 = R::literal(3.333_333_333_333_333_5) * t209;
-    let t315 = t314 - t21 * t210;
-    let t316 = R::literal(3.333_333_333_333_333_5) * t211;
-    let t317 = t316 + t22 * t210 - t82 * t315;
-    let t318 = t84 * t315 - R::literal(-2_777.777_777_777_778) * t210 - t95 * t317;
-    let t319 = t19 * t209 - t20 * t211 + t23 * t210 + t24 * t209 - t25 * t211
-        - t86 * t315 - t97 * t317 - t106 * t318;
+    let t315 = t314.add_product(t22, t208).sub_product(t82, t313);
+    let t316 = (-(R::literal(-2_777.777_777_777_778) * t208))
+        .add_product(t84, t313)
+        .sub_product(t95, t315);
+    let t317 = (t19 * t207)
+        .sub_product(t20, t209)
+        .add_product(t23, t208)
+        .add_product(t24, t207)
+        .sub_product(t25, t209)
+        .sub_product(t86, t313)
+        .sub_product(t97, t315)
+        .sub_product(t106, t316);
+    let t318 = R::literal(5.0) * t207;
+    let t319 = (-t318).sub_product(t107, t316).sub_product(t117, t317);
     let t320 = R::literal(5.0) * t209;
-    let t321 = -t320 - t107 * t318 - t117 * t319;
-    let t322 = R::literal(5.0) * t211;
-    let t323 = t108 * t318 - t322 - t119 * t319 - t128 * t321;
-    let t324 = -(t88 * t315) - t99 * t317 - t110 * t318 - t121 * t319 - t130 * t321
-        - t137 * t323;
-    let t325 = -(t90 * t315) - t101 * t317 - t112 * t318 - t123 * t319 - t132 * t321
-        - t139 * t323 - t144 * t324;
-    let t326 = t145 * t324 - t150 * t325;
-    let t327 = (-(t92 * t315) - t103 * t317 - t114 * t318 - t125 * t319 - t134 * t321
-        - t141 * t323 - t147 * t324 - t152 * t325 - t157 * t326) * t159;
-    let t328 = t326 * t155 - t157 * t327;
-    let t329 = t325 * t148 - t150 * t328 - t152 * t327;
-    let t330 = t324 * t142 - t144 * t329 + t145 * t328 - t147 * t327;
-    let t331 = t323 * t135 - t137 * t330 - t139 * t329 - t141 * t327;
-    let t332 = t321 * t126 - t128 * t331 - t130 * t330 - t132 * t329 - t134 * t327;
-    let t333 = t319 * t115 - t117 * t332 - t119 * t331 - t121 * t330 - t123 * t329
-        - t125 * t327;
-    let t334 = t318 * t104 - t106 * t333 - t107 * t332 + t108 * t331 - t110 * t330
-        - t112 * t329 - t114 * t327;
-    let t335 = t317 * t93 - t95 * t334 - t97 * t333 - t99 * t330 - t101 * t329
-        - t103 * t327;
-    let t336 = t315 * t80 - t82 * t335 + t84 * t334 - t86 * t333 - t88 * t330
-        - t90 * t329 - t92 * t327;
-    let t337 = -(t69 * t336) - t71 * t335 - t74 * t330 - t77 * t329 - t79 * t327;
-    let t338 = -(t55 * t337) - t57 * t336 - t58 * t335 - t61 * t330 + t63 * t329
-        - t65 * t327;
-    let t339 = -(t46 * t338) - t48 * t337 - t50 * t327;
-    let t340 = -(t36 * t339) - t38 * t338 - t36 * t337 + t40 * t327;
-    let drum_v_y_dot_by_spring_free_length = R::literal(0.666_666_666_666_666_6)
-        * (t154 * t328) + t31 * t328;
-    let drum_v_x_dot_by_spring_free_length = R::literal(0.666_666_666_666_666_6)
-        * (t153 * t328) + t30 * t328;
-    let bobbin_v_y_dot_by_spring_free_length = -(inverse_bobbin_mass * t329)
-        - t29 * t328;
-    let bobbin_v_x_dot_by_spring_free_length = -(inverse_bobbin_mass * t330)
-        - t28 * t328;
-    let rod_omega_dot_by_spring_free_length = t26 * t332
-        - R::literal(4_166.666_666_666_667) * t334 - t27 * t331;
-    let rod_v_y_dot_by_spring_free_length = t322 - t25 * t333 - R::literal(5.0) * t331;
-    let rod_v_x_dot_by_spring_free_length = t320 + t24 * t333 - R::literal(5.0) * t332;
-    let cylinder_omega_dot_by_spring_free_length = t210
-        * R::literal(2_777.777_777_777_778) - t21 * t336 + t22 * t335
-        - R::literal(-2_777.777_777_777_778) * t334 + t23 * t333;
-    let cylinder_v_y_dot_by_spring_free_length = -t316
-        - R::literal(3.333_333_333_333_333_5) * t335 + t20 * t333;
-    let cylinder_v_x_dot_by_spring_free_length = -t314
-        - R::literal(3.333_333_333_333_333_5) * t336 - t19 * t333;
-    let plate_omega_dot_by_spring_free_length = t16 * t337 - t15 * t338 - t15 * t336
-        + t16 * t335 + t17 * t330 - t18 * t329;
-    let plate_v_y_dot_by_spring_free_length = -(R::literal(0.833_333_333_333_333_4)
-        * t337) - R::literal(-0.833_333_333_333_333_4) * t335
-        - R::literal(-0.833_333_333_333_333_4) * t329;
-    let plate_v_x_dot_by_spring_free_length = -(R::literal(0.833_333_333_333_333_4)
-        * t338) - R::literal(-0.833_333_333_333_333_4) * t336
-        - R::literal(-0.833_333_333_333_333_4) * t330;
-    let post_omega_dot_by_spring_free_length = t13 * t339 - t12 * t340 - t12 * t338
-        + t13 * t337 - t14 * t327;
-    let post_v_y_dot_by_spring_free_length = -(R::literal(1.25) * t339)
-        - R::literal(-1.25) * t337;
-    let post_v_x_dot_by_spring_free_length = -(R::literal(1.25) * t340)
-        - R::literal(-1.25) * t338;
+    let t321 = (-t320)
+        .add_product(t108, t316)
+        .sub_product(t119, t317)
+        .sub_product(t128, t319);
+    let t322 = (-(t88 * t313))
+        .sub_product(t99, t315)
+        .sub_product(t110, t316)
+        .sub_product(t121, t317)
+        .sub_product(t130, t319)
+        .sub_product(t137, t321);
+    let t323 = (-(t90 * t313))
+        .sub_product(t101, t315)
+        .sub_product(t112, t316)
+        .sub_product(t123, t317)
+        .sub_product(t132, t319)
+        .sub_product(t139, t321)
+        .sub_product(t144, t322);
+    let t324 = (t145 * t322).sub_product(t150, t323);
+    let t325 = (-(t92 * t313))
+        .sub_product(t103, t315)
+        .sub_product(t114, t316)
+        .sub_product(t125, t317)
+        .sub_product(t134, t319)
+        .sub_product(t141, t321)
+        .sub_product(t147, t322)
+        .sub_product(t152, t323)
+        .sub_product(t157, t324) * t158;
+    let t326 = (t324 * t155).sub_product(t157, t325);
+    let t327 = (t323 * t148).sub_product(t150, t326).sub_product(t152, t325);
+    let t328 = (t322 * t142)
+        .sub_product(t144, t327)
+        .add_product(t145, t326)
+        .sub_product(t147, t325);
+    let t329 = (t321 * t135)
+        .sub_product(t137, t328)
+        .sub_product(t139, t327)
+        .sub_product(t141, t325);
+    let t330 = (t319 * t126)
+        .sub_product(t128, t329)
+        .sub_product(t130, t328)
+        .sub_product(t132, t327)
+        .sub_product(t134, t325);
+    let t331 = (t317 * t115)
+        .sub_product(t117, t330)
+        .sub_product(t119, t329)
+        .sub_product(t121, t328)
+        .sub_product(t123, t327)
+        .sub_product(t125, t325);
+    let t332 = (t316 * t104)
+        .sub_product(t106, t331)
+        .sub_product(t107, t330)
+        .add_product(t108, t329)
+        .sub_product(t110, t328)
+        .sub_product(t112, t327)
+        .sub_product(t114, t325);
+    let t333 = (t315 * t93)
+        .sub_product(t95, t332)
+        .sub_product(t97, t331)
+        .sub_product(t99, t328)
+        .sub_product(t101, t327)
+        .sub_product(t103, t325);
+    let t334 = (t313 * t80)
+        .sub_product(t82, t333)
+        .add_product(t84, t332)
+        .sub_product(t86, t331)
+        .sub_product(t88, t328)
+        .sub_product(t90, t327)
+        .sub_product(t92, t325);
+    let t335 = (-(t71 * t333))
+        .sub_product(t69, t334)
+        .sub_product(t74, t328)
+        .sub_product(t77, t327)
+        .sub_product(t79, t325);
+    let t336 = (-(t57 * t334))
+        .sub_product(t55, t335)
+        .sub_product(t58, t333)
+        .sub_product(t61, t328)
+        .add_product(t63, t327)
+        .sub_product(t65, t325);
+    let t337 = (-(t48 * t335)).sub_product(t46, t336).sub_product(t50, t325);
+    let t338 = (-(t38 * t336))
+        .sub_product(t36, t337)
+        .sub_product(t36, t335)
+        .add_product(t40, t325);
+    let drum_v_y_dot_by_spring_free_length = (t31 * t326)
+        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t326);
+    let drum_v_x_dot_by_spring_free_length = (t30 * t326)
+        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t326);
+    let bobbin_v_y_dot_by_spring_free_length = (-(t29 * t326))
+        .sub_product(inverse_bobbin_mass, t327);
+    let bobbin_v_x_dot_by_spring_free_length = (-(t28 * t326))
+        .sub_product(inverse_bobbin_mass, t328);
+    let rod_omega_dot_by_spring_free_length = (t26 * t330)
+        .sub_product(R::literal(4_166.666_666_666_667), t332)
+        .sub_product(t27, t329);
+    let rod_v_y_dot_by_spring_free_length = t320
+        .sub_product(t25, t331)
+        .sub_product(R::literal(5.0), t329);
+    let rod_v_x_dot_by_spring_free_length = t318
+        .add_product(t24, t331)
+        .sub_product(R::literal(5.0), t330);
+    let cylinder_omega_dot_by_spring_free_length = (t208
+        * R::literal(2_777.777_777_777_778))
+        .sub_product(t21, t334)
+        .add_product(t22, t333)
+        .sub_product(R::literal(-2_777.777_777_777_778), t332)
+        .add_product(t23, t331);
+    let cylinder_v_y_dot_by_spring_free_length = (-t314)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t333)
+        .add_product(t20, t331);
+    let cylinder_v_x_dot_by_spring_free_length = (-t312)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t334)
+        .sub_product(t19, t331);
+    let plate_omega_dot_by_spring_free_length = (t16 * t335)
+        .sub_product(t15, t336)
+        .sub_product(t15, t334)
+        .add_product(t16, t333)
+        .add_product(t17, t328)
+        .sub_product(t18, t327);
+    let plate_v_y_dot_by_spring_free_length = (-(R::literal(-0.833_333_333_333_333_4)
+        * t333))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t335)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t327);
+    let plate_v_x_dot_by_spring_free_length = (-(R::literal(-0.833_333_333_333_333_4)
+        * t334))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t336)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t328);
+    let post_omega_dot_by_spring_free_length = (t13 * t337)
+        .sub_product(t12, t338)
+        .sub_product(t12, t336)
+        .add_product(t13, t335)
+        .sub_product(t14, t325);
+    let post_v_y_dot_by_spring_free_length = (-(R::literal(-1.25) * t335))
+        .sub_product(R::literal(1.25), t337);
+    let post_v_x_dot_by_spring_free_length = (-(R::literal(-1.25) * t336))
+        .sub_product(R::literal(1.25), t338);
     [
         post_v_x_dot_by_bobbin_radius,
         post_v_x_dot_by_winding_force,
@@ -4789,15 +7454,19 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let t8 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t8 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
-    let t9 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
-    let t10 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t11 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t8)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
+    let t9 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
+    let t10 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t11 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
     let t12 = t1 * R::literal(370.370_370_370_370_3);
@@ -4834,17 +7503,19 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let t42 = R::literal(-1.25) - t41;
     let t43 = t36 * t35;
     let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = t12 * t0 - t38 * t35;
+    let t45 = (t12 * t0).sub_product(t38, t35);
     let t46 = t45 * t44;
     let t47 = R::literal(1.25) - t41 - t43;
     let t48 = t47 * t44;
-    let t49 = t14 * t0 + t40 * t35;
+    let t49 = (t14 * t0).add_product(t40, t35);
     let t50 = t49 * t44;
     let t51 = t15 * t3;
     let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51 - t38 * t37 - t46 * t45);
+        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
+            .sub_product(t38, t37)
+            .sub_product(t46, t45);
     let t53 = t16 * t3;
-    let t54 = t35 + t53 - t36 * t37 - t48 * t45;
+    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
     let t55 = t54 * t52;
     let t56 = R::literal(0.833_333_333_333_333_4) - t51;
     let t57 = t56 * t52;
@@ -4854,130 +7525,203 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let t61 = t60 * t52;
     let t62 = t18 * t3;
     let t63 = t62 * t52;
-    let t64 = t40 * t37 - t39 - t50 * t45;
+    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
     let t65 = t64 * t52;
     let t66 = t16 * t2;
     let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43 - t48 * t47
-            - t55 * t54);
-    let t68 = t15 * t2 - t57 * t54;
+        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
+            .sub_product(t48, t47)
+            .sub_product(t55, t54);
+    let t68 = (t15 * t2).sub_product(t57, t54);
     let t69 = t68 * t67;
-    let t70 = R::literal(0.833_333_333_333_333_4) - t66 - t58 * t54;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
     let t71 = t70 * t67;
     let t72 = -(t17 * t2);
-    let t73 = t72 - t61 * t54;
+    let t73 = t72.sub_product(t61, t54);
     let t74 = t73 * t67;
     let t75 = t18 * t2;
-    let t76 = R::literal(0.833_333_333_333_333_4) + t75 + t63 * t54;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
     let t77 = t76 * t67;
-    let t78 = t49 - t50 * t47 - t65 * t54;
+    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
     let t79 = t78 * t67;
     let t80 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t51
-            - R::literal(3.333_333_333_333_333_5) - t21 * t5 - t57 * t56 - t69 * t68);
-    let t81 = t53 + t22 * t5 - t58 * t56 - t71 * t68;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t21, t5)
+            .sub_product(t57, t56)
+            .sub_product(t69, t68);
+    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
     let t82 = t81 * t80;
     let t83 = R::literal(-2_777.777_777_777_778) * t5;
     let t84 = t83 * t80;
-    let t85 = t23 * t5 - t19;
+    let t85 = (-t19).add_product(t23, t5);
     let t86 = t85 * t80;
-    let t87 = R::literal(-0.833_333_333_333_333_4) + t59 - t61 * t56 - t74 * t68;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
+        .sub_product(t61, t56)
+        .sub_product(t74, t68);
     let t88 = t87 * t80;
-    let t89 = t63 * t56 - t62 - t77 * t68;
+    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
     let t90 = t89 * t80;
-    let t91 = -(t65 * t56) - t79 * t68;
+    let t91 = (-(t65 * t56)).sub_product(t79, t68);
     let t92 = t91 * t80;
     let t93 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t66
-            - R::literal(3.333_333_333_333_333_5) - t22 * t4 - t58 * t53 - t71 * t70
-            - t82 * t81);
-    let t94 = R::literal(-2_777.777_777_777_778) * t4 + t84 * t81;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t4)
+            .sub_product(t58, t53)
+            .sub_product(t71, t70)
+            .sub_product(t82, t81);
+    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
     let t95 = t94 * t93;
-    let t96 = t20 - t23 * t4 - t86 * t81;
+    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
     let t97 = t96 * t93;
-    let t98 = t72 - t61 * t53 - t74 * t70 - t88 * t81;
+    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
     let t99 = t98 * t93;
-    let t100 = R::literal(-0.833_333_333_333_333_4) + t75 + t63 * t53 - t77 * t70
-        - t90 * t81;
+    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
+        .add_product(t63, t53)
+        .sub_product(t77, t70)
+        .sub_product(t90, t81);
     let t101 = t100 * t93;
-    let t102 = -(t65 * t53) - t79 * t70 - t92 * t81;
+    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
     let t103 = t102 * t93;
     let t104 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t84 * t83 - t95 * t94);
-    let t105 = t86 * t83 - t23 - t97 * t94;
+        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
+    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
     let t106 = t105 * t104;
     let t107 = t26 * t104;
     let t108 = t27 * t104;
-    let t109 = t88 * t83 - t99 * t94;
+    let t109 = (t88 * t83).sub_product(t99, t94);
     let t110 = t109 * t104;
-    let t111 = t90 * t83 - t101 * t94;
+    let t111 = (t90 * t83).sub_product(t101, t94);
     let t112 = t111 * t104;
-    let t113 = t92 * t83 - t103 * t94;
+    let t113 = (t92 * t83).sub_product(t103, t94);
     let t114 = t113 * t104;
     let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi) - t20 * cos_cylinder_phi - t23 * slide
-            - t24 * sin_cylinder_phi - t25 * cos_cylinder_phi - t86 * t85 - t97 * t96
-            - t106 * t105);
-    let t116 = t24 - t107 * t105;
+        / (-(t19 * sin_cylinder_phi))
+            .sub_product(t20, cos_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t86, t85)
+            .sub_product(t97, t96)
+            .sub_product(t106, t105);
+    let t116 = t24.sub_product(t107, t105);
     let t117 = t116 * t115;
-    let t118 = t108 * t105 - t25;
+    let t118 = (-t25).add_product(t108, t105);
     let t119 = t118 * t115;
-    let t120 = -(t88 * t85) - t99 * t96 - t110 * t105;
+    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
     let t121 = t120 * t115;
-    let t122 = -(t90 * t85) - t101 * t96 - t112 * t105;
+    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
     let t123 = t122 * t115;
-    let t124 = -(t92 * t85) - t103 * t96 - t114 * t105;
+    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
     let t125 = t124 * t115;
     let t126 = R::literal(1.0)
-        / (R::literal(-5.0) - t26 * t7 - t107 * t26 - t117 * t116);
-    let t127 = t27 * t7 + t108 * t26 - t119 * t116;
+        / R::literal(-5.0)
+            .sub_product(t26, t7)
+            .sub_product(t107, t26)
+            .sub_product(t117, t116);
+    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
     let t128 = t127 * t126;
-    let t129 = -(t110 * t26) - t121 * t116;
+    let t129 = (-(t110 * t26)).sub_product(t121, t116);
     let t130 = t129 * t126;
-    let t131 = -(t112 * t26) - t123 * t116;
+    let t131 = (-(t112 * t26)).sub_product(t123, t116);
     let t132 = t131 * t126;
-    let t133 = -(t114 * t26) - t125 * t116;
+    let t133 = (-(t114 * t26)).sub_product(t125, t116);
     let t134 = t133 * t126;
     let t135 = R::literal(1.0)
-        / (R::literal(-5.0) - t27 * t6 - t108 * t27 - t119 * t118 - t128 * t127);
-    let t136 = t110 * t27 - t121 * t118 - t130 * t127;
+        / R::literal(-5.0)
+            .sub_product(t27, t6)
+            .sub_product(t108, t27)
+            .sub_product(t119, t118)
+            .sub_product(t128, t127);
+    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
     let t137 = t136 * t135;
-    let t138 = t112 * t27 - t123 * t118 - t132 * t127;
+    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
     let t139 = t138 * t135;
-    let t140 = t114 * t27 - t125 * t118 - t134 * t127;
+    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
     let t141 = t140 * t135;
     let t142 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t17 * t10 - inverse_bobbin_mass
-            - t61 * t60 - t74 * t73 - t88 * t87 - t99 * t98 - t110 * t109 - t121 * t120
-            - t130 * t129 - t137 * t136);
-    let t143 = t18 * t10 + t63 * t60 - t77 * t73 - t90 * t87 - t101 * t98 - t112 * t109
-        - t123 * t120 - t132 * t129 - t139 * t136;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
+            - inverse_bobbin_mass)
+            .sub_product(t61, t60)
+            .sub_product(t74, t73)
+            .sub_product(t88, t87)
+            .sub_product(t99, t98)
+            .sub_product(t110, t109)
+            .sub_product(t121, t120)
+            .sub_product(t130, t129)
+            .sub_product(t137, t136);
+    let t143 = (t18 * t10)
+        .add_product(t63, t60)
+        .sub_product(t77, t73)
+        .sub_product(t90, t87)
+        .sub_product(t101, t98)
+        .sub_product(t112, t109)
+        .sub_product(t123, t120)
+        .sub_product(t132, t129)
+        .sub_product(t139, t136);
     let t144 = t143 * t142;
     let t145 = t28 * t142;
-    let t146 = -(t65 * t60) - t79 * t73 - t92 * t87 - t103 * t98 - t114 * t109
-        - t125 * t120 - t134 * t129 - t141 * t136;
+    let t146 = (-(t65 * t60))
+        .sub_product(t79, t73)
+        .sub_product(t92, t87)
+        .sub_product(t103, t98)
+        .sub_product(t114, t109)
+        .sub_product(t125, t120)
+        .sub_product(t134, t129)
+        .sub_product(t141, t136);
     let t147 = t146 * t142;
     let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t11 - inverse_bobbin_mass
-            - t63 * t62 - t77 * t76 - t90 * t89 - t101 * t100 - t112 * t111 - t123 * t122
-            - t132 * t131 - t139 * t138 - t144 * t143);
-    let t149 = t145 * t143 - t29;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
+            - inverse_bobbin_mass)
+            .sub_product(t63, t62)
+            .sub_product(t77, t76)
+            .sub_product(t90, t89)
+            .sub_product(t101, t100)
+            .sub_product(t112, t111)
+            .sub_product(t123, t122)
+            .sub_product(t132, t131)
+            .sub_product(t139, t138)
+            .sub_product(t144, t143);
+    let t149 = (-t29).add_product(t145, t143);
     let t150 = t149 * t148;
-    let t151 = t65 * t62 - t79 * t76 - t92 * t89 - t103 * t100 - t114 * t111
-        - t125 * t122 - t134 * t131 - t141 * t138 - t147 * t143;
+    let t151 = (t65 * t62)
+        .sub_product(t79, t76)
+        .sub_product(t92, t89)
+        .sub_product(t103, t100)
+        .sub_product(t114, t111)
+        .sub_product(t125, t122)
+        .sub_product(t134, t131)
+        .sub_product(t141, t138)
+        .sub_product(t147, t143);
     let t152 = t151 * t148;
     let t153 = t31 * R::literal(-1.5);
     let t154 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between)
-            - t29 * bobbin_y_minus_drum_y_over_between
-            - t30 * bobbin_x_minus_drum_x_over_between
-            - t31 * bobbin_y_minus_drum_y_over_between - t145 * t28 - t150 * t149
-            - t30 * R::literal(-1.5) * t30 - t153 * t31);
-    let t155 = t147 * t28 - t152 * t149;
+        / (-(t28 * bobbin_x_minus_drum_x_over_between))
+            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
+            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t145, t28)
+            .sub_product(t150, t149)
+            .sub_product(t30 * R::literal(-1.5), t30)
+            .sub_product(t153, t31);
+    let t155 = (t147 * t28).sub_product(t152, t149);
     let t156 = t155 * t154;
-    let t157 = -(t14 * t9) - t40 * t39 - t50 * t49 - t65 * t64 - t79 * t78 - t92 * t91
-        - t103 * t102 - t114 * t113 - t125 * t124 - t134 * t133 - t141 * t140
-        - t147 * t146;
+    let t157 = R::literal(1.0)
+        / (-(t14 * t9))
+            .sub_product(t40, t39)
+            .sub_product(t50, t49)
+            .sub_product(t65, t64)
+            .sub_product(t79, t78)
+            .sub_product(t92, t91)
+            .sub_product(t103, t102)
+            .sub_product(t114, t113)
+            .sub_product(t125, t124)
+            .sub_product(t134, t133)
+            .sub_product(t141, t140)
+            .sub_product(t147, t146)
+            .sub_product(t152, t151)
+            .sub_product(t156, t155);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
     let t158 = R::literal(50.0) * slide_rate;
     let t159 = t158 * cos_cylinder_phi;
@@ -4987,12 +7731,12 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let t163 = t160 * sin_cylinder_phi;
     let t164 = t158 * sin_cylinder_phi;
     let t165 = t164 - (R::literal(2.943) - t163);
-    let t166 = -(t158 * t8) - t160 * t8;
+    let t166 = (-(t160 * t8)).sub_product(t158, t8);
     let t167 = -t159 - t161;
     let t168 = -t164 - (R::literal(1.962) + t163);
     let t169 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t170 = p.winding_force * bobbin_x_minus_drum_x / between
-        - R::literal(9.81) * p.bobbin_mass;
+    let t170 = (p.winding_force * bobbin_x_minus_drum_x / between)
+        .sub_product(R::literal(9.81), p.bobbin_mass);
     let post_omega_squared = post_omega * post_omega;
     let t171 = R::literal(0.1) * post_omega_squared;
     let t172 = t171 * cos_post_phi;
@@ -5000,88 +7744,149 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let plate_omega_squared = plate_omega * plate_omega;
     let t174 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t175 = cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi
-            + R::literal(2.0) * rod_v_y * sin_cylinder_phi
-            + cylinder_x * cylinder_omega * sin_cylinder_phi
-            + rod_y * cylinder_omega * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_x * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_y * sin_cylinder_phi
-            - cylinder_y * cylinder_omega * cos_cylinder_phi
-            - rod_x * cylinder_omega * sin_cylinder_phi);
-    let t176 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t175 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t177 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t176 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t178 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t177 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t179 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t180 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t178 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t179 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t181 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t180 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t182 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t181 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t183 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t182 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t184 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t185 = bobbin_v_x
-        * (bobbin_v_x_over_between + t179 + t180 - t177 - t178 - drum_v_x_over_between)
-        + bobbin_v_y
-            * (bobbin_v_y_over_between + t183 + t184 - t181 - t182
-                - drum_v_y_over_between)
-        + drum_v_x
-            * (t177 + t178 + drum_v_x_over_between - bobbin_v_x_over_between - t179
-                - t180);
-    let t186 = t36 * t172;
-    let t187 = -t173 - R::literal(-9.81) + t186;
-    let t188 = t15 * bobbin_radius_times_winding_force;
-    let t189 = t188 - (t174 * cos_plate_phi + t172) + t38 * t172 - t46 * t187;
-    let t190 = t16 * bobbin_radius_times_winding_force;
-    let t191 = -(t174 * sin_plate_phi + t173) - R::literal(9.81) - R::literal(-9.81)
-        - t190 + t186 - t48 * t187 - t55 * t189;
-    let t192 = t188
-        - R::literal(0.06)
-            * (plate_omega_squared * cos_plate_phi
-                + cylinder_omega_squared * cos_cylinder_phi)
-        - R::literal(3.333_333_333_333_333_5) * t162 - t21 * t166 - t57 * t189
-        - t69 * t191;
-    let t193 = -(R::literal(0.06)
-        * (plate_omega_squared * sin_plate_phi
-            + cylinder_omega_squared * sin_cylinder_phi)) - R::literal(9.81) - t190
-        - R::literal(3.333_333_333_333_333_5) * t165 + t22 * t166 - t58 * t189
-        - t71 * t191 - t82 * t192;
-    let t194 = t84 * t192 - R::literal(-2_777.777_777_777_778) * t166 - t95 * t193;
-    let t195 = t175 - t19 * t162 + t20 * t165 + t23 * t166 + t24 * t167 - t25 * t168
-        - t86 * t192 - t97 * t193 - t106 * t194;
-    let t196 = t176 * cos_rod_phi - R::literal(5.0) * t167 - t107 * t194 - t117 * t195;
-    let t197 = t176 * sin_rod_phi - R::literal(5.0) * t168 + t108 * t194 - t119 * t195
-        - t128 * t196;
-    let t198 = t11 * plate_omega_squared - t17 * bobbin_radius_times_winding_force
-        + inverse_bobbin_mass * t169 - t61 * t189 - t74 * t191 - t88 * t192 - t99 * t193
-        - t110 * t194 - t121 * t195 - t130 * t196 - t137 * t197;
-    let t199 = t10 * plate_omega_squared - R::literal(9.81)
-        + t18 * bobbin_radius_times_winding_force - inverse_bobbin_mass * t170
-        + t63 * t189 - t77 * t191 - t90 * t192 - t101 * t193 - t112 * t194 - t123 * t195
-        - t132 * t196 - t139 * t197 - t144 * t198;
-    let t200 = t28 * t169
-        - (t185
-            + drum_v_y
-                * (t181 + t182 + drum_v_y_over_between - bobbin_v_y_over_between - t183
-                    - t184)) - t29 * t170 + t31 * R::literal(-14.715) + t145 * t198
-        - t150 * t199 - t153 * R::literal(9.809_999_999_999_999);
-    let t201 = (R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi)
-        * post_omega_squared - t40 * t172 - t50 * t187 - t65 * t189 - t79 * t191
-        - t92 * t192 - t103 * t193 - t114 * t194 - t125 * t195 - t134 * t196
-        - t141 * t197;
-    let t202 = (t201 - t147 * t198 - t152 * t199 - t156 * t200)
-        * (R::literal(1.0) / (t157 - t152 * t151 - t156 * t155));
-    let contact = t156 * t202 - t200 * t154;
-    let stop = -t202;
+    let t183 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t184 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t178 + t179 - t176 - t177 - drum_v_x_over_between))
+        .add_product(
+            bobbin_v_y,
+            bobbin_v_y_over_between + t182 + t183 - t180 - t181 - drum_v_y_over_between,
+        )
+        .add_product(
+            drum_v_x,
+            t176 + t177 + drum_v_x_over_between - bobbin_v_x_over_between - t178 - t179,
+        )
+        .add_product(
+            drum_v_y,
+            t180 + t181 + drum_v_y_over_between - bobbin_v_y_over_between - t182 - t183,
+        );
+    let t185 = t36 * t172;
+    let t186 = -t173 - R::literal(-9.81) + t185;
+    let t187 = t15 * bobbin_radius_times_winding_force;
+    let t188 = (t187 - t172.add_product(t174, cos_plate_phi))
+        .add_product(t38, t172)
+        .sub_product(t46, t186);
+    let t189 = t16 * bobbin_radius_times_winding_force;
+    let t190 = (-t173.add_product(t174, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t189 + t185)
+        .sub_product(t48, t186)
+        .sub_product(t55, t188);
+    let t191 = t187
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * cos_plate_phi)
+                .add_product(cylinder_omega_squared, cos_cylinder_phi),
+        )
+        .sub_product(R::literal(3.333_333_333_333_333_5), t162)
+        .sub_product(t21, t166)
+        .sub_product(t57, t188)
+        .sub_product(t69, t190);
+    let t192 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        ) - t189)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t165)
+        .add_product(t22, t166)
+        .sub_product(t58, t188)
+        .sub_product(t71, t190)
+        .sub_product(t82, t191);
+    let t193 = (-(R::literal(-2_777.777_777_777_778) * t166))
+        .add_product(t84, t191)
+        .sub_product(t95, t192);
+    let t194 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t19, t162)
+        .add_product(t20, t165)
+        .add_product(t23, t166)
+        .add_product(t24, t167)
+        .sub_product(t25, t168)
+        .sub_product(t86, t191)
+        .sub_product(t97, t192);
+    let t195 = t194.sub_product(t106, t193);
+    let t196 = (t175 * cos_rod_phi)
+        .sub_product(R::literal(5.0), t167)
+        .sub_product(t107, t193)
+        .sub_product(t117, t195);
+    let t197 = (t175 * sin_rod_phi)
+        .sub_product(R::literal(5.0), t168)
+        .add_product(t108, t193)
+        .sub_product(t119, t195)
+        .sub_product(t128, t196);
+    let t198 = (t11 * plate_omega_squared)
+        .sub_product(t17, bobbin_radius_times_winding_force)
+        .add_product(inverse_bobbin_mass, t169)
+        .sub_product(t61, t188)
+        .sub_product(t74, t190)
+        .sub_product(t88, t191)
+        .sub_product(t99, t192)
+        .sub_product(t110, t193)
+        .sub_product(t121, t195)
+        .sub_product(t130, t196)
+        .sub_product(t137, t197);
+    let t199 = R::literal(-9.81)
+        .add_product(t10, plate_omega_squared)
+        .add_product(t18, bobbin_radius_times_winding_force)
+        .sub_product(inverse_bobbin_mass, t170)
+        .add_product(t63, t188)
+        .sub_product(t77, t190)
+        .sub_product(t90, t191)
+        .sub_product(t101, t192)
+        .sub_product(t112, t193)
+        .sub_product(t123, t195)
+        .sub_product(t132, t196)
+        .sub_product(t139, t197)
+        .sub_product(t144, t198);
+    let t200 = (-t184)
+        .add_product(t28, t169)
+        .sub_product(t29, t170)
+        .add_product(t31, R::literal(-14.715))
+        .add_product(t145, t198)
+        .sub_product(t150, t199)
+        .sub_product(t153, R::literal(9.809_999_999_999_999));
+    let t201 = ((R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
+        .sub_product(t40, t172)
+        .sub_product(t50, t186)
+        .sub_product(t65, t188)
+        .sub_product(t79, t190)
+        .sub_product(t92, t191)
+        .sub_product(t103, t192)
+        .sub_product(t114, t193)
+        .sub_product(t125, t195)
+        .sub_product(t134, t196)
+        .sub_product(t141, t197)
+        .sub_product(t147, t198)
+        .sub_product(t152, t199)
+        .sub_product(t156, t200) * t157;
+    let contact = (-(t200 * t154)).add_product(t156, t201);
+    let stop = -t201;
     Outputs {
         contact_force: contact,
         stop_force: stop,
@@ -5102,29 +7907,48 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     _, _, bobbin_y, _, _, drum_y, _, post_v_x, post_v_y, post_omega, plate_v_x,
     plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
     rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega, drum_v_x, drum_v_y, drum_omega] = *state;
-    let slide = (rod_x - cylinder_x) * cylinder_phi.cos()
-        + (rod_y - cylinder_y) * cylinder_phi.sin();
+    let slide = ((rod_x - cylinder_x) * cylinder_phi.cos())
+        .add_product(rod_y - cylinder_y, cylinder_phi.sin());
     let slide_minus_spring_free_length = slide - p.spring_free_length;
-    let t0 = R::literal(0.00012) * (rod_omega * rod_omega)
-        + R::literal(0.00018) * (cylinder_omega * cylinder_omega)
-        + R::literal(0.0006) * (drum_omega * drum_omega)
-        + R::literal(0.00065) * (bobbin_omega * bobbin_omega)
-        + R::literal(0.00125) * (plate_omega * plate_omega)
-        + R::literal(0.00135) * (post_omega * post_omega)
-        + R::literal(0.1) * (rod_v_x * rod_v_x + rod_v_y * rod_v_y);
-    let t1 = t0
-        + R::literal(0.15) * (cylinder_v_x * cylinder_v_x + cylinder_v_y * cylinder_v_y)
-        + R::literal(0.4) * (post_v_x * post_v_x + post_v_y * post_v_y)
-        + R::literal(0.5) * p.bobbin_mass
-            * (bobbin_v_x * bobbin_v_x + bobbin_v_y * bobbin_v_y)
-        + R::literal(0.6) * (plate_v_x * plate_v_x + plate_v_y * plate_v_y);
+    let t0 = (R::literal(0.00012) * (rod_omega * rod_omega))
+        .add_product(R::literal(0.00018), cylinder_omega * cylinder_omega)
+        .add_product(R::literal(0.0006), drum_omega * drum_omega)
+        .add_product(R::literal(0.00065), bobbin_omega * bobbin_omega)
+        .add_product(R::literal(0.00125), plate_omega * plate_omega)
+        .add_product(R::literal(0.00135), post_omega * post_omega)
+        .add_product(R::literal(0.1), (rod_v_x * rod_v_x).add_product(rod_v_y, rod_v_y))
+        .add_product(
+            R::literal(0.15),
+            (cylinder_v_x * cylinder_v_x).add_product(cylinder_v_y, cylinder_v_y),
+        )
+        .add_product(
+            R::literal(0.4),
+            (post_v_x * post_v_x).add_product(post_v_y, post_v_y),
+        );
     Energy {
-        kinetic: t1 + R::literal(0.75) * (drum_v_x * drum_v_x + drum_v_y * drum_v_y),
-        potential: R::literal(0.5) * p.spring_stiffness
-            * (slide_minus_spring_free_length * slide_minus_spring_free_length)
-            + R::literal(1.962) * rod_y + R::literal(2.943) * cylinder_y
-            + R::literal(7.848) * post_y + R::literal(9.81) * p.bobbin_mass * bobbin_y
-            + R::literal(11.772) * plate_y + R::literal(14.715) * drum_y,
+        kinetic: t0
+            .add_product(
+                R::literal(0.5) * p.bobbin_mass,
+                (bobbin_v_x * bobbin_v_x).add_product(bobbin_v_y, bobbin_v_y),
+            )
+            .add_product(
+                R::literal(0.6),
+                (plate_v_x * plate_v_x).add_product(plate_v_y, plate_v_y),
+            )
+            .add_product(
+                R::literal(0.75),
+                (drum_v_x * drum_v_x).add_product(drum_v_y, drum_v_y),
+            ),
+        potential: (R::literal(1.962) * rod_y)
+            .add_product(
+                R::literal(0.5) * p.spring_stiffness,
+                slide_minus_spring_free_length * slide_minus_spring_free_length,
+            )
+            .add_product(R::literal(2.943), cylinder_y)
+            .add_product(R::literal(7.848), post_y)
+            .add_product(R::literal(9.81) * p.bobbin_mass, bobbin_y)
+            .add_product(R::literal(11.772), plate_y)
+            .add_product(R::literal(14.715), drum_y),
         stored: R::literal(0.0),
     }
 }
@@ -5166,15 +7990,19 @@ pub fn power_balance<R: Real>(
     let between = (bobbin_x_minus_drum_x_squared + bobbin_y_minus_drum_y_squared).sqrt();
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
-    let slide = rod_x_minus_cylinder_x * cos_cylinder_phi
-        + rod_y_minus_cylinder_y * sin_cylinder_phi;
-    let t8 = rod_y_minus_cylinder_y * cos_cylinder_phi
-        - rod_x_minus_cylinder_x * sin_cylinder_phi;
-    let slide_rate = cylinder_omega * t8 + (rod_v_x - cylinder_v_x) * cos_cylinder_phi
-        + (rod_v_y - cylinder_v_y) * sin_cylinder_phi;
-    let t9 = R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi;
-    let t10 = R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi;
-    let t11 = R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi;
+    let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
+        .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
+    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+        .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
+    let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
+        .add_product(cylinder_omega, t8)
+        .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
+    let t9 = (R::literal(0.044) * sin_post_phi)
+        .add_product(R::literal(0.143), cos_post_phi);
+    let t10 = (R::literal(0.01) * sin_plate_phi)
+        .add_product(R::literal(0.1), cos_plate_phi);
+    let t11 = (R::literal(0.01) * cos_plate_phi)
+        .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
     let t12 = t1 * R::literal(370.370_370_370_370_3);
@@ -5211,17 +8039,19 @@ pub fn power_balance<R: Real>(
     let t42 = R::literal(-1.25) - t41;
     let t43 = t36 * t35;
     let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = t12 * t0 - t38 * t35;
+    let t45 = (t12 * t0).sub_product(t38, t35);
     let t46 = t45 * t44;
     let t47 = R::literal(1.25) - t41 - t43;
     let t48 = t47 * t44;
-    let t49 = t14 * t0 + t40 * t35;
+    let t49 = (t14 * t0).add_product(t40, t35);
     let t50 = t49 * t44;
     let t51 = t15 * t3;
     let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51 - t38 * t37 - t46 * t45);
+        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
+            .sub_product(t38, t37)
+            .sub_product(t46, t45);
     let t53 = t16 * t3;
-    let t54 = t35 + t53 - t36 * t37 - t48 * t45;
+    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
     let t55 = t54 * t52;
     let t56 = R::literal(0.833_333_333_333_333_4) - t51;
     let t57 = t56 * t52;
@@ -5231,131 +8061,204 @@ pub fn power_balance<R: Real>(
     let t61 = t60 * t52;
     let t62 = t18 * t3;
     let t63 = t62 * t52;
-    let t64 = t40 * t37 - t39 - t50 * t45;
+    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
     let t65 = t64 * t52;
     let t66 = t16 * t2;
     let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43 - t48 * t47
-            - t55 * t54);
-    let t68 = t15 * t2 - t57 * t54;
+        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
+            .sub_product(t48, t47)
+            .sub_product(t55, t54);
+    let t68 = (t15 * t2).sub_product(t57, t54);
     let t69 = t68 * t67;
-    let t70 = R::literal(0.833_333_333_333_333_4) - t66 - t58 * t54;
+    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
     let t71 = t70 * t67;
     let t72 = -(t17 * t2);
-    let t73 = t72 - t61 * t54;
+    let t73 = t72.sub_product(t61, t54);
     let t74 = t73 * t67;
     let t75 = t18 * t2;
-    let t76 = R::literal(0.833_333_333_333_333_4) + t75 + t63 * t54;
+    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
     let t77 = t76 * t67;
-    let t78 = t49 - t50 * t47 - t65 * t54;
+    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
     let t79 = t78 * t67;
     let t80 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t51
-            - R::literal(3.333_333_333_333_333_5) - t21 * t5 - t57 * t56 - t69 * t68);
-    let t81 = t53 + t22 * t5 - t58 * t56 - t71 * t68;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t21, t5)
+            .sub_product(t57, t56)
+            .sub_product(t69, t68);
+    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
     let t82 = t81 * t80;
     let t83 = R::literal(-2_777.777_777_777_778) * t5;
     let t84 = t83 * t80;
-    let t85 = t23 * t5 - t19;
+    let t85 = (-t19).add_product(t23, t5);
     let t86 = t85 * t80;
-    let t87 = R::literal(-0.833_333_333_333_333_4) + t59 - t61 * t56 - t74 * t68;
+    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
+        .sub_product(t61, t56)
+        .sub_product(t74, t68);
     let t88 = t87 * t80;
-    let t89 = t63 * t56 - t62 - t77 * t68;
+    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
     let t90 = t89 * t80;
-    let t91 = -(t65 * t56) - t79 * t68;
+    let t91 = (-(t65 * t56)).sub_product(t79, t68);
     let t92 = t91 * t80;
     let t93 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4) - t66
-            - R::literal(3.333_333_333_333_333_5) - t22 * t4 - t58 * t53 - t71 * t70
-            - t82 * t81);
-    let t94 = R::literal(-2_777.777_777_777_778) * t4 + t84 * t81;
+            - R::literal(3.333_333_333_333_333_5))
+            .sub_product(t22, t4)
+            .sub_product(t58, t53)
+            .sub_product(t71, t70)
+            .sub_product(t82, t81);
+    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
     let t95 = t94 * t93;
-    let t96 = t20 - t23 * t4 - t86 * t81;
+    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
     let t97 = t96 * t93;
-    let t98 = t72 - t61 * t53 - t74 * t70 - t88 * t81;
+    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
     let t99 = t98 * t93;
-    let t100 = R::literal(-0.833_333_333_333_333_4) + t75 + t63 * t53 - t77 * t70
-        - t90 * t81;
+    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
+        .add_product(t63, t53)
+        .sub_product(t77, t70)
+        .sub_product(t90, t81);
     let t101 = t100 * t93;
-    let t102 = -(t65 * t53) - t79 * t70 - t92 * t81;
+    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
     let t103 = t102 * t93;
     let t104 = R::literal(1.0)
-        / (R::literal(-6_944.444_444_444_445) - t84 * t83 - t95 * t94);
-    let t105 = t86 * t83 - t23 - t97 * t94;
+        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
+    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
     let t106 = t105 * t104;
     let t107 = t26 * t104;
     let t108 = t27 * t104;
-    let t109 = t88 * t83 - t99 * t94;
+    let t109 = (t88 * t83).sub_product(t99, t94);
     let t110 = t109 * t104;
-    let t111 = t90 * t83 - t101 * t94;
+    let t111 = (t90 * t83).sub_product(t101, t94);
     let t112 = t111 * t104;
-    let t113 = t92 * t83 - t103 * t94;
+    let t113 = (t92 * t83).sub_product(t103, t94);
     let t114 = t113 * t104;
     let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi) - t20 * cos_cylinder_phi - t23 * slide
-            - t24 * sin_cylinder_phi - t25 * cos_cylinder_phi - t86 * t85 - t97 * t96
-            - t106 * t105);
-    let t116 = t24 - t107 * t105;
+        / (-(t19 * sin_cylinder_phi))
+            .sub_product(t20, cos_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t86, t85)
+            .sub_product(t97, t96)
+            .sub_product(t106, t105);
+    let t116 = t24.sub_product(t107, t105);
     let t117 = t116 * t115;
-    let t118 = t108 * t105 - t25;
+    let t118 = (-t25).add_product(t108, t105);
     let t119 = t118 * t115;
-    let t120 = -(t88 * t85) - t99 * t96 - t110 * t105;
+    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
     let t121 = t120 * t115;
-    let t122 = -(t90 * t85) - t101 * t96 - t112 * t105;
+    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
     let t123 = t122 * t115;
-    let t124 = -(t92 * t85) - t103 * t96 - t114 * t105;
+    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
     let t125 = t124 * t115;
     let t126 = R::literal(1.0)
-        / (R::literal(-5.0) - t26 * t7 - t107 * t26 - t117 * t116);
-    let t127 = t27 * t7 + t108 * t26 - t119 * t116;
+        / R::literal(-5.0)
+            .sub_product(t26, t7)
+            .sub_product(t107, t26)
+            .sub_product(t117, t116);
+    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
     let t128 = t127 * t126;
-    let t129 = -(t110 * t26) - t121 * t116;
+    let t129 = (-(t110 * t26)).sub_product(t121, t116);
     let t130 = t129 * t126;
-    let t131 = -(t112 * t26) - t123 * t116;
+    let t131 = (-(t112 * t26)).sub_product(t123, t116);
     let t132 = t131 * t126;
-    let t133 = -(t114 * t26) - t125 * t116;
+    let t133 = (-(t114 * t26)).sub_product(t125, t116);
     let t134 = t133 * t126;
     let t135 = R::literal(1.0)
-        / (R::literal(-5.0) - t27 * t6 - t108 * t27 - t119 * t118 - t128 * t127);
-    let t136 = t110 * t27 - t121 * t118 - t130 * t127;
+        / R::literal(-5.0)
+            .sub_product(t27, t6)
+            .sub_product(t108, t27)
+            .sub_product(t119, t118)
+            .sub_product(t128, t127);
+    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
     let t137 = t136 * t135;
-    let t138 = t112 * t27 - t123 * t118 - t132 * t127;
+    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
     let t139 = t138 * t135;
-    let t140 = t114 * t27 - t125 * t118 - t134 * t127;
+    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
     let t141 = t140 * t135;
     let t142 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t17 * t10 - inverse_bobbin_mass
-            - t61 * t60 - t74 * t73 - t88 * t87 - t99 * t98 - t110 * t109 - t121 * t120
-            - t130 * t129 - t137 * t136);
-    let t143 = t18 * t10 + t63 * t60 - t77 * t73 - t90 * t87 - t101 * t98 - t112 * t109
-        - t123 * t120 - t132 * t129 - t139 * t136;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
+            - inverse_bobbin_mass)
+            .sub_product(t61, t60)
+            .sub_product(t74, t73)
+            .sub_product(t88, t87)
+            .sub_product(t99, t98)
+            .sub_product(t110, t109)
+            .sub_product(t121, t120)
+            .sub_product(t130, t129)
+            .sub_product(t137, t136);
+    let t143 = (t18 * t10)
+        .add_product(t63, t60)
+        .sub_product(t77, t73)
+        .sub_product(t90, t87)
+        .sub_product(t101, t98)
+        .sub_product(t112, t109)
+        .sub_product(t123, t120)
+        .sub_product(t132, t129)
+        .sub_product(t139, t136);
     let t144 = t143 * t142;
     let t145 = t28 * t142;
-    let t146 = -(t65 * t60) - t79 * t73 - t92 * t87 - t103 * t98 - t114 * t109
-        - t125 * t120 - t134 * t129 - t141 * t136;
+    let t146 = (-(t65 * t60))
+        .sub_product(t79, t73)
+        .sub_product(t92, t87)
+        .sub_product(t103, t98)
+        .sub_product(t114, t109)
+        .sub_product(t125, t120)
+        .sub_product(t134, t129)
+        .sub_product(t141, t136);
     let t147 = t146 * t142;
     let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t18 * t11 - inverse_bobbin_mass
-            - t63 * t62 - t77 * t76 - t90 * t89 - t101 * t100 - t112 * t111 - t123 * t122
-            - t132 * t131 - t139 * t138 - t144 * t143);
-    let t149 = t145 * t143 - t29;
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
+            - inverse_bobbin_mass)
+            .sub_product(t63, t62)
+            .sub_product(t77, t76)
+            .sub_product(t90, t89)
+            .sub_product(t101, t100)
+            .sub_product(t112, t111)
+            .sub_product(t123, t122)
+            .sub_product(t132, t131)
+            .sub_product(t139, t138)
+            .sub_product(t144, t143);
+    let t149 = (-t29).add_product(t145, t143);
     let t150 = t149 * t148;
-    let t151 = t65 * t62 - t79 * t76 - t92 * t89 - t103 * t100 - t114 * t111
-        - t125 * t122 - t134 * t131 - t141 * t138 - t147 * t143;
+    let t151 = (t65 * t62)
+        .sub_product(t79, t76)
+        .sub_product(t92, t89)
+        .sub_product(t103, t100)
+        .sub_product(t114, t111)
+        .sub_product(t125, t122)
+        .sub_product(t134, t131)
+        .sub_product(t141, t138)
+        .sub_product(t147, t143);
     let t152 = t151 * t148;
     let t153 = t30 * R::literal(-1.5);
     let t154 = t31 * R::literal(-1.5);
     let t155 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between)
-            - t29 * bobbin_y_minus_drum_y_over_between
-            - t30 * bobbin_x_minus_drum_x_over_between
-            - t31 * bobbin_y_minus_drum_y_over_between - t145 * t28 - t150 * t149
-            - t153 * t30 - t154 * t31);
-    let t156 = t147 * t28 - t152 * t149;
+        / (-(t28 * bobbin_x_minus_drum_x_over_between))
+            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
+            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
+            .sub_product(t145, t28)
+            .sub_product(t150, t149)
+            .sub_product(t153, t30)
+            .sub_product(t154, t31);
+    let t156 = (t147 * t28).sub_product(t152, t149);
     let t157 = t156 * t155;
-    let t158 = -(t14 * t9) - t40 * t39 - t50 * t49 - t65 * t64 - t79 * t78 - t92 * t91
-        - t103 * t102 - t114 * t113 - t125 * t124 - t134 * t133 - t141 * t140
-        - t147 * t146;
+    let t158 = R::literal(1.0)
+        / (-(t14 * t9))
+            .sub_product(t40, t39)
+            .sub_product(t50, t49)
+            .sub_product(t65, t64)
+            .sub_product(t79, t78)
+            .sub_product(t92, t91)
+            .sub_product(t103, t102)
+            .sub_product(t114, t113)
+            .sub_product(t125, t124)
+            .sub_product(t134, t133)
+            .sub_product(t141, t140)
+            .sub_product(t147, t146)
+            .sub_product(t152, t151)
+            .sub_product(t157, t156);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
     let t159 = R::literal(50.0) * slide_rate;
     let t160 = t159 * cos_cylinder_phi;
@@ -5367,7 +8270,7 @@ pub fn power_balance<R: Real>(
     let t166 = t159 * sin_cylinder_phi;
     let t167 = t166 - t165;
     let t168 = t161 * t8;
-    let t169 = -(t159 * t8) - t168;
+    let t169 = (-t168).sub_product(t159, t8);
     let t170 = -t160 - t162;
     let t171 = R::literal(1.962) + t164;
     let t172 = -t166 - t171;
@@ -5381,165 +8284,301 @@ pub fn power_balance<R: Real>(
     let plate_omega_squared = plate_omega * plate_omega;
     let t179 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t180 = cylinder_omega
-        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi
-            + R::literal(2.0) * rod_v_y * sin_cylinder_phi
-            + cylinder_x * cylinder_omega * sin_cylinder_phi
-            + rod_y * cylinder_omega * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_x * cos_cylinder_phi
-            - R::literal(2.0) * cylinder_v_y * sin_cylinder_phi
-            - cylinder_y * cylinder_omega * cos_cylinder_phi
-            - rod_x * cylinder_omega * sin_cylinder_phi);
-    let t181 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t180 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t182 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t181 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t183 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t182 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t184 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t185 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t183 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t184 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t186 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t185 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t187 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t186 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t188 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t187 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t189 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t190 = bobbin_v_x
-        * (bobbin_v_x_over_between + t184 + t185 - t182 - t183 - drum_v_x_over_between)
-        + bobbin_v_y
-            * (bobbin_v_y_over_between + t188 + t189 - t186 - t187
-                - drum_v_y_over_between)
-        + drum_v_x
-            * (t182 + t183 + drum_v_x_over_between - bobbin_v_x_over_between - t184
-                - t185);
-    let t191 = t36 * t177;
-    let t192 = -t178 - R::literal(-9.81) + t191;
-    let t193 = t15 * bobbin_radius_times_winding_force;
-    let t194 = t193 - (t179 * cos_plate_phi + t177) + t38 * t177 - t46 * t192;
-    let t195 = t16 * bobbin_radius_times_winding_force;
-    let t196 = -(t179 * sin_plate_phi + t178) - R::literal(9.81) - R::literal(-9.81)
-        - t195 + t191 - t48 * t192 - t55 * t194;
-    let t197 = R::literal(3.333_333_333_333_333_5) * t163;
-    let t198 = t193
-        - R::literal(0.06)
-            * (plate_omega_squared * cos_plate_phi
-                + cylinder_omega_squared * cos_cylinder_phi) - t197 - t21 * t169
-        - t57 * t194 - t69 * t196;
-    let t199 = R::literal(3.333_333_333_333_333_5) * t167;
-    let t200 = -(R::literal(0.06)
-        * (plate_omega_squared * sin_plate_phi
-            + cylinder_omega_squared * sin_cylinder_phi)) - R::literal(9.81) - t195
-        - t199 + t22 * t169 - t58 * t194 - t71 * t196 - t82 * t198;
-    let t201 = t84 * t198 - R::literal(-2_777.777_777_777_778) * t169 - t95 * t200;
-    let t202 = t180 - t19 * t163 + t20 * t167 + t23 * t169 + t24 * t170 - t25 * t172
-        - t86 * t198 - t97 * t200 - t106 * t201;
+    let t188 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t189 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t183 + t184 - t181 - t182 - drum_v_x_over_between))
+        .add_product(
+            bobbin_v_y,
+            bobbin_v_y_over_between + t187 + t188 - t185 - t186 - drum_v_y_over_between,
+        )
+        .add_product(
+            drum_v_x,
+            t181 + t182 + drum_v_x_over_between - bobbin_v_x_over_between - t183 - t184,
+        )
+        .add_product(
+            drum_v_y,
+            t185 + t186 + drum_v_y_over_between - bobbin_v_y_over_between - t187 - t188,
+        );
+    let t190 = t36 * t177;
+    let t191 = -t178 - R::literal(-9.81) + t190;
+    let t192 = t15 * bobbin_radius_times_winding_force;
+    let t193 = (t192 - t177.add_product(t179, cos_plate_phi))
+        .add_product(t38, t177)
+        .sub_product(t46, t191);
+    let t194 = t16 * bobbin_radius_times_winding_force;
+    let t195 = (-t178.add_product(t179, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t194 + t190)
+        .sub_product(t48, t191)
+        .sub_product(t55, t193);
+    let t196 = R::literal(3.333_333_333_333_333_5) * t163;
+    let t197 = (t192
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * cos_plate_phi)
+                .add_product(cylinder_omega_squared, cos_cylinder_phi),
+        ) - t196)
+        .sub_product(t21, t169)
+        .sub_product(t57, t193)
+        .sub_product(t69, t195);
+    let t198 = R::literal(3.333_333_333_333_333_5) * t167;
+    let t199 = (R::literal(-9.81)
+        .sub_product(
+            R::literal(0.06),
+            (plate_omega_squared * sin_plate_phi)
+                .add_product(cylinder_omega_squared, sin_cylinder_phi),
+        ) - t194 - t198)
+        .add_product(t22, t169)
+        .sub_product(t58, t193)
+        .sub_product(t71, t195)
+        .sub_product(t82, t197);
+    let t200 = (-(R::literal(-2_777.777_777_777_778) * t169))
+        .add_product(t84, t197)
+        .sub_product(t95, t199);
+    let t201 = (cylinder_omega
+        * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
+            .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
+            .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
+            .add_product(rod_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_x, cos_cylinder_phi)
+            .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
+            .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
+            .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
+        .sub_product(t19, t163)
+        .add_product(t20, t167)
+        .add_product(t23, t169)
+        .add_product(t24, t170)
+        .sub_product(t25, t172)
+        .sub_product(t86, t197)
+        .sub_product(t97, t199);
+    let t202 = t201.sub_product(t106, t200);
     let t203 = R::literal(5.0) * t170;
-    let t204 = t181 * cos_rod_phi - t203 - t107 * t201 - t117 * t202;
+    let t204 = (-t203)
+        .add_product(t180, cos_rod_phi)
+        .sub_product(t107, t200)
+        .sub_product(t117, t202);
     let t205 = R::literal(5.0) * t172;
-    let t206 = t181 * sin_rod_phi - t205 + t108 * t201 - t119 * t202 - t128 * t204;
+    let t206 = (-t205)
+        .add_product(t180, sin_rod_phi)
+        .add_product(t108, t200)
+        .sub_product(t119, t202)
+        .sub_product(t128, t204);
     let t207 = inverse_bobbin_mass * t173;
-    let t208 = t11 * plate_omega_squared - t17 * bobbin_radius_times_winding_force + t207
-        - t61 * t194 - t74 * t196 - t88 * t198 - t99 * t200 - t110 * t201 - t121 * t202
-        - t130 * t204 - t137 * t206;
+    let t208 = ((t11 * plate_omega_squared)
+        .sub_product(t17, bobbin_radius_times_winding_force) + t207)
+        .sub_product(t61, t193)
+        .sub_product(t74, t195)
+        .sub_product(t88, t197)
+        .sub_product(t99, t199)
+        .sub_product(t110, t200)
+        .sub_product(t121, t202)
+        .sub_product(t130, t204)
+        .sub_product(t137, t206);
     let t209 = inverse_bobbin_mass * t175;
-    let t210 = t10 * plate_omega_squared - R::literal(9.81)
-        + t18 * bobbin_radius_times_winding_force - t209 + t63 * t194 - t77 * t196
-        - t90 * t198 - t101 * t200 - t112 * t201 - t123 * t202 - t132 * t204
-        - t139 * t206 - t144 * t208;
-    let t211 = t28 * t173
-        - (t190
-            + drum_v_y
-                * (t186 + t187 + drum_v_y_over_between - bobbin_v_y_over_between - t188
-                    - t189)) - t29 * t175 + t31 * R::literal(-14.715) + t145 * t208
-        - t150 * t210 - t154 * R::literal(9.809_999_999_999_999);
-    let t212 = (R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi)
-        * post_omega_squared - t40 * t177 - t50 * t192 - t65 * t194 - t79 * t196
-        - t92 * t198 - t103 * t200 - t114 * t201 - t125 * t202 - t134 * t204
-        - t141 * t206;
-    let t213 = (t212 - t147 * t208 - t152 * t210 - t157 * t211)
-        * (R::literal(1.0) / (t158 - t152 * t151 - t157 * t156));
-    let t214 = t211 * t155 - t157 * t213;
-    let axle_b_x = t153 * t214;
-    let t215 = t210 * t148 - t150 * t214 - t152 * t213;
-    let t216 = t208 * t142 - t144 * t215 + t145 * t214 - t147 * t213;
-    let t217 = t206 * t135 - t137 * t216 - t139 * t215 - t141 * t213;
-    let t218 = t204 * t126 - t128 * t217 - t130 * t216 - t132 * t215 - t134 * t213;
-    let t219 = t202 * t115 - t117 * t218 - t119 * t217 - t121 * t216 - t123 * t215
-        - t125 * t213;
-    let t220 = t201 * t104 - t106 * t219 - t107 * t218 + t108 * t217 - t110 * t216
-        - t112 * t215 - t114 * t213;
-    let t221 = t200 * t93 - t95 * t220 - t97 * t219 - t99 * t216 - t101 * t215
-        - t103 * t213;
-    let t222 = t198 * t80 - t82 * t221 + t84 * t220 - t86 * t219 - t88 * t216
-        - t90 * t215 - t92 * t213;
-    let t223 = t196 * t67 - t69 * t222 - t71 * t221 - t74 * t216 - t77 * t215
-        - t79 * t213;
-    let t224 = t194 * t52 - t55 * t223 - t57 * t222 - t58 * t221 - t61 * t216
-        + t63 * t215 - t65 * t213;
-    let t225 = t192 * t44 - t46 * t224 - t48 * t223 - t50 * t213;
-    let t226 = -(t177 * t34) - t36 * t225 - t38 * t224 - t36 * t223 + t40 * t213;
+    let t210 = (R::literal(-9.81)
+        .add_product(t10, plate_omega_squared)
+        .add_product(t18, bobbin_radius_times_winding_force) - t209)
+        .add_product(t63, t193)
+        .sub_product(t77, t195)
+        .sub_product(t90, t197)
+        .sub_product(t101, t199)
+        .sub_product(t112, t200)
+        .sub_product(t123, t202)
+        .sub_product(t132, t204)
+        .sub_product(t139, t206)
+        .sub_product(t144, t208);
+    let t211 = (-t189)
+        .add_product(t28, t173)
+        .sub_product(t29, t175)
+        .add_product(t31, R::literal(-14.715))
+        .add_product(t145, t208)
+        .sub_product(t150, t210)
+        .sub_product(t154, R::literal(9.809_999_999_999_999));
+    let t212 = ((R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
+        .sub_product(t40, t177)
+        .sub_product(t50, t191)
+        .sub_product(t65, t193)
+        .sub_product(t79, t195)
+        .sub_product(t92, t197)
+        .sub_product(t103, t199)
+        .sub_product(t114, t200)
+        .sub_product(t125, t202)
+        .sub_product(t134, t204)
+        .sub_product(t141, t206)
+        .sub_product(t147, t208)
+        .sub_product(t152, t210)
+        .sub_product(t157, t211) * t158;
+    let t213 = (t211 * t155).sub_product(t157, t212);
+    let axle_b_x = t153 * t213;
+    let t214 = (t210 * t148).sub_product(t150, t213).sub_product(t152, t212);
+    let t215 = (t208 * t142)
+        .sub_product(t144, t214)
+        .add_product(t145, t213)
+        .sub_product(t147, t212);
+    let t216 = (t206 * t135)
+        .sub_product(t137, t215)
+        .sub_product(t139, t214)
+        .sub_product(t141, t212);
+    let t217 = (t204 * t126)
+        .sub_product(t128, t216)
+        .sub_product(t130, t215)
+        .sub_product(t132, t214)
+        .sub_product(t134, t212);
+    let t218 = (t202 * t115)
+        .sub_product(t117, t217)
+        .sub_product(t119, t216)
+        .sub_product(t121, t215)
+        .sub_product(t123, t214)
+        .sub_product(t125, t212);
+    let t219 = (t200 * t104)
+        .sub_product(t106, t218)
+        .sub_product(t107, t217)
+        .add_product(t108, t216)
+        .sub_product(t110, t215)
+        .sub_product(t112, t214)
+        .sub_product(t114, t212);
+    let t220 = (t199 * t93)
+        .sub_product(t95, t219)
+        .sub_product(t97, t218)
+        .sub_product(t99, t215)
+        .sub_product(t101, t214)
+        .sub_product(t103, t212);
+    let t221 = (t197 * t80)
+        .sub_product(t82, t220)
+        .add_product(t84, t219)
+        .sub_product(t86, t218)
+        .sub_product(t88, t215)
+        .sub_product(t90, t214)
+        .sub_product(t92, t212);
+    let t222 = (t195 * t67)
+        .sub_product(t69, t221)
+        .sub_product(t71, t220)
+        .sub_product(t74, t215)
+        .sub_product(t77, t214)
+        .sub_product(t79, t212);
+    let t223 = (t193 * t52)
+        .sub_product(t55, t222)
+        .sub_product(t57, t221)
+        .sub_product(t58, t220)
+        .sub_product(t61, t215)
+        .add_product(t63, t214)
+        .sub_product(t65, t212);
+    let t224 = (t191 * t44)
+        .sub_product(t46, t223)
+        .sub_product(t48, t222)
+        .sub_product(t50, t212);
+    let t225 = (-(t177 * t34))
+        .sub_product(t36, t224)
+        .sub_product(t38, t223)
+        .sub_product(t36, t222)
+        .add_product(t40, t212);
     let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
-        - R::literal(0.666_666_666_666_666_6)
-            * (R::literal(-14.714_999_999_999_998) - t154 * t214) + t31 * t214;
-    let drum_v_x_dot = R::literal(0.666_666_666_666_666_6) * axle_b_x + t30 * t214;
-    let bobbin_v_y_dot = t209 - inverse_bobbin_mass * t215 - t29 * t214;
-    let bobbin_v_x_dot = -t207 - inverse_bobbin_mass * t216 - t28 * t214;
-    let rod_omega_dot = t26 * t218 - R::literal(4_166.666_666_666_667) * t220
-        - t27 * t217;
-    let rod_v_y_dot = t205 - t25 * t219 - R::literal(5.0) * t217;
-    let rod_v_x_dot = t203 + t24 * t219 - R::literal(5.0) * t218;
-    let cylinder_omega_dot = t169 * R::literal(2_777.777_777_777_778) - t21 * t222
-        + t22 * t221 - R::literal(-2_777.777_777_777_778) * t220 + t23 * t219;
-    let cylinder_v_y_dot = t199 - R::literal(3.333_333_333_333_333_5) * t221
-        + t20 * t219;
-    let cylinder_v_x_dot = t197 - R::literal(3.333_333_333_333_333_5) * t222
-        - t19 * t219;
-    let plate_omega_dot = -(bobbin_radius_times_winding_force * R::literal(400.0))
-        - t15 * t224 + t16 * t223 - t15 * t222 + t16 * t221 + t17 * t216 - t18 * t215;
-    let plate_v_y_dot = R::literal(-9.81) - R::literal(0.833_333_333_333_333_4) * t223
-        - R::literal(-0.833_333_333_333_333_4) * t221
-        - R::literal(-0.833_333_333_333_333_4) * t215;
-    let plate_v_x_dot = -(R::literal(0.833_333_333_333_333_4) * t224)
-        - R::literal(-0.833_333_333_333_333_4) * t222
-        - R::literal(-0.833_333_333_333_333_4) * t216;
-    let post_omega_dot = t13 * t225 - t12 * t226 - t12 * t224 + t13 * t223 - t14 * t213;
-    let post_v_y_dot = R::literal(-9.81) - R::literal(1.25) * t225
-        - R::literal(-1.25) * t223;
-    let post_v_x_dot = -(R::literal(1.25) * t226) - R::literal(-1.25) * t224;
-    let t227 = R::literal(7.848) * post_v_y + R::literal(11.772) * plate_v_y
-        - t162 * cylinder_v_x + t165 * cylinder_v_y + t168 * cylinder_omega
-        + t162 * rod_v_x + t171 * rod_v_y + t174 * bobbin_v_y
-        + R::literal(14.715) * drum_v_y + R::literal(0.8) * post_v_x * post_v_x_dot
-        + R::literal(0.8) * post_v_y * post_v_y_dot;
-    let t228 = t227 + R::literal(0.0027) * post_omega * post_omega_dot
-        + R::literal(1.2) * plate_v_x * plate_v_x_dot
-        + R::literal(1.2) * plate_v_y * plate_v_y_dot
-        + R::literal(0.0025) * plate_omega * plate_omega_dot
-        + R::literal(0.3) * cylinder_v_x * cylinder_v_x_dot
-        + R::literal(0.3) * cylinder_v_y * cylinder_v_y_dot
-        + R::literal(0.00036) * cylinder_omega * cylinder_omega_dot
-        + R::literal(0.2) * rod_v_x * rod_v_x_dot;
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            R::literal(-14.714_999_999_999_998).sub_product(t154, t213),
+        )
+        .add_product(t31, t213);
+    let drum_v_x_dot = (t30 * t213)
+        .add_product(R::literal(0.666_666_666_666_666_6), axle_b_x);
+    let bobbin_v_y_dot = t209
+        .sub_product(inverse_bobbin_mass, t214)
+        .sub_product(t29, t213);
+    let bobbin_v_x_dot = (-t207)
+        .sub_product(inverse_bobbin_mass, t215)
+        .sub_product(t28, t213);
+    let rod_omega_dot = (t26 * t217)
+        .sub_product(R::literal(4_166.666_666_666_667), t219)
+        .sub_product(t27, t216);
+    let rod_v_y_dot = t205.sub_product(t25, t218).sub_product(R::literal(5.0), t216);
+    let rod_v_x_dot = t203.add_product(t24, t218).sub_product(R::literal(5.0), t217);
+    let cylinder_omega_dot = (t169 * R::literal(2_777.777_777_777_778))
+        .sub_product(t21, t221)
+        .add_product(t22, t220)
+        .sub_product(R::literal(-2_777.777_777_777_778), t219)
+        .add_product(t23, t218);
+    let cylinder_v_y_dot = t198
+        .sub_product(R::literal(3.333_333_333_333_333_5), t220)
+        .add_product(t20, t218);
+    let cylinder_v_x_dot = t196
+        .sub_product(R::literal(3.333_333_333_333_333_5), t221)
+        .sub_product(t19, t218);
+    let plate_omega_dot = (-(bobbin_radius_times_winding_force * R::literal(400.0)))
+        .sub_product(t15, t223)
+        .add_product(t16, t222)
+        .sub_product(t15, t221)
+        .add_product(t16, t220)
+        .add_product(t17, t215)
+        .sub_product(t18, t214);
+    let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t222)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t220)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t214);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t221))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t223)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t215);
+    let post_omega_dot = (t13 * t224)
+        .sub_product(t12, t225)
+        .sub_product(t12, t223)
+        .add_product(t13, t222)
+        .sub_product(t14, t212);
+    let post_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(1.25), t224)
+        .sub_product(R::literal(-1.25), t222);
+    let post_v_x_dot = (-(R::literal(-1.25) * t223)).sub_product(R::literal(1.25), t225);
+    let t226 = (R::literal(7.848) * post_v_y)
+        .add_product(R::literal(11.772), plate_v_y)
+        .sub_product(t162, cylinder_v_x)
+        .add_product(t165, cylinder_v_y)
+        .add_product(t168, cylinder_omega)
+        .add_product(t162, rod_v_x)
+        .add_product(t171, rod_v_y)
+        .add_product(t174, bobbin_v_y)
+        .add_product(R::literal(14.715), drum_v_y)
+        .add_product(R::literal(0.8) * post_v_x, post_v_x_dot)
+        .add_product(R::literal(0.8) * post_v_y, post_v_y_dot)
+        .add_product(R::literal(0.0027) * post_omega, post_omega_dot)
+        .add_product(R::literal(1.2) * plate_v_x, plate_v_x_dot)
+        .add_product(R::literal(1.2) * plate_v_y, plate_v_y_dot)
+        .add_product(R::literal(0.0025) * plate_omega, plate_omega_dot)
+        .add_product(R::literal(0.3) * cylinder_v_x, cylinder_v_x_dot);
     PowerBalance {
-        stored_rate: t228 + R::literal(0.2) * rod_v_y * rod_v_y_dot
-            + R::literal(0.00024) * rod_omega * rod_omega_dot
-            + p.bobbin_mass * bobbin_v_x * bobbin_v_x_dot
-            + p.bobbin_mass * bobbin_v_y * bobbin_v_y_dot
-            + R::literal(1.5) * drum_v_x * drum_v_x_dot
-            + R::literal(1.5) * drum_v_y * drum_v_y_dot,
-        supplied: p.winding_force * bobbin_v_y * bobbin_x_minus_drum_x / between
-            - bobbin_radius_times_winding_force * plate_omega
+        stored_rate: t226
+            .add_product(R::literal(0.3) * cylinder_v_y, cylinder_v_y_dot)
+            .add_product(R::literal(0.00036) * cylinder_omega, cylinder_omega_dot)
+            .add_product(R::literal(0.2) * rod_v_x, rod_v_x_dot)
+            .add_product(R::literal(0.2) * rod_v_y, rod_v_y_dot)
+            .add_product(R::literal(0.00024) * rod_omega, rod_omega_dot)
+            .add_product(p.bobbin_mass * bobbin_v_x, bobbin_v_x_dot)
+            .add_product(p.bobbin_mass * bobbin_v_y, bobbin_v_y_dot)
+            .add_product(R::literal(1.5) * drum_v_x, drum_v_x_dot)
+            .add_product(R::literal(1.5) * drum_v_y, drum_v_y_dot),
+        supplied: (p.winding_force * bobbin_v_y * bobbin_x_minus_drum_x / between)
+            .sub_product(bobbin_radius_times_winding_force, plate_omega)
             - p.winding_force * bobbin_v_x * bobbin_y_minus_drum_y / between,
-        dissipated: R::literal(50.0) * cylinder_omega * slide_rate * t8
-            + R::literal(50.0) * rod_v_x * slide_rate * cos_cylinder_phi
-            + R::literal(50.0) * rod_v_y * slide_rate * sin_cylinder_phi
-            - R::literal(50.0) * cylinder_v_x * slide_rate * cos_cylinder_phi
-            - R::literal(50.0) * cylinder_v_y * slide_rate * sin_cylinder_phi,
+        dissipated: (R::literal(50.0) * cylinder_omega * slide_rate * t8)
+            .add_product(R::literal(50.0) * rod_v_x * slide_rate, cos_cylinder_phi)
+            .add_product(R::literal(50.0) * rod_v_y * slide_rate, sin_cylinder_phi)
+            .sub_product(R::literal(50.0) * cylinder_v_x * slide_rate, cos_cylinder_phi)
+            .sub_product(R::literal(50.0) * cylinder_v_y * slide_rate, sin_cylinder_phi),
     }
 }
 
@@ -5571,23 +8610,26 @@ pub fn constraint_values<R: Real>(
     let plate_end_x = plate_x + t2;
     let plate_end_y = plate_y + t3;
     let cos_cylinder_phi = cylinder_phi.cos();
-    let cylinder_start_x = cylinder_x - R::literal(0.06) * cos_cylinder_phi;
+    let cylinder_start_x = cylinder_x.sub_product(R::literal(0.06), cos_cylinder_phi);
     let sin_cylinder_phi = cylinder_phi.sin();
-    let cylinder_start_y = cylinder_y - R::literal(0.06) * sin_cylinder_phi;
-    let rod_end_x = rod_x + R::literal(0.06) * rod_phi.cos();
-    let rod_end_y = rod_y + R::literal(0.06) * rod_phi.sin();
-    let axle_x = plate_x + R::literal(0.1) * sin_plate_phi
-        - R::literal(0.01) * cos_plate_phi;
-    let axle_y = plate_y - R::literal(0.1) * cos_plate_phi
-        - R::literal(0.01) * sin_plate_phi;
+    let cylinder_start_y = cylinder_y.sub_product(R::literal(0.06), sin_cylinder_phi);
+    let rod_end_x = rod_x.add_product(R::literal(0.06), rod_phi.cos());
+    let rod_end_y = rod_y.add_product(R::literal(0.06), rod_phi.sin());
+    let axle_x = plate_x
+        .add_product(R::literal(0.1), sin_plate_phi)
+        .sub_product(R::literal(0.01), cos_plate_phi);
+    let axle_y = plate_y
+        .sub_product(R::literal(0.1), cos_plate_phi)
+        .sub_product(R::literal(0.01), sin_plate_phi);
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
-    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x
-        + bobbin_y_minus_drum_y * bobbin_y_minus_drum_y)
+    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
         .sqrt();
-    let slide_across_value = (rod_y - cylinder_y) * cos_cylinder_phi
-        - (rod_x - cylinder_x) * sin_cylinder_phi;
-    let stop_value = R::literal(0.143) * sin_post_phi - R::literal(0.044) * cos_post_phi;
+    let slide_across_value = ((rod_y - cylinder_y) * cos_cylinder_phi)
+        .sub_product(rod_x - cylinder_x, sin_cylinder_phi);
+    let stop_value = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
     let pin_c_x_value = plate_start_x - post_end_x;
     let pin_c_y_value = plate_start_y - post_end_y;
     let pin_d_x_value = cylinder_start_x - plate_end_x;
@@ -5641,11 +8683,11 @@ pub fn constraint_rates<R: Real>(
     let sin_cylinder_phi = cylinder_phi.sin();
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
-    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x
-        + bobbin_y_minus_drum_y * bobbin_y_minus_drum_y)
+    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
         .sqrt();
-    let slide = (rod_x - cylinder_x) * cos_cylinder_phi
-        + (rod_y - cylinder_y) * sin_cylinder_phi;
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
+        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
     let t0 = R::literal(0.1) * post_omega;
     let t1 = t0 * sin_post_phi;
     let pin_o_x_rate = post_v_x + t1;
@@ -5657,27 +8699,36 @@ pub fn constraint_rates<R: Real>(
     let t5 = t3 * cos_plate_phi;
     let pin_c_y_rate = plate_v_y - post_v_y - t2 - t5;
     let t6 = R::literal(0.06) * cylinder_omega;
-    let pin_d_x_rate = cylinder_v_x + t4 + t6 * sin_cylinder_phi - plate_v_x;
-    let pin_d_y_rate = cylinder_v_y - plate_v_y - t5 - t6 * cos_cylinder_phi;
+    let pin_d_x_rate = (cylinder_v_x + t4).add_product(t6, sin_cylinder_phi) - plate_v_x;
+    let pin_d_y_rate = (cylinder_v_y - plate_v_y - t5).sub_product(t6, cos_cylinder_phi);
     let slide_angle_rate = rod_omega - cylinder_omega;
-    let slide_across_rate = cylinder_v_x * sin_cylinder_phi + rod_v_y * cos_cylinder_phi
-        - cylinder_v_y * cos_cylinder_phi - cylinder_omega * slide
-        - rod_v_x * sin_cylinder_phi;
+    let slide_across_rate = (cylinder_v_x * sin_cylinder_phi)
+        .add_product(rod_v_y, cos_cylinder_phi)
+        .sub_product(cylinder_v_y, cos_cylinder_phi)
+        .sub_product(cylinder_omega, slide)
+        .sub_product(rod_v_x, sin_cylinder_phi);
     let t7 = R::literal(0.06) * rod_omega;
-    let pin_e_x_rate = rod_v_x - t7 * rod_phi.sin();
-    let pin_e_y_rate = rod_v_y + t7 * rod_phi.cos();
-    let axle_a_x_rate = bobbin_v_x - plate_v_x
-        - plate_omega
-            * (R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi);
-    let axle_a_y_rate = bobbin_v_y - plate_v_y
-        - plate_omega
-            * (R::literal(0.1) * sin_plate_phi - R::literal(0.01) * cos_plate_phi);
+    let pin_e_x_rate = rod_v_x.sub_product(t7, rod_phi.sin());
+    let pin_e_y_rate = rod_v_y.add_product(t7, rod_phi.cos());
+    let axle_a_x_rate = (bobbin_v_x - plate_v_x)
+        .sub_product(
+            plate_omega,
+            (R::literal(0.01) * sin_plate_phi)
+                .add_product(R::literal(0.1), cos_plate_phi),
+        );
+    let axle_a_y_rate = (bobbin_v_y - plate_v_y)
+        .sub_product(
+            plate_omega,
+            (R::literal(0.1) * sin_plate_phi)
+                .sub_product(R::literal(0.01), cos_plate_phi),
+        );
     let contact_rate = bobbin_v_x * bobbin_x_minus_drum_x / between
         + bobbin_v_y * bobbin_y_minus_drum_y / between
         - drum_v_x * bobbin_x_minus_drum_x / between
         - drum_v_y * bobbin_y_minus_drum_y / between;
     let stop_rate = post_omega
-        * (R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi);
+        * (R::literal(0.044) * sin_post_phi)
+            .add_product(R::literal(0.143), cos_post_phi);
     [
         pin_o_x_rate,
         pin_o_y_rate,
@@ -5719,11 +8770,11 @@ pub fn constraint_matrix<R: Real>(
     let sin_cylinder_phi = cylinder_phi.sin();
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
-    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x
-        + bobbin_y_minus_drum_y * bobbin_y_minus_drum_y)
+    let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
+        .add_product(bobbin_y_minus_drum_y, bobbin_y_minus_drum_y)
         .sqrt();
-    let slide = (rod_x - cylinder_x) * cos_cylinder_phi
-        + (rod_y - cylinder_y) * sin_cylinder_phi;
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
+        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
     let t2 = -(R::literal(0.1) * cos_post_phi);
     let t3 = -(R::literal(0.06) * cos_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
@@ -5761,10 +8812,10 @@ pub fn constraint_matrix<R: Real>(
         R::literal(1.0),
         R::literal(0.06) * rod_phi.cos(),
         R::literal(-1.0),
-        -(R::literal(0.01) * sin_plate_phi + R::literal(0.1) * cos_plate_phi),
+        -(R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi),
         R::literal(1.0),
         R::literal(-1.0),
-        R::literal(0.01) * cos_plate_phi - R::literal(0.1) * sin_plate_phi,
+        (R::literal(0.01) * cos_plate_phi).sub_product(R::literal(0.1), sin_plate_phi),
         R::literal(1.0),
         R::literal(1.0),
         R::literal(1.0),
@@ -5772,7 +8823,7 @@ pub fn constraint_matrix<R: Real>(
         bobbin_y_minus_drum_y_over_between,
         -bobbin_x_minus_drum_x_over_between,
         -bobbin_y_minus_drum_y_over_between,
-        R::literal(0.044) * sin_post_phi + R::literal(0.143) * cos_post_phi,
+        (R::literal(0.044) * sin_post_phi).add_product(R::literal(0.143), cos_post_phi),
     ]
 }
 

@@ -373,12 +373,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t0 = R::literal(2.0) * drum_speed;
     let t1 = R::literal(2.0) * p.ovality * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let t2 = R::literal(3.0) * p.layer_cubic_stiffness;
     let t3 = p.holder_stiffness + p.layer_stiffness;
@@ -433,20 +435,26 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [holder_x, holder_v] = *state;
-    let t0 = p.ovality_phase + c.t0 * time;
+    let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + c.package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(c.package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(c.t1 * t0.sin())
-        - c.eccentricity_times_drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
+        .sub_product(c.t1, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
-    let holder_v_dot = (force + p.layer_viscosity * layer_compression_rate
-        - (p.holder_stiffness * holder_x - p.layer_stiffness * layer_compression
-            - p.layer_cubic_stiffness
-                * (layer_compression * layer_compression * layer_compression)))
-        * c.inverse_holder_mass;
+    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
+        - (p.holder_stiffness * holder_x)
+            .sub_product(p.layer_stiffness, layer_compression)
+            .sub_product(
+                p.layer_cubic_stiffness,
+                layer_compression * layer_compression * layer_compression,
+            )) * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
 }
 
@@ -459,12 +467,14 @@ pub fn mass_matrix<R: Real>(
     _state: &[R; STATES],
     p: &Parameters<R>,
 ) -> [R; 1] {
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
     [holder_mass]
 }
 
@@ -480,19 +490,26 @@ pub fn forcing<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
-    let holder_x_forcing = force + p.layer_viscosity * layer_compression_rate
-        - (p.holder_stiffness * holder_x - p.layer_stiffness * layer_compression
-            - p.layer_cubic_stiffness
-                * (layer_compression * layer_compression * layer_compression));
+    let holder_x_forcing = force.add_product(p.layer_viscosity, layer_compression_rate)
+        - (p.holder_stiffness * holder_x)
+            .sub_product(p.layer_stiffness, layer_compression)
+            .sub_product(
+                p.layer_cubic_stiffness,
+                layer_compression * layer_compression * layer_compression,
+            );
     [holder_x_forcing]
 }
 
@@ -520,11 +537,13 @@ pub fn prepared_rate_jacobian<R: Real>(
     c: &Constants<R>,
 ) -> [R; 3] {
     let [holder_x, ..] = *state;
-    let shape = p.ovality * (p.ovality_phase + c.t0 * time).cos()
-        + p.eccentricity * (c.drum_speed * time).cos();
+    let shape = (p.eccentricity * (c.drum_speed * time).cos())
+        .add_product(p.ovality, p.ovality_phase.add_product(c.t0, time).cos());
     let layer_compression = shape - holder_x;
-    let holder_v_dot_by_holder_x = -((c.t3
-        + c.t2 * (layer_compression * layer_compression)) * c.inverse_holder_mass);
+    let holder_v_dot_by_holder_x = -(c
+        .t3
+        .add_product(c.t2, layer_compression * layer_compression)
+        * c.inverse_holder_mass);
     [R::literal(1.0), holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
 
@@ -540,82 +559,97 @@ pub fn parameter_jacobian<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = p.holder_package_radius * p.holder_package_radius
-        - p.holder_bobbin_radius * p.holder_bobbin_radius;
+    let t0 = (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
     let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
     let t2 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass + t1 * p.holder_yarn_density * t0
+    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0)
         + t2 / p.holder_holder_arm;
-    let t3 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let t3 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let t4 = t3.cos();
     let drum_speed_times_time = drum_speed * time;
     let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = p.ovality * t4 + p.eccentricity * cos_drum_speed_times_time;
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t4);
     let t5 = p.force_phase + drum_speed_times_time;
     let t6 = t5.cos();
-    let t7 = p.package_phase + package_speed * time;
+    let t7 = p.package_phase.add_product(package_speed, time);
     let t8 = t7.cos();
-    let force = p.force_amplitude * t6 + p.package_force * t8;
+    let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
     let t9 = t3.sin();
     let t10 = R::literal(2.0) * p.ovality;
     let t11 = t10 * drum_speed;
     let sin_drum_speed_times_time = drum_speed_times_time.sin();
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let shape_rate = -(t11 * t9)
-        - eccentricity_times_drum_speed * sin_drum_speed_times_time;
+    let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
+        .sub_product(t11, t9);
     let layer_compression_rate = shape_rate - holder_v;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let layer_compression_squared = layer_compression * layer_compression;
     let t12 = layer_compression_squared * layer_compression;
-    let holder_v_dot = (force + p.layer_viscosity * layer_compression_rate
-        - (p.holder_stiffness * holder_x - p.layer_stiffness * layer_compression
-            - p.layer_cubic_stiffness * t12)) * inverse_holder_mass;
+    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
+        - (p.holder_stiffness * holder_x)
+            .sub_product(p.layer_stiffness, layer_compression)
+            .sub_product(p.layer_cubic_stiffness, t12)) * inverse_holder_mass;
     let t13 = R::literal(3.0) * p.layer_cubic_stiffness;
     let t14 = t13 * layer_compression_squared;
     let t15 = t5.sin();
     let t16 = t7.sin();
     let t17 = t10 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t18 = -(t17 * time * t9)
-        - eccentricity_over_drum_radius * time * sin_drum_speed_times_time;
+    let t18 = (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time))
+        .sub_product(t17 * time, t9);
     let t19 = R::literal(4.0) * p.ovality;
     let t20 = eccentricity_times_drum_speed / p.drum_radius;
     let t21 = t20 * time;
-    let t22 = p.layer_viscosity
-        * (-(t19 * drum_speed / p.drum_radius * time * t4) - t17 * t9
-            - t21 * cos_drum_speed_times_time
-            - eccentricity_over_drum_radius * sin_drum_speed_times_time)
-        - p.force_amplitude / p.drum_radius * time * t15
-        - p.package_force / p.holder_package_radius * time * t16;
-    let holder_v_dot_by_winding_speed = (t22
-        - (-(t13 * t18 * layer_compression_squared) - p.layer_stiffness * t18))
+    let holder_v_dot_by_winding_speed = ((-(p.force_amplitude / p.drum_radius * time
+        * t15))
+        .add_product(
+            p.layer_viscosity,
+            (-(t19 * drum_speed / p.drum_radius * time * t4))
+                .sub_product(t17, t9)
+                .sub_product(t21, cos_drum_speed_times_time)
+                .sub_product(eccentricity_over_drum_radius, sin_drum_speed_times_time),
+        )
+        .sub_product(p.package_force / p.holder_package_radius * time, t16)
+        - (-(p.layer_stiffness * t18)).sub_product(t13 * t18, layer_compression_squared))
         * inverse_holder_mass;
-    let t23 = t11 / p.drum_radius;
-    let t24 = t23 * time * t9 + t21 * sin_drum_speed_times_time;
+    let t22 = t11 / p.drum_radius;
+    let t23 = (t21 * sin_drum_speed_times_time).add_product(t22 * time, t9);
     let drum_speed_squared = drum_speed * drum_speed;
-    let t25 = p.force_amplitude * drum_speed / p.drum_radius * time * t15
-        + p.layer_viscosity
-            * (t23 * t9 + t19 * drum_speed_squared / p.drum_radius * time * t4
-                + p.eccentricity * drum_speed_squared / p.drum_radius * time
-                    * cos_drum_speed_times_time + t20 * sin_drum_speed_times_time);
-    let holder_v_dot_by_drum_radius = (t25
-        - (-(t13 * t24 * layer_compression_squared) - p.layer_stiffness * t24))
+    let holder_v_dot_by_drum_radius = ((p.force_amplitude * drum_speed / p.drum_radius
+        * time * t15)
+        .add_product(
+            p.layer_viscosity,
+            (t22 * t9)
+                .add_product(t19 * drum_speed_squared / p.drum_radius * time, t4)
+                .add_product(
+                    p.eccentricity * drum_speed_squared / p.drum_radius * time,
+                    cos_drum_speed_times_time,
+                )
+                .add_product(t20, sin_drum_speed_times_time),
+        )
+        - (-(p.layer_stiffness * t23)).sub_product(t13 * t23, layer_compression_squared))
         * inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t15 * inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * inverse_holder_mass;
     let holder_v_dot_by_package_phase = -(p.package_force * t16 * inverse_holder_mass);
-    let holder_v_dot_by_ovality = (-(R::literal(2.0) * p.layer_viscosity * drum_speed
-        * t9) - (-(t14 * t4) - p.layer_stiffness * t4)) * inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(t10 * p.layer_viscosity * drum_speed * t4)
-        - (R::literal(3.0) * p.ovality * p.layer_cubic_stiffness
-            * layer_compression_squared * t9 + p.ovality * p.layer_stiffness * t9))
+    let holder_v_dot_by_ovality = (-(-(p.layer_stiffness * t4)).sub_product(t14, t4))
+        .sub_product(R::literal(2.0) * p.layer_viscosity * drum_speed, t9)
         * inverse_holder_mass;
-    let holder_v_dot_by_eccentricity = (-(p.layer_viscosity * drum_speed
-        * sin_drum_speed_times_time)
-        - (-(t14 * cos_drum_speed_times_time)
-            - p.layer_stiffness * cos_drum_speed_times_time)) * inverse_holder_mass;
+    let holder_v_dot_by_ovality_phase = (-(p.ovality * p.layer_stiffness * t9)
+        .add_product(
+            R::literal(3.0) * p.ovality * p.layer_cubic_stiffness
+                * layer_compression_squared,
+            t9,
+        ))
+        .sub_product(t10 * p.layer_viscosity * drum_speed, t4) * inverse_holder_mass;
+    let holder_v_dot_by_eccentricity = (-(-(p.layer_stiffness
+        * cos_drum_speed_times_time))
+        .sub_product(t14, cos_drum_speed_times_time))
+        .sub_product(p.layer_viscosity * drum_speed, sin_drum_speed_times_time)
+        * inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_link_mass = -(p.holder_link_arm / p.holder_holder_arm
         * holder_v_dot * inverse_holder_mass);
@@ -625,10 +659,12 @@ pub fn parameter_jacobian<R: Real>(
         / (p.holder_holder_arm * p.holder_holder_arm) * holder_v_dot
         * inverse_holder_mass;
     let holder_v_dot_by_holder_package_radius = (p.package_force * package_speed
-        / p.holder_package_radius * time * t16
-        - R::literal(core::f64::consts::TAU) * p.holder_package_radius
-            * p.holder_package_width * p.holder_yarn_density * holder_v_dot)
-        * inverse_holder_mass;
+        / p.holder_package_radius * time * t16)
+        .sub_product(
+            R::literal(core::f64::consts::TAU) * p.holder_package_radius
+                * p.holder_package_width * p.holder_yarn_density,
+            holder_v_dot,
+        ) * inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_radius = R::literal(core::f64::consts::TAU)
         * p.holder_bobbin_radius * p.holder_package_width * p.holder_yarn_density
         * holder_v_dot * inverse_holder_mass;
@@ -677,31 +713,39 @@ pub fn time_derivative<R: Real>(
     let [holder_x, ..] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let t1 = t0.cos();
     let drum_speed_times_time = drum_speed * time;
     let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = p.ovality * t1 + p.eccentricity * cos_drum_speed_times_time;
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t1);
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let drum_speed_squared = drum_speed * drum_speed;
-    let t2 = p.layer_viscosity
-        * (-(R::literal(4.0) * p.ovality * drum_speed_squared * t1)
-            - p.eccentricity * drum_speed_squared * cos_drum_speed_times_time)
-        - p.force_amplitude * drum_speed * (p.force_phase + drum_speed_times_time).sin()
-        - p.package_force * package_speed
-            * (p.package_phase + package_speed * time).sin();
-    let holder_v_dot_by_time = (t2
-        - (-(R::literal(3.0) * p.layer_cubic_stiffness * shape_rate
-            * (layer_compression * layer_compression)) - p.layer_stiffness * shape_rate))
-        * (R::literal(1.0) / holder_mass);
+    let holder_v_dot_by_time = ((-(p.force_amplitude * drum_speed
+        * (p.force_phase + drum_speed_times_time).sin()))
+        .add_product(
+            p.layer_viscosity,
+            (-(p.eccentricity * drum_speed_squared * cos_drum_speed_times_time))
+                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t1),
+        )
+        .sub_product(
+            p.package_force * package_speed,
+            p.package_phase.add_product(package_speed, time).sin(),
+        )
+        - (-(p.layer_stiffness * shape_rate))
+            .sub_product(
+                R::literal(3.0) * p.layer_cubic_stiffness * shape_rate,
+                layer_compression * layer_compression,
+            )) * (R::literal(1.0) / holder_mass);
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
@@ -713,27 +757,35 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
     Outputs {
         deflection: holder_x,
-        pressure: p.layer_stiffness * layer_compression
-            + p.layer_cubic_stiffness
-                * (layer_compression * layer_compression * layer_compression)
-            + p.layer_viscosity * layer_compression_rate,
+        pressure: (p.layer_stiffness * layer_compression)
+            .add_product(
+                p.layer_cubic_stiffness,
+                layer_compression * layer_compression * layer_compression,
+            )
+            .add_product(p.layer_viscosity, layer_compression_rate),
         mass: holder_mass,
         force,
         shape,
@@ -747,22 +799,29 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
 pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = p.ovality * (p.ovality_phase + R::literal(2.0) * drum_speed * time).cos()
-        + p.eccentricity * (drum_speed * time).cos();
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let shape = (p.eccentricity * (drum_speed * time).cos())
+        .add_product(
+            p.ovality,
+            p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
     Energy {
         kinetic: R::literal(0.5) * holder_mass * (holder_v * holder_v),
-        potential: R::literal(0.25) * p.layer_cubic_stiffness
-            * (layer_compression_squared * layer_compression_squared)
-            + R::literal(0.5) * p.holder_stiffness * (holder_x * holder_x)
-            + R::literal(0.5) * p.layer_stiffness * layer_compression_squared,
+        potential: (R::literal(0.5) * p.holder_stiffness * (holder_x * holder_x))
+            .add_product(
+                R::literal(0.25) * p.layer_cubic_stiffness,
+                layer_compression_squared * layer_compression_squared,
+            )
+            .add_product(R::literal(0.5) * p.layer_stiffness, layer_compression_squared),
         stored: R::literal(0.0),
     }
 }
@@ -779,31 +838,41 @@ pub fn power_balance<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let holder_mass = p.holder_bobbin_mass
-        + R::literal(core::f64::consts::PI) * p.holder_package_width
-            * p.holder_yarn_density
-            * (p.holder_package_radius * p.holder_package_radius
-                - p.holder_bobbin_radius * p.holder_bobbin_radius)
-        + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase + R::literal(2.0) * drum_speed * time;
+    let holder_mass = p
+        .holder_bobbin_mass
+        .add_product(
+            R::literal(core::f64::consts::PI) * p.holder_package_width
+                * p.holder_yarn_density,
+            (p.holder_package_radius * p.holder_package_radius)
+                .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
+        ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = p.ovality * t0.cos() + p.eccentricity * drum_speed_times_time.cos();
-    let force = p.force_amplitude * (p.force_phase + drum_speed_times_time).cos()
-        + p.package_force * (p.package_phase + package_speed * time).cos();
+    let shape = (p.eccentricity * drum_speed_times_time.cos())
+        .add_product(p.ovality, t0.cos());
+    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
+        .add_product(
+            p.package_force,
+            p.package_phase.add_product(package_speed, time).cos(),
+        );
     let layer_compression = shape - holder_x;
-    let shape_rate = -(R::literal(2.0) * p.ovality * drum_speed * t0.sin())
-        - p.eccentricity * drum_speed * drum_speed_times_time.sin();
+    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
     let layer_compression_rate = shape_rate - holder_v;
     let t1 = p.layer_stiffness * layer_compression;
     let t2 = layer_compression * layer_compression * layer_compression;
-    let t3 = p.holder_stiffness * holder_x - t1 - p.layer_cubic_stiffness * t2;
-    let holder_v_dot = (force + p.layer_viscosity * layer_compression_rate - t3)
-        * (R::literal(1.0) / holder_mass);
+    let t3 = (-t1)
+        .add_product(p.holder_stiffness, holder_x)
+        .sub_product(p.layer_cubic_stiffness, t2);
+    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
+        - t3) * (R::literal(1.0) / holder_mass);
     let t4 = t1 * shape_rate;
     let t5 = p.layer_cubic_stiffness * shape_rate * t2;
     PowerBalance {
-        stored_rate: t4 + t5 + t3 * holder_v + holder_mass * holder_v * holder_v_dot,
-        supplied: holder_v * force + t4 + t5,
+        stored_rate: (t4 + t5)
+            .add_product(t3, holder_v)
+            .add_product(holder_mass * holder_v, holder_v_dot),
+        supplied: t4.add_product(holder_v, force) + t5,
         dissipated: -(p.layer_viscosity * holder_v * layer_compression_rate),
     }
 }

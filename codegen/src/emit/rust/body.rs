@@ -1,7 +1,8 @@
 //! One tape as the body of a function.
 //!
 //! Statements come in the tape's order and expressions keep the tape's
-//! association, so that emitted code and [`crate::evaluate`] agree bit for bit.
+//! association, so that emitted code and [`crate::evaluate`] agree bit for bit where the
+//! target has no fused products; see [`super::fuse`].
 //! A body is one function however long; splitting it would start here, by
 //! cutting `statements` where few variables are alive.
 
@@ -10,6 +11,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::fuse::{Fused, fuse};
 use super::names::{Namer, identifier};
 use super::plan::{Place, plan};
 use crate::emit::EmitError;
@@ -72,11 +74,13 @@ pub(super) fn body(
     scope: &Scope<'_>,
     result_names: &ResultNames,
 ) -> Result<Body, EmitError> {
+    let fused = fuse(tape);
     let mut writer = Writer {
         function,
         tape,
         scope,
-        places: plan(tape, result_names.spread),
+        places: plan(tape, &fused, result_names.spread),
+        fused,
         names: vec![None; tape.nodes.len()],
         spare_names: vec![None; tape.nodes.len()],
         namer: scope.namer.clone(),
@@ -129,6 +133,7 @@ struct Writer<'a> {
     tape: &'a Tape,
     scope: &'a Scope<'a>,
     places: Vec<Place>,
+    fused: Vec<Option<Fused>>,
     /// Names of the variables, the spec's and those made so far.
     names: Vec<Option<Ident>>,
     /// Names for nodes that get no more telling one.
@@ -201,6 +206,9 @@ impl Writer<'_> {
 
     /// The expression of a node.
     fn node(&mut self, index: usize) -> Result<Written, EmitError> {
+        if let Some(fused) = self.fused[index] {
+            return self.fused(&fused);
+        }
         match self.tape.nodes[index].op {
             Op::Literal(value) => self.literal(value),
             Op::Time => {
@@ -254,6 +262,23 @@ impl Writer<'_> {
                 Ok(Written::call(quote!(R::interpolate(&#table, #order, #argument))))
             }
         }
+    }
+
+    /// A sum with a product in it.
+    fn fused(&mut self, fused: &Fused) -> Result<Written, EmitError> {
+        let summand = match self.tape[fused.summand].op {
+            Op::Literal(value) if fused.is_summand_negative => self.literal(-value)?.tokens,
+            _ if fused.is_summand_negative => {
+                let summand = self.operand_at_least(fused.summand, Strength::Call)?;
+                quote!((-#summand))
+            }
+            _ => self.operand_at_least(fused.summand, Strength::Call)?,
+        };
+        let [a, b] = fused.factors;
+        let (a, b) = (self.operand(a)?.tokens, self.operand(b)?.tokens);
+        let method = if fused.is_product_negative { "sub_product" } else { "add_product" };
+        let method = format_ident!("{method}");
+        Ok(Written::call(quote!(#summand.#method(#a, #b))))
     }
 
     fn literal(&self, value: f64) -> Result<Written, EmitError> {
@@ -327,7 +352,7 @@ impl Writer<'_> {
                 let name = name.unwrap_or_else(|| self.scope.constant(entry)).to_string();
                 (!is_temporary(&name)).then_some(name)
             }
-            ref op if self.places[index] == Place::Inline => self.describe(op),
+            ref op if self.places[index] != Place::Statement => self.describe(op),
             _ => None,
         }
     }

@@ -1,7 +1,8 @@
 //! Which nodes of a tape become a `let` and which are written where they are used.
 
+use super::fuse::{Fused, swallowed};
 use crate::emit::needed_nodes;
-use crate::tape::{NodeId, Op, Tape};
+use crate::tape::{NodeId, Tape};
 
 /// Operations that one expression holds at most.
 const LONGEST_EXPRESSION: usize = 24;
@@ -9,7 +10,7 @@ const LONGEST_EXPRESSION: usize = 24;
 /// What becomes of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Place {
-    /// No result needs it.
+    /// No result needs it, or it is part of a fused sum.
     Nowhere,
     /// Written into the expression that uses it.
     Inline,
@@ -19,18 +20,24 @@ pub(super) enum Place {
 
 /// The place of every node. `spread_results` asks for a `let` for every result
 /// that is more than a leaf, so that a long array of results reads well.
-pub(super) fn plan(tape: &Tape, spread_results: bool) -> Vec<Place> {
+pub(super) fn plan(tape: &Tape, fused: &[Option<Fused>], spread_results: bool) -> Vec<Place> {
     let uses = count_uses(tape);
+    let swallowed = swallowed(fused);
     let mut places = Vec::with_capacity(tape.nodes.len());
     let mut sizes: Vec<usize> = Vec::with_capacity(tape.nodes.len());
-    for (node, &uses) in tape.nodes.iter().zip(&uses) {
+    for (index, (node, &uses)) in tape.nodes.iter().zip(&uses).enumerate() {
         let place = match node.op {
-            _ if uses == 0 => Place::Nowhere,
+            _ if uses == 0 || swallowed[index] => Place::Nowhere,
             _ if !node.op.is_arithmetic() => Place::Inline,
             _ if uses > 1 || node.name.is_some() => Place::Statement,
             _ => Place::Inline,
         };
-        let size = size_within_limit(&node.op, &mut places, &sizes);
+        let operands = match &fused[index] {
+            _ if !node.op.is_arithmetic() || swallowed[index] => vec![],
+            Some(fused) => fused.operands().to_vec(),
+            None => node.op.operands(),
+        };
+        let size = size_within_limit(&operands, &mut places, &sizes);
         places.push(place);
         sizes.push(size);
     }
@@ -47,11 +54,11 @@ pub(super) fn plan(tape: &Tape, spread_results: bool) -> Vec<Place> {
 
 /// Size of the expression of an operation with all that is inlined into it,
 /// after giving its largest operands a `let` as long as it is too long.
-fn size_within_limit(op: &Op, places: &mut [Place], sizes: &[usize]) -> usize {
-    if !op.is_arithmetic() {
+fn size_within_limit(operands: &[NodeId], places: &mut [Place], sizes: &[usize]) -> usize {
+    if operands.is_empty() {
         return 0;
     }
-    let operands: Vec<usize> = op.operands().iter().map(|id| id.0 as usize).collect();
+    let operands: Vec<usize> = operands.iter().map(|id| id.0 as usize).collect();
     loop {
         let inlined = operands.iter().copied().filter(|&k| places[k] == Place::Inline);
         let size = 1 + inlined.clone().map(|k| sizes[k]).sum::<usize>();
@@ -66,7 +73,7 @@ fn size_within_limit(op: &Op, places: &mut [Place], sizes: &[usize]) -> usize {
 }
 
 /// How often every node is used by nodes that results need, and as a result.
-fn count_uses(tape: &Tape) -> Vec<u32> {
+pub(super) fn count_uses(tape: &Tape) -> Vec<u32> {
     let needed = needed_nodes(tape);
     let mut uses = vec![0_u32; tape.nodes.len()];
     let operands = tape.nodes.iter().zip(needed).filter(|(_, needed)| *needed);

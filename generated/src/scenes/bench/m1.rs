@@ -220,25 +220,25 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_omega_dot = motor_torque * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sx - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_rx).add_product(R::literal(0.956), motor_psi_sx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_ry).add_product(R::literal(0.956), motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     [
         motor_omega_dot,
         motor_psi_sx_dot,
@@ -271,7 +271,7 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [_, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     [motor_torque]
 }
 
@@ -370,19 +370,21 @@ pub fn outputs<R: Real>(
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Energy<R> {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let motor_i_rx = R::literal(840.672_556_350_703_5)
-        * (motor_psi_rx - R::literal(0.956) * motor_psi_sx);
+        * motor_psi_rx.sub_product(R::literal(0.956), motor_psi_sx);
     let motor_i_ry = R::literal(840.672_556_350_703_5)
-        * (motor_psi_ry - R::literal(0.956) * motor_psi_sy);
+        * motor_psi_ry.sub_product(R::literal(0.956), motor_psi_sy);
     Energy {
         kinetic: R::literal(2.1) * (motor_omega * motor_omega),
         potential: R::literal(0.0),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -397,49 +399,65 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let t0 = R::literal(0.956) * motor_psi_sx;
     let motor_i_rx = R::literal(840.672_556_350_703_5) * (motor_psi_rx - t0);
     let t1 = R::literal(0.956) * motor_psi_sy;
     let motor_i_ry = R::literal(840.672_556_350_703_5) * (motor_psi_ry - t1);
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let motor_omega_dot = motor_torque * R::literal(0.238_095_238_095_238_08);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
-    let t2 = R::literal(4.2) * motor_omega * motor_omega_dot
-        + R::literal(0.75)
-            * (motor_i_sx + R::literal(844.204_793_982_429_1) * motor_psi_sx
-                - R::literal(803.682_963_871_272_6) * motor_psi_rx) * motor_psi_sx_dot
-        + R::literal(0.75)
-            * (motor_i_sy + R::literal(844.204_793_982_429_1) * motor_psi_sy
-                - R::literal(803.682_963_871_272_6) * motor_psi_ry) * motor_psi_sy_dot
-        + R::literal(0.75)
-            * (motor_i_rx + R::literal(840.672_556_350_703_5) * motor_psi_rx
-                - R::literal(803.682_963_871_272_6) * motor_psi_sx) * motor_psi_rx_dot;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     PowerBalance {
-        stored_rate: t2
-            + R::literal(0.75)
-                * (motor_i_ry + R::literal(840.672_556_350_703_5) * motor_psi_ry
-                    - R::literal(803.682_963_871_272_6) * motor_psi_sy)
-                * motor_psi_ry_dot,
+        stored_rate: (R::literal(4.2) * motor_omega * motor_omega_dot)
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sx
+                        .add_product(R::literal(844.204_793_982_429_1), motor_psi_sx)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_rx),
+                motor_psi_sx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(R::literal(844.204_793_982_429_1), motor_psi_sy)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_ry)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
         supplied: R::literal(466.690_475_583_121_4) * motor_i_sx,
         dissipated: R::literal(1.5)
             * (R::literal(0.032_063_452_962_957_98)
-                * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry)
-                + R::literal(0.042_795_676_8)
-                    * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)),
+                * (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry))
+                .add_product(
+                    R::literal(0.042_795_676_8),
+                    (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy),
+                ),
     }
 }
 

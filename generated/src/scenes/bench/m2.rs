@@ -338,36 +338,38 @@ pub fn prepared_rate<R: Real>(
     motor_psi_rx, motor_psi_ry, ..] = *state;
     let coupling_twist_rate = motor_omega - cylinder_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let coupling_torque = R::literal(128.5346) * coupling_twist_rate
-        + p.coupling_stiffness * coupling_twist;
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(R::literal(128.5346), coupling_twist_rate);
     let load_resistance = load_engagement
-        * (R::literal(843.72)
-            + R::literal(78.78) * (R::literal(241.805_307_826_689_27) * time).sin())
-        * (R::literal(2.0) * cylinder_omega).tanh();
+        * R::literal(843.72)
+            .add_product(
+                R::literal(78.78),
+                (R::literal(241.805_307_826_689_27) * time).sin(),
+            ) * (R::literal(2.0) * cylinder_omega).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque)
         * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = (coupling_torque - load_resistance)
         * R::literal(0.803_858_520_900_321_5);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sx - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_rx).add_product(R::literal(0.956), motor_psi_sx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_ry).add_product(R::literal(0.956), motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     [
         coupling_twist_rate,
         motor_omega_dot,
@@ -407,13 +409,15 @@ pub fn forcing<R: Real>(
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let coupling_torque = R::literal(128.5346) * coupling_twist_rate
-        + p.coupling_stiffness * coupling_twist;
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(R::literal(128.5346), coupling_twist_rate);
     let load_resistance = load_engagement
-        * (R::literal(843.72)
-            + R::literal(78.78) * (R::literal(241.805_307_826_689_27) * time).sin())
-        * (R::literal(2.0) * cylinder_omega).tanh();
+        * R::literal(843.72)
+            .add_product(
+                R::literal(78.78),
+                (R::literal(241.805_307_826_689_27) * time).sin(),
+            ) * (R::literal(2.0) * cylinder_omega).tanh();
     let motor_phi_forcing = motor_torque - coupling_torque;
     let cylinder_phi_forcing = coupling_torque - load_resistance;
     [motor_phi_forcing, cylinder_phi_forcing]
@@ -451,11 +455,15 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t1 = (R::literal(2.0) * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(R::literal(4.0) * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = (R::literal(-128.5346)
-        - R::literal(2.0) * load_engagement * (R::literal(1.0) - t1 * t1)
-            * (R::literal(843.72)
-                + R::literal(78.78) * (R::literal(241.805_307_826_689_27) * time).sin()))
-        * R::literal(0.803_858_520_900_321_5);
+    let cylinder_omega_dot_by_cylinder_omega = R::literal(-128.5346)
+        .sub_product(
+            R::literal(2.0) * load_engagement * R::literal(1.0).sub_product(t1, t1),
+            R::literal(843.72)
+                .add_product(
+                    R::literal(78.78),
+                    (R::literal(241.805_307_826_689_27) * time).sin(),
+                ),
+        ) * R::literal(0.803_858_520_900_321_5);
     let motor_omega_dot_by_motor_psi_sx = -(R::literal(4_822.097_783_227_635)
         * motor_psi_ry * R::literal(0.238_095_238_095_238_08));
     let motor_omega_dot_by_motor_psi_sy = R::literal(4_822.097_783_227_635)
@@ -528,10 +536,11 @@ pub fn time_derivative<R: Real>(
     let load_engagement = R::literal(1.0) / t1;
     let t2 = R::literal(241.805_307_826_689_27) * time;
     let t3 = (R::literal(2.0) * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(R::literal(19_049.422_150_586_58)
-        * load_engagement * t2.cos() * t3)
-        - R::literal(50.0) * (R::literal(843.72) + R::literal(78.78) * t2.sin()) * t0
-            * t3 / (t1 * t1)) * R::literal(0.803_858_520_900_321_5);
+    let cylinder_omega_dot_by_time = (-(R::literal(50.0)
+        * R::literal(843.72).add_product(R::literal(78.78), t2.sin()) * t0 * t3
+        / (t1 * t1)))
+        .sub_product(R::literal(19_049.422_150_586_58) * load_engagement * t2.cos(), t3)
+        * R::literal(0.803_858_520_900_321_5);
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -575,21 +584,23 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry, ..] = *state;
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let motor_i_rx = R::literal(840.672_556_350_703_5)
-        * (motor_psi_rx - R::literal(0.956) * motor_psi_sx);
+        * motor_psi_rx.sub_product(R::literal(0.956), motor_psi_sx);
     let motor_i_ry = R::literal(840.672_556_350_703_5)
-        * (motor_psi_ry - R::literal(0.956) * motor_psi_sy);
+        * motor_psi_ry.sub_product(R::literal(0.956), motor_psi_sy);
     Energy {
-        kinetic: R::literal(0.622) * (cylinder_omega * cylinder_omega)
-            + R::literal(2.1) * (motor_omega * motor_omega),
+        kinetic: (R::literal(0.622) * (cylinder_omega * cylinder_omega))
+            .add_product(R::literal(2.1), motor_omega * motor_omega),
         potential: R::literal(0.5) * p.coupling_stiffness
             * (coupling_twist * coupling_twist),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -606,11 +617,11 @@ pub fn power_balance<R: Real>(
     motor_psi_rx, motor_psi_ry, ..] = *state;
     let coupling_twist_rate = motor_omega - cylinder_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let t0 = R::literal(0.956) * motor_psi_sx;
     let motor_i_rx = R::literal(840.672_556_350_703_5) * (motor_psi_rx - t0);
     let t1 = R::literal(0.956) * motor_psi_sy;
@@ -618,53 +629,73 @@ pub fn power_balance<R: Real>(
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let t2 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = R::literal(128.5346) * coupling_twist_rate + t2;
+    let coupling_torque = t2.add_product(R::literal(128.5346), coupling_twist_rate);
     let load_resistance = load_engagement
-        * (R::literal(843.72)
-            + R::literal(78.78) * (R::literal(241.805_307_826_689_27) * time).sin())
-        * (R::literal(2.0) * cylinder_omega).tanh();
+        * R::literal(843.72)
+            .add_product(
+                R::literal(78.78),
+                (R::literal(241.805_307_826_689_27) * time).sin(),
+            ) * (R::literal(2.0) * cylinder_omega).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque)
         * R::literal(0.238_095_238_095_238_08);
     let cylinder_omega_dot = (coupling_torque - load_resistance)
         * R::literal(0.803_858_520_900_321_5);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
-    let t3 = t2 * coupling_twist_rate + R::literal(4.2) * motor_omega * motor_omega_dot
-        + R::literal(1.244) * cylinder_omega * cylinder_omega_dot
-        + R::literal(0.75)
-            * (motor_i_sx + R::literal(844.204_793_982_429_1) * motor_psi_sx
-                - R::literal(803.682_963_871_272_6) * motor_psi_rx) * motor_psi_sx_dot
-        + R::literal(0.75)
-            * (motor_i_sy + R::literal(844.204_793_982_429_1) * motor_psi_sy
-                - R::literal(803.682_963_871_272_6) * motor_psi_ry) * motor_psi_sy_dot;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     PowerBalance {
-        stored_rate: t3
-            + R::literal(0.75)
-                * (motor_i_rx + R::literal(840.672_556_350_703_5) * motor_psi_rx
-                    - R::literal(803.682_963_871_272_6) * motor_psi_sx)
-                * motor_psi_rx_dot
-            + R::literal(0.75)
-                * (motor_i_ry + R::literal(840.672_556_350_703_5) * motor_psi_ry
-                    - R::literal(803.682_963_871_272_6) * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(466.690_475_583_121_4) * motor_i_sx
-            - cylinder_omega * load_resistance,
-        dissipated: R::literal(1.5)
-            * (R::literal(0.032_063_452_962_957_98)
-                * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry)
-                + R::literal(0.042_795_676_8)
-                    * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy))
-            + R::literal(128.5346) * motor_omega * coupling_twist_rate
-            - R::literal(128.5346) * cylinder_omega * coupling_twist_rate,
+        stored_rate: (t2 * coupling_twist_rate)
+            .add_product(R::literal(4.2) * motor_omega, motor_omega_dot)
+            .add_product(R::literal(1.244) * cylinder_omega, cylinder_omega_dot)
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sx
+                        .add_product(R::literal(844.204_793_982_429_1), motor_psi_sx)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_rx),
+                motor_psi_sx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(R::literal(844.204_793_982_429_1), motor_psi_sy)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_ry)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: (R::literal(466.690_475_583_121_4) * motor_i_sx)
+            .sub_product(cylinder_omega, load_resistance),
+        dissipated: (R::literal(128.5346) * motor_omega * coupling_twist_rate)
+            .add_product(
+                R::literal(1.5),
+                (R::literal(0.032_063_452_962_957_98)
+                    * (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry))
+                    .add_product(
+                        R::literal(0.042_795_676_8),
+                        (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy),
+                    ),
+            )
+            .sub_product(R::literal(128.5346) * cylinder_omega, coupling_twist_rate),
     }
 }
 

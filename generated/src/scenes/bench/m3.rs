@@ -640,12 +640,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_u_x = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2)
         * p.motor_supply_phase.cos();
     let synchronous_speed = motor_omega_0 / p.motor_pole_pairs;
     let loss = p.motor_alpha_s * motor_sigma;
-    let flux = motor_u_x / (motor_omega_0 * (R::literal(1.0) + loss * loss));
+    let flux = motor_u_x / (motor_omega_0 * R::literal(1.0).add_product(loss, loss));
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -690,37 +690,54 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let coupling_twist = motor_phi - p.coupling_ratio * shaft_driven;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * shaft_driven_dot;
-    let motor_slip_speed = c.motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
+    let coupling_twist_rate = motor_omega
+        .sub_product(p.coupling_ratio, shaft_driven_dot);
+    let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let shaft_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(c.inverse_shaft_engagement_width * (time - p.shaft_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = c.t2
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_load = shaft_engagement
-        * (p.shaft_mean + p.shaft_amplitude * (c.t3 * time).sin());
+        * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time).sin());
     let t0 = c.t7 * shaft_load;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force + c.t8 * coupling_twist
-        + c.t9 * coupling_twist_rate
-        - t0 * (c.inverse_shaft_standstill_band * shaft_driven_dot).tanh()) * c.t5;
-    let shaft_end_dot_dot = (p.shaft_end_field_force
-        - t0 * (c.inverse_shaft_standstill_band * shaft_end_dot).tanh()) * c.t6;
-    let motor_psi_sx_dot = c.motor_u_x + c.motor_omega_0 * motor_psi_sy
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_psi_sy_dot = c.motor_u_y - c.motor_omega_0 * motor_psi_sx
-        - c.motor_alpha_s_times_motor_omega_0
-            * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + c.motor_alpha_r_times_motor_omega_0
-            * (p.motor_k_s * motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = c.motor_alpha_r_times_motor_omega_0
-        * (p.motor_k_s * motor_psi_sy - motor_psi_ry) - motor_psi_rx * motor_slip_speed;
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .add_product(c.t8, coupling_twist)
+        .add_product(c.t9, coupling_twist_rate)
+        .sub_product(t0, (c.inverse_shaft_standstill_band * shaft_driven_dot).tanh())
+        * c.t5;
+    let shaft_end_dot_dot = p
+        .shaft_end_field_force
+        .sub_product(t0, (c.inverse_shaft_standstill_band * shaft_end_dot).tanh())
+        * c.t6;
+    let motor_psi_sx_dot = c
+        .motor_u_x
+        .add_product(c.motor_omega_0, motor_psi_sy)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx),
+        );
+    let motor_psi_sy_dot = c
+        .motor_u_y
+        .sub_product(c.motor_omega_0, motor_psi_sx)
+        .sub_product(
+            c.motor_alpha_s_times_motor_omega_0,
+            motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry),
+        );
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            c.motor_alpha_r_times_motor_omega_0,
+            (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx),
+        );
+    let motor_psi_ry_dot = (c.motor_alpha_r_times_motor_omega_0
+        * (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     [
         motor_omega,
         shaft_driven_dot,
@@ -761,32 +778,38 @@ pub fn forcing<R: Real>(
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * shaft_driven;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * shaft_driven_dot;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
+    let coupling_twist_rate = motor_omega
+        .sub_product(p.coupling_ratio, shaft_driven_dot);
     let shaft_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.shaft_engagement_width
                 * (time - p.shaft_engagement_time)))
                 .exp());
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_load = shaft_engagement
-        * (p.shaft_mean
-            + p.shaft_amplitude
-                * (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin());
+        * p
+            .shaft_mean
+            .add_product(
+                p.shaft_amplitude,
+                (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin(),
+            );
     let motor_phi_forcing = motor_torque - coupling_torque;
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
     let t0 = R::literal(0.5) / p.shaft_pieces * shaft_load;
-    let shaft_driven_forcing = p.shaft_driven_field_force
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate
-        - t0 * (inverse_shaft_standstill_band * shaft_driven_dot).tanh();
-    let shaft_end_forcing = p.shaft_end_field_force
-        - t0 * (inverse_shaft_standstill_band * shaft_end_dot).tanh();
+    let shaft_driven_forcing = p
+        .shaft_driven_field_force
+        .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        .sub_product(t0, (inverse_shaft_standstill_band * shaft_driven_dot).tanh());
+    let shaft_end_forcing = p
+        .shaft_end_field_force
+        .sub_product(t0, (inverse_shaft_standstill_band * shaft_end_dot).tanh());
     [motor_phi_forcing, shaft_driven_forcing, shaft_end_forcing]
 }
 
@@ -822,15 +845,17 @@ pub fn prepared_rate_jacobian<R: Real>(
             + (-(c.inverse_shaft_engagement_width * (time - p.shaft_engagement_time)))
                 .exp());
     let shaft_load = shaft_engagement
-        * (p.shaft_mean + p.shaft_amplitude * (c.t3 * time).sin());
+        * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time).sin());
     let t0 = (c.inverse_shaft_standstill_band * shaft_driven_dot).tanh();
     let t1 = (c.inverse_shaft_standstill_band * shaft_end_dot).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
     let t2 = c.t10 * shaft_load;
-    let shaft_driven_dot_dot_by_shaft_driven_dot = (c.t11
-        - t2 * (R::literal(1.0) - t0 * t0)) * c.t5;
-    let shaft_end_dot_dot_by_shaft_end_dot = -(t2 * (R::literal(1.0) - t1 * t1) * c.t6);
+    let shaft_driven_dot_dot_by_shaft_driven_dot = c
+        .t11
+        .sub_product(t2, R::literal(1.0).sub_product(t0, t0)) * c.t5;
+    let shaft_end_dot_dot_by_shaft_end_dot = -(t2 * R::literal(1.0).sub_product(t1, t1)
+        * c.t6);
     let motor_omega_dot_by_motor_psi_sx = c.t12 * motor_psi_ry * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
@@ -901,11 +926,11 @@ pub fn parameter_jacobian<R: Real>(
         .exp();
     let t3 = R::literal(1.0) + t2;
     let shaft_engagement = R::literal(1.0) / t3;
-    let coupling_torque = p.coupling_stiffness * coupling_twist
-        + p.coupling_damping * coupling_twist_rate;
-    let t4 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let coupling_torque = (p.coupling_stiffness * coupling_twist)
+        .add_product(p.coupling_damping, coupling_twist_rate);
+    let t4 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t5 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t5 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
     let t6 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
@@ -914,7 +939,7 @@ pub fn parameter_jacobian<R: Real>(
         * t6;
     let t8 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
     let t9 = t8.sin();
-    let t10 = p.shaft_mean + p.shaft_amplitude * t9;
+    let t10 = p.shaft_mean.add_product(p.shaft_amplitude, t9);
     let shaft_load = shaft_engagement * t10;
     let t11 = R::literal(0.5) * p.shaft_inertia;
     let t12 = t11 / p.shaft_pieces;
@@ -929,16 +954,17 @@ pub fn parameter_jacobian<R: Real>(
     let t15 = t14 * shaft_load;
     let t16 = (inverse_shaft_standstill_band * shaft_end_dot).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force
-        + p.coupling_stiffness * p.coupling_ratio * coupling_twist
-        + p.coupling_damping * p.coupling_ratio * coupling_twist_rate - t15 * t13)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot = (p.shaft_end_field_force - t15 * t16)
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
+        .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
+        .sub_product(t15, t13) * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t15, t16)
         * shaft_end_dot_dot_by_shaft_end_field_force;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t17 = p.motor_k_s * motor_psi_sx - motor_psi_rx;
+    let t17 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t18 = p.motor_k_s * motor_psi_sy - motor_psi_ry;
+    let t18 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let t19 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
@@ -950,15 +976,21 @@ pub fn parameter_jacobian<R: Real>(
     ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t6
         * inverse_motor_inertia;
     let t20 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
-    let motor_psi_sx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_sy - t20 * t4;
-    let motor_psi_sy_dot_by_motor_supply_frequency = -(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx) - t20 * t5;
+    let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_sy)
+        .sub_product(t20, t4);
+    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_sx))
+        .sub_product(t20, t5);
     let t21 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
-    let motor_psi_rx_dot_by_motor_supply_frequency = R::literal(core::f64::consts::TAU)
-        * motor_psi_ry + t21 * t17;
-    let motor_psi_ry_dot_by_motor_supply_frequency = t21 * t18
-        - R::literal(core::f64::consts::TAU) * motor_psi_rx;
+    let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
+        * motor_psi_ry)
+        .add_product(t21, t17);
+    let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
+        core::f64::consts::TAU,
+    ) * motor_psi_rx))
+        .add_product(t21, t18);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
         * motor_omega_0 / motor_x_s_times_motor_sigma * t6 * inverse_motor_inertia;
@@ -986,19 +1018,26 @@ pub fn parameter_jacobian<R: Real>(
     let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven
-        + p.coupling_damping * shaft_driven_dot) * inverse_motor_inertia;
-    let shaft_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi
-        + p.coupling_damping * motor_omega
-        - R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio * shaft_driven
-        - R::literal(2.0) * p.coupling_damping * p.coupling_ratio * shaft_driven_dot)
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
+        .add_product(p.coupling_damping, shaft_driven_dot) * inverse_motor_inertia;
+    let shaft_driven_dot_dot_by_coupling_ratio = (p.coupling_stiffness * motor_phi)
+        .add_product(p.coupling_damping, motor_omega)
+        .sub_product(
+            R::literal(2.0) * p.coupling_stiffness * p.coupling_ratio,
+            shaft_driven,
+        )
+        .sub_product(
+            R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
+            shaft_driven_dot,
+        ) * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
     let t22 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
     let t23 = t11 / shaft_pieces_squared;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t22 * t13 + t23 * shaft_driven_dot_dot)
+    let shaft_driven_dot_dot_by_shaft_pieces = (t22 * t13)
+        .add_product(t23, shaft_driven_dot_dot)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_pieces = (t22 * t16 + t23 * shaft_end_dot_dot)
+    let shaft_end_dot_dot_by_shaft_pieces = (t22 * t16)
+        .add_product(t23, shaft_end_dot_dot)
         * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_driven_dot_dot_by_shaft_inertia = -(t14 * shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
@@ -1037,10 +1076,11 @@ pub fn parameter_jacobian<R: Real>(
     let t30 = R::literal(0.5)
         / (p.shaft_pieces * (p.shaft_standstill_band * p.shaft_standstill_band));
     let shaft_driven_dot_dot_by_shaft_standstill_band = t30 * shaft_driven_dot
-        * shaft_load * (R::literal(1.0) - t13 * t13)
+        * shaft_load * R::literal(1.0).sub_product(t13, t13)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_end_dot_dot_by_shaft_standstill_band = t30 * shaft_end_dot * shaft_load
-        * (R::literal(1.0) - t16 * t16) * shaft_end_dot_dot_by_shaft_end_field_force;
+        * R::literal(1.0).sub_product(t16, t16)
+        * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
     let shaft_end_dot_dot_by_shaft_end_field_inertia = -(shaft_end_dot_dot
@@ -1122,12 +1162,12 @@ pub fn time_derivative<R: Real>(
     let t5 = (inverse_shaft_standstill_band * shaft_end_dot).tanh();
     let t6 = t1 * t1;
     let t7 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width)
-        * (p.shaft_mean + p.shaft_amplitude * t2.sin()) * t0;
+        * p.shaft_mean.add_product(p.shaft_amplitude, t2.sin()) * t0;
     let t8 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude * shaft_omega_2
         / p.shaft_pieces * shaft_engagement * t2.cos();
-    let shaft_driven_dot_dot_by_time = (-(t8 * t4) - t7 * t4 / t6)
+    let shaft_driven_dot_dot_by_time = (-(t7 * t4 / t6)).sub_product(t8, t4)
         * (R::literal(1.0) / (p.shaft_driven_field_inertia + t3));
-    let shaft_end_dot_dot_by_time = (-(t8 * t5) - t7 * t5 / t6)
+    let shaft_end_dot_dot_by_time = (-(t7 * t5 / t6)).sub_product(t8, t5)
         * (R::literal(1.0) / (p.shaft_end_field_inertia + t3));
     [
         R::literal(0.0),
@@ -1168,28 +1208,38 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
-    let coupling_twist = motor_phi - p.coupling_ratio * shaft_driven;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
     let t0 = motor_omega_0 / (p.motor_x_s * motor_sigma);
-    let motor_i_sx = t0 * (motor_psi_sx - p.motor_k_r * motor_psi_rx);
-    let motor_i_sy = t0 * (motor_psi_sy - p.motor_k_r * motor_psi_ry);
+    let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_i_sy = t0 * motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let t1 = motor_omega_0 / (motor_sigma * motor_x_r);
-    let motor_i_rx = t1 * (motor_psi_rx - p.motor_k_s * motor_psi_sx);
-    let motor_i_ry = t1 * (motor_psi_ry - p.motor_k_s * motor_psi_sy);
+    let motor_i_rx = t1 * motor_psi_rx.sub_product(p.motor_k_s, motor_psi_sx);
+    let motor_i_ry = t1 * motor_psi_ry.sub_product(p.motor_k_s, motor_psi_sy);
     let shaft_driven_dot_squared = shaft_driven_dot * shaft_driven_dot;
     let shaft_end_dot_squared = shaft_end_dot * shaft_end_dot;
     Energy {
-        kinetic: R::literal(0.25) * p.shaft_inertia / p.shaft_pieces
-            * (shaft_driven_dot_squared + shaft_end_dot_squared)
-            + R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
-            + R::literal(0.5) * p.shaft_driven_field_inertia * shaft_driven_dot_squared
-            + R::literal(0.5) * p.shaft_end_field_inertia * shaft_end_dot_squared,
+        kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
+            .add_product(
+                R::literal(0.25) * p.shaft_inertia / p.shaft_pieces,
+                shaft_driven_dot_squared + shaft_end_dot_squared,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_driven_field_inertia,
+                shaft_driven_dot_squared,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_end_field_inertia,
+                shaft_end_dot_squared,
+            ),
         potential: R::literal(0.5) * p.coupling_stiffness
             * (coupling_twist * coupling_twist),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -1206,27 +1256,28 @@ pub fn power_balance<R: Real>(
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * p.motor_supply_phase.cos();
     let motor_u_y = t0 * p.motor_supply_phase.sin();
-    let coupling_twist = motor_phi - p.coupling_ratio * shaft_driven;
-    let coupling_twist_rate = motor_omega - p.coupling_ratio * shaft_driven_dot;
+    let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
+    let coupling_twist_rate = motor_omega
+        .sub_product(p.coupling_ratio, shaft_driven_dot);
     let loss = p.motor_alpha_s * motor_sigma;
-    let motor_slip_speed = motor_omega_0 - p.motor_pole_pairs * motor_omega;
+    let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let shaft_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.shaft_engagement_width
                 * (time - p.shaft_engagement_time)))
                 .exp());
     let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1 + p.coupling_damping * coupling_twist_rate;
-    let t2 = motor_psi_sx - p.motor_k_r * motor_psi_rx;
+    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
+    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_i_sx = t3 * t2;
-    let t4 = motor_psi_sy - p.motor_k_r * motor_psi_ry;
+    let t4 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_i_sy = t3 * t4;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
     let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
@@ -1235,62 +1286,103 @@ pub fn power_balance<R: Real>(
     let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_load = shaft_engagement
-        * (p.shaft_mean
-            + p.shaft_amplitude
-                * (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin());
+        * p
+            .shaft_mean
+            .add_product(
+                p.shaft_amplitude,
+                (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin(),
+            );
     let t6 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
     let t7 = R::literal(0.5) / p.shaft_pieces * shaft_load;
     let t8 = t7 * (inverse_shaft_standstill_band * shaft_driven_dot).tanh();
     let t9 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let t10 = p.coupling_damping * p.coupling_ratio;
-    let t11 = p.shaft_end_field_force
-        - t7 * (inverse_shaft_standstill_band * shaft_end_dot).tanh();
+    let t11 = p
+        .shaft_end_field_force
+        .sub_product(t7, (inverse_shaft_standstill_band * shaft_end_dot).tanh());
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force + t9
-        + t10 * coupling_twist_rate - t8)
+    let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t9)
+        .add_product(t10, coupling_twist_rate) - t8)
         * (R::literal(1.0) / (p.shaft_driven_field_inertia + t6));
     let shaft_end_dot_dot = t11 * (R::literal(1.0) / (p.shaft_end_field_inertia + t6));
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let motor_psi_sx_dot = motor_u_x + motor_omega_0 * motor_psi_sy
-        - motor_alpha_s_times_motor_omega_0 * t2;
-    let motor_psi_sy_dot = motor_u_y - motor_omega_0 * motor_psi_sx
-        - motor_alpha_s_times_motor_omega_0 * t4;
+    let motor_psi_sx_dot = motor_u_x
+        .add_product(motor_omega_0, motor_psi_sy)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t2);
+    let motor_psi_sy_dot = motor_u_y
+        .sub_product(motor_omega_0, motor_psi_sx)
+        .sub_product(motor_alpha_s_times_motor_omega_0, t4);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let motor_psi_rx_dot = motor_psi_ry * motor_slip_speed
-        + motor_alpha_r_times_motor_omega_0
-            * (motor_k_s_times_motor_psi_sx - motor_psi_rx);
-    let motor_psi_ry_dot = motor_alpha_r_times_motor_omega_0
-        * (motor_k_s_times_motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+    let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
+        .add_product(
+            motor_alpha_r_times_motor_omega_0,
+            motor_k_s_times_motor_psi_sx - motor_psi_rx,
+        );
+    let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
+        * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     let t12 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t13 = t1 * motor_omega - t9 * shaft_driven_dot
-        + p.motor_inertia * motor_omega * motor_omega_dot
-        + (t6 * shaft_driven_dot + p.shaft_driven_field_inertia * shaft_driven_dot)
-            * shaft_driven_dot_dot
-        + (t6 * shaft_end_dot + p.shaft_end_field_inertia * shaft_end_dot)
-            * shaft_end_dot_dot
-        + R::literal(0.75) * (motor_i_sx + t3 * motor_psi_sx - t12 * motor_psi_rx)
-            * motor_psi_sx_dot;
+    let t13 = (t1 * motor_omega)
+        .sub_product(t9, shaft_driven_dot)
+        .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
+        .add_product(
+            (p.shaft_driven_field_inertia * shaft_driven_dot)
+                .add_product(t6, shaft_driven_dot),
+            shaft_driven_dot_dot,
+        )
+        .add_product(
+            (p.shaft_end_field_inertia * shaft_end_dot).add_product(t6, shaft_end_dot),
+            shaft_end_dot_dot,
+        )
+        .add_product(
+            R::literal(0.75)
+                * motor_i_sx
+                    .add_product(t3, motor_psi_sx)
+                    .sub_product(t12, motor_psi_rx),
+            motor_psi_sx_dot,
+        )
+        .add_product(
+            R::literal(0.75)
+                * motor_i_sy
+                    .add_product(t3, motor_psi_sy)
+                    .sub_product(t12, motor_psi_ry),
+            motor_psi_sy_dot,
+        )
+        .add_product(
+            R::literal(0.75)
+                * motor_i_rx
+                    .add_product(t5, motor_psi_rx)
+                    .sub_product(t12, motor_psi_sx),
+            motor_psi_rx_dot,
+        );
     PowerBalance {
         stored_rate: t13
-            + R::literal(0.75) * (motor_i_sy + t3 * motor_psi_sy - t12 * motor_psi_ry)
-                * motor_psi_sy_dot
-            + R::literal(0.75) * (motor_i_rx + t5 * motor_psi_rx - t12 * motor_psi_sx)
-                * motor_psi_rx_dot
-            + R::literal(0.75) * (motor_i_ry + t5 * motor_psi_ry - t12 * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(1.5) * (motor_u_x * motor_i_sx + motor_u_y * motor_i_sy)
-            + shaft_driven_dot * (p.shaft_driven_field_force - t8) + shaft_end_dot * t11,
-        dissipated: R::literal(1.5)
-            * (p.motor_x_s * loss * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy)
-                + p.motor_alpha_r * motor_sigma * motor_x_r
-                    * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry))
-            + p.coupling_damping * motor_omega * coupling_twist_rate
-            - t10 * shaft_driven_dot * coupling_twist_rate,
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(t5, motor_psi_ry)
+                        .sub_product(t12, motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: (R::literal(1.5)
+            * (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy))
+            .add_product(shaft_driven_dot, p.shaft_driven_field_force - t8)
+            .add_product(shaft_end_dot, t11),
+        dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
+            .add_product(
+                R::literal(1.5),
+                (p.motor_x_s * loss
+                    * (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy))
+                    .add_product(
+                        p.motor_alpha_r * motor_sigma * motor_x_r,
+                        (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
+                    ),
+            )
+            .sub_product(t10 * shaft_driven_dot, coupling_twist_rate),
     }
 }
 
@@ -1800,20 +1892,22 @@ pub mod shaft_phi {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
         [
             -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
-                * (p.shaft_mean
-                    + p.shaft_amplitude
-                        * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+                * p
+                    .shaft_mean
+                    .add_product(
+                        p.shaft_amplitude,
+                        (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
                             * R::literal(core::f64::consts::PI * core::f64::consts::PI)
                             * time)
-                            .sin())
-                * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
+                            .sin(),
+                    ) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
                 / (R::literal(1.0)
                     + (-(R::literal(1.0) / p.shaft_engagement_width
                         * (time - p.shaft_engagement_time)))
                         .exp())),
             -(p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment
                 / (p.shaft_pieces - R::literal(1.0))
-                * (phi_x + p.shaft_loss_time * phi_x_dot)),
+                * phi_x.add_product(p.shaft_loss_time, phi_x_dot)),
         ]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
@@ -1836,13 +1930,16 @@ pub mod shaft_phi {
             R::literal(0.0),
             -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
                 / (p.shaft_length * p.shaft_standstill_band)
-                * (R::literal(1.0) - t0 * t0)
-                * (p.shaft_mean
-                    + p.shaft_amplitude
-                        * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+                * R::literal(1.0).sub_product(t0, t0)
+                * p
+                    .shaft_mean
+                    .add_product(
+                        p.shaft_amplitude,
+                        (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
                             * R::literal(core::f64::consts::PI * core::f64::consts::PI)
                             * time)
-                            .sin())
+                            .sin(),
+                    )
                 / (R::literal(1.0)
                     + (-(R::literal(1.0) / p.shaft_engagement_width
                         * (time - p.shaft_engagement_time)))
@@ -1870,22 +1967,22 @@ pub mod shaft_phi {
         let t1 = R::literal(0.033_333_333_333_333_33) * p.shaft_speed
             * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
         let t2 = t1.sin();
-        let t3 = p.shaft_mean + p.shaft_amplitude * t2;
+        let t3 = p.shaft_mean.add_product(p.shaft_amplitude, t2);
         let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
         let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
         let t4 = (-(inverse_shaft_engagement_width * time_minus_shaft_engagement_time))
             .exp();
         let t5 = R::literal(1.0) + t4;
         let t6 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
-        let t7 = phi_x + p.shaft_loss_time * phi_x_dot;
+        let t7 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
         let t8 = p.shaft_pieces - R::literal(1.0);
         let t9 = p.shaft_pieces * p.shaft_shear_modulus;
         let t10 = t5 * t5;
         let t11 = t0 / (p.shaft_length * p.shaft_engagement_width) * t3 * t4 * t6 / t10;
         let t12 = t1.cos();
         let t13 = R::literal(1.0)
-            + (p.shaft_engagement_time / p.shaft_engagement_width
-                - inverse_shaft_engagement_width * time)
+            + (p.shaft_engagement_time / p.shaft_engagement_width)
+                .sub_product(inverse_shaft_engagement_width, time)
                 .exp();
         let shaft_length_times_shaft_pieces = p.shaft_length * p.shaft_pieces;
         let t14 = (R::literal(1.0) - p.shaft_pieces) / shaft_length_times_shaft_pieces;
@@ -1916,8 +2013,8 @@ pub mod shaft_phi {
             t14 * t2 * t6 / t13,
             R::literal(0.0),
             p.shaft_amplitude
-                * (R::literal(0.033_333_333_333_333_33)
-                    - R::literal(0.033_333_333_333_333_33) * p.shaft_pieces)
+                * R::literal(0.033_333_333_333_333_33)
+                    .sub_product(R::literal(0.033_333_333_333_333_33), p.shaft_pieces)
                 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
                 / shaft_length_times_shaft_pieces * time * t12 * t6 / t13,
             R::literal(0.0),
@@ -1927,7 +2024,7 @@ pub mod shaft_phi {
                 * time_minus_shaft_engagement_time * t3 * t4 * t6 / t10,
             R::literal(0.0),
             t0 / (p.shaft_length * (p.shaft_standstill_band * p.shaft_standstill_band))
-                * phi_dot * (R::literal(1.0) - t6 * t6) * t3 / t5,
+                * phi_dot * R::literal(1.0).sub_product(t6, t6) * t3 / t5,
             R::literal(0.0),
         ]
     }
@@ -1968,13 +2065,15 @@ pub mod shaft_phi {
         [
             t1 / t0 * phi_x * phi_x_dot,
             -(t0 / p.shaft_length * phi_dot
-                * (p.shaft_mean
-                    + p.shaft_amplitude
-                        * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+                * p
+                    .shaft_mean
+                    .add_product(
+                        p.shaft_amplitude,
+                        (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
                             * R::literal(core::f64::consts::PI * core::f64::consts::PI)
                             * time)
-                            .sin())
-                * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
+                            .sin(),
+                    ) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
                 / (R::literal(1.0)
                     + (-(R::literal(1.0) / p.shaft_engagement_width
                         * (time - p.shaft_engagement_time)))
@@ -2064,12 +2163,15 @@ pub mod shaft_phi {
                 .exp();
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
         let t1 = (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
-            * (p.shaft_mean
-                + p.shaft_amplitude
-                    * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+            * p
+                .shaft_mean
+                .add_product(
+                    p.shaft_amplitude,
+                    (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
                         * R::literal(core::f64::consts::PI * core::f64::consts::PI)
                         * time)
-                        .sin());
+                        .sin(),
+                );
         for (((_, _), &phi_dot), force) in at.iter().zip(u).zip(u_t).zip(force) {
             *force = -(t1 * (inverse_shaft_standstill_band * phi_dot).tanh() / t0);
         }
@@ -2086,11 +2188,14 @@ pub mod shaft_phi {
         by_u: &mut [R],
         by_u_t: &mut [R],
     ) {
-        let t0 = p.shaft_mean
-            + p.shaft_amplitude
-                * (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
+        let t0 = p
+            .shaft_mean
+            .add_product(
+                p.shaft_amplitude,
+                (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
                     * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin();
+                    .sin(),
+            );
         let t1 = R::literal(1.0)
             + (-(R::literal(1.0) / p.shaft_engagement_width
                 * (time - p.shaft_engagement_time)))
@@ -2107,7 +2212,7 @@ pub mod shaft_phi {
         {
             let t0_2 = (inverse_shaft_standstill_band * phi_dot).tanh();
             *by_u = R::literal(0.0);
-            *by_u_t = -(t2 * (R::literal(1.0) - t0_2 * t0_2) * t0 / t1);
+            *by_u_t = -(t2 * R::literal(1.0).sub_product(t0_2, t0_2) * t0 / t1);
         }
     }
     /// df_0/dt, at many points.
@@ -2131,7 +2236,7 @@ pub mod shaft_phi {
         let t4 = R::literal(0.033_333_333_333_333_33) * p.shaft_speed
             * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
         let t5 = t3 / (p.shaft_length * p.shaft_engagement_width)
-            * (p.shaft_mean + p.shaft_amplitude * t4.sin()) * t0;
+            * p.shaft_mean.add_product(p.shaft_amplitude, t4.sin()) * t0;
         let t6 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed
             * t3 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
             / p.shaft_length * t4.cos();
@@ -2147,7 +2252,7 @@ pub mod shaft_phi {
         let t0 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment
             / (p.shaft_pieces - R::literal(1.0));
         for ((&phi_x, &phi_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(t0 * (phi_x + p.shaft_loss_time * phi_x_dot));
+            *force = -(t0 * phi_x.add_product(p.shaft_loss_time, phi_x_dot));
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

@@ -506,15 +506,15 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     let coupling_twist = motor_phi_relative - piece_1_phi_relative;
     let coupling_twist_rate = motor_omega - piece_1_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let t0 = R::literal(128.5346) * coupling_twist_rate;
     let t1 = R::literal(23065.2) * coupling_twist;
     let coupling_torque = t0 + t1;
@@ -551,7 +551,8 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     let t17 = R::literal(3_382_256.675_279_931)
         * (piece_7_phi_relative - piece_8_phi_relative);
     let t18 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
-    let t19 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
+    let t19 = R::literal(1.0)
+        + R::literal(7.5).sub_product(R::literal(50.0), time).exp();
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * R::literal(0.238_095_238_095_238_08);
@@ -570,32 +571,39 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     let piece_7_omega_dot = (-load_7_resistance - (t17 - t15) - (t18 - t16))
         * R::literal(8.038_585_209_003_216);
     let piece_8_omega_dot = (-load_8_resistance
-        - (R::literal(3_382_256.675_279_931)
-            * (piece_8_phi_relative - piece_9_phi_relative) - t17)
-        - (R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega) - t18))
-        * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = (R::literal(67.645_133_505_598_62) * piece_8_omega
-        + R::literal(67.645_133_505_598_62) * piece_10_omega
-        + R::literal(3_382_256.675_279_931) * piece_8_phi_relative
-        - R::literal(6_764_513.350_559_862) * piece_9_phi_relative
-        - R::literal(135.290_267_011_197_24) * piece_9_omega
+        - (-t17)
+            .add_product(
+                R::literal(3_382_256.675_279_931),
+                piece_8_phi_relative - piece_9_phi_relative,
+            )
+        - (-t18)
+            .add_product(
+                R::literal(67.645_133_505_598_62),
+                piece_8_omega - piece_9_omega,
+            )) * R::literal(8.038_585_209_003_216);
+    let piece_9_omega_dot = ((R::literal(67.645_133_505_598_62) * piece_8_omega)
+        .add_product(R::literal(67.645_133_505_598_62), piece_10_omega)
+        .add_product(R::literal(3_382_256.675_279_931), piece_8_phi_relative)
+        .sub_product(R::literal(6_764_513.350_559_862), piece_9_phi_relative)
+        .sub_product(R::literal(135.290_267_011_197_24), piece_9_omega)
         - R::literal(84.372) * t4 / t19 - t2 * t4 / t19)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot = (R::literal(67.645_133_505_598_62)
-        * piece_9_omega_minus_piece_10_omega
-        + R::literal(3_382_256.675_279_931) * piece_9_phi_relative - load_10_resistance)
-        * R::literal(8.038_585_209_003_216);
+    let piece_10_omega_dot = ((R::literal(3_382_256.675_279_931) * piece_9_phi_relative)
+        .add_product(
+            R::literal(67.645_133_505_598_62),
+            piece_9_omega_minus_piece_10_omega,
+        ) - load_10_resistance) * R::literal(8.038_585_209_003_216);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sx - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_rx).add_product(R::literal(0.956), motor_psi_sx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_ry).add_product(R::literal(0.956), motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     let motor_phi_relative_dot = motor_omega - piece_10_omega;
     let piece_1_phi_relative_dot = piece_1_omega - piece_10_omega;
     let piece_2_phi_relative_dot = piece_2_omega - piece_10_omega;
@@ -680,7 +688,7 @@ pub fn forcing<R: Real>(
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let t0 = R::literal(128.5346) * coupling_twist_rate;
     let t1 = R::literal(23065.2) * coupling_twist;
     let coupling_torque = t0 + t1;
@@ -726,19 +734,27 @@ pub fn forcing<R: Real>(
     let t18 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
     let piece_7_phi_forcing = -load_7_resistance - (t17 - t15) - (t18 - t16);
     let piece_8_phi_forcing = -load_8_resistance
-        - (R::literal(3_382_256.675_279_931)
-            * (piece_8_phi_relative - piece_9_phi_relative) - t17)
-        - (R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega) - t18);
-    let t19 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
-    let piece_9_phi_forcing = R::literal(67.645_133_505_598_62) * piece_8_omega
-        + R::literal(67.645_133_505_598_62) * piece_10_omega
-        + R::literal(3_382_256.675_279_931) * piece_8_phi_relative
-        - R::literal(6_764_513.350_559_862) * piece_9_phi_relative
-        - R::literal(135.290_267_011_197_24) * piece_9_omega
+        - (-t17)
+            .add_product(
+                R::literal(3_382_256.675_279_931),
+                piece_8_phi_relative - piece_9_phi_relative,
+            )
+        - (-t18)
+            .add_product(
+                R::literal(67.645_133_505_598_62),
+                piece_8_omega - piece_9_omega,
+            );
+    let t19 = R::literal(1.0)
+        + R::literal(7.5).sub_product(R::literal(50.0), time).exp();
+    let piece_9_phi_forcing = (R::literal(67.645_133_505_598_62) * piece_8_omega)
+        .add_product(R::literal(67.645_133_505_598_62), piece_10_omega)
+        .add_product(R::literal(3_382_256.675_279_931), piece_8_phi_relative)
+        .sub_product(R::literal(6_764_513.350_559_862), piece_9_phi_relative)
+        .sub_product(R::literal(135.290_267_011_197_24), piece_9_omega)
         - R::literal(84.372) * t4 / t19 - t2 * t4 / t19;
-    let piece_10_phi_forcing = R::literal(67.645_133_505_598_62)
-        * (piece_9_omega - piece_10_omega)
-        + R::literal(3_382_256.675_279_931) * piece_9_phi_relative - load_10_resistance;
+    let piece_10_phi_forcing = (R::literal(3_382_256.675_279_931) * piece_9_phi_relative)
+        .add_product(R::literal(67.645_133_505_598_62), piece_9_omega - piece_10_omega)
+        - load_10_resistance;
     [
         motor_phi_forcing,
         piece_1_phi_forcing,
@@ -772,7 +788,7 @@ pub fn rate_jacobian<R: Real>(
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
     let t1 = (R::literal(241.805_307_826_689_27) * time).sin();
-    let t2 = R::literal(84.372) + R::literal(7.878) * t1;
+    let t2 = R::literal(84.372).add_product(R::literal(7.878), t1);
     let t3 = (R::literal(2.0) * piece_1_omega).tanh();
     let t4 = (R::literal(2.0) * piece_2_omega).tanh();
     let t5 = (R::literal(2.0) * piece_3_omega).tanh();
@@ -783,32 +799,42 @@ pub fn rate_jacobian<R: Real>(
     let t10 = (R::literal(2.0) * piece_8_omega).tanh();
     let t11 = (R::literal(2.0) * piece_9_omega).tanh();
     let t12 = (R::literal(2.0) * piece_10_omega).tanh();
-    let t13 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
+    let t13 = R::literal(1.0)
+        + R::literal(7.5).sub_product(R::literal(50.0), time).exp();
     let motor_psi_rx_dot_by_motor_omega = -(R::literal(4.0) * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
     let t14 = R::literal(2.0) * load_1_engagement;
-    let piece_1_omega_dot_by_piece_1_omega = (R::literal(-196.179_733_505_598_62)
-        - t14 * (R::literal(1.0) - t3 * t3) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot_by_piece_2_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t4 * t4) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot_by_piece_3_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t5 * t5) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot_by_piece_4_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t6 * t6) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot_by_piece_5_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t7 * t7) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot_by_piece_6_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t8 * t8) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot_by_piece_7_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t9 * t9) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot_by_piece_8_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t10 * t10) * t2) * R::literal(8.038_585_209_003_216);
-    let t15 = R::literal(1.0) - t11 * t11;
+    let piece_1_omega_dot_by_piece_1_omega = R::literal(-196.179_733_505_598_62)
+        .sub_product(t14 * R::literal(1.0).sub_product(t3, t3), t2)
+        * R::literal(8.038_585_209_003_216);
+    let piece_2_omega_dot_by_piece_2_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t14 * R::literal(1.0).sub_product(t4, t4), t2)
+        * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot_by_piece_3_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t14 * R::literal(1.0).sub_product(t5, t5), t2)
+        * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot_by_piece_4_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t14 * R::literal(1.0).sub_product(t6, t6), t2)
+        * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot_by_piece_5_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t14 * R::literal(1.0).sub_product(t7, t7), t2)
+        * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot_by_piece_6_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t14 * R::literal(1.0).sub_product(t8, t8), t2)
+        * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot_by_piece_7_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t14 * R::literal(1.0).sub_product(t9, t9), t2)
+        * R::literal(8.038_585_209_003_216);
+    let piece_8_omega_dot_by_piece_8_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t14 * R::literal(1.0).sub_product(t10, t10), t2)
+        * R::literal(8.038_585_209_003_216);
+    let t15 = R::literal(1.0).sub_product(t11, t11);
     let piece_9_omega_dot_by_piece_9_omega = (R::literal(-135.290_267_011_197_24)
         - R::literal(168.744) * t15 / t13 - R::literal(15.756) * t15 * t1 / t13)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot_by_piece_10_omega = (R::literal(-67.645_133_505_598_62)
-        - t14 * (R::literal(1.0) - t12 * t12) * t2) * R::literal(8.038_585_209_003_216);
+    let piece_10_omega_dot_by_piece_10_omega = R::literal(-67.645_133_505_598_62)
+        .sub_product(t14 * R::literal(1.0).sub_product(t12, t12), t2)
+        * R::literal(8.038_585_209_003_216);
     let motor_omega_dot_by_motor_psi_sx = -(R::literal(4_822.097_783_227_635)
         * motor_psi_ry * R::literal(0.238_095_238_095_238_08));
     let motor_omega_dot_by_motor_psi_sy = R::literal(4_822.097_783_227_635)
@@ -960,34 +986,35 @@ pub fn time_derivative<R: Real>(
     let t11 = (R::literal(2.0) * piece_8_omega).tanh();
     let t12 = (R::literal(2.0) * piece_9_omega).tanh();
     let t13 = (R::literal(2.0) * piece_10_omega).tanh();
-    let t14 = (R::literal(7.5) - R::literal(50.0) * time).exp();
+    let t14 = R::literal(7.5).sub_product(R::literal(50.0), time).exp();
     let t15 = R::literal(1.0) + t14;
     let t16 = t2.cos();
     let t17 = R::literal(1_904.942_215_058_658_1) * load_1_engagement * t16;
     let t18 = t1 * t1;
-    let t19 = R::literal(50.0) * (R::literal(84.372) + R::literal(7.878) * t3) * t0;
+    let t19 = R::literal(50.0) * R::literal(84.372).add_product(R::literal(7.878), t3)
+        * t0;
     let t20 = t15 * t15;
-    let piece_1_omega_dot_by_time = (-(t17 * t4) - t19 * t4 / t18)
+    let piece_1_omega_dot_by_time = (-(t19 * t4 / t18)).sub_product(t17, t4)
         * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot_by_time = (-(t17 * t5) - t19 * t5 / t18)
+    let piece_2_omega_dot_by_time = (-(t19 * t5 / t18)).sub_product(t17, t5)
         * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot_by_time = (-(t17 * t6) - t19 * t6 / t18)
+    let piece_3_omega_dot_by_time = (-(t19 * t6 / t18)).sub_product(t17, t6)
         * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot_by_time = (-(t17 * t7) - t19 * t7 / t18)
+    let piece_4_omega_dot_by_time = (-(t19 * t7 / t18)).sub_product(t17, t7)
         * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot_by_time = (-(t17 * t8) - t19 * t8 / t18)
+    let piece_5_omega_dot_by_time = (-(t19 * t8 / t18)).sub_product(t17, t8)
         * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot_by_time = (-(t17 * t9) - t19 * t9 / t18)
+    let piece_6_omega_dot_by_time = (-(t19 * t9 / t18)).sub_product(t17, t9)
         * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot_by_time = (-(t17 * t10) - t19 * t10 / t18)
+    let piece_7_omega_dot_by_time = (-(t19 * t10 / t18)).sub_product(t17, t10)
         * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot_by_time = (-(t17 * t11) - t19 * t11 / t18)
+    let piece_8_omega_dot_by_time = (-(t19 * t11 / t18)).sub_product(t17, t11)
         * R::literal(8.038_585_209_003_216);
     let piece_9_omega_dot_by_time = (-(R::literal(4218.6) * t14 * t12 / t20)
         - R::literal(393.9) * t14 * t3 * t12 / t20
         - R::literal(1_904.942_215_058_658_1) * t16 * t12 / t15)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot_by_time = (-(t17 * t13) - t19 * t13 / t18)
+    let piece_10_omega_dot_by_time = (-(t19 * t13 / t18)).sub_product(t17, t13)
         * R::literal(8.038_585_209_003_216);
     [
         R::literal(0.0),
@@ -1079,13 +1106,13 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     motor_psi_ry, ..] = *state;
     let coupling_twist = motor_phi_relative - piece_1_phi_relative;
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let motor_i_rx = R::literal(840.672_556_350_703_5)
-        * (motor_psi_rx - R::literal(0.956) * motor_psi_sx);
+        * motor_psi_rx.sub_product(R::literal(0.956), motor_psi_sx);
     let motor_i_ry = R::literal(840.672_556_350_703_5)
-        * (motor_psi_ry - R::literal(0.956) * motor_psi_sy);
+        * motor_psi_ry.sub_product(R::literal(0.956), motor_psi_sy);
     let t0 = piece_1_phi_relative - piece_2_phi_relative;
     let t1 = piece_2_phi_relative - piece_3_phi_relative;
     let t2 = piece_3_phi_relative - piece_4_phi_relative;
@@ -1094,32 +1121,34 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     let t5 = piece_6_phi_relative - piece_7_phi_relative;
     let t6 = piece_7_phi_relative - piece_8_phi_relative;
     let t7 = piece_8_phi_relative - piece_9_phi_relative;
-    let t8 = R::literal(0.0622) * (piece_1_omega * piece_1_omega)
-        + R::literal(0.0622) * (piece_2_omega * piece_2_omega)
-        + R::literal(0.0622) * (piece_3_omega * piece_3_omega)
-        + R::literal(0.0622) * (piece_4_omega * piece_4_omega)
-        + R::literal(0.0622) * (piece_5_omega * piece_5_omega)
-        + R::literal(0.0622) * (piece_6_omega * piece_6_omega)
-        + R::literal(0.0622) * (piece_7_omega * piece_7_omega)
-        + R::literal(0.0622) * (piece_8_omega * piece_8_omega);
-    let t9 = R::literal(11532.6) * (coupling_twist * coupling_twist)
-        + R::literal(1_691_128.337_639_965_6)
-            * (piece_9_phi_relative * piece_9_phi_relative)
-        + R::literal(1_691_128.337_639_965_6) * (t0 * t0)
-        + R::literal(1_691_128.337_639_965_6) * (t1 * t1)
-        + R::literal(1_691_128.337_639_965_6) * (t2 * t2)
-        + R::literal(1_691_128.337_639_965_6) * (t3 * t3)
-        + R::literal(1_691_128.337_639_965_6) * (t4 * t4)
-        + R::literal(1_691_128.337_639_965_6) * (t5 * t5);
     Energy {
-        kinetic: t8 + R::literal(0.0622) * (piece_9_omega * piece_9_omega)
-            + R::literal(0.0622) * (piece_10_omega * piece_10_omega)
-            + R::literal(2.1) * (motor_omega * motor_omega),
-        potential: t9 + R::literal(1_691_128.337_639_965_6) * (t6 * t6)
-            + R::literal(1_691_128.337_639_965_6) * (t7 * t7),
+        kinetic: (R::literal(0.0622) * (piece_1_omega * piece_1_omega))
+            .add_product(R::literal(0.0622), piece_2_omega * piece_2_omega)
+            .add_product(R::literal(0.0622), piece_3_omega * piece_3_omega)
+            .add_product(R::literal(0.0622), piece_4_omega * piece_4_omega)
+            .add_product(R::literal(0.0622), piece_5_omega * piece_5_omega)
+            .add_product(R::literal(0.0622), piece_6_omega * piece_6_omega)
+            .add_product(R::literal(0.0622), piece_7_omega * piece_7_omega)
+            .add_product(R::literal(0.0622), piece_8_omega * piece_8_omega)
+            .add_product(R::literal(0.0622), piece_9_omega * piece_9_omega)
+            .add_product(R::literal(0.0622), piece_10_omega * piece_10_omega)
+            .add_product(R::literal(2.1), motor_omega * motor_omega),
+        potential: (R::literal(1_691_128.337_639_965_6)
+            * (piece_9_phi_relative * piece_9_phi_relative))
+            .add_product(R::literal(11532.6), coupling_twist * coupling_twist)
+            .add_product(R::literal(1_691_128.337_639_965_6), t0 * t0)
+            .add_product(R::literal(1_691_128.337_639_965_6), t1 * t1)
+            .add_product(R::literal(1_691_128.337_639_965_6), t2 * t2)
+            .add_product(R::literal(1_691_128.337_639_965_6), t3 * t3)
+            .add_product(R::literal(1_691_128.337_639_965_6), t4 * t4)
+            .add_product(R::literal(1_691_128.337_639_965_6), t5 * t5)
+            .add_product(R::literal(1_691_128.337_639_965_6), t6 * t6)
+            .add_product(R::literal(1_691_128.337_639_965_6), t7 * t7),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
@@ -1142,11 +1171,11 @@ pub fn power_balance<R: Real>(
     let coupling_twist = motor_phi_relative - piece_1_phi_relative;
     let coupling_twist_rate = motor_omega - piece_1_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let t0 = R::literal(0.956) * motor_psi_sx;
     let motor_i_rx = R::literal(840.672_556_350_703_5) * (motor_psi_rx - t0);
     let t1 = R::literal(0.956) * motor_psi_sy;
@@ -1154,7 +1183,7 @@ pub fn power_balance<R: Real>(
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let t2 = R::literal(128.5346) * coupling_twist_rate;
     let t3 = R::literal(23065.2) * coupling_twist;
     let coupling_torque = t2 + t3;
@@ -1211,7 +1240,8 @@ pub fn power_balance<R: Real>(
     let t36 = t35 - t31;
     let t37 = R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega);
     let t38 = t37 - t33;
-    let t39 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
+    let t39 = R::literal(1.0)
+        + R::literal(7.5).sub_product(R::literal(50.0), time).exp();
     let t40 = R::literal(67.645_133_505_598_62) * piece_10_omega;
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
     let t41 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
@@ -1234,74 +1264,107 @@ pub fn power_balance<R: Real>(
         * R::literal(8.038_585_209_003_216);
     let piece_8_omega_dot = (-load_8_resistance - t36 - t38)
         * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = (R::literal(67.645_133_505_598_62) * piece_8_omega + t40
-        + R::literal(3_382_256.675_279_931) * piece_8_phi_relative
-        - R::literal(6_764_513.350_559_862) * piece_9_phi_relative
-        - R::literal(135.290_267_011_197_24) * piece_9_omega
+    let piece_9_omega_dot = (t40
+        .add_product(R::literal(67.645_133_505_598_62), piece_8_omega)
+        .add_product(R::literal(3_382_256.675_279_931), piece_8_phi_relative)
+        .sub_product(R::literal(6_764_513.350_559_862), piece_9_phi_relative)
+        .sub_product(R::literal(135.290_267_011_197_24), piece_9_omega)
         - R::literal(84.372) * t6 / t39 - t4 * t6 / t39)
         * R::literal(8.038_585_209_003_216);
     let piece_10_omega_dot = (t41 + t42 - load_10_resistance)
         * R::literal(8.038_585_209_003_216);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
-    let t43 = t3 * (motor_omega - piece_10_omega) + t8 * (piece_1_omega - piece_10_omega)
-        + t12 * (piece_2_omega - piece_10_omega) + t16 * (piece_3_omega - piece_10_omega)
-        + t20 * (piece_4_omega - piece_10_omega) + t24 * (piece_5_omega - piece_10_omega)
-        + t28 * (piece_6_omega - piece_10_omega)
-        + t32 * (piece_7_omega - piece_10_omega);
-    let t44 = t43 + t36 * (piece_8_omega - piece_10_omega)
-        + (t42 - t35) * piece_9_omega_minus_piece_10_omega
-        + R::literal(4.2) * motor_omega * motor_omega_dot
-        + R::literal(0.1244) * piece_1_omega * piece_1_omega_dot
-        + R::literal(0.1244) * piece_2_omega * piece_2_omega_dot
-        + R::literal(0.1244) * piece_3_omega * piece_3_omega_dot
-        + R::literal(0.1244) * piece_4_omega * piece_4_omega_dot
-        + R::literal(0.1244) * piece_5_omega * piece_5_omega_dot;
-    let t45 = t44 + R::literal(0.1244) * piece_6_omega * piece_6_omega_dot
-        + R::literal(0.1244) * piece_7_omega * piece_7_omega_dot
-        + R::literal(0.1244) * piece_8_omega * piece_8_omega_dot
-        + R::literal(0.1244) * piece_9_omega * piece_9_omega_dot
-        + R::literal(0.1244) * piece_10_omega * piece_10_omega_dot
-        + R::literal(0.75)
-            * (motor_i_sx + R::literal(844.204_793_982_429_1) * motor_psi_sx
-                - R::literal(803.682_963_871_272_6) * motor_psi_rx) * motor_psi_sx_dot;
-    let t46 = R::literal(1.5)
-        * (R::literal(0.032_063_452_962_957_98)
-            * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry)
-            + R::literal(0.042_795_676_8)
-                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy))
-        + R::literal(128.5346) * motor_omega * coupling_twist_rate + piece_1_omega * t10
-        + piece_2_omega * t14 + piece_3_omega * t18 + piece_4_omega * t22
-        + piece_5_omega * t26;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
+    let t43 = (t3 * (motor_omega - piece_10_omega))
+        .add_product(t8, piece_1_omega - piece_10_omega)
+        .add_product(t12, piece_2_omega - piece_10_omega)
+        .add_product(t16, piece_3_omega - piece_10_omega)
+        .add_product(t20, piece_4_omega - piece_10_omega)
+        .add_product(t24, piece_5_omega - piece_10_omega)
+        .add_product(t28, piece_6_omega - piece_10_omega)
+        .add_product(t32, piece_7_omega - piece_10_omega)
+        .add_product(t36, piece_8_omega - piece_10_omega)
+        .add_product(t42 - t35, piece_9_omega_minus_piece_10_omega)
+        .add_product(R::literal(4.2) * motor_omega, motor_omega_dot)
+        .add_product(R::literal(0.1244) * piece_1_omega, piece_1_omega_dot);
+    let t44 = t43
+        .add_product(R::literal(0.1244) * piece_2_omega, piece_2_omega_dot)
+        .add_product(R::literal(0.1244) * piece_3_omega, piece_3_omega_dot)
+        .add_product(R::literal(0.1244) * piece_4_omega, piece_4_omega_dot)
+        .add_product(R::literal(0.1244) * piece_5_omega, piece_5_omega_dot)
+        .add_product(R::literal(0.1244) * piece_6_omega, piece_6_omega_dot)
+        .add_product(R::literal(0.1244) * piece_7_omega, piece_7_omega_dot)
+        .add_product(R::literal(0.1244) * piece_8_omega, piece_8_omega_dot)
+        .add_product(R::literal(0.1244) * piece_9_omega, piece_9_omega_dot)
+        .add_product(R::literal(0.1244) * piece_10_omega, piece_10_omega_dot)
+        .add_product(
+            R::literal(0.75)
+                * motor_i_sx
+                    .add_product(R::literal(844.204_793_982_429_1), motor_psi_sx)
+                    .sub_product(R::literal(803.682_963_871_272_6), motor_psi_rx),
+            motor_psi_sx_dot,
+        );
     PowerBalance {
-        stored_rate: t45
-            + R::literal(0.75)
-                * (motor_i_sy + R::literal(844.204_793_982_429_1) * motor_psi_sy
-                    - R::literal(803.682_963_871_272_6) * motor_psi_ry)
-                * motor_psi_sy_dot
-            + R::literal(0.75)
-                * (motor_i_rx + R::literal(840.672_556_350_703_5) * motor_psi_rx
-                    - R::literal(803.682_963_871_272_6) * motor_psi_sx)
-                * motor_psi_rx_dot
-            + R::literal(0.75)
-                * (motor_i_ry + R::literal(840.672_556_350_703_5) * motor_psi_ry
-                    - R::literal(803.682_963_871_272_6) * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(466.690_475_583_121_4) * motor_i_sx
-            - piece_1_omega * load_1_resistance - piece_2_omega * load_2_resistance
-            - piece_3_omega * load_3_resistance - piece_4_omega * load_4_resistance
-            - piece_5_omega * load_5_resistance - piece_6_omega * load_6_resistance
-            - piece_7_omega * load_7_resistance - piece_8_omega * load_8_resistance
-            - piece_9_omega * load_9_resistance - piece_10_omega * load_10_resistance,
-        dissipated: t46 + piece_6_omega * t30 + piece_7_omega * t34 + piece_8_omega * t38
-            + piece_9_omega * (t41 - t37) - t40 * piece_9_omega_minus_piece_10_omega,
+        stored_rate: t44
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(R::literal(844.204_793_982_429_1), motor_psi_sy)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_ry)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: (R::literal(466.690_475_583_121_4) * motor_i_sx)
+            .sub_product(piece_1_omega, load_1_resistance)
+            .sub_product(piece_2_omega, load_2_resistance)
+            .sub_product(piece_3_omega, load_3_resistance)
+            .sub_product(piece_4_omega, load_4_resistance)
+            .sub_product(piece_5_omega, load_5_resistance)
+            .sub_product(piece_6_omega, load_6_resistance)
+            .sub_product(piece_7_omega, load_7_resistance)
+            .sub_product(piece_8_omega, load_8_resistance)
+            .sub_product(piece_9_omega, load_9_resistance)
+            .sub_product(piece_10_omega, load_10_resistance),
+        dissipated: (R::literal(128.5346) * motor_omega * coupling_twist_rate)
+            .add_product(
+                R::literal(1.5),
+                (R::literal(0.032_063_452_962_957_98)
+                    * (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry))
+                    .add_product(
+                        R::literal(0.042_795_676_8),
+                        (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy),
+                    ),
+            )
+            .add_product(piece_1_omega, t10)
+            .add_product(piece_2_omega, t14)
+            .add_product(piece_3_omega, t18)
+            .add_product(piece_4_omega, t22)
+            .add_product(piece_5_omega, t26)
+            .add_product(piece_6_omega, t30)
+            .add_product(piece_7_omega, t34)
+            .add_product(piece_8_omega, t38)
+            .add_product(piece_9_omega, t41 - t37)
+            .sub_product(t40, piece_9_omega_minus_piece_10_omega),
     }
 }
 

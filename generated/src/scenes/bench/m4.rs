@@ -308,7 +308,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_shaft_driven_field_inertia = R::literal(1.0)
         / p.shaft_driven_field_inertia;
     let t0 = R::literal(1.0)
-        / (p.shaft_reed_field_inertia + p.reed_mass * (p.reed_radius * p.reed_radius));
+        / p
+            .shaft_reed_field_inertia
+            .add_product(p.reed_mass, p.reed_radius * p.reed_radius);
     let shaft_driven_dot_dot_by_shaft_driven = -(p.drive_spring_stiffness
         * inverse_shaft_driven_field_inertia);
     let shaft_reed_dot_dot_by_shaft_reed = -(p.ground_spring_stiffness * t0);
@@ -359,11 +361,13 @@ pub fn prepared_rate<R: Real>(
     let [shaft_driven, shaft_reed, shaft_driven_dot, shaft_reed_dot] = *state;
     let drive = R::literal(0.12)
         * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force
-        - p.drive_spring_stiffness * (shaft_driven - drive))
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.drive_spring_stiffness, shaft_driven - drive)
         * c.inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force
-        - p.ground_spring_stiffness * shaft_reed) * c.t0;
+    let shaft_reed_dot_dot = p
+        .shaft_reed_field_force
+        .sub_product(p.ground_spring_stiffness, shaft_reed) * c.t0;
     [shaft_driven_dot, shaft_reed_dot, shaft_driven_dot_dot, shaft_reed_dot_dot]
 }
 
@@ -378,7 +382,9 @@ pub fn mass_matrix<R: Real>(
 ) -> [R; 2] {
     [
         p.shaft_driven_field_inertia,
-        p.shaft_reed_field_inertia + p.reed_mass * (p.reed_radius * p.reed_radius),
+        p
+            .shaft_reed_field_inertia
+            .add_product(p.reed_mass, p.reed_radius * p.reed_radius),
     ]
 }
 
@@ -394,10 +400,12 @@ pub fn forcing<R: Real>(
     let [shaft_driven, shaft_reed, ..] = *state;
     let drive = R::literal(0.12)
         * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let shaft_driven_forcing = p.shaft_driven_field_force
-        - p.drive_spring_stiffness * (shaft_driven - drive);
-    let shaft_reed_forcing = p.shaft_reed_field_force
-        - p.ground_spring_stiffness * shaft_reed;
+    let shaft_driven_forcing = p
+        .shaft_driven_field_force
+        .sub_product(p.drive_spring_stiffness, shaft_driven - drive);
+    let shaft_reed_forcing = p
+        .shaft_reed_field_force
+        .sub_product(p.ground_spring_stiffness, shaft_reed);
     [shaft_driven_forcing, shaft_reed_forcing]
 }
 
@@ -448,12 +456,14 @@ pub fn parameter_jacobian<R: Real>(
     let inverse_shaft_driven_field_inertia = R::literal(1.0)
         / p.shaft_driven_field_inertia;
     let shaft_reed_dot_dot_by_shaft_reed_field_force = R::literal(1.0)
-        / (p.shaft_reed_field_inertia + p.reed_mass * reed_radius_squared);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force
-        - p.drive_spring_stiffness * (shaft_driven - drive))
+        / p.shaft_reed_field_inertia.add_product(p.reed_mass, reed_radius_squared);
+    let shaft_driven_dot_dot = p
+        .shaft_driven_field_force
+        .sub_product(p.drive_spring_stiffness, shaft_driven - drive)
         * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force
-        - p.ground_spring_stiffness * shaft_reed)
+    let shaft_reed_dot_dot = p
+        .shaft_reed_field_force
+        .sub_product(p.ground_spring_stiffness, shaft_reed)
         * shaft_reed_dot_dot_by_shaft_reed_field_force;
     let shaft_reed_dot_dot_by_reed_mass = -(reed_radius_squared * shaft_reed_dot_dot
         * shaft_reed_dot_dot_by_shaft_reed_field_force);
@@ -525,14 +535,22 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let shaft_driven_minus_drive = shaft_driven - drive;
     let shaft_reed_dot_squared = shaft_reed_dot * shaft_reed_dot;
     Energy {
-        kinetic: R::literal(0.5) * p.reed_mass * (p.reed_radius * p.reed_radius)
-            * shaft_reed_dot_squared
-            + R::literal(0.5) * p.shaft_driven_field_inertia
-                * (shaft_driven_dot * shaft_driven_dot)
-            + R::literal(0.5) * p.shaft_reed_field_inertia * shaft_reed_dot_squared,
-        potential: R::literal(0.5) * p.drive_spring_stiffness
-            * (shaft_driven_minus_drive * shaft_driven_minus_drive)
-            + R::literal(0.5) * p.ground_spring_stiffness * (shaft_reed * shaft_reed),
+        kinetic: (R::literal(0.5) * p.shaft_driven_field_inertia
+            * (shaft_driven_dot * shaft_driven_dot))
+            .add_product(
+                R::literal(0.5) * p.reed_mass * (p.reed_radius * p.reed_radius),
+                shaft_reed_dot_squared,
+            )
+            .add_product(
+                R::literal(0.5) * p.shaft_reed_field_inertia,
+                shaft_reed_dot_squared,
+            ),
+        potential: (R::literal(0.5) * p.ground_spring_stiffness
+            * (shaft_reed * shaft_reed))
+            .add_product(
+                R::literal(0.5) * p.drive_spring_stiffness,
+                shaft_driven_minus_drive * shaft_driven_minus_drive,
+            ),
         stored: R::literal(0.0),
     }
 }
@@ -562,12 +580,20 @@ pub fn power_balance<R: Real>(
     let t3 = R::literal(3.015_928_947_446_201) * p.drive_spring_stiffness
         * shaft_driven_minus_drive * t0.cos();
     PowerBalance {
-        stored_rate: t1 * shaft_driven_dot - t3 + t2 * shaft_reed_dot
-            + p.shaft_driven_field_inertia * shaft_driven_dot * shaft_driven_dot_dot
-            + (reed_mass_times_reed_radius_squared * shaft_reed_dot
-                + p.shaft_reed_field_inertia * shaft_reed_dot) * shaft_reed_dot_dot,
-        supplied: p.shaft_driven_field_force * shaft_driven_dot
-            + p.shaft_reed_field_force * shaft_reed_dot - t3,
+        stored_rate: (-t3)
+            .add_product(t1, shaft_driven_dot)
+            .add_product(t2, shaft_reed_dot)
+            .add_product(
+                p.shaft_driven_field_inertia * shaft_driven_dot,
+                shaft_driven_dot_dot,
+            )
+            .add_product(
+                (p.shaft_reed_field_inertia * shaft_reed_dot)
+                    .add_product(reed_mass_times_reed_radius_squared, shaft_reed_dot),
+                shaft_reed_dot_dot,
+            ),
+        supplied: (p.shaft_driven_field_force * shaft_driven_dot)
+            .add_product(p.shaft_reed_field_force, shaft_reed_dot) - t3,
         dissipated: R::literal(0.0),
     }
 }
@@ -599,8 +625,9 @@ pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
         R::literal(0.0),
         p.shaft_reed_field_force
             * (R::literal(1.0)
-                / (p.shaft_reed_field_inertia
-                    + p.reed_mass * (p.reed_radius * p.reed_radius))),
+                / p
+                    .shaft_reed_field_inertia
+                    .add_product(p.reed_mass, p.reed_radius * p.reed_radius)),
         R::literal(0.0),
     ]
 }

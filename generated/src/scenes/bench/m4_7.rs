@@ -336,28 +336,28 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     node_3_omega, node_4_omega, node_5_omega, node_6_omega, node_7_omega] = *state;
     let drive = R::literal(0.12)
         * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let node_0_omega_dot = -((R::literal(45200.0) * (node_0_theta - drive)
-        + R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta))
+    let node_0_omega_dot = -((R::literal(188_797.635_432_078_9)
+        * (node_0_theta - node_1_theta))
+        .add_product(R::literal(45200.0), node_0_theta - drive)
         * R::literal(1_702.307_473_310_885));
     let node_1_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_0_theta + node_2_theta - R::literal(2.0) * node_1_theta)
+        * (node_0_theta + node_2_theta).sub_product(R::literal(2.0), node_1_theta)
         * R::literal(851.153_736_655_442_5);
     let node_2_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_1_theta + node_3_theta - R::literal(2.0) * node_2_theta)
+        * (node_1_theta + node_3_theta).sub_product(R::literal(2.0), node_2_theta)
         * R::literal(851.153_736_655_442_5);
     let node_3_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_2_theta + node_4_theta - R::literal(2.0) * node_3_theta)
+        * (node_2_theta + node_4_theta).sub_product(R::literal(2.0), node_3_theta)
         * R::literal(851.153_736_655_442_5);
-    let node_4_omega_dot = (R::literal(188_797.635_432_078_9)
-        * (node_3_theta - node_4_theta)
-        - (R::literal(15600.0) * node_4_theta
-            + R::literal(188_797.635_432_078_9) * (node_4_theta - node_5_theta)))
+    let node_4_omega_dot = (-(R::literal(15600.0) * node_4_theta)
+        .add_product(R::literal(188_797.635_432_078_9), node_4_theta - node_5_theta))
+        .add_product(R::literal(188_797.635_432_078_9), node_3_theta - node_4_theta)
         * R::literal(19.069_821_446_680_283);
     let node_5_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_4_theta + node_6_theta - R::literal(2.0) * node_5_theta)
+        * (node_4_theta + node_6_theta).sub_product(R::literal(2.0), node_5_theta)
         * R::literal(851.153_736_655_442_5);
     let node_6_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_5_theta + node_7_theta - R::literal(2.0) * node_6_theta)
+        * (node_5_theta + node_7_theta).sub_product(R::literal(2.0), node_6_theta)
         * R::literal(851.153_736_655_442_5);
     let node_7_omega_dot = R::literal(188_797.635_432_078_9)
         * (node_6_theta - node_7_theta) * R::literal(1_702.307_473_310_885);
@@ -415,22 +415,22 @@ pub fn forcing<R: Real>(
     node_5_theta, node_6_theta, node_7_theta, ..] = *state;
     let drive = R::literal(0.12)
         * (R::literal(8.0 * core::f64::consts::PI) * time).sin();
-    let node_0_theta_forcing = -(R::literal(45200.0) * (node_0_theta - drive)
-        + R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta));
+    let node_0_theta_forcing = -(R::literal(188_797.635_432_078_9)
+        * (node_0_theta - node_1_theta))
+        .add_product(R::literal(45200.0), node_0_theta - drive);
     let node_1_theta_forcing = R::literal(188_797.635_432_078_9)
-        * (node_0_theta + node_2_theta - R::literal(2.0) * node_1_theta);
+        * (node_0_theta + node_2_theta).sub_product(R::literal(2.0), node_1_theta);
     let node_2_theta_forcing = R::literal(188_797.635_432_078_9)
-        * (node_1_theta + node_3_theta - R::literal(2.0) * node_2_theta);
+        * (node_1_theta + node_3_theta).sub_product(R::literal(2.0), node_2_theta);
     let node_3_theta_forcing = R::literal(188_797.635_432_078_9)
-        * (node_2_theta + node_4_theta - R::literal(2.0) * node_3_theta);
-    let node_4_theta_forcing = R::literal(188_797.635_432_078_9)
-        * (node_3_theta - node_4_theta)
-        - (R::literal(15600.0) * node_4_theta
-            + R::literal(188_797.635_432_078_9) * (node_4_theta - node_5_theta));
+        * (node_2_theta + node_4_theta).sub_product(R::literal(2.0), node_3_theta);
+    let node_4_theta_forcing = (-(R::literal(15600.0) * node_4_theta)
+        .add_product(R::literal(188_797.635_432_078_9), node_4_theta - node_5_theta))
+        .add_product(R::literal(188_797.635_432_078_9), node_3_theta - node_4_theta);
     let node_5_theta_forcing = R::literal(188_797.635_432_078_9)
-        * (node_4_theta + node_6_theta - R::literal(2.0) * node_5_theta);
+        * (node_4_theta + node_6_theta).sub_product(R::literal(2.0), node_5_theta);
     let node_6_theta_forcing = R::literal(188_797.635_432_078_9)
-        * (node_5_theta + node_7_theta - R::literal(2.0) * node_6_theta);
+        * (node_5_theta + node_7_theta).sub_product(R::literal(2.0), node_6_theta);
     let node_7_theta_forcing = R::literal(188_797.635_432_078_9)
         * (node_6_theta - node_7_theta);
     [
@@ -582,32 +582,70 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ener
     let node_1_theta_minus_node_2_theta = node_1_theta - node_2_theta;
     let node_2_theta_minus_node_3_theta = node_2_theta - node_3_theta;
     let node_5_theta_minus_node_6_theta = node_5_theta - node_6_theta;
-    let t0 = R::literal(7800.0) * (node_4_theta * node_4_theta)
-        + R::literal(22600.0) * (node_0_theta_minus_drive * node_0_theta_minus_drive)
-        + R::literal(94_398.817_716_039_46)
-            * (node_0_theta_minus_node_1_theta * node_0_theta_minus_node_1_theta)
-        + R::literal(94_398.817_716_039_46)
-            * (node_1_theta_minus_node_2_theta * node_1_theta_minus_node_2_theta)
-        + R::literal(94_398.817_716_039_46)
-            * (node_2_theta_minus_node_3_theta * node_2_theta_minus_node_3_theta)
-        + R::literal(94_398.817_716_039_46)
-            * (node_3_theta_minus_node_4_theta * node_3_theta_minus_node_4_theta)
-        + R::literal(94_398.817_716_039_46)
-            * (node_4_theta_minus_node_5_theta * node_4_theta_minus_node_5_theta)
-        + R::literal(94_398.817_716_039_46)
-            * (node_5_theta_minus_node_6_theta * node_5_theta_minus_node_6_theta);
     Energy {
-        kinetic: R::literal(0.000_293_718_971_360_403_13) * (node_0_omega * node_0_omega)
-            + R::literal(0.000_293_718_971_360_403_13) * (node_7_omega * node_7_omega)
-            + R::literal(0.000_587_437_942_720_806_3) * (node_1_omega * node_1_omega)
-            + R::literal(0.000_587_437_942_720_806_3) * (node_2_omega * node_2_omega)
-            + R::literal(0.000_587_437_942_720_806_3) * (node_3_omega * node_3_omega)
-            + R::literal(0.000_587_437_942_720_806_3) * (node_5_omega * node_5_omega)
-            + R::literal(0.000_587_437_942_720_806_3) * (node_6_omega * node_6_omega)
-            + R::literal(0.026_219_437_942_720_806) * (node_4_omega * node_4_omega),
-        potential: t0
-            + R::literal(94_398.817_716_039_46)
-                * (node_6_theta_minus_node_7_theta * node_6_theta_minus_node_7_theta),
+        kinetic: (R::literal(0.000_293_718_971_360_403_13)
+            * (node_0_omega * node_0_omega))
+            .add_product(
+                R::literal(0.000_293_718_971_360_403_13),
+                node_7_omega * node_7_omega,
+            )
+            .add_product(
+                R::literal(0.000_587_437_942_720_806_3),
+                node_1_omega * node_1_omega,
+            )
+            .add_product(
+                R::literal(0.000_587_437_942_720_806_3),
+                node_2_omega * node_2_omega,
+            )
+            .add_product(
+                R::literal(0.000_587_437_942_720_806_3),
+                node_3_omega * node_3_omega,
+            )
+            .add_product(
+                R::literal(0.000_587_437_942_720_806_3),
+                node_5_omega * node_5_omega,
+            )
+            .add_product(
+                R::literal(0.000_587_437_942_720_806_3),
+                node_6_omega * node_6_omega,
+            )
+            .add_product(
+                R::literal(0.026_219_437_942_720_806),
+                node_4_omega * node_4_omega,
+            ),
+        potential: (R::literal(7800.0) * (node_4_theta * node_4_theta))
+            .add_product(
+                R::literal(22600.0),
+                node_0_theta_minus_drive * node_0_theta_minus_drive,
+            )
+            .add_product(
+                R::literal(94_398.817_716_039_46),
+                node_0_theta_minus_node_1_theta * node_0_theta_minus_node_1_theta,
+            )
+            .add_product(
+                R::literal(94_398.817_716_039_46),
+                node_1_theta_minus_node_2_theta * node_1_theta_minus_node_2_theta,
+            )
+            .add_product(
+                R::literal(94_398.817_716_039_46),
+                node_2_theta_minus_node_3_theta * node_2_theta_minus_node_3_theta,
+            )
+            .add_product(
+                R::literal(94_398.817_716_039_46),
+                node_3_theta_minus_node_4_theta * node_3_theta_minus_node_4_theta,
+            )
+            .add_product(
+                R::literal(94_398.817_716_039_46),
+                node_4_theta_minus_node_5_theta * node_4_theta_minus_node_5_theta,
+            )
+            .add_product(
+                R::literal(94_398.817_716_039_46),
+                node_5_theta_minus_node_6_theta * node_5_theta_minus_node_6_theta,
+            )
+            .add_product(
+                R::literal(94_398.817_716_039_46),
+                node_6_theta_minus_node_7_theta * node_6_theta_minus_node_7_theta,
+            ),
         stored: R::literal(0.0),
     }
 }
@@ -628,47 +666,75 @@ pub fn power_balance<R: Real>(
     let drive = R::literal(0.12) * t0.sin();
     let node_0_theta_minus_drive = node_0_theta - drive;
     let t1 = R::literal(188_797.635_432_078_9) * (node_0_theta - node_1_theta);
-    let t2 = R::literal(45200.0) * node_0_theta_minus_drive + t1;
+    let t2 = t1.add_product(R::literal(45200.0), node_0_theta_minus_drive);
     let t3 = R::literal(188_797.635_432_078_9) * (node_3_theta - node_4_theta);
     let t4 = R::literal(188_797.635_432_078_9) * (node_4_theta - node_5_theta);
-    let t5 = R::literal(15600.0) * node_4_theta + t4;
+    let t5 = t4.add_product(R::literal(15600.0), node_4_theta);
     let t6 = R::literal(188_797.635_432_078_9) * (node_6_theta - node_7_theta);
     let node_1_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_0_theta + node_2_theta - R::literal(2.0) * node_1_theta)
+        * (node_0_theta + node_2_theta).sub_product(R::literal(2.0), node_1_theta)
         * R::literal(851.153_736_655_442_5);
     let node_2_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_1_theta + node_3_theta - R::literal(2.0) * node_2_theta)
+        * (node_1_theta + node_3_theta).sub_product(R::literal(2.0), node_2_theta)
         * R::literal(851.153_736_655_442_5);
     let node_3_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_2_theta + node_4_theta - R::literal(2.0) * node_3_theta)
+        * (node_2_theta + node_4_theta).sub_product(R::literal(2.0), node_3_theta)
         * R::literal(851.153_736_655_442_5);
     let node_4_omega_dot = (t3 - t5) * R::literal(19.069_821_446_680_283);
     let node_5_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_4_theta + node_6_theta - R::literal(2.0) * node_5_theta)
+        * (node_4_theta + node_6_theta).sub_product(R::literal(2.0), node_5_theta)
         * R::literal(851.153_736_655_442_5);
     let node_6_omega_dot = R::literal(188_797.635_432_078_9)
-        * (node_5_theta + node_7_theta - R::literal(2.0) * node_6_theta)
+        * (node_5_theta + node_7_theta).sub_product(R::literal(2.0), node_6_theta)
         * R::literal(851.153_736_655_442_5);
     let node_7_omega_dot = t6 * R::literal(1_702.307_473_310_885);
     let t7 = R::literal(136_319.988_424_568_3) * node_0_theta_minus_drive * t0.cos();
     let t8 = R::literal(188_797.635_432_078_9) * (node_1_theta - node_2_theta);
     let t9 = R::literal(188_797.635_432_078_9) * (node_2_theta - node_3_theta);
     let t10 = R::literal(188_797.635_432_078_9) * (node_5_theta - node_6_theta);
-    let t11 = t2 * node_0_omega - t7 + (t8 - t1) * node_1_omega
-        + (t9 - t8) * node_2_omega + (t3 - t9) * node_3_omega + (t5 - t3) * node_4_omega
-        + (t10 - t4) * node_5_omega + (t6 - t10) * node_6_omega - t6 * node_7_omega;
-    let t12 = t11
-        - R::literal(0.000_587_437_942_720_806_3) * node_0_omega
-            * (t2 * R::literal(1_702.307_473_310_885))
-        + R::literal(0.001_174_875_885_441_612_5) * node_1_omega * node_1_omega_dot
-        + R::literal(0.001_174_875_885_441_612_5) * node_2_omega * node_2_omega_dot
-        + R::literal(0.001_174_875_885_441_612_5) * node_3_omega * node_3_omega_dot
-        + R::literal(0.052_438_875_885_441_61) * node_4_omega * node_4_omega_dot
-        + R::literal(0.001_174_875_885_441_612_5) * node_5_omega * node_5_omega_dot
-        + R::literal(0.001_174_875_885_441_612_5) * node_6_omega * node_6_omega_dot;
+    let t11 = (-t7)
+        .add_product(t2, node_0_omega)
+        .add_product(t8 - t1, node_1_omega)
+        .add_product(t9 - t8, node_2_omega)
+        .add_product(t3 - t9, node_3_omega)
+        .add_product(t5 - t3, node_4_omega)
+        .add_product(t10 - t4, node_5_omega)
+        .add_product(t6 - t10, node_6_omega)
+        .sub_product(t6, node_7_omega)
+        .sub_product(
+            R::literal(0.000_587_437_942_720_806_3) * node_0_omega,
+            t2 * R::literal(1_702.307_473_310_885),
+        )
+        .add_product(
+            R::literal(0.001_174_875_885_441_612_5) * node_1_omega,
+            node_1_omega_dot,
+        )
+        .add_product(
+            R::literal(0.001_174_875_885_441_612_5) * node_2_omega,
+            node_2_omega_dot,
+        )
+        .add_product(
+            R::literal(0.001_174_875_885_441_612_5) * node_3_omega,
+            node_3_omega_dot,
+        );
     PowerBalance {
-        stored_rate: t12
-            + R::literal(0.000_587_437_942_720_806_3) * node_7_omega * node_7_omega_dot,
+        stored_rate: t11
+            .add_product(
+                R::literal(0.052_438_875_885_441_61) * node_4_omega,
+                node_4_omega_dot,
+            )
+            .add_product(
+                R::literal(0.001_174_875_885_441_612_5) * node_5_omega,
+                node_5_omega_dot,
+            )
+            .add_product(
+                R::literal(0.001_174_875_885_441_612_5) * node_6_omega,
+                node_6_omega_dot,
+            )
+            .add_product(
+                R::literal(0.000_587_437_942_720_806_3) * node_7_omega,
+                node_7_omega_dot,
+            ),
         supplied: -t7,
         dissipated: R::literal(0.0),
     }

@@ -178,10 +178,10 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [winder_q, winder_v] = *state;
-    let winder_v_dot = (R::literal(8.4) * (R::literal(220.0) * time).sin()
-        + R::literal(25.0) * (R::literal(110.0) * time).sin()
-        - R::literal(45800.0) * winder_q - R::literal(95.0) * winder_v)
-        * R::literal(0.476_190_476_190_476_16);
+    let winder_v_dot = (R::literal(8.4) * (R::literal(220.0) * time).sin())
+        .add_product(R::literal(25.0), (R::literal(110.0) * time).sin())
+        .sub_product(R::literal(45800.0), winder_q)
+        .sub_product(R::literal(95.0), winder_v) * R::literal(0.476_190_476_190_476_16);
     [winder_v, winder_v_dot]
 }
 
@@ -207,9 +207,10 @@ pub fn forcing<R: Real>(
     _p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [winder_q, winder_v] = *state;
-    let winder_q_forcing = R::literal(8.4) * (R::literal(220.0) * time).sin()
-        + R::literal(25.0) * (R::literal(110.0) * time).sin()
-        - R::literal(45800.0) * winder_q - R::literal(95.0) * winder_v;
+    let winder_q_forcing = (R::literal(8.4) * (R::literal(220.0) * time).sin())
+        .add_product(R::literal(25.0), (R::literal(110.0) * time).sin())
+        .sub_product(R::literal(45800.0), winder_q)
+        .sub_product(R::literal(95.0), winder_v);
     [winder_q_forcing]
 }
 
@@ -250,8 +251,8 @@ pub fn time_derivative<R: Real>(
     _state: &[R; STATES],
     _p: &Parameters<R>,
 ) -> [R; STATES] {
-    let winder_v_dot_by_time = (R::literal(1848.0) * (R::literal(220.0) * time).cos()
-        + R::literal(2750.0) * (R::literal(110.0) * time).cos())
+    let winder_v_dot_by_time = (R::literal(1848.0) * (R::literal(220.0) * time).cos())
+        .add_product(R::literal(2750.0), (R::literal(110.0) * time).cos())
         * R::literal(0.476_190_476_190_476_16);
     [R::literal(0.0), winder_v_dot_by_time]
 }
@@ -282,9 +283,11 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ener
     let winder_q_minus_winder_surface = winder_q - winder_surface;
     Energy {
         kinetic: R::literal(1.05) * (winder_v * winder_v),
-        potential: R::literal(1900.0) * (winder_q * winder_q)
-            + R::literal(21000.0)
-                * (winder_q_minus_winder_surface * winder_q_minus_winder_surface),
+        potential: (R::literal(1900.0) * (winder_q * winder_q))
+            .add_product(
+                R::literal(21000.0),
+                winder_q_minus_winder_surface * winder_q_minus_winder_surface,
+            ),
         stored: R::literal(0.0),
     }
 }
@@ -303,16 +306,21 @@ pub fn power_balance<R: Real>(
     let t1 = t0.sin();
     let winder_surface = R::literal(0.0002) * t1;
     let t2 = (R::literal(110.0) * time).sin();
-    let winder_v_dot = (R::literal(8.4) * t1 + R::literal(25.0) * t2
-        - R::literal(45800.0) * winder_q - R::literal(95.0) * winder_v)
-        * R::literal(0.476_190_476_190_476_16);
+    let winder_v_dot = (R::literal(8.4) * t1)
+        .add_product(R::literal(25.0), t2)
+        .sub_product(R::literal(45800.0), winder_q)
+        .sub_product(R::literal(95.0), winder_v) * R::literal(0.476_190_476_190_476_16);
     let winder_q_minus_winder_surface = winder_q - winder_surface;
     let t3 = R::literal(1848.0) * winder_q_minus_winder_surface * t0.cos();
     PowerBalance {
-        stored_rate: (R::literal(3800.0) * winder_q
-            + R::literal(42000.0) * winder_q_minus_winder_surface) * winder_v - t3
-            + R::literal(2.1) * winder_v * winder_v_dot,
-        supplied: R::literal(25.0) * winder_v * t2 - t3,
+        stored_rate: (-t3)
+            .add_product(
+                (R::literal(3800.0) * winder_q)
+                    .add_product(R::literal(42000.0), winder_q_minus_winder_surface),
+                winder_v,
+            )
+            .add_product(R::literal(2.1) * winder_v, winder_v_dot),
+        supplied: (-t3).add_product(R::literal(25.0) * winder_v, t2),
         dissipated: R::literal(95.0) * (winder_v * winder_v),
     }
 }

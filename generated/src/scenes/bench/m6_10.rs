@@ -668,122 +668,122 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let cos_chain_theta_9 = chain_theta_9.cos();
     let sin_chain_theta_10 = chain_theta_10.sin();
     let cos_chain_theta_10 = chain_theta_10.cos();
-    let t0 = sin_chain_theta_1 * cos_chain_theta_2
-        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
     let t1 = R::literal(9.0)
-        * (cos_chain_theta_1 * cos_chain_theta_2
-            + sin_chain_theta_1 * sin_chain_theta_2);
-    let t2 = sin_chain_theta_1 * cos_chain_theta_3
-        - cos_chain_theta_1 * sin_chain_theta_3;
+        * (cos_chain_theta_1 * cos_chain_theta_2)
+            .add_product(sin_chain_theta_1, sin_chain_theta_2);
+    let t2 = (sin_chain_theta_1 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_3);
     let t3 = R::literal(8.0)
-        * (cos_chain_theta_1 * cos_chain_theta_3
-            + sin_chain_theta_1 * sin_chain_theta_3);
-    let t4 = sin_chain_theta_1 * cos_chain_theta_4
-        - cos_chain_theta_1 * sin_chain_theta_4;
+        * (cos_chain_theta_1 * cos_chain_theta_3)
+            .add_product(sin_chain_theta_1, sin_chain_theta_3);
+    let t4 = (sin_chain_theta_1 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_4);
     let t5 = R::literal(7.0)
-        * (cos_chain_theta_1 * cos_chain_theta_4
-            + sin_chain_theta_1 * sin_chain_theta_4);
-    let t6 = sin_chain_theta_1 * cos_chain_theta_5
-        - cos_chain_theta_1 * sin_chain_theta_5;
+        * (cos_chain_theta_1 * cos_chain_theta_4)
+            .add_product(sin_chain_theta_1, sin_chain_theta_4);
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_5);
     let t7 = R::literal(6.0)
-        * (cos_chain_theta_1 * cos_chain_theta_5
-            + sin_chain_theta_1 * sin_chain_theta_5);
-    let t8 = sin_chain_theta_1 * cos_chain_theta_6
-        - cos_chain_theta_1 * sin_chain_theta_6;
+        * (cos_chain_theta_1 * cos_chain_theta_5)
+            .add_product(sin_chain_theta_1, sin_chain_theta_5);
+    let t8 = (sin_chain_theta_1 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_6);
     let t9 = R::literal(5.0)
-        * (cos_chain_theta_1 * cos_chain_theta_6
-            + sin_chain_theta_1 * sin_chain_theta_6);
-    let t10 = sin_chain_theta_1 * cos_chain_theta_7
-        - cos_chain_theta_1 * sin_chain_theta_7;
+        * (cos_chain_theta_1 * cos_chain_theta_6)
+            .add_product(sin_chain_theta_1, sin_chain_theta_6);
+    let t10 = (sin_chain_theta_1 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_7);
     let t11 = R::literal(4.0)
-        * (cos_chain_theta_1 * cos_chain_theta_7
-            + sin_chain_theta_1 * sin_chain_theta_7);
-    let t12 = sin_chain_theta_1 * cos_chain_theta_8
-        - cos_chain_theta_1 * sin_chain_theta_8;
+        * (cos_chain_theta_1 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_1, sin_chain_theta_7);
+    let t12 = (sin_chain_theta_1 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_8);
     let t13 = R::literal(3.0)
-        * (cos_chain_theta_1 * cos_chain_theta_8
-            + sin_chain_theta_1 * sin_chain_theta_8);
-    let t14 = sin_chain_theta_1 * cos_chain_theta_9
-        - cos_chain_theta_1 * sin_chain_theta_9;
+        * (cos_chain_theta_1 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_1, sin_chain_theta_8);
+    let t14 = (sin_chain_theta_1 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_9);
     let t15 = R::literal(2.0)
-        * (cos_chain_theta_1 * cos_chain_theta_9
-            + sin_chain_theta_1 * sin_chain_theta_9);
-    let t16 = sin_chain_theta_1 * cos_chain_theta_10
-        - cos_chain_theta_1 * sin_chain_theta_10;
-    let t17 = cos_chain_theta_1 * cos_chain_theta_10
-        + sin_chain_theta_1 * sin_chain_theta_10;
-    let t18 = sin_chain_theta_2 * cos_chain_theta_3
-        - cos_chain_theta_2 * sin_chain_theta_3;
-    let t19 = sin_chain_theta_2 * cos_chain_theta_4
-        - cos_chain_theta_2 * sin_chain_theta_4;
-    let t20 = sin_chain_theta_2 * cos_chain_theta_5
-        - cos_chain_theta_2 * sin_chain_theta_5;
-    let t21 = sin_chain_theta_2 * cos_chain_theta_6
-        - cos_chain_theta_2 * sin_chain_theta_6;
-    let t22 = sin_chain_theta_2 * cos_chain_theta_7
-        - cos_chain_theta_2 * sin_chain_theta_7;
-    let t23 = sin_chain_theta_2 * cos_chain_theta_8
-        - cos_chain_theta_2 * sin_chain_theta_8;
-    let t24 = sin_chain_theta_2 * cos_chain_theta_9
-        - cos_chain_theta_2 * sin_chain_theta_9;
-    let t25 = sin_chain_theta_2 * cos_chain_theta_10
-        - cos_chain_theta_2 * sin_chain_theta_10;
-    let t26 = sin_chain_theta_3 * cos_chain_theta_4
-        - cos_chain_theta_3 * sin_chain_theta_4;
-    let t27 = sin_chain_theta_3 * cos_chain_theta_5
-        - cos_chain_theta_3 * sin_chain_theta_5;
-    let t28 = sin_chain_theta_3 * cos_chain_theta_6
-        - cos_chain_theta_3 * sin_chain_theta_6;
-    let t29 = sin_chain_theta_3 * cos_chain_theta_7
-        - cos_chain_theta_3 * sin_chain_theta_7;
-    let t30 = sin_chain_theta_3 * cos_chain_theta_8
-        - cos_chain_theta_3 * sin_chain_theta_8;
-    let t31 = sin_chain_theta_3 * cos_chain_theta_9
-        - cos_chain_theta_3 * sin_chain_theta_9;
-    let t32 = sin_chain_theta_3 * cos_chain_theta_10
-        - cos_chain_theta_3 * sin_chain_theta_10;
-    let t33 = sin_chain_theta_4 * cos_chain_theta_5
-        - cos_chain_theta_4 * sin_chain_theta_5;
-    let t34 = sin_chain_theta_4 * cos_chain_theta_6
-        - cos_chain_theta_4 * sin_chain_theta_6;
-    let t35 = sin_chain_theta_4 * cos_chain_theta_7
-        - cos_chain_theta_4 * sin_chain_theta_7;
-    let t36 = sin_chain_theta_4 * cos_chain_theta_8
-        - cos_chain_theta_4 * sin_chain_theta_8;
-    let t37 = sin_chain_theta_4 * cos_chain_theta_9
-        - cos_chain_theta_4 * sin_chain_theta_9;
-    let t38 = sin_chain_theta_4 * cos_chain_theta_10
-        - cos_chain_theta_4 * sin_chain_theta_10;
-    let t39 = sin_chain_theta_5 * cos_chain_theta_6
-        - cos_chain_theta_5 * sin_chain_theta_6;
-    let t40 = sin_chain_theta_5 * cos_chain_theta_7
-        - cos_chain_theta_5 * sin_chain_theta_7;
-    let t41 = sin_chain_theta_5 * cos_chain_theta_8
-        - cos_chain_theta_5 * sin_chain_theta_8;
-    let t42 = sin_chain_theta_5 * cos_chain_theta_9
-        - cos_chain_theta_5 * sin_chain_theta_9;
-    let t43 = sin_chain_theta_5 * cos_chain_theta_10
-        - cos_chain_theta_5 * sin_chain_theta_10;
-    let t44 = sin_chain_theta_6 * cos_chain_theta_7
-        - cos_chain_theta_6 * sin_chain_theta_7;
-    let t45 = sin_chain_theta_6 * cos_chain_theta_8
-        - cos_chain_theta_6 * sin_chain_theta_8;
-    let t46 = sin_chain_theta_6 * cos_chain_theta_9
-        - cos_chain_theta_6 * sin_chain_theta_9;
-    let t47 = sin_chain_theta_6 * cos_chain_theta_10
-        - cos_chain_theta_6 * sin_chain_theta_10;
-    let t48 = sin_chain_theta_7 * cos_chain_theta_8
-        - cos_chain_theta_7 * sin_chain_theta_8;
-    let t49 = sin_chain_theta_7 * cos_chain_theta_9
-        - cos_chain_theta_7 * sin_chain_theta_9;
-    let t50 = sin_chain_theta_7 * cos_chain_theta_10
-        - cos_chain_theta_7 * sin_chain_theta_10;
-    let t51 = sin_chain_theta_8 * cos_chain_theta_9
-        - cos_chain_theta_8 * sin_chain_theta_9;
-    let t52 = sin_chain_theta_8 * cos_chain_theta_10
-        - cos_chain_theta_8 * sin_chain_theta_10;
-    let t53 = sin_chain_theta_9 * cos_chain_theta_10
-        - cos_chain_theta_9 * sin_chain_theta_10;
+        * (cos_chain_theta_1 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_1, sin_chain_theta_9);
+    let t16 = (sin_chain_theta_1 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_10);
+    let t17 = (cos_chain_theta_1 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_1, sin_chain_theta_10);
+    let t18 = (sin_chain_theta_2 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_3);
+    let t19 = (sin_chain_theta_2 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_4);
+    let t20 = (sin_chain_theta_2 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_5);
+    let t21 = (sin_chain_theta_2 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_6);
+    let t22 = (sin_chain_theta_2 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_7);
+    let t23 = (sin_chain_theta_2 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_8);
+    let t24 = (sin_chain_theta_2 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_9);
+    let t25 = (sin_chain_theta_2 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_10);
+    let t26 = (sin_chain_theta_3 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_4);
+    let t27 = (sin_chain_theta_3 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_5);
+    let t28 = (sin_chain_theta_3 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_6);
+    let t29 = (sin_chain_theta_3 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_7);
+    let t30 = (sin_chain_theta_3 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_8);
+    let t31 = (sin_chain_theta_3 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_9);
+    let t32 = (sin_chain_theta_3 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_10);
+    let t33 = (sin_chain_theta_4 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_5);
+    let t34 = (sin_chain_theta_4 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_6);
+    let t35 = (sin_chain_theta_4 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_7);
+    let t36 = (sin_chain_theta_4 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_8);
+    let t37 = (sin_chain_theta_4 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_9);
+    let t38 = (sin_chain_theta_4 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_10);
+    let t39 = (sin_chain_theta_5 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_6);
+    let t40 = (sin_chain_theta_5 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_7);
+    let t41 = (sin_chain_theta_5 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_8);
+    let t42 = (sin_chain_theta_5 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_9);
+    let t43 = (sin_chain_theta_5 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_10);
+    let t44 = (sin_chain_theta_6 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_7);
+    let t45 = (sin_chain_theta_6 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_8);
+    let t46 = (sin_chain_theta_6 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_9);
+    let t47 = (sin_chain_theta_6 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_10);
+    let t48 = (sin_chain_theta_7 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_7, sin_chain_theta_8);
+    let t49 = (sin_chain_theta_7 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_7, sin_chain_theta_9);
+    let t50 = (sin_chain_theta_7 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_7, sin_chain_theta_10);
+    let t51 = (sin_chain_theta_8 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_8, sin_chain_theta_9);
+    let t52 = (sin_chain_theta_8 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_8, sin_chain_theta_10);
+    let t53 = (sin_chain_theta_9 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_9, sin_chain_theta_10);
     let t54 = t1 * R::literal(0.1);
     let t55 = t3 * R::literal(0.1);
     let t56 = t5 * R::literal(0.1);
@@ -793,282 +793,536 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let t60 = t13 * R::literal(0.1);
     let t61 = t15 * R::literal(0.1);
     let t62 = t17 * R::literal(0.1);
-    let t63 = R::literal(1.0) / (R::literal(9.0) - t54 * t1);
-    let t64 = R::literal(8.0)
-        * (cos_chain_theta_2 * cos_chain_theta_3 + sin_chain_theta_2 * sin_chain_theta_3)
-        - t55 * t1;
+    let t63 = R::literal(1.0) / R::literal(9.0).sub_product(t54, t1);
+    let t64 = (R::literal(8.0)
+        * (cos_chain_theta_2 * cos_chain_theta_3)
+            .add_product(sin_chain_theta_2, sin_chain_theta_3))
+        .sub_product(t55, t1);
     let t65 = t64 * t63;
-    let t66 = R::literal(7.0)
-        * (cos_chain_theta_2 * cos_chain_theta_4 + sin_chain_theta_2 * sin_chain_theta_4)
-        - t56 * t1;
+    let t66 = (R::literal(7.0)
+        * (cos_chain_theta_2 * cos_chain_theta_4)
+            .add_product(sin_chain_theta_2, sin_chain_theta_4))
+        .sub_product(t56, t1);
     let t67 = t66 * t63;
-    let t68 = R::literal(6.0)
-        * (cos_chain_theta_2 * cos_chain_theta_5 + sin_chain_theta_2 * sin_chain_theta_5)
-        - t57 * t1;
+    let t68 = (R::literal(6.0)
+        * (cos_chain_theta_2 * cos_chain_theta_5)
+            .add_product(sin_chain_theta_2, sin_chain_theta_5))
+        .sub_product(t57, t1);
     let t69 = t68 * t63;
-    let t70 = R::literal(5.0)
-        * (cos_chain_theta_2 * cos_chain_theta_6 + sin_chain_theta_2 * sin_chain_theta_6)
-        - t58 * t1;
+    let t70 = (R::literal(5.0)
+        * (cos_chain_theta_2 * cos_chain_theta_6)
+            .add_product(sin_chain_theta_2, sin_chain_theta_6))
+        .sub_product(t58, t1);
     let t71 = t70 * t63;
-    let t72 = R::literal(4.0)
-        * (cos_chain_theta_2 * cos_chain_theta_7 + sin_chain_theta_2 * sin_chain_theta_7)
-        - t59 * t1;
+    let t72 = (R::literal(4.0)
+        * (cos_chain_theta_2 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_2, sin_chain_theta_7))
+        .sub_product(t59, t1);
     let t73 = t72 * t63;
-    let t74 = R::literal(3.0)
-        * (cos_chain_theta_2 * cos_chain_theta_8 + sin_chain_theta_2 * sin_chain_theta_8)
-        - t60 * t1;
+    let t74 = (R::literal(3.0)
+        * (cos_chain_theta_2 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_2, sin_chain_theta_8))
+        .sub_product(t60, t1);
     let t75 = t74 * t63;
-    let t76 = R::literal(2.0)
-        * (cos_chain_theta_2 * cos_chain_theta_9 + sin_chain_theta_2 * sin_chain_theta_9)
-        - t61 * t1;
+    let t76 = (R::literal(2.0)
+        * (cos_chain_theta_2 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_2, sin_chain_theta_9))
+        .sub_product(t61, t1);
     let t77 = t76 * t63;
-    let t78 = cos_chain_theta_2 * cos_chain_theta_10
-        + sin_chain_theta_2 * sin_chain_theta_10 - t62 * t1;
+    let t78 = (cos_chain_theta_2 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_2, sin_chain_theta_10)
+        .sub_product(t62, t1);
     let t79 = t78 * t63;
-    let t80 = R::literal(1.0) / (R::literal(8.0) - t55 * t3 - t65 * t64);
-    let t81 = R::literal(7.0)
-        * (cos_chain_theta_3 * cos_chain_theta_4 + sin_chain_theta_3 * sin_chain_theta_4)
-        - t56 * t3 - t67 * t64;
+    let t80 = R::literal(1.0)
+        / R::literal(8.0).sub_product(t55, t3).sub_product(t65, t64);
+    let t81 = (R::literal(7.0)
+        * (cos_chain_theta_3 * cos_chain_theta_4)
+            .add_product(sin_chain_theta_3, sin_chain_theta_4))
+        .sub_product(t56, t3)
+        .sub_product(t67, t64);
     let t82 = t81 * t80;
-    let t83 = R::literal(6.0)
-        * (cos_chain_theta_3 * cos_chain_theta_5 + sin_chain_theta_3 * sin_chain_theta_5)
-        - t57 * t3 - t69 * t64;
+    let t83 = (R::literal(6.0)
+        * (cos_chain_theta_3 * cos_chain_theta_5)
+            .add_product(sin_chain_theta_3, sin_chain_theta_5))
+        .sub_product(t57, t3)
+        .sub_product(t69, t64);
     let t84 = t83 * t80;
-    let t85 = R::literal(5.0)
-        * (cos_chain_theta_3 * cos_chain_theta_6 + sin_chain_theta_3 * sin_chain_theta_6)
-        - t58 * t3 - t71 * t64;
+    let t85 = (R::literal(5.0)
+        * (cos_chain_theta_3 * cos_chain_theta_6)
+            .add_product(sin_chain_theta_3, sin_chain_theta_6))
+        .sub_product(t58, t3)
+        .sub_product(t71, t64);
     let t86 = t85 * t80;
-    let t87 = R::literal(4.0)
-        * (cos_chain_theta_3 * cos_chain_theta_7 + sin_chain_theta_3 * sin_chain_theta_7)
-        - t59 * t3 - t73 * t64;
+    let t87 = (R::literal(4.0)
+        * (cos_chain_theta_3 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_3, sin_chain_theta_7))
+        .sub_product(t59, t3)
+        .sub_product(t73, t64);
     let t88 = t87 * t80;
-    let t89 = R::literal(3.0)
-        * (cos_chain_theta_3 * cos_chain_theta_8 + sin_chain_theta_3 * sin_chain_theta_8)
-        - t60 * t3 - t75 * t64;
+    let t89 = (R::literal(3.0)
+        * (cos_chain_theta_3 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_3, sin_chain_theta_8))
+        .sub_product(t60, t3)
+        .sub_product(t75, t64);
     let t90 = t89 * t80;
-    let t91 = R::literal(2.0)
-        * (cos_chain_theta_3 * cos_chain_theta_9 + sin_chain_theta_3 * sin_chain_theta_9)
-        - t61 * t3 - t77 * t64;
+    let t91 = (R::literal(2.0)
+        * (cos_chain_theta_3 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_3, sin_chain_theta_9))
+        .sub_product(t61, t3)
+        .sub_product(t77, t64);
     let t92 = t91 * t80;
-    let t93 = cos_chain_theta_3 * cos_chain_theta_10
-        + sin_chain_theta_3 * sin_chain_theta_10 - t62 * t3 - t79 * t64;
+    let t93 = (cos_chain_theta_3 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_3, sin_chain_theta_10)
+        .sub_product(t62, t3)
+        .sub_product(t79, t64);
     let t94 = t93 * t80;
-    let t95 = R::literal(1.0) / (R::literal(7.0) - t56 * t5 - t67 * t66 - t82 * t81);
-    let t96 = R::literal(6.0)
-        * (cos_chain_theta_4 * cos_chain_theta_5 + sin_chain_theta_4 * sin_chain_theta_5)
-        - t57 * t5 - t69 * t66 - t84 * t81;
+    let t95 = R::literal(1.0)
+        / R::literal(7.0)
+            .sub_product(t56, t5)
+            .sub_product(t67, t66)
+            .sub_product(t82, t81);
+    let t96 = (R::literal(6.0)
+        * (cos_chain_theta_4 * cos_chain_theta_5)
+            .add_product(sin_chain_theta_4, sin_chain_theta_5))
+        .sub_product(t57, t5)
+        .sub_product(t69, t66)
+        .sub_product(t84, t81);
     let t97 = t96 * t95;
-    let t98 = R::literal(5.0)
-        * (cos_chain_theta_4 * cos_chain_theta_6 + sin_chain_theta_4 * sin_chain_theta_6)
-        - t58 * t5 - t71 * t66 - t86 * t81;
+    let t98 = (R::literal(5.0)
+        * (cos_chain_theta_4 * cos_chain_theta_6)
+            .add_product(sin_chain_theta_4, sin_chain_theta_6))
+        .sub_product(t58, t5)
+        .sub_product(t71, t66)
+        .sub_product(t86, t81);
     let t99 = t98 * t95;
-    let t100 = R::literal(4.0)
-        * (cos_chain_theta_4 * cos_chain_theta_7 + sin_chain_theta_4 * sin_chain_theta_7)
-        - t59 * t5 - t73 * t66 - t88 * t81;
+    let t100 = (R::literal(4.0)
+        * (cos_chain_theta_4 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_4, sin_chain_theta_7))
+        .sub_product(t59, t5)
+        .sub_product(t73, t66)
+        .sub_product(t88, t81);
     let t101 = t100 * t95;
-    let t102 = R::literal(3.0)
-        * (cos_chain_theta_4 * cos_chain_theta_8 + sin_chain_theta_4 * sin_chain_theta_8)
-        - t60 * t5 - t75 * t66 - t90 * t81;
+    let t102 = (R::literal(3.0)
+        * (cos_chain_theta_4 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_4, sin_chain_theta_8))
+        .sub_product(t60, t5)
+        .sub_product(t75, t66)
+        .sub_product(t90, t81);
     let t103 = t102 * t95;
-    let t104 = R::literal(2.0)
-        * (cos_chain_theta_4 * cos_chain_theta_9 + sin_chain_theta_4 * sin_chain_theta_9)
-        - t61 * t5 - t77 * t66 - t92 * t81;
+    let t104 = (R::literal(2.0)
+        * (cos_chain_theta_4 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_4, sin_chain_theta_9))
+        .sub_product(t61, t5)
+        .sub_product(t77, t66)
+        .sub_product(t92, t81);
     let t105 = t104 * t95;
-    let t106 = cos_chain_theta_4 * cos_chain_theta_10
-        + sin_chain_theta_4 * sin_chain_theta_10 - t62 * t5 - t79 * t66 - t94 * t81;
+    let t106 = (cos_chain_theta_4 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_4, sin_chain_theta_10)
+        .sub_product(t62, t5)
+        .sub_product(t79, t66)
+        .sub_product(t94, t81);
     let t107 = t106 * t95;
     let t108 = R::literal(1.0)
-        / (R::literal(6.0) - t57 * t7 - t69 * t68 - t84 * t83 - t97 * t96);
-    let t109 = R::literal(5.0)
-        * (cos_chain_theta_5 * cos_chain_theta_6 + sin_chain_theta_5 * sin_chain_theta_6)
-        - t58 * t7 - t71 * t68 - t86 * t83 - t99 * t96;
+        / R::literal(6.0)
+            .sub_product(t57, t7)
+            .sub_product(t69, t68)
+            .sub_product(t84, t83)
+            .sub_product(t97, t96);
+    let t109 = (R::literal(5.0)
+        * (cos_chain_theta_5 * cos_chain_theta_6)
+            .add_product(sin_chain_theta_5, sin_chain_theta_6))
+        .sub_product(t58, t7)
+        .sub_product(t71, t68)
+        .sub_product(t86, t83)
+        .sub_product(t99, t96);
     let t110 = t109 * t108;
-    let t111 = R::literal(4.0)
-        * (cos_chain_theta_5 * cos_chain_theta_7 + sin_chain_theta_5 * sin_chain_theta_7)
-        - t59 * t7 - t73 * t68 - t88 * t83 - t101 * t96;
+    let t111 = (R::literal(4.0)
+        * (cos_chain_theta_5 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_5, sin_chain_theta_7))
+        .sub_product(t59, t7)
+        .sub_product(t73, t68)
+        .sub_product(t88, t83)
+        .sub_product(t101, t96);
     let t112 = t111 * t108;
-    let t113 = R::literal(3.0)
-        * (cos_chain_theta_5 * cos_chain_theta_8 + sin_chain_theta_5 * sin_chain_theta_8)
-        - t60 * t7 - t75 * t68 - t90 * t83 - t103 * t96;
+    let t113 = (R::literal(3.0)
+        * (cos_chain_theta_5 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_5, sin_chain_theta_8))
+        .sub_product(t60, t7)
+        .sub_product(t75, t68)
+        .sub_product(t90, t83)
+        .sub_product(t103, t96);
     let t114 = t113 * t108;
-    let t115 = R::literal(2.0)
-        * (cos_chain_theta_5 * cos_chain_theta_9 + sin_chain_theta_5 * sin_chain_theta_9)
-        - t61 * t7 - t77 * t68 - t92 * t83 - t105 * t96;
+    let t115 = (R::literal(2.0)
+        * (cos_chain_theta_5 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_5, sin_chain_theta_9))
+        .sub_product(t61, t7)
+        .sub_product(t77, t68)
+        .sub_product(t92, t83)
+        .sub_product(t105, t96);
     let t116 = t115 * t108;
-    let t117 = cos_chain_theta_5 * cos_chain_theta_10
-        + sin_chain_theta_5 * sin_chain_theta_10 - t62 * t7 - t79 * t68 - t94 * t83
-        - t107 * t96;
+    let t117 = (cos_chain_theta_5 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_5, sin_chain_theta_10)
+        .sub_product(t62, t7)
+        .sub_product(t79, t68)
+        .sub_product(t94, t83)
+        .sub_product(t107, t96);
     let t118 = t117 * t108;
     let t119 = R::literal(1.0)
-        / (R::literal(5.0) - t58 * t9 - t71 * t70 - t86 * t85 - t99 * t98 - t110 * t109);
-    let t120 = R::literal(4.0)
-        * (cos_chain_theta_6 * cos_chain_theta_7 + sin_chain_theta_6 * sin_chain_theta_7)
-        - t59 * t9 - t73 * t70 - t88 * t85 - t101 * t98 - t112 * t109;
+        / R::literal(5.0)
+            .sub_product(t58, t9)
+            .sub_product(t71, t70)
+            .sub_product(t86, t85)
+            .sub_product(t99, t98)
+            .sub_product(t110, t109);
+    let t120 = (R::literal(4.0)
+        * (cos_chain_theta_6 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_6, sin_chain_theta_7))
+        .sub_product(t59, t9)
+        .sub_product(t73, t70)
+        .sub_product(t88, t85)
+        .sub_product(t101, t98)
+        .sub_product(t112, t109);
     let t121 = t120 * t119;
-    let t122 = R::literal(3.0)
-        * (cos_chain_theta_6 * cos_chain_theta_8 + sin_chain_theta_6 * sin_chain_theta_8)
-        - t60 * t9 - t75 * t70 - t90 * t85 - t103 * t98 - t114 * t109;
+    let t122 = (R::literal(3.0)
+        * (cos_chain_theta_6 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_6, sin_chain_theta_8))
+        .sub_product(t60, t9)
+        .sub_product(t75, t70)
+        .sub_product(t90, t85)
+        .sub_product(t103, t98)
+        .sub_product(t114, t109);
     let t123 = t122 * t119;
-    let t124 = R::literal(2.0)
-        * (cos_chain_theta_6 * cos_chain_theta_9 + sin_chain_theta_6 * sin_chain_theta_9)
-        - t61 * t9 - t77 * t70 - t92 * t85 - t105 * t98 - t116 * t109;
+    let t124 = (R::literal(2.0)
+        * (cos_chain_theta_6 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_6, sin_chain_theta_9))
+        .sub_product(t61, t9)
+        .sub_product(t77, t70)
+        .sub_product(t92, t85)
+        .sub_product(t105, t98)
+        .sub_product(t116, t109);
     let t125 = t124 * t119;
-    let t126 = cos_chain_theta_6 * cos_chain_theta_10
-        + sin_chain_theta_6 * sin_chain_theta_10 - t62 * t9 - t79 * t70 - t94 * t85
-        - t107 * t98 - t118 * t109;
+    let t126 = (cos_chain_theta_6 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_6, sin_chain_theta_10)
+        .sub_product(t62, t9)
+        .sub_product(t79, t70)
+        .sub_product(t94, t85)
+        .sub_product(t107, t98)
+        .sub_product(t118, t109);
     let t127 = t126 * t119;
     let t128 = R::literal(1.0)
-        / (R::literal(4.0) - t59 * t11 - t73 * t72 - t88 * t87 - t101 * t100
-            - t112 * t111 - t121 * t120);
-    let t129 = R::literal(3.0)
-        * (cos_chain_theta_7 * cos_chain_theta_8 + sin_chain_theta_7 * sin_chain_theta_8)
-        - t60 * t11 - t75 * t72 - t90 * t87 - t103 * t100 - t114 * t111 - t123 * t120;
+        / R::literal(4.0)
+            .sub_product(t59, t11)
+            .sub_product(t73, t72)
+            .sub_product(t88, t87)
+            .sub_product(t101, t100)
+            .sub_product(t112, t111)
+            .sub_product(t121, t120);
+    let t129 = (R::literal(3.0)
+        * (cos_chain_theta_7 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_7, sin_chain_theta_8))
+        .sub_product(t60, t11)
+        .sub_product(t75, t72)
+        .sub_product(t90, t87)
+        .sub_product(t103, t100)
+        .sub_product(t114, t111)
+        .sub_product(t123, t120);
     let t130 = t129 * t128;
-    let t131 = R::literal(2.0)
-        * (cos_chain_theta_7 * cos_chain_theta_9 + sin_chain_theta_7 * sin_chain_theta_9)
-        - t61 * t11 - t77 * t72 - t92 * t87 - t105 * t100 - t116 * t111 - t125 * t120;
+    let t131 = (R::literal(2.0)
+        * (cos_chain_theta_7 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_7, sin_chain_theta_9))
+        .sub_product(t61, t11)
+        .sub_product(t77, t72)
+        .sub_product(t92, t87)
+        .sub_product(t105, t100)
+        .sub_product(t116, t111)
+        .sub_product(t125, t120);
     let t132 = t131 * t128;
-    let t133 = cos_chain_theta_7 * cos_chain_theta_10
-        + sin_chain_theta_7 * sin_chain_theta_10 - t62 * t11 - t79 * t72 - t94 * t87
-        - t107 * t100 - t118 * t111 - t127 * t120;
+    let t133 = (cos_chain_theta_7 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_7, sin_chain_theta_10)
+        .sub_product(t62, t11)
+        .sub_product(t79, t72)
+        .sub_product(t94, t87)
+        .sub_product(t107, t100)
+        .sub_product(t118, t111)
+        .sub_product(t127, t120);
     let t134 = t133 * t128;
     let t135 = R::literal(1.0)
-        / (R::literal(3.0) - t60 * t13 - t75 * t74 - t90 * t89 - t103 * t102
-            - t114 * t113 - t123 * t122 - t130 * t129);
-    let t136 = R::literal(2.0)
-        * (cos_chain_theta_8 * cos_chain_theta_9 + sin_chain_theta_8 * sin_chain_theta_9)
-        - t61 * t13 - t77 * t74 - t92 * t89 - t105 * t102 - t116 * t113 - t125 * t122
-        - t132 * t129;
+        / R::literal(3.0)
+            .sub_product(t60, t13)
+            .sub_product(t75, t74)
+            .sub_product(t90, t89)
+            .sub_product(t103, t102)
+            .sub_product(t114, t113)
+            .sub_product(t123, t122)
+            .sub_product(t130, t129);
+    let t136 = (R::literal(2.0)
+        * (cos_chain_theta_8 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_8, sin_chain_theta_9))
+        .sub_product(t61, t13)
+        .sub_product(t77, t74)
+        .sub_product(t92, t89)
+        .sub_product(t105, t102)
+        .sub_product(t116, t113)
+        .sub_product(t125, t122)
+        .sub_product(t132, t129);
     let t137 = t136 * t135;
-    let t138 = cos_chain_theta_8 * cos_chain_theta_10
-        + sin_chain_theta_8 * sin_chain_theta_10 - t62 * t13 - t79 * t74 - t94 * t89
-        - t107 * t102 - t118 * t113 - t127 * t122 - t134 * t129;
+    let t138 = (cos_chain_theta_8 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_8, sin_chain_theta_10)
+        .sub_product(t62, t13)
+        .sub_product(t79, t74)
+        .sub_product(t94, t89)
+        .sub_product(t107, t102)
+        .sub_product(t118, t113)
+        .sub_product(t127, t122)
+        .sub_product(t134, t129);
     let t139 = t138 * t135;
     let t140 = R::literal(1.0)
-        / (R::literal(2.0) - t61 * t15 - t77 * t76 - t92 * t91 - t105 * t104
-            - t116 * t115 - t125 * t124 - t132 * t131 - t137 * t136);
-    let t141 = cos_chain_theta_9 * cos_chain_theta_10
-        + sin_chain_theta_9 * sin_chain_theta_10 - t62 * t15 - t79 * t76 - t94 * t91
-        - t107 * t104 - t118 * t115 - t127 * t124 - t134 * t131 - t139 * t136;
+        / R::literal(2.0)
+            .sub_product(t61, t15)
+            .sub_product(t77, t76)
+            .sub_product(t92, t91)
+            .sub_product(t105, t104)
+            .sub_product(t116, t115)
+            .sub_product(t125, t124)
+            .sub_product(t132, t131)
+            .sub_product(t137, t136);
+    let t141 = (cos_chain_theta_9 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_9, sin_chain_theta_10)
+        .sub_product(t62, t15)
+        .sub_product(t79, t76)
+        .sub_product(t94, t91)
+        .sub_product(t107, t104)
+        .sub_product(t118, t115)
+        .sub_product(t127, t124)
+        .sub_product(t134, t131)
+        .sub_product(t139, t136);
     let t142 = t141 * t140;
-    let t143 = R::literal(1.0)
-        / (R::literal(1.0) - t62 * t17 - t79 * t78 - t94 * t93 - t107 * t106
-            - t118 * t117 - t127 * t126 - t134 * t133 - t139 * t138 - t142 * t141);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t144 = R::literal(8.0) * chain_omega_3_squared;
+    let t143 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t145 = R::literal(7.0) * chain_omega_4_squared;
+    let t144 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t146 = R::literal(6.0) * chain_omega_5_squared;
+    let t145 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t147 = R::literal(5.0) * chain_omega_6_squared;
+    let t146 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t148 = R::literal(4.0) * chain_omega_7_squared;
+    let t147 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t149 = R::literal(3.0) * chain_omega_8_squared;
+    let t148 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t150 = R::literal(2.0) * chain_omega_9_squared;
+    let t149 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t151 = -(R::literal(98.1) * sin_chain_theta_1)
-        - R::literal(9.0) * chain_omega_2_squared * t0 - t144 * t2 - t145 * t4
-        - t146 * t6 - t147 * t8 - t148 * t10 - t149 * t12 - t150 * t14
-        - chain_omega_10_squared * t16;
+    let t150 = (-(R::literal(98.1) * sin_chain_theta_1))
+        .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
+        .sub_product(t143, t2)
+        .sub_product(t144, t4)
+        .sub_product(t145, t6)
+        .sub_product(t146, t8)
+        .sub_product(t147, t10)
+        .sub_product(t148, t12)
+        .sub_product(t149, t14)
+        .sub_product(chain_omega_10_squared, t16);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t152 = R::literal(6.0) * chain_omega_1_squared * t6
-        + R::literal(6.0) * chain_omega_2_squared * t20
-        + R::literal(6.0) * chain_omega_3_squared * t27
-        + R::literal(6.0) * chain_omega_4_squared * t33
-        - R::literal(58.86) * sin_chain_theta_5 - t147 * t39 - t148 * t40 - t149 * t41
-        - t150 * t42 - chain_omega_10_squared * t43;
-    let t153 = R::literal(5.0) * chain_omega_1_squared * t8
-        + R::literal(5.0) * chain_omega_2_squared * t21
-        + R::literal(5.0) * chain_omega_3_squared * t28
-        + R::literal(5.0) * chain_omega_4_squared * t34
-        + R::literal(5.0) * chain_omega_5_squared * t39
-        - R::literal(49.05) * sin_chain_theta_6 - t148 * t44 - t149 * t45 - t150 * t46
-        - chain_omega_10_squared * t47;
-    let t154 = R::literal(4.0) * chain_omega_1_squared * t10
-        + R::literal(4.0) * chain_omega_2_squared * t22
-        + R::literal(4.0) * chain_omega_3_squared * t29
-        + R::literal(4.0) * chain_omega_4_squared * t35
-        + R::literal(4.0) * chain_omega_5_squared * t40
-        + R::literal(4.0) * chain_omega_6_squared * t44
-        - R::literal(39.24) * sin_chain_theta_7 - t149 * t48 - t150 * t49;
-    let t155 = R::literal(3.0) * chain_omega_1_squared * t12
-        + R::literal(3.0) * chain_omega_2_squared * t23
-        + R::literal(3.0) * chain_omega_3_squared * t30
-        + R::literal(3.0) * chain_omega_4_squared * t36
-        + R::literal(3.0) * chain_omega_5_squared * t41
-        + R::literal(3.0) * chain_omega_6_squared * t45
-        + R::literal(3.0) * chain_omega_7_squared * t48
-        - R::literal(29.43) * sin_chain_theta_8 - t150 * t51;
-    let t156 = R::literal(2.0) * chain_omega_1_squared * t14
-        + R::literal(2.0) * chain_omega_2_squared * t24
-        + R::literal(2.0) * chain_omega_3_squared * t31
-        + R::literal(2.0) * chain_omega_4_squared * t37
-        + R::literal(2.0) * chain_omega_5_squared * t42
-        + R::literal(2.0) * chain_omega_6_squared * t46
-        + R::literal(2.0) * chain_omega_7_squared * t49
-        + R::literal(2.0) * chain_omega_8_squared * t51;
-    let t157 = R::literal(9.0) * chain_omega_1_squared * t0
-        - R::literal(88.29) * sin_chain_theta_2 - t144 * t18 - t145 * t19 - t146 * t20
-        - t147 * t21 - t148 * t22 - t149 * t23 - t150 * t24
-        - chain_omega_10_squared * t25 - t54 * t151;
-    let t158 = R::literal(8.0) * chain_omega_1_squared * t2
-        + R::literal(8.0) * chain_omega_2_squared * t18
-        - R::literal(78.48) * sin_chain_theta_3 - t145 * t26 - t146 * t27 - t147 * t28
-        - t148 * t29 - t149 * t30 - t150 * t31 - chain_omega_10_squared * t32
-        - t55 * t151;
-    let t159 = t158 - t65 * t157;
-    let t160 = R::literal(7.0) * chain_omega_1_squared * t4
-        + R::literal(7.0) * chain_omega_2_squared * t19
-        + R::literal(7.0) * chain_omega_3_squared * t26
-        - R::literal(68.67) * sin_chain_theta_4 - t146 * t33 - t147 * t34 - t148 * t35
-        - t149 * t36 - t150 * t37 - chain_omega_10_squared * t38 - t56 * t151;
-    let t161 = t160 - t67 * t157 - t82 * t159;
-    let t162 = t152 - t57 * t151 - t69 * t157 - t84 * t159 - t97 * t161;
-    let t163 = t153 - t58 * t151 - t71 * t157 - t86 * t159 - t99 * t161 - t110 * t162;
-    let t164 = t154 - chain_omega_10_squared * t50 - t59 * t151 - t73 * t157 - t88 * t159
-        - t101 * t161 - t112 * t162 - t121 * t163;
-    let t165 = t155 - chain_omega_10_squared * t52 - t60 * t151 - t75 * t157 - t90 * t159
-        - t103 * t161 - t114 * t162 - t123 * t163 - t130 * t164;
-    let t166 = t156 - R::literal(19.62) * sin_chain_theta_9
-        - chain_omega_10_squared * t53 - t61 * t151 - t77 * t157 - t92 * t159
-        - t105 * t161 - t116 * t162 - t125 * t163 - t132 * t164 - t137 * t165;
-    let t167 = chain_omega_1_squared * t16 + chain_omega_2_squared * t25
-        + chain_omega_3_squared * t32 + chain_omega_4_squared * t38
-        + chain_omega_5_squared * t43 + chain_omega_6_squared * t47
-        + chain_omega_7_squared * t50 + chain_omega_8_squared * t52
-        + chain_omega_9_squared * t53 - R::literal(9.81) * sin_chain_theta_10
-        - t62 * t151 - t79 * t157;
-    let chain_omega_10_dot = (t167 - t94 * t159 - t107 * t161 - t118 * t162 - t127 * t163
-        - t134 * t164 - t139 * t165 - t142 * t166) * t143;
-    let chain_omega_9_dot = t166 * t140 - t142 * chain_omega_10_dot;
-    let chain_omega_8_dot = t165 * t135 - t137 * chain_omega_9_dot
-        - t139 * chain_omega_10_dot;
-    let chain_omega_7_dot = t164 * t128 - t130 * chain_omega_8_dot
-        - t132 * chain_omega_9_dot - t134 * chain_omega_10_dot;
-    let chain_omega_6_dot = t163 * t119 - t121 * chain_omega_7_dot
-        - t123 * chain_omega_8_dot - t125 * chain_omega_9_dot
-        - t127 * chain_omega_10_dot;
-    let chain_omega_5_dot = t162 * t108 - t110 * chain_omega_6_dot
-        - t112 * chain_omega_7_dot - t114 * chain_omega_8_dot - t116 * chain_omega_9_dot
-        - t118 * chain_omega_10_dot;
-    let chain_omega_4_dot = t161 * t95 - t97 * chain_omega_5_dot
-        - t99 * chain_omega_6_dot - t101 * chain_omega_7_dot - t103 * chain_omega_8_dot
-        - t105 * chain_omega_9_dot - t107 * chain_omega_10_dot;
-    let chain_omega_3_dot = t159 * t80 - t82 * chain_omega_4_dot
-        - t84 * chain_omega_5_dot - t86 * chain_omega_6_dot - t88 * chain_omega_7_dot
-        - t90 * chain_omega_8_dot - t92 * chain_omega_9_dot - t94 * chain_omega_10_dot;
-    let chain_omega_2_dot = t157 * t63 - t65 * chain_omega_3_dot
-        - t67 * chain_omega_4_dot - t69 * chain_omega_5_dot - t71 * chain_omega_6_dot
-        - t73 * chain_omega_7_dot - t75 * chain_omega_8_dot - t77 * chain_omega_9_dot
-        - t79 * chain_omega_10_dot;
-    let chain_omega_1_dot = t151 * R::literal(0.1) - t54 * chain_omega_2_dot
-        - t55 * chain_omega_3_dot - t56 * chain_omega_4_dot - t57 * chain_omega_5_dot
-        - t58 * chain_omega_6_dot - t59 * chain_omega_7_dot - t60 * chain_omega_8_dot
-        - t61 * chain_omega_9_dot - t62 * chain_omega_10_dot;
+    let t151 = (-(R::literal(88.29) * sin_chain_theta_2))
+        .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
+        .sub_product(t143, t18)
+        .sub_product(t144, t19)
+        .sub_product(t145, t20)
+        .sub_product(t146, t21)
+        .sub_product(t147, t22)
+        .sub_product(t148, t23)
+        .sub_product(t149, t24)
+        .sub_product(chain_omega_10_squared, t25)
+        .sub_product(t54, t150);
+    let t152 = (R::literal(8.0) * chain_omega_1_squared * t2)
+        .add_product(R::literal(8.0) * chain_omega_2_squared, t18)
+        .sub_product(R::literal(78.48), sin_chain_theta_3)
+        .sub_product(t144, t26)
+        .sub_product(t145, t27)
+        .sub_product(t146, t28)
+        .sub_product(t147, t29)
+        .sub_product(t148, t30)
+        .sub_product(t149, t31)
+        .sub_product(chain_omega_10_squared, t32)
+        .sub_product(t55, t150)
+        .sub_product(t65, t151);
+    let t153 = (R::literal(7.0) * chain_omega_1_squared * t4)
+        .add_product(R::literal(7.0) * chain_omega_2_squared, t19)
+        .add_product(R::literal(7.0) * chain_omega_3_squared, t26)
+        .sub_product(R::literal(68.67), sin_chain_theta_4)
+        .sub_product(t145, t33)
+        .sub_product(t146, t34)
+        .sub_product(t147, t35)
+        .sub_product(t148, t36)
+        .sub_product(t149, t37)
+        .sub_product(chain_omega_10_squared, t38)
+        .sub_product(t56, t150)
+        .sub_product(t67, t151)
+        .sub_product(t82, t152);
+    let t154 = (R::literal(6.0) * chain_omega_1_squared * t6)
+        .add_product(R::literal(6.0) * chain_omega_2_squared, t20)
+        .add_product(R::literal(6.0) * chain_omega_3_squared, t27)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t33)
+        .sub_product(R::literal(58.86), sin_chain_theta_5)
+        .sub_product(t146, t39)
+        .sub_product(t147, t40)
+        .sub_product(t148, t41)
+        .sub_product(t149, t42)
+        .sub_product(chain_omega_10_squared, t43)
+        .sub_product(t57, t150)
+        .sub_product(t69, t151)
+        .sub_product(t84, t152)
+        .sub_product(t97, t153);
+    let t155 = (R::literal(5.0) * chain_omega_1_squared * t8)
+        .add_product(R::literal(5.0) * chain_omega_2_squared, t21)
+        .add_product(R::literal(5.0) * chain_omega_3_squared, t28)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t34)
+        .add_product(R::literal(5.0) * chain_omega_5_squared, t39)
+        .sub_product(R::literal(49.05), sin_chain_theta_6)
+        .sub_product(t147, t44)
+        .sub_product(t148, t45)
+        .sub_product(t149, t46)
+        .sub_product(chain_omega_10_squared, t47)
+        .sub_product(t58, t150)
+        .sub_product(t71, t151)
+        .sub_product(t86, t152)
+        .sub_product(t99, t153)
+        .sub_product(t110, t154);
+    let t156 = (R::literal(4.0) * chain_omega_1_squared * t10)
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t22)
+        .add_product(R::literal(4.0) * chain_omega_3_squared, t29)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t35)
+        .add_product(R::literal(4.0) * chain_omega_5_squared, t40)
+        .add_product(R::literal(4.0) * chain_omega_6_squared, t44)
+        .sub_product(R::literal(39.24), sin_chain_theta_7)
+        .sub_product(t148, t48)
+        .sub_product(t149, t49)
+        .sub_product(chain_omega_10_squared, t50)
+        .sub_product(t59, t150)
+        .sub_product(t73, t151)
+        .sub_product(t88, t152)
+        .sub_product(t101, t153)
+        .sub_product(t112, t154)
+        .sub_product(t121, t155);
+    let t157 = (R::literal(3.0) * chain_omega_1_squared * t12)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t23)
+        .add_product(R::literal(3.0) * chain_omega_3_squared, t30)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t36)
+        .add_product(R::literal(3.0) * chain_omega_5_squared, t41)
+        .add_product(R::literal(3.0) * chain_omega_6_squared, t45)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t48)
+        .sub_product(R::literal(29.43), sin_chain_theta_8)
+        .sub_product(t149, t51)
+        .sub_product(chain_omega_10_squared, t52)
+        .sub_product(t60, t150)
+        .sub_product(t75, t151)
+        .sub_product(t90, t152)
+        .sub_product(t103, t153)
+        .sub_product(t114, t154)
+        .sub_product(t123, t155)
+        .sub_product(t130, t156);
+    let t158 = (R::literal(2.0) * chain_omega_1_squared * t14)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t24)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t31)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t37)
+        .add_product(R::literal(2.0) * chain_omega_5_squared, t42)
+        .add_product(R::literal(2.0) * chain_omega_6_squared, t46)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t49)
+        .add_product(R::literal(2.0) * chain_omega_8_squared, t51)
+        .sub_product(R::literal(19.62), sin_chain_theta_9)
+        .sub_product(chain_omega_10_squared, t53)
+        .sub_product(t61, t150)
+        .sub_product(t77, t151)
+        .sub_product(t92, t152)
+        .sub_product(t105, t153)
+        .sub_product(t116, t154)
+        .sub_product(t125, t155);
+    let t159 = t158.sub_product(t132, t156).sub_product(t137, t157);
+    let t160 = (chain_omega_1_squared * t16)
+        .add_product(chain_omega_2_squared, t25)
+        .add_product(chain_omega_3_squared, t32)
+        .add_product(chain_omega_4_squared, t38)
+        .add_product(chain_omega_5_squared, t43)
+        .add_product(chain_omega_6_squared, t47)
+        .add_product(chain_omega_7_squared, t50)
+        .add_product(chain_omega_8_squared, t52)
+        .add_product(chain_omega_9_squared, t53)
+        .sub_product(R::literal(9.81), sin_chain_theta_10)
+        .sub_product(t62, t150)
+        .sub_product(t79, t151)
+        .sub_product(t94, t152)
+        .sub_product(t107, t153)
+        .sub_product(t118, t154)
+        .sub_product(t127, t155)
+        .sub_product(t134, t156)
+        .sub_product(t139, t157)
+        .sub_product(t142, t159);
+    let chain_omega_10_dot = t160
+        * (R::literal(1.0)
+            / R::literal(1.0)
+                .sub_product(t62, t17)
+                .sub_product(t79, t78)
+                .sub_product(t94, t93)
+                .sub_product(t107, t106)
+                .sub_product(t118, t117)
+                .sub_product(t127, t126)
+                .sub_product(t134, t133)
+                .sub_product(t139, t138)
+                .sub_product(t142, t141));
+    let chain_omega_9_dot = (t159 * t140).sub_product(t142, chain_omega_10_dot);
+    let chain_omega_8_dot = (t157 * t135)
+        .sub_product(t137, chain_omega_9_dot)
+        .sub_product(t139, chain_omega_10_dot);
+    let chain_omega_7_dot = (t156 * t128)
+        .sub_product(t130, chain_omega_8_dot)
+        .sub_product(t132, chain_omega_9_dot)
+        .sub_product(t134, chain_omega_10_dot);
+    let chain_omega_6_dot = (t155 * t119)
+        .sub_product(t121, chain_omega_7_dot)
+        .sub_product(t123, chain_omega_8_dot)
+        .sub_product(t125, chain_omega_9_dot)
+        .sub_product(t127, chain_omega_10_dot);
+    let chain_omega_5_dot = (t154 * t108)
+        .sub_product(t110, chain_omega_6_dot)
+        .sub_product(t112, chain_omega_7_dot)
+        .sub_product(t114, chain_omega_8_dot)
+        .sub_product(t116, chain_omega_9_dot)
+        .sub_product(t118, chain_omega_10_dot);
+    let chain_omega_4_dot = (t153 * t95)
+        .sub_product(t97, chain_omega_5_dot)
+        .sub_product(t99, chain_omega_6_dot)
+        .sub_product(t101, chain_omega_7_dot)
+        .sub_product(t103, chain_omega_8_dot)
+        .sub_product(t105, chain_omega_9_dot)
+        .sub_product(t107, chain_omega_10_dot);
+    let chain_omega_3_dot = (t152 * t80)
+        .sub_product(t82, chain_omega_4_dot)
+        .sub_product(t84, chain_omega_5_dot)
+        .sub_product(t86, chain_omega_6_dot)
+        .sub_product(t88, chain_omega_7_dot)
+        .sub_product(t90, chain_omega_8_dot)
+        .sub_product(t92, chain_omega_9_dot)
+        .sub_product(t94, chain_omega_10_dot);
+    let chain_omega_2_dot = (t151 * t63)
+        .sub_product(t65, chain_omega_3_dot)
+        .sub_product(t67, chain_omega_4_dot)
+        .sub_product(t69, chain_omega_5_dot)
+        .sub_product(t71, chain_omega_6_dot)
+        .sub_product(t73, chain_omega_7_dot)
+        .sub_product(t75, chain_omega_8_dot)
+        .sub_product(t77, chain_omega_9_dot)
+        .sub_product(t79, chain_omega_10_dot);
+    let chain_omega_1_dot = (t150 * R::literal(0.1))
+        .sub_product(t54, chain_omega_2_dot)
+        .sub_product(t55, chain_omega_3_dot)
+        .sub_product(t56, chain_omega_4_dot)
+        .sub_product(t57, chain_omega_5_dot)
+        .sub_product(t58, chain_omega_6_dot)
+        .sub_product(t59, chain_omega_7_dot)
+        .sub_product(t60, chain_omega_8_dot)
+        .sub_product(t61, chain_omega_9_dot)
+        .sub_product(t62, chain_omega_10_dot);
     [
         chain_omega_1,
         chain_omega_2,
@@ -1291,9 +1545,16 @@ pub fn forcing<R: Real>(
     let t14 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
     let t15 = (chain_theta_1 - chain_theta_10).sin();
-    let chain_theta_1_forcing = -(R::literal(98.1) * chain_theta_1.sin())
-        - R::literal(9.0) * chain_omega_2_squared * t0 - t2 * t1 - t4 * t3 - t6 * t5
-        - t8 * t7 - t10 * t9 - t12 * t11 - t14 * t13 - chain_omega_10_squared * t15;
+    let chain_theta_1_forcing = (-(R::literal(98.1) * chain_theta_1.sin()))
+        .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
+        .sub_product(t2, t1)
+        .sub_product(t4, t3)
+        .sub_product(t6, t5)
+        .sub_product(t8, t7)
+        .sub_product(t10, t9)
+        .sub_product(t12, t11)
+        .sub_product(t14, t13)
+        .sub_product(chain_omega_10_squared, t15);
     let t16 = (chain_theta_2 - chain_theta_3).sin();
     let t17 = (chain_theta_2 - chain_theta_4).sin();
     let t18 = (chain_theta_2 - chain_theta_5).sin();
@@ -1303,9 +1564,16 @@ pub fn forcing<R: Real>(
     let t22 = (chain_theta_2 - chain_theta_9).sin();
     let t23 = (chain_theta_2 - chain_theta_10).sin();
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = R::literal(9.0) * chain_omega_1_squared * t0
-        - R::literal(88.29) * chain_theta_2.sin() - t2 * t16 - t4 * t17 - t6 * t18
-        - t8 * t19 - t10 * t20 - t12 * t21 - t14 * t22 - chain_omega_10_squared * t23;
+    let chain_theta_2_forcing = (-(R::literal(88.29) * chain_theta_2.sin()))
+        .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
+        .sub_product(t2, t16)
+        .sub_product(t4, t17)
+        .sub_product(t6, t18)
+        .sub_product(t8, t19)
+        .sub_product(t10, t20)
+        .sub_product(t12, t21)
+        .sub_product(t14, t22)
+        .sub_product(chain_omega_10_squared, t23);
     let t24 = (chain_theta_3 - chain_theta_4).sin();
     let t25 = (chain_theta_3 - chain_theta_5).sin();
     let t26 = (chain_theta_3 - chain_theta_6).sin();
@@ -1313,82 +1581,107 @@ pub fn forcing<R: Real>(
     let t28 = (chain_theta_3 - chain_theta_8).sin();
     let t29 = (chain_theta_3 - chain_theta_9).sin();
     let t30 = (chain_theta_3 - chain_theta_10).sin();
-    let chain_theta_3_forcing = R::literal(8.0) * chain_omega_1_squared * t1
-        + R::literal(8.0) * chain_omega_2_squared * t16
-        - R::literal(78.48) * chain_theta_3.sin() - t4 * t24 - t6 * t25 - t8 * t26
-        - t10 * t27 - t12 * t28 - t14 * t29 - chain_omega_10_squared * t30;
+    let chain_theta_3_forcing = (R::literal(8.0) * chain_omega_1_squared * t1)
+        .add_product(R::literal(8.0) * chain_omega_2_squared, t16)
+        .sub_product(R::literal(78.48), chain_theta_3.sin())
+        .sub_product(t4, t24)
+        .sub_product(t6, t25)
+        .sub_product(t8, t26)
+        .sub_product(t10, t27)
+        .sub_product(t12, t28)
+        .sub_product(t14, t29)
+        .sub_product(chain_omega_10_squared, t30);
     let t31 = (chain_theta_4 - chain_theta_5).sin();
     let t32 = (chain_theta_4 - chain_theta_6).sin();
     let t33 = (chain_theta_4 - chain_theta_7).sin();
     let t34 = (chain_theta_4 - chain_theta_8).sin();
     let t35 = (chain_theta_4 - chain_theta_9).sin();
     let t36 = (chain_theta_4 - chain_theta_10).sin();
-    let chain_theta_4_forcing = R::literal(7.0) * chain_omega_1_squared * t3
-        + R::literal(7.0) * chain_omega_2_squared * t17
-        + R::literal(7.0) * chain_omega_3_squared * t24
-        - R::literal(68.67) * chain_theta_4.sin() - t6 * t31 - t8 * t32 - t10 * t33
-        - t12 * t34 - t14 * t35 - chain_omega_10_squared * t36;
+    let chain_theta_4_forcing = (R::literal(7.0) * chain_omega_1_squared * t3)
+        .add_product(R::literal(7.0) * chain_omega_2_squared, t17)
+        .add_product(R::literal(7.0) * chain_omega_3_squared, t24)
+        .sub_product(R::literal(68.67), chain_theta_4.sin())
+        .sub_product(t6, t31)
+        .sub_product(t8, t32)
+        .sub_product(t10, t33)
+        .sub_product(t12, t34)
+        .sub_product(t14, t35)
+        .sub_product(chain_omega_10_squared, t36);
     let t37 = (chain_theta_5 - chain_theta_6).sin();
     let t38 = (chain_theta_5 - chain_theta_7).sin();
     let t39 = (chain_theta_5 - chain_theta_8).sin();
     let t40 = (chain_theta_5 - chain_theta_9).sin();
     let t41 = (chain_theta_5 - chain_theta_10).sin();
-    let chain_theta_5_forcing = R::literal(6.0) * chain_omega_1_squared * t5
-        + R::literal(6.0) * chain_omega_2_squared * t18
-        + R::literal(6.0) * chain_omega_3_squared * t25
-        + R::literal(6.0) * chain_omega_4_squared * t31
-        - R::literal(58.86) * chain_theta_5.sin() - t8 * t37 - t10 * t38 - t12 * t39
-        - t14 * t40 - chain_omega_10_squared * t41;
+    let chain_theta_5_forcing = (R::literal(6.0) * chain_omega_1_squared * t5)
+        .add_product(R::literal(6.0) * chain_omega_2_squared, t18)
+        .add_product(R::literal(6.0) * chain_omega_3_squared, t25)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t31)
+        .sub_product(R::literal(58.86), chain_theta_5.sin())
+        .sub_product(t8, t37)
+        .sub_product(t10, t38)
+        .sub_product(t12, t39)
+        .sub_product(t14, t40)
+        .sub_product(chain_omega_10_squared, t41);
     let t42 = (chain_theta_6 - chain_theta_7).sin();
     let t43 = (chain_theta_6 - chain_theta_8).sin();
     let t44 = (chain_theta_6 - chain_theta_9).sin();
     let t45 = (chain_theta_6 - chain_theta_10).sin();
-    let t46 = R::literal(5.0) * chain_omega_1_squared * t7
-        + R::literal(5.0) * chain_omega_2_squared * t19
-        + R::literal(5.0) * chain_omega_3_squared * t26
-        + R::literal(5.0) * chain_omega_4_squared * t32
-        + R::literal(5.0) * chain_omega_5_squared * t37
-        - R::literal(49.05) * chain_theta_6.sin() - t10 * t42 - t12 * t43 - t14 * t44;
-    let chain_theta_6_forcing = t46 - chain_omega_10_squared * t45;
-    let t47 = (chain_theta_7 - chain_theta_8).sin();
-    let t48 = (chain_theta_7 - chain_theta_9).sin();
-    let t49 = (chain_theta_7 - chain_theta_10).sin();
-    let t50 = R::literal(4.0) * chain_omega_1_squared * t9
-        + R::literal(4.0) * chain_omega_2_squared * t20
-        + R::literal(4.0) * chain_omega_3_squared * t27
-        + R::literal(4.0) * chain_omega_4_squared * t33
-        + R::literal(4.0) * chain_omega_5_squared * t38
-        + R::literal(4.0) * chain_omega_6_squared * t42
-        - R::literal(39.24) * chain_theta_7.sin() - t12 * t47 - t14 * t48;
-    let chain_theta_7_forcing = t50 - chain_omega_10_squared * t49;
-    let t51 = (chain_theta_8 - chain_theta_9).sin();
-    let t52 = (chain_theta_8 - chain_theta_10).sin();
-    let t53 = R::literal(3.0) * chain_omega_1_squared * t11
-        + R::literal(3.0) * chain_omega_2_squared * t21
-        + R::literal(3.0) * chain_omega_3_squared * t28
-        + R::literal(3.0) * chain_omega_4_squared * t34
-        + R::literal(3.0) * chain_omega_5_squared * t39
-        + R::literal(3.0) * chain_omega_6_squared * t43
-        + R::literal(3.0) * chain_omega_7_squared * t47
-        - R::literal(29.43) * chain_theta_8.sin();
-    let chain_theta_8_forcing = t53 - t14 * t51 - chain_omega_10_squared * t52;
-    let t54 = (chain_theta_9 - chain_theta_10).sin();
-    let t55 = R::literal(2.0) * chain_omega_1_squared * t13
-        + R::literal(2.0) * chain_omega_2_squared * t22
-        + R::literal(2.0) * chain_omega_3_squared * t29
-        + R::literal(2.0) * chain_omega_4_squared * t35
-        + R::literal(2.0) * chain_omega_5_squared * t40
-        + R::literal(2.0) * chain_omega_6_squared * t44
-        + R::literal(2.0) * chain_omega_7_squared * t48
-        + R::literal(2.0) * chain_omega_8_squared * t51;
-    let chain_theta_9_forcing = t55 - R::literal(19.62) * chain_theta_9.sin()
-        - chain_omega_10_squared * t54;
-    let chain_theta_10_forcing = chain_omega_1_squared * t15
-        + chain_omega_2_squared * t23 + chain_omega_3_squared * t30
-        + chain_omega_4_squared * t36 + chain_omega_5_squared * t41
-        + chain_omega_6_squared * t45 + chain_omega_7_squared * t49
-        + chain_omega_8_squared * t52 + chain_omega_9_squared * t54
-        - R::literal(9.81) * chain_theta_10.sin();
+    let chain_theta_6_forcing = (R::literal(5.0) * chain_omega_1_squared * t7)
+        .add_product(R::literal(5.0) * chain_omega_2_squared, t19)
+        .add_product(R::literal(5.0) * chain_omega_3_squared, t26)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t32)
+        .add_product(R::literal(5.0) * chain_omega_5_squared, t37)
+        .sub_product(R::literal(49.05), chain_theta_6.sin())
+        .sub_product(t10, t42)
+        .sub_product(t12, t43)
+        .sub_product(t14, t44)
+        .sub_product(chain_omega_10_squared, t45);
+    let t46 = (chain_theta_7 - chain_theta_8).sin();
+    let t47 = (chain_theta_7 - chain_theta_9).sin();
+    let t48 = (chain_theta_7 - chain_theta_10).sin();
+    let chain_theta_7_forcing = (R::literal(4.0) * chain_omega_1_squared * t9)
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t20)
+        .add_product(R::literal(4.0) * chain_omega_3_squared, t27)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t33)
+        .add_product(R::literal(4.0) * chain_omega_5_squared, t38)
+        .add_product(R::literal(4.0) * chain_omega_6_squared, t42)
+        .sub_product(R::literal(39.24), chain_theta_7.sin())
+        .sub_product(t12, t46)
+        .sub_product(t14, t47)
+        .sub_product(chain_omega_10_squared, t48);
+    let t49 = (chain_theta_8 - chain_theta_9).sin();
+    let t50 = (chain_theta_8 - chain_theta_10).sin();
+    let chain_theta_8_forcing = (R::literal(3.0) * chain_omega_1_squared * t11)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t21)
+        .add_product(R::literal(3.0) * chain_omega_3_squared, t28)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t34)
+        .add_product(R::literal(3.0) * chain_omega_5_squared, t39)
+        .add_product(R::literal(3.0) * chain_omega_6_squared, t43)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t46)
+        .sub_product(R::literal(29.43), chain_theta_8.sin())
+        .sub_product(t14, t49)
+        .sub_product(chain_omega_10_squared, t50);
+    let t51 = (chain_theta_9 - chain_theta_10).sin();
+    let chain_theta_9_forcing = (R::literal(2.0) * chain_omega_1_squared * t13)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t22)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t29)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t35)
+        .add_product(R::literal(2.0) * chain_omega_5_squared, t40)
+        .add_product(R::literal(2.0) * chain_omega_6_squared, t44)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t47)
+        .add_product(R::literal(2.0) * chain_omega_8_squared, t49)
+        .sub_product(R::literal(19.62), chain_theta_9.sin())
+        .sub_product(chain_omega_10_squared, t51);
+    let chain_theta_10_forcing = (chain_omega_1_squared * t15)
+        .add_product(chain_omega_2_squared, t23)
+        .add_product(chain_omega_3_squared, t30)
+        .add_product(chain_omega_4_squared, t36)
+        .add_product(chain_omega_5_squared, t41)
+        .add_product(chain_omega_6_squared, t45)
+        .add_product(chain_omega_7_squared, t48)
+        .add_product(chain_omega_8_squared, t50)
+        .add_product(chain_omega_9_squared, t51)
+        .sub_product(R::literal(9.81), chain_theta_10.sin());
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -1436,194 +1729,194 @@ pub fn rate_jacobian<R: Real>(
     let cos_chain_theta_9 = chain_theta_9.cos();
     let sin_chain_theta_10 = chain_theta_10.sin();
     let cos_chain_theta_10 = chain_theta_10.cos();
-    let t0 = sin_chain_theta_1 * cos_chain_theta_2
-        - cos_chain_theta_1 * sin_chain_theta_2;
-    let t1 = cos_chain_theta_1 * cos_chain_theta_2
-        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
+        .add_product(sin_chain_theta_1, sin_chain_theta_2);
     let t2 = R::literal(9.0) * t1;
-    let t3 = sin_chain_theta_1 * cos_chain_theta_3
-        - cos_chain_theta_1 * sin_chain_theta_3;
-    let t4 = cos_chain_theta_1 * cos_chain_theta_3
-        + sin_chain_theta_1 * sin_chain_theta_3;
+    let t3 = (sin_chain_theta_1 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_3);
+    let t4 = (cos_chain_theta_1 * cos_chain_theta_3)
+        .add_product(sin_chain_theta_1, sin_chain_theta_3);
     let t5 = R::literal(8.0) * t4;
-    let t6 = sin_chain_theta_1 * cos_chain_theta_4
-        - cos_chain_theta_1 * sin_chain_theta_4;
-    let t7 = cos_chain_theta_1 * cos_chain_theta_4
-        + sin_chain_theta_1 * sin_chain_theta_4;
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_4);
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_1, sin_chain_theta_4);
     let t8 = R::literal(7.0) * t7;
-    let t9 = sin_chain_theta_1 * cos_chain_theta_5
-        - cos_chain_theta_1 * sin_chain_theta_5;
-    let t10 = cos_chain_theta_1 * cos_chain_theta_5
-        + sin_chain_theta_1 * sin_chain_theta_5;
+    let t9 = (sin_chain_theta_1 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_5);
+    let t10 = (cos_chain_theta_1 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_1, sin_chain_theta_5);
     let t11 = R::literal(6.0) * t10;
-    let t12 = sin_chain_theta_1 * cos_chain_theta_6
-        - cos_chain_theta_1 * sin_chain_theta_6;
-    let t13 = cos_chain_theta_1 * cos_chain_theta_6
-        + sin_chain_theta_1 * sin_chain_theta_6;
+    let t12 = (sin_chain_theta_1 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_6);
+    let t13 = (cos_chain_theta_1 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_1, sin_chain_theta_6);
     let t14 = R::literal(5.0) * t13;
-    let t15 = sin_chain_theta_1 * cos_chain_theta_7
-        - cos_chain_theta_1 * sin_chain_theta_7;
-    let t16 = cos_chain_theta_1 * cos_chain_theta_7
-        + sin_chain_theta_1 * sin_chain_theta_7;
+    let t15 = (sin_chain_theta_1 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_7);
+    let t16 = (cos_chain_theta_1 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_1, sin_chain_theta_7);
     let t17 = R::literal(4.0) * t16;
-    let t18 = sin_chain_theta_1 * cos_chain_theta_8
-        - cos_chain_theta_1 * sin_chain_theta_8;
-    let t19 = cos_chain_theta_1 * cos_chain_theta_8
-        + sin_chain_theta_1 * sin_chain_theta_8;
+    let t18 = (sin_chain_theta_1 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_8);
+    let t19 = (cos_chain_theta_1 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_1, sin_chain_theta_8);
     let t20 = R::literal(3.0) * t19;
-    let t21 = sin_chain_theta_1 * cos_chain_theta_9
-        - cos_chain_theta_1 * sin_chain_theta_9;
-    let t22 = cos_chain_theta_1 * cos_chain_theta_9
-        + sin_chain_theta_1 * sin_chain_theta_9;
+    let t21 = (sin_chain_theta_1 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_9);
+    let t22 = (cos_chain_theta_1 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_1, sin_chain_theta_9);
     let t23 = R::literal(2.0) * t22;
-    let t24 = sin_chain_theta_1 * cos_chain_theta_10
-        - cos_chain_theta_1 * sin_chain_theta_10;
-    let t25 = cos_chain_theta_1 * cos_chain_theta_10
-        + sin_chain_theta_1 * sin_chain_theta_10;
-    let t26 = sin_chain_theta_2 * cos_chain_theta_3
-        - cos_chain_theta_2 * sin_chain_theta_3;
-    let t27 = cos_chain_theta_2 * cos_chain_theta_3
-        + sin_chain_theta_2 * sin_chain_theta_3;
-    let t28 = sin_chain_theta_2 * cos_chain_theta_4
-        - cos_chain_theta_2 * sin_chain_theta_4;
-    let t29 = cos_chain_theta_2 * cos_chain_theta_4
-        + sin_chain_theta_2 * sin_chain_theta_4;
-    let t30 = sin_chain_theta_2 * cos_chain_theta_5
-        - cos_chain_theta_2 * sin_chain_theta_5;
-    let t31 = cos_chain_theta_2 * cos_chain_theta_5
-        + sin_chain_theta_2 * sin_chain_theta_5;
-    let t32 = sin_chain_theta_2 * cos_chain_theta_6
-        - cos_chain_theta_2 * sin_chain_theta_6;
-    let t33 = cos_chain_theta_2 * cos_chain_theta_6
-        + sin_chain_theta_2 * sin_chain_theta_6;
-    let t34 = sin_chain_theta_2 * cos_chain_theta_7
-        - cos_chain_theta_2 * sin_chain_theta_7;
-    let t35 = cos_chain_theta_2 * cos_chain_theta_7
-        + sin_chain_theta_2 * sin_chain_theta_7;
-    let t36 = sin_chain_theta_2 * cos_chain_theta_8
-        - cos_chain_theta_2 * sin_chain_theta_8;
-    let t37 = cos_chain_theta_2 * cos_chain_theta_8
-        + sin_chain_theta_2 * sin_chain_theta_8;
-    let t38 = sin_chain_theta_2 * cos_chain_theta_9
-        - cos_chain_theta_2 * sin_chain_theta_9;
-    let t39 = cos_chain_theta_2 * cos_chain_theta_9
-        + sin_chain_theta_2 * sin_chain_theta_9;
-    let t40 = sin_chain_theta_2 * cos_chain_theta_10
-        - cos_chain_theta_2 * sin_chain_theta_10;
-    let t41 = cos_chain_theta_2 * cos_chain_theta_10
-        + sin_chain_theta_2 * sin_chain_theta_10;
-    let t42 = sin_chain_theta_3 * cos_chain_theta_4
-        - cos_chain_theta_3 * sin_chain_theta_4;
-    let t43 = cos_chain_theta_3 * cos_chain_theta_4
-        + sin_chain_theta_3 * sin_chain_theta_4;
-    let t44 = sin_chain_theta_3 * cos_chain_theta_5
-        - cos_chain_theta_3 * sin_chain_theta_5;
-    let t45 = cos_chain_theta_3 * cos_chain_theta_5
-        + sin_chain_theta_3 * sin_chain_theta_5;
-    let t46 = sin_chain_theta_3 * cos_chain_theta_6
-        - cos_chain_theta_3 * sin_chain_theta_6;
-    let t47 = cos_chain_theta_3 * cos_chain_theta_6
-        + sin_chain_theta_3 * sin_chain_theta_6;
-    let t48 = sin_chain_theta_3 * cos_chain_theta_7
-        - cos_chain_theta_3 * sin_chain_theta_7;
-    let t49 = cos_chain_theta_3 * cos_chain_theta_7
-        + sin_chain_theta_3 * sin_chain_theta_7;
-    let t50 = sin_chain_theta_3 * cos_chain_theta_8
-        - cos_chain_theta_3 * sin_chain_theta_8;
-    let t51 = cos_chain_theta_3 * cos_chain_theta_8
-        + sin_chain_theta_3 * sin_chain_theta_8;
-    let t52 = sin_chain_theta_3 * cos_chain_theta_9
-        - cos_chain_theta_3 * sin_chain_theta_9;
-    let t53 = cos_chain_theta_3 * cos_chain_theta_9
-        + sin_chain_theta_3 * sin_chain_theta_9;
-    let t54 = sin_chain_theta_3 * cos_chain_theta_10
-        - cos_chain_theta_3 * sin_chain_theta_10;
-    let t55 = cos_chain_theta_3 * cos_chain_theta_10
-        + sin_chain_theta_3 * sin_chain_theta_10;
-    let t56 = sin_chain_theta_4 * cos_chain_theta_5
-        - cos_chain_theta_4 * sin_chain_theta_5;
-    let t57 = cos_chain_theta_4 * cos_chain_theta_5
-        + sin_chain_theta_4 * sin_chain_theta_5;
-    let t58 = sin_chain_theta_4 * cos_chain_theta_6
-        - cos_chain_theta_4 * sin_chain_theta_6;
-    let t59 = cos_chain_theta_4 * cos_chain_theta_6
-        + sin_chain_theta_4 * sin_chain_theta_6;
-    let t60 = sin_chain_theta_4 * cos_chain_theta_7
-        - cos_chain_theta_4 * sin_chain_theta_7;
-    let t61 = cos_chain_theta_4 * cos_chain_theta_7
-        + sin_chain_theta_4 * sin_chain_theta_7;
-    let t62 = sin_chain_theta_4 * cos_chain_theta_8
-        - cos_chain_theta_4 * sin_chain_theta_8;
-    let t63 = cos_chain_theta_4 * cos_chain_theta_8
-        + sin_chain_theta_4 * sin_chain_theta_8;
-    let t64 = sin_chain_theta_4 * cos_chain_theta_9
-        - cos_chain_theta_4 * sin_chain_theta_9;
-    let t65 = cos_chain_theta_4 * cos_chain_theta_9
-        + sin_chain_theta_4 * sin_chain_theta_9;
-    let t66 = sin_chain_theta_4 * cos_chain_theta_10
-        - cos_chain_theta_4 * sin_chain_theta_10;
-    let t67 = cos_chain_theta_4 * cos_chain_theta_10
-        + sin_chain_theta_4 * sin_chain_theta_10;
-    let t68 = sin_chain_theta_5 * cos_chain_theta_6
-        - cos_chain_theta_5 * sin_chain_theta_6;
-    let t69 = cos_chain_theta_5 * cos_chain_theta_6
-        + sin_chain_theta_5 * sin_chain_theta_6;
-    let t70 = sin_chain_theta_5 * cos_chain_theta_7
-        - cos_chain_theta_5 * sin_chain_theta_7;
-    let t71 = cos_chain_theta_5 * cos_chain_theta_7
-        + sin_chain_theta_5 * sin_chain_theta_7;
-    let t72 = sin_chain_theta_5 * cos_chain_theta_8
-        - cos_chain_theta_5 * sin_chain_theta_8;
-    let t73 = cos_chain_theta_5 * cos_chain_theta_8
-        + sin_chain_theta_5 * sin_chain_theta_8;
-    let t74 = sin_chain_theta_5 * cos_chain_theta_9
-        - cos_chain_theta_5 * sin_chain_theta_9;
-    let t75 = cos_chain_theta_5 * cos_chain_theta_9
-        + sin_chain_theta_5 * sin_chain_theta_9;
-    let t76 = sin_chain_theta_5 * cos_chain_theta_10
-        - cos_chain_theta_5 * sin_chain_theta_10;
-    let t77 = cos_chain_theta_5 * cos_chain_theta_10
-        + sin_chain_theta_5 * sin_chain_theta_10;
-    let t78 = sin_chain_theta_6 * cos_chain_theta_7
-        - cos_chain_theta_6 * sin_chain_theta_7;
-    let t79 = cos_chain_theta_6 * cos_chain_theta_7
-        + sin_chain_theta_6 * sin_chain_theta_7;
-    let t80 = sin_chain_theta_6 * cos_chain_theta_8
-        - cos_chain_theta_6 * sin_chain_theta_8;
-    let t81 = cos_chain_theta_6 * cos_chain_theta_8
-        + sin_chain_theta_6 * sin_chain_theta_8;
-    let t82 = sin_chain_theta_6 * cos_chain_theta_9
-        - cos_chain_theta_6 * sin_chain_theta_9;
-    let t83 = cos_chain_theta_6 * cos_chain_theta_9
-        + sin_chain_theta_6 * sin_chain_theta_9;
-    let t84 = sin_chain_theta_6 * cos_chain_theta_10
-        - cos_chain_theta_6 * sin_chain_theta_10;
-    let t85 = cos_chain_theta_6 * cos_chain_theta_10
-        + sin_chain_theta_6 * sin_chain_theta_10;
-    let t86 = sin_chain_theta_7 * cos_chain_theta_8
-        - cos_chain_theta_7 * sin_chain_theta_8;
-    let t87 = cos_chain_theta_7 * cos_chain_theta_8
-        + sin_chain_theta_7 * sin_chain_theta_8;
-    let t88 = sin_chain_theta_7 * cos_chain_theta_9
-        - cos_chain_theta_7 * sin_chain_theta_9;
-    let t89 = cos_chain_theta_7 * cos_chain_theta_9
-        + sin_chain_theta_7 * sin_chain_theta_9;
-    let t90 = sin_chain_theta_7 * cos_chain_theta_10
-        - cos_chain_theta_7 * sin_chain_theta_10;
-    let t91 = cos_chain_theta_7 * cos_chain_theta_10
-        + sin_chain_theta_7 * sin_chain_theta_10;
-    let t92 = sin_chain_theta_8 * cos_chain_theta_9
-        - cos_chain_theta_8 * sin_chain_theta_9;
-    let t93 = cos_chain_theta_8 * cos_chain_theta_9
-        + sin_chain_theta_8 * sin_chain_theta_9;
-    let t94 = sin_chain_theta_8 * cos_chain_theta_10
-        - cos_chain_theta_8 * sin_chain_theta_10;
-    let t95 = cos_chain_theta_8 * cos_chain_theta_10
-        + sin_chain_theta_8 * sin_chain_theta_10;
-    let t96 = sin_chain_theta_9 * cos_chain_theta_10
-        - cos_chain_theta_9 * sin_chain_theta_10;
-    let t97 = cos_chain_theta_9 * cos_chain_theta_10
-        + sin_chain_theta_9 * sin_chain_theta_10;
+    let t24 = (sin_chain_theta_1 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_10);
+    let t25 = (cos_chain_theta_1 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_1, sin_chain_theta_10);
+    let t26 = (sin_chain_theta_2 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_3);
+    let t27 = (cos_chain_theta_2 * cos_chain_theta_3)
+        .add_product(sin_chain_theta_2, sin_chain_theta_3);
+    let t28 = (sin_chain_theta_2 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_4);
+    let t29 = (cos_chain_theta_2 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_2, sin_chain_theta_4);
+    let t30 = (sin_chain_theta_2 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_5);
+    let t31 = (cos_chain_theta_2 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_2, sin_chain_theta_5);
+    let t32 = (sin_chain_theta_2 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_6);
+    let t33 = (cos_chain_theta_2 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_2, sin_chain_theta_6);
+    let t34 = (sin_chain_theta_2 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_7);
+    let t35 = (cos_chain_theta_2 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_2, sin_chain_theta_7);
+    let t36 = (sin_chain_theta_2 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_8);
+    let t37 = (cos_chain_theta_2 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_2, sin_chain_theta_8);
+    let t38 = (sin_chain_theta_2 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_9);
+    let t39 = (cos_chain_theta_2 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_2, sin_chain_theta_9);
+    let t40 = (sin_chain_theta_2 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_10);
+    let t41 = (cos_chain_theta_2 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_2, sin_chain_theta_10);
+    let t42 = (sin_chain_theta_3 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_4);
+    let t43 = (cos_chain_theta_3 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_3, sin_chain_theta_4);
+    let t44 = (sin_chain_theta_3 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_5);
+    let t45 = (cos_chain_theta_3 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_3, sin_chain_theta_5);
+    let t46 = (sin_chain_theta_3 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_6);
+    let t47 = (cos_chain_theta_3 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_3, sin_chain_theta_6);
+    let t48 = (sin_chain_theta_3 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_7);
+    let t49 = (cos_chain_theta_3 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_3, sin_chain_theta_7);
+    let t50 = (sin_chain_theta_3 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_8);
+    let t51 = (cos_chain_theta_3 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_3, sin_chain_theta_8);
+    let t52 = (sin_chain_theta_3 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_9);
+    let t53 = (cos_chain_theta_3 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_3, sin_chain_theta_9);
+    let t54 = (sin_chain_theta_3 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_10);
+    let t55 = (cos_chain_theta_3 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_3, sin_chain_theta_10);
+    let t56 = (sin_chain_theta_4 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_5);
+    let t57 = (cos_chain_theta_4 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_4, sin_chain_theta_5);
+    let t58 = (sin_chain_theta_4 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_6);
+    let t59 = (cos_chain_theta_4 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_4, sin_chain_theta_6);
+    let t60 = (sin_chain_theta_4 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_7);
+    let t61 = (cos_chain_theta_4 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_4, sin_chain_theta_7);
+    let t62 = (sin_chain_theta_4 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_8);
+    let t63 = (cos_chain_theta_4 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_4, sin_chain_theta_8);
+    let t64 = (sin_chain_theta_4 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_9);
+    let t65 = (cos_chain_theta_4 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_4, sin_chain_theta_9);
+    let t66 = (sin_chain_theta_4 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_10);
+    let t67 = (cos_chain_theta_4 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_4, sin_chain_theta_10);
+    let t68 = (sin_chain_theta_5 * cos_chain_theta_6)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_6);
+    let t69 = (cos_chain_theta_5 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_5, sin_chain_theta_6);
+    let t70 = (sin_chain_theta_5 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_7);
+    let t71 = (cos_chain_theta_5 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_5, sin_chain_theta_7);
+    let t72 = (sin_chain_theta_5 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_8);
+    let t73 = (cos_chain_theta_5 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_5, sin_chain_theta_8);
+    let t74 = (sin_chain_theta_5 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_9);
+    let t75 = (cos_chain_theta_5 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_5, sin_chain_theta_9);
+    let t76 = (sin_chain_theta_5 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_5, sin_chain_theta_10);
+    let t77 = (cos_chain_theta_5 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_5, sin_chain_theta_10);
+    let t78 = (sin_chain_theta_6 * cos_chain_theta_7)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_7);
+    let t79 = (cos_chain_theta_6 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_6, sin_chain_theta_7);
+    let t80 = (sin_chain_theta_6 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_8);
+    let t81 = (cos_chain_theta_6 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_6, sin_chain_theta_8);
+    let t82 = (sin_chain_theta_6 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_9);
+    let t83 = (cos_chain_theta_6 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_6, sin_chain_theta_9);
+    let t84 = (sin_chain_theta_6 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_6, sin_chain_theta_10);
+    let t85 = (cos_chain_theta_6 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_6, sin_chain_theta_10);
+    let t86 = (sin_chain_theta_7 * cos_chain_theta_8)
+        .sub_product(cos_chain_theta_7, sin_chain_theta_8);
+    let t87 = (cos_chain_theta_7 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_7, sin_chain_theta_8);
+    let t88 = (sin_chain_theta_7 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_7, sin_chain_theta_9);
+    let t89 = (cos_chain_theta_7 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_7, sin_chain_theta_9);
+    let t90 = (sin_chain_theta_7 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_7, sin_chain_theta_10);
+    let t91 = (cos_chain_theta_7 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_7, sin_chain_theta_10);
+    let t92 = (sin_chain_theta_8 * cos_chain_theta_9)
+        .sub_product(cos_chain_theta_8, sin_chain_theta_9);
+    let t93 = (cos_chain_theta_8 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_8, sin_chain_theta_9);
+    let t94 = (sin_chain_theta_8 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_8, sin_chain_theta_10);
+    let t95 = (cos_chain_theta_8 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_8, sin_chain_theta_10);
+    let t96 = (sin_chain_theta_9 * cos_chain_theta_10)
+        .sub_product(cos_chain_theta_9, sin_chain_theta_10);
+    let t97 = (cos_chain_theta_9 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_9, sin_chain_theta_10);
     let t98 = t2 * R::literal(0.1);
     let t99 = t5 * R::literal(0.1);
     let t100 = t8 * R::literal(0.1);
@@ -1633,112 +1926,232 @@ pub fn rate_jacobian<R: Real>(
     let t104 = t20 * R::literal(0.1);
     let t105 = t23 * R::literal(0.1);
     let t106 = t25 * R::literal(0.1);
-    let t107 = R::literal(1.0) / (R::literal(9.0) - t98 * t2);
-    let t108 = R::literal(8.0) * t27 - t99 * t2;
+    let t107 = R::literal(1.0) / R::literal(9.0).sub_product(t98, t2);
+    let t108 = (R::literal(8.0) * t27).sub_product(t99, t2);
     let t109 = t108 * t107;
-    let t110 = R::literal(7.0) * t29 - t100 * t2;
+    let t110 = (R::literal(7.0) * t29).sub_product(t100, t2);
     let t111 = t110 * t107;
-    let t112 = R::literal(6.0) * t31 - t101 * t2;
+    let t112 = (R::literal(6.0) * t31).sub_product(t101, t2);
     let t113 = t112 * t107;
-    let t114 = R::literal(5.0) * t33 - t102 * t2;
+    let t114 = (R::literal(5.0) * t33).sub_product(t102, t2);
     let t115 = t114 * t107;
-    let t116 = R::literal(4.0) * t35 - t103 * t2;
+    let t116 = (R::literal(4.0) * t35).sub_product(t103, t2);
     let t117 = t116 * t107;
-    let t118 = R::literal(3.0) * t37 - t104 * t2;
+    let t118 = (R::literal(3.0) * t37).sub_product(t104, t2);
     let t119 = t118 * t107;
-    let t120 = R::literal(2.0) * t39 - t105 * t2;
+    let t120 = (R::literal(2.0) * t39).sub_product(t105, t2);
     let t121 = t120 * t107;
-    let t122 = t41 - t106 * t2;
+    let t122 = t41.sub_product(t106, t2);
     let t123 = t122 * t107;
-    let t124 = R::literal(1.0) / (R::literal(8.0) - t99 * t5 - t109 * t108);
-    let t125 = R::literal(7.0) * t43 - t100 * t5 - t111 * t108;
+    let t124 = R::literal(1.0)
+        / R::literal(8.0).sub_product(t99, t5).sub_product(t109, t108);
+    let t125 = (R::literal(7.0) * t43).sub_product(t100, t5).sub_product(t111, t108);
     let t126 = t125 * t124;
-    let t127 = R::literal(6.0) * t45 - t101 * t5 - t113 * t108;
+    let t127 = (R::literal(6.0) * t45).sub_product(t101, t5).sub_product(t113, t108);
     let t128 = t127 * t124;
-    let t129 = R::literal(5.0) * t47 - t102 * t5 - t115 * t108;
+    let t129 = (R::literal(5.0) * t47).sub_product(t102, t5).sub_product(t115, t108);
     let t130 = t129 * t124;
-    let t131 = R::literal(4.0) * t49 - t103 * t5 - t117 * t108;
+    let t131 = (R::literal(4.0) * t49).sub_product(t103, t5).sub_product(t117, t108);
     let t132 = t131 * t124;
-    let t133 = R::literal(3.0) * t51 - t104 * t5 - t119 * t108;
+    let t133 = (R::literal(3.0) * t51).sub_product(t104, t5).sub_product(t119, t108);
     let t134 = t133 * t124;
-    let t135 = R::literal(2.0) * t53 - t105 * t5 - t121 * t108;
+    let t135 = (R::literal(2.0) * t53).sub_product(t105, t5).sub_product(t121, t108);
     let t136 = t135 * t124;
-    let t137 = t55 - t106 * t5 - t123 * t108;
+    let t137 = t55.sub_product(t106, t5).sub_product(t123, t108);
     let t138 = t137 * t124;
     let t139 = R::literal(1.0)
-        / (R::literal(7.0) - t100 * t8 - t111 * t110 - t126 * t125);
-    let t140 = R::literal(6.0) * t57 - t101 * t8 - t113 * t110 - t128 * t125;
+        / R::literal(7.0)
+            .sub_product(t100, t8)
+            .sub_product(t111, t110)
+            .sub_product(t126, t125);
+    let t140 = (R::literal(6.0) * t57)
+        .sub_product(t101, t8)
+        .sub_product(t113, t110)
+        .sub_product(t128, t125);
     let t141 = t140 * t139;
-    let t142 = R::literal(5.0) * t59 - t102 * t8 - t115 * t110 - t130 * t125;
+    let t142 = (R::literal(5.0) * t59)
+        .sub_product(t102, t8)
+        .sub_product(t115, t110)
+        .sub_product(t130, t125);
     let t143 = t142 * t139;
-    let t144 = R::literal(4.0) * t61 - t103 * t8 - t117 * t110 - t132 * t125;
+    let t144 = (R::literal(4.0) * t61)
+        .sub_product(t103, t8)
+        .sub_product(t117, t110)
+        .sub_product(t132, t125);
     let t145 = t144 * t139;
-    let t146 = R::literal(3.0) * t63 - t104 * t8 - t119 * t110 - t134 * t125;
+    let t146 = (R::literal(3.0) * t63)
+        .sub_product(t104, t8)
+        .sub_product(t119, t110)
+        .sub_product(t134, t125);
     let t147 = t146 * t139;
-    let t148 = R::literal(2.0) * t65 - t105 * t8 - t121 * t110 - t136 * t125;
+    let t148 = (R::literal(2.0) * t65)
+        .sub_product(t105, t8)
+        .sub_product(t121, t110)
+        .sub_product(t136, t125);
     let t149 = t148 * t139;
-    let t150 = t67 - t106 * t8 - t123 * t110 - t138 * t125;
+    let t150 = t67.sub_product(t106, t8).sub_product(t123, t110).sub_product(t138, t125);
     let t151 = t150 * t139;
     let t152 = R::literal(1.0)
-        / (R::literal(6.0) - t101 * t11 - t113 * t112 - t128 * t127 - t141 * t140);
-    let t153 = R::literal(5.0) * t69 - t102 * t11 - t115 * t112 - t130 * t127
-        - t143 * t140;
+        / R::literal(6.0)
+            .sub_product(t101, t11)
+            .sub_product(t113, t112)
+            .sub_product(t128, t127)
+            .sub_product(t141, t140);
+    let t153 = (R::literal(5.0) * t69)
+        .sub_product(t102, t11)
+        .sub_product(t115, t112)
+        .sub_product(t130, t127)
+        .sub_product(t143, t140);
     let t154 = t153 * t152;
-    let t155 = R::literal(4.0) * t71 - t103 * t11 - t117 * t112 - t132 * t127
-        - t145 * t140;
+    let t155 = (R::literal(4.0) * t71)
+        .sub_product(t103, t11)
+        .sub_product(t117, t112)
+        .sub_product(t132, t127)
+        .sub_product(t145, t140);
     let t156 = t155 * t152;
-    let t157 = R::literal(3.0) * t73 - t104 * t11 - t119 * t112 - t134 * t127
-        - t147 * t140;
+    let t157 = (R::literal(3.0) * t73)
+        .sub_product(t104, t11)
+        .sub_product(t119, t112)
+        .sub_product(t134, t127)
+        .sub_product(t147, t140);
     let t158 = t157 * t152;
-    let t159 = R::literal(2.0) * t75 - t105 * t11 - t121 * t112 - t136 * t127
-        - t149 * t140;
+    let t159 = (R::literal(2.0) * t75)
+        .sub_product(t105, t11)
+        .sub_product(t121, t112)
+        .sub_product(t136, t127)
+        .sub_product(t149, t140);
     let t160 = t159 * t152;
-    let t161 = t77 - t106 * t11 - t123 * t112 - t138 * t127 - t151 * t140;
+    let t161 = t77
+        .sub_product(t106, t11)
+        .sub_product(t123, t112)
+        .sub_product(t138, t127)
+        .sub_product(t151, t140);
     let t162 = t161 * t152;
     let t163 = R::literal(1.0)
-        / (R::literal(5.0) - t102 * t14 - t115 * t114 - t130 * t129 - t143 * t142
-            - t154 * t153);
-    let t164 = R::literal(4.0) * t79 - t103 * t14 - t117 * t114 - t132 * t129
-        - t145 * t142 - t156 * t153;
+        / R::literal(5.0)
+            .sub_product(t102, t14)
+            .sub_product(t115, t114)
+            .sub_product(t130, t129)
+            .sub_product(t143, t142)
+            .sub_product(t154, t153);
+    let t164 = (R::literal(4.0) * t79)
+        .sub_product(t103, t14)
+        .sub_product(t117, t114)
+        .sub_product(t132, t129)
+        .sub_product(t145, t142)
+        .sub_product(t156, t153);
     let t165 = t164 * t163;
-    let t166 = R::literal(3.0) * t81 - t104 * t14 - t119 * t114 - t134 * t129
-        - t147 * t142 - t158 * t153;
+    let t166 = (R::literal(3.0) * t81)
+        .sub_product(t104, t14)
+        .sub_product(t119, t114)
+        .sub_product(t134, t129)
+        .sub_product(t147, t142)
+        .sub_product(t158, t153);
     let t167 = t166 * t163;
-    let t168 = R::literal(2.0) * t83 - t105 * t14 - t121 * t114 - t136 * t129
-        - t149 * t142 - t160 * t153;
+    let t168 = (R::literal(2.0) * t83)
+        .sub_product(t105, t14)
+        .sub_product(t121, t114)
+        .sub_product(t136, t129)
+        .sub_product(t149, t142)
+        .sub_product(t160, t153);
     let t169 = t168 * t163;
-    let t170 = t85 - t106 * t14 - t123 * t114 - t138 * t129 - t151 * t142 - t162 * t153;
+    let t170 = t85
+        .sub_product(t106, t14)
+        .sub_product(t123, t114)
+        .sub_product(t138, t129)
+        .sub_product(t151, t142)
+        .sub_product(t162, t153);
     let t171 = t170 * t163;
     let t172 = R::literal(1.0)
-        / (R::literal(4.0) - t103 * t17 - t117 * t116 - t132 * t131 - t145 * t144
-            - t156 * t155 - t165 * t164);
-    let t173 = R::literal(3.0) * t87 - t104 * t17 - t119 * t116 - t134 * t131
-        - t147 * t144 - t158 * t155 - t167 * t164;
+        / R::literal(4.0)
+            .sub_product(t103, t17)
+            .sub_product(t117, t116)
+            .sub_product(t132, t131)
+            .sub_product(t145, t144)
+            .sub_product(t156, t155)
+            .sub_product(t165, t164);
+    let t173 = (R::literal(3.0) * t87)
+        .sub_product(t104, t17)
+        .sub_product(t119, t116)
+        .sub_product(t134, t131)
+        .sub_product(t147, t144)
+        .sub_product(t158, t155)
+        .sub_product(t167, t164);
     let t174 = t173 * t172;
-    let t175 = R::literal(2.0) * t89 - t105 * t17 - t121 * t116 - t136 * t131
-        - t149 * t144 - t160 * t155 - t169 * t164;
+    let t175 = (R::literal(2.0) * t89)
+        .sub_product(t105, t17)
+        .sub_product(t121, t116)
+        .sub_product(t136, t131)
+        .sub_product(t149, t144)
+        .sub_product(t160, t155)
+        .sub_product(t169, t164);
     let t176 = t175 * t172;
-    let t177 = t91 - t106 * t17 - t123 * t116 - t138 * t131 - t151 * t144 - t162 * t155
-        - t171 * t164;
+    let t177 = t91
+        .sub_product(t106, t17)
+        .sub_product(t123, t116)
+        .sub_product(t138, t131)
+        .sub_product(t151, t144)
+        .sub_product(t162, t155)
+        .sub_product(t171, t164);
     let t178 = t177 * t172;
     let t179 = R::literal(1.0)
-        / (R::literal(3.0) - t104 * t20 - t119 * t118 - t134 * t133 - t147 * t146
-            - t158 * t157 - t167 * t166 - t174 * t173);
-    let t180 = R::literal(2.0) * t93 - t105 * t20 - t121 * t118 - t136 * t133
-        - t149 * t146 - t160 * t157 - t169 * t166 - t176 * t173;
+        / R::literal(3.0)
+            .sub_product(t104, t20)
+            .sub_product(t119, t118)
+            .sub_product(t134, t133)
+            .sub_product(t147, t146)
+            .sub_product(t158, t157)
+            .sub_product(t167, t166)
+            .sub_product(t174, t173);
+    let t180 = (R::literal(2.0) * t93)
+        .sub_product(t105, t20)
+        .sub_product(t121, t118)
+        .sub_product(t136, t133)
+        .sub_product(t149, t146)
+        .sub_product(t160, t157)
+        .sub_product(t169, t166)
+        .sub_product(t176, t173);
     let t181 = t180 * t179;
-    let t182 = t95 - t106 * t20 - t123 * t118 - t138 * t133 - t151 * t146 - t162 * t157
-        - t171 * t166 - t178 * t173;
+    let t182 = t95
+        .sub_product(t106, t20)
+        .sub_product(t123, t118)
+        .sub_product(t138, t133)
+        .sub_product(t151, t146)
+        .sub_product(t162, t157)
+        .sub_product(t171, t166)
+        .sub_product(t178, t173);
     let t183 = t182 * t179;
     let t184 = R::literal(1.0)
-        / (R::literal(2.0) - t105 * t23 - t121 * t120 - t136 * t135 - t149 * t148
-            - t160 * t159 - t169 * t168 - t176 * t175 - t181 * t180);
-    let t185 = t97 - t106 * t23 - t123 * t120 - t138 * t135 - t151 * t148 - t162 * t159
-        - t171 * t168 - t178 * t175 - t183 * t180;
+        / R::literal(2.0)
+            .sub_product(t105, t23)
+            .sub_product(t121, t120)
+            .sub_product(t136, t135)
+            .sub_product(t149, t148)
+            .sub_product(t160, t159)
+            .sub_product(t169, t168)
+            .sub_product(t176, t175)
+            .sub_product(t181, t180);
+    let t185 = t97
+        .sub_product(t106, t23)
+        .sub_product(t123, t120)
+        .sub_product(t138, t135)
+        .sub_product(t151, t148)
+        .sub_product(t162, t159)
+        .sub_product(t171, t168)
+        .sub_product(t178, t175)
+        .sub_product(t183, t180);
     let t186 = t185 * t184;
     let t187 = R::literal(1.0)
-        / (R::literal(1.0) - t106 * t25 - t123 * t122 - t138 * t137 - t151 * t150
-            - t162 * t161 - t171 * t170 - t178 * t177 - t183 * t182 - t186 * t185);
+        / R::literal(1.0)
+            .sub_product(t106, t25)
+            .sub_product(t123, t122)
+            .sub_product(t138, t137)
+            .sub_product(t151, t150)
+            .sub_product(t162, t161)
+            .sub_product(t171, t170)
+            .sub_product(t178, t177)
+            .sub_product(t183, t182)
+            .sub_product(t186, t185);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let t188 = R::literal(9.0) * chain_omega_2_squared;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
@@ -1756,9 +2169,16 @@ pub fn rate_jacobian<R: Real>(
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t195 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t196 = -(R::literal(98.1) * sin_chain_theta_1) - t188 * t0 - t189 * t3
-        - t190 * t6 - t191 * t9 - t192 * t12 - t193 * t15 - t194 * t18 - t195 * t21
-        - chain_omega_10_squared * t24;
+    let t196 = (-(R::literal(98.1) * sin_chain_theta_1))
+        .sub_product(t188, t0)
+        .sub_product(t189, t3)
+        .sub_product(t190, t6)
+        .sub_product(t191, t9)
+        .sub_product(t192, t12)
+        .sub_product(t193, t15)
+        .sub_product(t194, t18)
+        .sub_product(t195, t21)
+        .sub_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t197 = R::literal(9.0) * chain_omega_1_squared;
     let t198 = R::literal(8.0) * chain_omega_1_squared;
@@ -1796,1731 +2216,2546 @@ pub fn rate_jacobian<R: Real>(
     let t230 = R::literal(2.0) * chain_omega_6_squared;
     let t231 = R::literal(2.0) * chain_omega_7_squared;
     let t232 = R::literal(2.0) * chain_omega_8_squared;
-    let t233 = t197 * t0 - R::literal(88.29) * sin_chain_theta_2 - t189 * t26
-        - t190 * t28 - t191 * t30 - t192 * t32 - t193 * t34 - t194 * t36 - t195 * t38
-        - chain_omega_10_squared * t40 - t98 * t196;
-    let t234 = t198 * t3 + t199 * t26 - R::literal(78.48) * sin_chain_theta_3
-        - t190 * t42 - t191 * t44 - t192 * t46 - t193 * t48 - t194 * t50 - t195 * t52
-        - chain_omega_10_squared * t54 - t99 * t196 - t109 * t233;
-    let t235 = t200 * t6 + t201 * t28 + t202 * t42
-        - R::literal(68.67) * sin_chain_theta_4 - t191 * t56 - t192 * t58 - t193 * t60
-        - t194 * t62 - t195 * t64 - chain_omega_10_squared * t66 - t100 * t196
-        - t111 * t233;
-    let t236 = t235 - t126 * t234;
-    let t237 = t203 * t9 + t204 * t30 + t205 * t44 + t206 * t56
-        - R::literal(58.86) * sin_chain_theta_5 - t192 * t68 - t193 * t70 - t194 * t72
-        - t195 * t74 - chain_omega_10_squared * t76 - t101 * t196 - t113 * t233;
-    let t238 = t237 - t128 * t234 - t141 * t236;
-    let t239 = t207 * t12 + t208 * t32 + t209 * t46 + t210 * t58 + t211 * t68
-        - R::literal(49.05) * sin_chain_theta_6 - t193 * t78 - t194 * t80 - t195 * t82
-        - chain_omega_10_squared * t84 - t102 * t196 - t115 * t233;
-    let t240 = t239 - t130 * t234 - t143 * t236 - t154 * t238;
-    let t241 = t212 * t15 + t213 * t34 + t214 * t48 + t215 * t60 + t216 * t70
-        + t217 * t78 - R::literal(39.24) * sin_chain_theta_7 - t194 * t86 - t195 * t88
-        - chain_omega_10_squared * t90 - t103 * t196 - t117 * t233;
-    let t242 = t241 - t132 * t234 - t145 * t236 - t156 * t238 - t165 * t240;
-    let t243 = t218 * t18 + t219 * t36 + t220 * t50 + t221 * t62 + t222 * t72
-        + t223 * t80 + t224 * t86 - R::literal(29.43) * sin_chain_theta_8 - t195 * t92
-        - chain_omega_10_squared * t94 - t104 * t196 - t119 * t233;
-    let t244 = t243 - t134 * t234 - t147 * t236 - t158 * t238 - t167 * t240
-        - t174 * t242;
-    let t245 = t225 * t21 + t226 * t38 + t227 * t52 + t228 * t64 + t229 * t74
-        + t230 * t82 + t231 * t88 + t232 * t92 - R::literal(19.62) * sin_chain_theta_9
-        - chain_omega_10_squared * t96 - t105 * t196 - t121 * t233;
-    let t246 = t245 - t136 * t234 - t149 * t236 - t160 * t238 - t169 * t240 - t176 * t242
-        - t181 * t244;
-    let t247 = chain_omega_1_squared * t24 + chain_omega_2_squared * t40
-        + chain_omega_3_squared * t54 + chain_omega_4_squared * t66
-        + chain_omega_5_squared * t76 + chain_omega_6_squared * t84
-        + chain_omega_7_squared * t90 + chain_omega_8_squared * t94
-        + chain_omega_9_squared * t96 - R::literal(9.81) * sin_chain_theta_10
-        - t106 * t196 - t123 * t233;
-    let chain_omega_10_dot = (t247 - t138 * t234 - t151 * t236 - t162 * t238
-        - t171 * t240 - t178 * t242 - t183 * t244 - t186 * t246) * t187;
-    let chain_omega_9_dot = t246 * t184 - t186 * chain_omega_10_dot;
-    let chain_omega_8_dot = t244 * t179 - t181 * chain_omega_9_dot
-        - t183 * chain_omega_10_dot;
-    let chain_omega_7_dot = t242 * t172 - t174 * chain_omega_8_dot
-        - t176 * chain_omega_9_dot - t178 * chain_omega_10_dot;
-    let chain_omega_6_dot = t240 * t163 - t165 * chain_omega_7_dot
-        - t167 * chain_omega_8_dot - t169 * chain_omega_9_dot
-        - t171 * chain_omega_10_dot;
-    let chain_omega_5_dot = t238 * t152 - t154 * chain_omega_6_dot
-        - t156 * chain_omega_7_dot - t158 * chain_omega_8_dot - t160 * chain_omega_9_dot
-        - t162 * chain_omega_10_dot;
-    let chain_omega_4_dot = t236 * t139 - t141 * chain_omega_5_dot
-        - t143 * chain_omega_6_dot - t145 * chain_omega_7_dot - t147 * chain_omega_8_dot
-        - t149 * chain_omega_9_dot - t151 * chain_omega_10_dot;
-    let chain_omega_3_dot = t234 * t124 - t126 * chain_omega_4_dot
-        - t128 * chain_omega_5_dot - t130 * chain_omega_6_dot - t132 * chain_omega_7_dot
-        - t134 * chain_omega_8_dot - t136 * chain_omega_9_dot
-        - t138 * chain_omega_10_dot;
-    let chain_omega_2_dot = t233 * t107 - t109 * chain_omega_3_dot
-        - t111 * chain_omega_4_dot - t113 * chain_omega_5_dot - t115 * chain_omega_6_dot
-        - t117 * chain_omega_7_dot - t119 * chain_omega_8_dot - t121 * chain_omega_9_dot
-        - t123 * chain_omega_10_dot;
-    let chain_omega_1_dot = t196 * R::literal(0.1) - t98 * chain_omega_2_dot
-        - t99 * chain_omega_3_dot - t100 * chain_omega_4_dot - t101 * chain_omega_5_dot
-        - t102 * chain_omega_6_dot - t103 * chain_omega_7_dot - t104 * chain_omega_8_dot
-        - t105 * chain_omega_9_dot - t106 * chain_omega_10_dot;
-    let t248 = t188 * t1;
-    let t249 = t189 * t4;
-    let t250 = t190 * t7;
-    let t251 = t191 * t10;
-    let t252 = t192 * t13;
-    let t253 = t193 * t16;
-    let t254 = t194 * t19;
-    let t255 = t195 * t22;
-    let t256 = chain_omega_10_squared * t25;
-    let t257 = t197 * t1;
-    let t258 = t198 * t4;
-    let t259 = t200 * t7;
-    let t260 = t203 * t10;
-    let t261 = t207 * t13;
-    let t262 = t212 * t16;
-    let t263 = t218 * t19;
-    let t264 = t225 * t22;
-    let t265 = chain_omega_1_squared * t25;
-    let t266 = R::literal(9.0) * t0;
-    let t267 = t266 * chain_omega_2_dot;
-    let t268 = t266 * chain_omega_1_dot;
-    let t269 = R::literal(8.0) * t3;
-    let t270 = t269 * chain_omega_3_dot;
-    let t271 = t269 * chain_omega_1_dot;
-    let t272 = R::literal(7.0) * t6;
-    let t273 = t272 * chain_omega_4_dot;
-    let t274 = t272 * chain_omega_1_dot;
-    let t275 = R::literal(6.0) * t9;
-    let t276 = t275 * chain_omega_5_dot;
-    let t277 = t275 * chain_omega_1_dot;
-    let t278 = R::literal(5.0) * t12;
-    let t279 = t278 * chain_omega_6_dot;
-    let t280 = t278 * chain_omega_1_dot;
-    let t281 = R::literal(4.0) * t15;
-    let t282 = t281 * chain_omega_7_dot;
-    let t283 = t281 * chain_omega_1_dot;
-    let t284 = R::literal(3.0) * t18;
-    let t285 = t284 * chain_omega_8_dot;
-    let t286 = t284 * chain_omega_1_dot;
-    let t287 = R::literal(2.0) * t21;
-    let t288 = t287 * chain_omega_9_dot;
-    let t289 = t287 * chain_omega_1_dot;
-    let t290 = t24 * chain_omega_10_dot;
-    let t291 = -(R::literal(98.1) * cos_chain_theta_1) - t248 - t249 - t250 - t251 - t252
-        - t253 - t254 - t255 - t256 + t267 + t270 + t273 + t276 + t279 + t282 + t285
-        + t288 + t290;
-    let t292 = t24 * chain_omega_1_dot;
-    let t293 = t257 + t268 - t98 * t291;
-    let t294 = t258 + t271 - t99 * t291 - t109 * t293;
-    let t295 = t259 + t274 - t100 * t291 - t111 * t293 - t126 * t294;
-    let t296 = t260 + t277 - t101 * t291 - t113 * t293 - t128 * t294 - t141 * t295;
-    let t297 = t261 + t280 - t102 * t291 - t115 * t293 - t130 * t294 - t143 * t295
-        - t154 * t296;
-    let t298 = t262 + t283 - t103 * t291 - t117 * t293 - t132 * t294 - t145 * t295
-        - t156 * t296 - t165 * t297;
-    let t299 = t263 + t286 - t104 * t291 - t119 * t293 - t134 * t294 - t147 * t295
-        - t158 * t296 - t167 * t297 - t174 * t298;
-    let t300 = t264 + t289 - t105 * t291 - t121 * t293 - t136 * t294 - t149 * t295
-        - t160 * t296 - t169 * t297 - t176 * t298 - t181 * t299;
-    let chain_omega_10_dot_by_chain_theta_1 = (t265 + t292 - t106 * t291 - t123 * t293
-        - t138 * t294 - t151 * t295 - t162 * t296 - t171 * t297 - t178 * t298
-        - t183 * t299 - t186 * t300) * t187;
-    let chain_omega_9_dot_by_chain_theta_1 = t300 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_8_dot_by_chain_theta_1 = t299 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_1
-        - t183 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_7_dot_by_chain_theta_1 = t298 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_1
-        - t176 * chain_omega_9_dot_by_chain_theta_1
-        - t178 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_6_dot_by_chain_theta_1 = t297 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_1
-        - t167 * chain_omega_8_dot_by_chain_theta_1
-        - t169 * chain_omega_9_dot_by_chain_theta_1
-        - t171 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_5_dot_by_chain_theta_1 = t296 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_1
-        - t156 * chain_omega_7_dot_by_chain_theta_1
-        - t158 * chain_omega_8_dot_by_chain_theta_1
-        - t160 * chain_omega_9_dot_by_chain_theta_1
-        - t162 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_4_dot_by_chain_theta_1 = t295 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_1
-        - t143 * chain_omega_6_dot_by_chain_theta_1
-        - t145 * chain_omega_7_dot_by_chain_theta_1
-        - t147 * chain_omega_8_dot_by_chain_theta_1
-        - t149 * chain_omega_9_dot_by_chain_theta_1
-        - t151 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_3_dot_by_chain_theta_1 = t294 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_1
-        - t128 * chain_omega_5_dot_by_chain_theta_1
-        - t130 * chain_omega_6_dot_by_chain_theta_1
-        - t132 * chain_omega_7_dot_by_chain_theta_1
-        - t134 * chain_omega_8_dot_by_chain_theta_1
-        - t136 * chain_omega_9_dot_by_chain_theta_1
-        - t138 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_2_dot_by_chain_theta_1 = t293 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_1
-        - t111 * chain_omega_4_dot_by_chain_theta_1
-        - t113 * chain_omega_5_dot_by_chain_theta_1
-        - t115 * chain_omega_6_dot_by_chain_theta_1
-        - t117 * chain_omega_7_dot_by_chain_theta_1
-        - t119 * chain_omega_8_dot_by_chain_theta_1
-        - t121 * chain_omega_9_dot_by_chain_theta_1
-        - t123 * chain_omega_10_dot_by_chain_theta_1;
-    let chain_omega_1_dot_by_chain_theta_1 = t291 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_1
-        - t99 * chain_omega_3_dot_by_chain_theta_1
-        - t100 * chain_omega_4_dot_by_chain_theta_1
-        - t101 * chain_omega_5_dot_by_chain_theta_1
-        - t102 * chain_omega_6_dot_by_chain_theta_1
-        - t103 * chain_omega_7_dot_by_chain_theta_1
-        - t104 * chain_omega_8_dot_by_chain_theta_1
-        - t105 * chain_omega_9_dot_by_chain_theta_1
-        - t106 * chain_omega_10_dot_by_chain_theta_1;
-    let t301 = t189 * t27;
-    let t302 = t190 * t29;
-    let t303 = t191 * t31;
-    let t304 = t192 * t33;
-    let t305 = t193 * t35;
-    let t306 = t194 * t37;
-    let t307 = t195 * t39;
-    let t308 = chain_omega_10_squared * t41;
-    let t309 = t199 * t27;
-    let t310 = t201 * t29;
-    let t311 = t204 * t31;
-    let t312 = t208 * t33;
-    let t313 = t213 * t35;
-    let t314 = t219 * t37;
-    let t315 = t226 * t39;
-    let t316 = chain_omega_2_squared * t41;
-    let t317 = t248 - t267;
-    let t318 = R::literal(8.0) * t26;
-    let t319 = t318 * chain_omega_3_dot;
-    let t320 = t318 * chain_omega_2_dot;
-    let t321 = R::literal(7.0) * t28;
-    let t322 = t321 * chain_omega_4_dot;
-    let t323 = t321 * chain_omega_2_dot;
-    let t324 = R::literal(6.0) * t30;
-    let t325 = t324 * chain_omega_5_dot;
-    let t326 = t324 * chain_omega_2_dot;
-    let t327 = R::literal(5.0) * t32;
-    let t328 = t327 * chain_omega_6_dot;
-    let t329 = t327 * chain_omega_2_dot;
-    let t330 = R::literal(4.0) * t34;
-    let t331 = t330 * chain_omega_7_dot;
-    let t332 = t330 * chain_omega_2_dot;
-    let t333 = R::literal(3.0) * t36;
-    let t334 = t333 * chain_omega_8_dot;
-    let t335 = t333 * chain_omega_2_dot;
-    let t336 = R::literal(2.0) * t38;
-    let t337 = t336 * chain_omega_9_dot;
-    let t338 = t336 * chain_omega_2_dot;
-    let t339 = t40 * chain_omega_10_dot;
-    let t340 = t40 * chain_omega_2_dot;
-    let t341 = -(R::literal(88.29) * cos_chain_theta_2) - t257 - t301 - t302 - t303
-        - t304 - t305 - t306 - t307 - t308 - t268 + t319 + t322 + t325 + t328 + t331
-        + t334 + t337 + t339 - t98 * t317;
-    let t342 = t309 + t320 - t99 * t317 - t109 * t341;
-    let t343 = t310 + t323 - t100 * t317 - t111 * t341 - t126 * t342;
-    let t344 = t311 + t326 - t101 * t317 - t113 * t341 - t128 * t342 - t141 * t343;
-    let t345 = t312 + t329 - t102 * t317 - t115 * t341 - t130 * t342 - t143 * t343
-        - t154 * t344;
-    let t346 = t313 + t332 - t103 * t317 - t117 * t341 - t132 * t342 - t145 * t343
-        - t156 * t344 - t165 * t345;
-    let t347 = t314 + t335 - t104 * t317 - t119 * t341 - t134 * t342 - t147 * t343
-        - t158 * t344 - t167 * t345 - t174 * t346;
-    let t348 = t315 + t338 - t105 * t317 - t121 * t341 - t136 * t342 - t149 * t343
-        - t160 * t344 - t169 * t345 - t176 * t346 - t181 * t347;
-    let chain_omega_10_dot_by_chain_theta_2 = (t316 + t340 - t106 * t317 - t123 * t341
-        - t138 * t342 - t151 * t343 - t162 * t344 - t171 * t345 - t178 * t346
-        - t183 * t347 - t186 * t348) * t187;
-    let chain_omega_9_dot_by_chain_theta_2 = t348 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_8_dot_by_chain_theta_2 = t347 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_2
-        - t183 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_7_dot_by_chain_theta_2 = t346 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_2
-        - t176 * chain_omega_9_dot_by_chain_theta_2
-        - t178 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_6_dot_by_chain_theta_2 = t345 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_2
-        - t167 * chain_omega_8_dot_by_chain_theta_2
-        - t169 * chain_omega_9_dot_by_chain_theta_2
-        - t171 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_5_dot_by_chain_theta_2 = t344 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_2
-        - t156 * chain_omega_7_dot_by_chain_theta_2
-        - t158 * chain_omega_8_dot_by_chain_theta_2
-        - t160 * chain_omega_9_dot_by_chain_theta_2
-        - t162 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_4_dot_by_chain_theta_2 = t343 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_2
-        - t143 * chain_omega_6_dot_by_chain_theta_2
-        - t145 * chain_omega_7_dot_by_chain_theta_2
-        - t147 * chain_omega_8_dot_by_chain_theta_2
-        - t149 * chain_omega_9_dot_by_chain_theta_2
-        - t151 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_3_dot_by_chain_theta_2 = t342 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_2
-        - t128 * chain_omega_5_dot_by_chain_theta_2
-        - t130 * chain_omega_6_dot_by_chain_theta_2
-        - t132 * chain_omega_7_dot_by_chain_theta_2
-        - t134 * chain_omega_8_dot_by_chain_theta_2
-        - t136 * chain_omega_9_dot_by_chain_theta_2
-        - t138 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_2_dot_by_chain_theta_2 = t341 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_2
-        - t111 * chain_omega_4_dot_by_chain_theta_2
-        - t113 * chain_omega_5_dot_by_chain_theta_2
-        - t115 * chain_omega_6_dot_by_chain_theta_2
-        - t117 * chain_omega_7_dot_by_chain_theta_2
-        - t119 * chain_omega_8_dot_by_chain_theta_2
-        - t121 * chain_omega_9_dot_by_chain_theta_2
-        - t123 * chain_omega_10_dot_by_chain_theta_2;
-    let chain_omega_1_dot_by_chain_theta_2 = t317 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_2
-        - t99 * chain_omega_3_dot_by_chain_theta_2
-        - t100 * chain_omega_4_dot_by_chain_theta_2
-        - t101 * chain_omega_5_dot_by_chain_theta_2
-        - t102 * chain_omega_6_dot_by_chain_theta_2
-        - t103 * chain_omega_7_dot_by_chain_theta_2
-        - t104 * chain_omega_8_dot_by_chain_theta_2
-        - t105 * chain_omega_9_dot_by_chain_theta_2
-        - t106 * chain_omega_10_dot_by_chain_theta_2;
-    let t349 = t190 * t43;
-    let t350 = t191 * t45;
-    let t351 = t192 * t47;
-    let t352 = t193 * t49;
-    let t353 = t194 * t51;
-    let t354 = t195 * t53;
-    let t355 = chain_omega_10_squared * t55;
-    let t356 = t202 * t43;
-    let t357 = t205 * t45;
-    let t358 = t209 * t47;
-    let t359 = t214 * t49;
-    let t360 = t220 * t51;
-    let t361 = t227 * t53;
-    let t362 = chain_omega_3_squared * t55;
-    let t363 = t249 - t270;
-    let t364 = R::literal(7.0) * t42;
-    let t365 = t364 * chain_omega_4_dot;
-    let t366 = t364 * chain_omega_3_dot;
-    let t367 = R::literal(6.0) * t44;
-    let t368 = t367 * chain_omega_5_dot;
-    let t369 = t367 * chain_omega_3_dot;
-    let t370 = R::literal(5.0) * t46;
-    let t371 = t370 * chain_omega_6_dot;
-    let t372 = t370 * chain_omega_3_dot;
-    let t373 = R::literal(4.0) * t48;
-    let t374 = t373 * chain_omega_7_dot;
-    let t375 = t373 * chain_omega_3_dot;
-    let t376 = R::literal(3.0) * t50;
-    let t377 = t376 * chain_omega_8_dot;
-    let t378 = t376 * chain_omega_3_dot;
-    let t379 = R::literal(2.0) * t52;
-    let t380 = t379 * chain_omega_9_dot;
-    let t381 = t379 * chain_omega_3_dot;
-    let t382 = t54 * chain_omega_10_dot;
-    let t383 = t54 * chain_omega_3_dot;
-    let t384 = t301 - t319 - t98 * t363;
-    let t385 = -(R::literal(78.48) * cos_chain_theta_3) - t258 - t309 - t349 - t350
-        - t351 - t352 - t353 - t354 - t355 - t271 - t320 + t365 + t368 + t371 + t374
-        + t377 + t380 + t382 - t99 * t363 - t109 * t384;
-    let t386 = t356 + t366 - t100 * t363 - t111 * t384 - t126 * t385;
-    let t387 = t357 + t369 - t101 * t363 - t113 * t384 - t128 * t385 - t141 * t386;
-    let t388 = t358 + t372 - t102 * t363 - t115 * t384 - t130 * t385 - t143 * t386
-        - t154 * t387;
-    let t389 = t359 + t375 - t103 * t363 - t117 * t384 - t132 * t385 - t145 * t386
-        - t156 * t387 - t165 * t388;
-    let t390 = t360 + t378 - t104 * t363 - t119 * t384 - t134 * t385 - t147 * t386
-        - t158 * t387 - t167 * t388 - t174 * t389;
-    let t391 = t361 + t381 - t105 * t363 - t121 * t384 - t136 * t385 - t149 * t386
-        - t160 * t387 - t169 * t388 - t176 * t389 - t181 * t390;
-    let chain_omega_10_dot_by_chain_theta_3 = (t362 + t383 - t106 * t363 - t123 * t384
-        - t138 * t385 - t151 * t386 - t162 * t387 - t171 * t388 - t178 * t389
-        - t183 * t390 - t186 * t391) * t187;
-    let chain_omega_9_dot_by_chain_theta_3 = t391 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_8_dot_by_chain_theta_3 = t390 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_3
-        - t183 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_7_dot_by_chain_theta_3 = t389 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_3
-        - t176 * chain_omega_9_dot_by_chain_theta_3
-        - t178 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_6_dot_by_chain_theta_3 = t388 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_3
-        - t167 * chain_omega_8_dot_by_chain_theta_3
-        - t169 * chain_omega_9_dot_by_chain_theta_3
-        - t171 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_5_dot_by_chain_theta_3 = t387 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_3
-        - t156 * chain_omega_7_dot_by_chain_theta_3
-        - t158 * chain_omega_8_dot_by_chain_theta_3
-        - t160 * chain_omega_9_dot_by_chain_theta_3
-        - t162 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_4_dot_by_chain_theta_3 = t386 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_3
-        - t143 * chain_omega_6_dot_by_chain_theta_3
-        - t145 * chain_omega_7_dot_by_chain_theta_3
-        - t147 * chain_omega_8_dot_by_chain_theta_3
-        - t149 * chain_omega_9_dot_by_chain_theta_3
-        - t151 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_3_dot_by_chain_theta_3 = t385 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_3
-        - t128 * chain_omega_5_dot_by_chain_theta_3
-        - t130 * chain_omega_6_dot_by_chain_theta_3
-        - t132 * chain_omega_7_dot_by_chain_theta_3
-        - t134 * chain_omega_8_dot_by_chain_theta_3
-        - t136 * chain_omega_9_dot_by_chain_theta_3
-        - t138 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_2_dot_by_chain_theta_3 = t384 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_3
-        - t111 * chain_omega_4_dot_by_chain_theta_3
-        - t113 * chain_omega_5_dot_by_chain_theta_3
-        - t115 * chain_omega_6_dot_by_chain_theta_3
-        - t117 * chain_omega_7_dot_by_chain_theta_3
-        - t119 * chain_omega_8_dot_by_chain_theta_3
-        - t121 * chain_omega_9_dot_by_chain_theta_3
-        - t123 * chain_omega_10_dot_by_chain_theta_3;
-    let chain_omega_1_dot_by_chain_theta_3 = t363 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_3
-        - t99 * chain_omega_3_dot_by_chain_theta_3
-        - t100 * chain_omega_4_dot_by_chain_theta_3
-        - t101 * chain_omega_5_dot_by_chain_theta_3
-        - t102 * chain_omega_6_dot_by_chain_theta_3
-        - t103 * chain_omega_7_dot_by_chain_theta_3
-        - t104 * chain_omega_8_dot_by_chain_theta_3
-        - t105 * chain_omega_9_dot_by_chain_theta_3
-        - t106 * chain_omega_10_dot_by_chain_theta_3;
-    let t392 = t191 * t57;
-    let t393 = t192 * t59;
-    let t394 = t193 * t61;
-    let t395 = t194 * t63;
-    let t396 = t195 * t65;
-    let t397 = chain_omega_10_squared * t67;
-    let t398 = t206 * t57;
-    let t399 = t210 * t59;
-    let t400 = t215 * t61;
-    let t401 = t221 * t63;
-    let t402 = t228 * t65;
-    let t403 = chain_omega_4_squared * t67;
-    let t404 = t250 - t273;
-    let t405 = R::literal(6.0) * t56;
-    let t406 = t405 * chain_omega_5_dot;
-    let t407 = t405 * chain_omega_4_dot;
-    let t408 = R::literal(5.0) * t58;
-    let t409 = t408 * chain_omega_6_dot;
-    let t410 = t408 * chain_omega_4_dot;
-    let t411 = R::literal(4.0) * t60;
-    let t412 = t411 * chain_omega_7_dot;
-    let t413 = t411 * chain_omega_4_dot;
-    let t414 = R::literal(3.0) * t62;
-    let t415 = t414 * chain_omega_8_dot;
-    let t416 = t414 * chain_omega_4_dot;
-    let t417 = R::literal(2.0) * t64;
-    let t418 = t417 * chain_omega_9_dot;
-    let t419 = t417 * chain_omega_4_dot;
-    let t420 = t66 * chain_omega_10_dot;
-    let t421 = t66 * chain_omega_4_dot;
-    let t422 = t302 - t322 - t98 * t404;
-    let t423 = t349 - t365 - t99 * t404 - t109 * t422;
-    let t424 = -(R::literal(68.67) * cos_chain_theta_4) - t259 - t310 - t356 - t392
-        - t393 - t394 - t395 - t396 - t397 - t274 - t323 - t366 + t406 + t409 + t412
-        + t415 + t418 + t420 - t100 * t404 - t111 * t422;
-    let t425 = t424 - t126 * t423;
-    let t426 = t398 + t407 - t101 * t404 - t113 * t422 - t128 * t423 - t141 * t425;
-    let t427 = t399 + t410 - t102 * t404 - t115 * t422 - t130 * t423 - t143 * t425
-        - t154 * t426;
-    let t428 = t400 + t413 - t103 * t404 - t117 * t422 - t132 * t423 - t145 * t425
-        - t156 * t426 - t165 * t427;
-    let t429 = t401 + t416 - t104 * t404 - t119 * t422 - t134 * t423 - t147 * t425
-        - t158 * t426 - t167 * t427 - t174 * t428;
-    let t430 = t402 + t419 - t105 * t404 - t121 * t422 - t136 * t423 - t149 * t425
-        - t160 * t426 - t169 * t427 - t176 * t428 - t181 * t429;
-    let chain_omega_10_dot_by_chain_theta_4 = (t403 + t421 - t106 * t404 - t123 * t422
-        - t138 * t423 - t151 * t425 - t162 * t426 - t171 * t427 - t178 * t428
-        - t183 * t429 - t186 * t430) * t187;
-    let chain_omega_9_dot_by_chain_theta_4 = t430 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_8_dot_by_chain_theta_4 = t429 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_4
-        - t183 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_7_dot_by_chain_theta_4 = t428 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_4
-        - t176 * chain_omega_9_dot_by_chain_theta_4
-        - t178 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_6_dot_by_chain_theta_4 = t427 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_4
-        - t167 * chain_omega_8_dot_by_chain_theta_4
-        - t169 * chain_omega_9_dot_by_chain_theta_4
-        - t171 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_5_dot_by_chain_theta_4 = t426 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_4
-        - t156 * chain_omega_7_dot_by_chain_theta_4
-        - t158 * chain_omega_8_dot_by_chain_theta_4
-        - t160 * chain_omega_9_dot_by_chain_theta_4
-        - t162 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_4_dot_by_chain_theta_4 = t425 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_4
-        - t143 * chain_omega_6_dot_by_chain_theta_4
-        - t145 * chain_omega_7_dot_by_chain_theta_4
-        - t147 * chain_omega_8_dot_by_chain_theta_4
-        - t149 * chain_omega_9_dot_by_chain_theta_4
-        - t151 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_3_dot_by_chain_theta_4 = t423 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_4
-        - t128 * chain_omega_5_dot_by_chain_theta_4
-        - t130 * chain_omega_6_dot_by_chain_theta_4
-        - t132 * chain_omega_7_dot_by_chain_theta_4
-        - t134 * chain_omega_8_dot_by_chain_theta_4
-        - t136 * chain_omega_9_dot_by_chain_theta_4
-        - t138 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_2_dot_by_chain_theta_4 = t422 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_4
-        - t111 * chain_omega_4_dot_by_chain_theta_4
-        - t113 * chain_omega_5_dot_by_chain_theta_4
-        - t115 * chain_omega_6_dot_by_chain_theta_4
-        - t117 * chain_omega_7_dot_by_chain_theta_4
-        - t119 * chain_omega_8_dot_by_chain_theta_4
-        - t121 * chain_omega_9_dot_by_chain_theta_4
-        - t123 * chain_omega_10_dot_by_chain_theta_4;
-    let chain_omega_1_dot_by_chain_theta_4 = t404 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_4
-        - t99 * chain_omega_3_dot_by_chain_theta_4
-        - t100 * chain_omega_4_dot_by_chain_theta_4
-        - t101 * chain_omega_5_dot_by_chain_theta_4
-        - t102 * chain_omega_6_dot_by_chain_theta_4
-        - t103 * chain_omega_7_dot_by_chain_theta_4
-        - t104 * chain_omega_8_dot_by_chain_theta_4
-        - t105 * chain_omega_9_dot_by_chain_theta_4
-        - t106 * chain_omega_10_dot_by_chain_theta_4;
-    let t431 = t192 * t69;
-    let t432 = t193 * t71;
-    let t433 = t194 * t73;
-    let t434 = t195 * t75;
-    let t435 = chain_omega_10_squared * t77;
-    let t436 = t211 * t69;
-    let t437 = t216 * t71;
-    let t438 = t222 * t73;
-    let t439 = t229 * t75;
-    let t440 = chain_omega_5_squared * t77;
-    let t441 = t251 - t276;
-    let t442 = R::literal(5.0) * t68;
-    let t443 = t442 * chain_omega_6_dot;
-    let t444 = t442 * chain_omega_5_dot;
-    let t445 = R::literal(4.0) * t70;
-    let t446 = t445 * chain_omega_7_dot;
-    let t447 = t445 * chain_omega_5_dot;
-    let t448 = R::literal(3.0) * t72;
-    let t449 = t448 * chain_omega_8_dot;
-    let t450 = t448 * chain_omega_5_dot;
-    let t451 = R::literal(2.0) * t74;
-    let t452 = t451 * chain_omega_9_dot;
-    let t453 = t451 * chain_omega_5_dot;
-    let t454 = t76 * chain_omega_10_dot;
-    let t455 = t76 * chain_omega_5_dot;
-    let t456 = t303 - t325 - t98 * t441;
-    let t457 = t350 - t368 - t99 * t441 - t109 * t456;
-    let t458 = t392 - t406 - t100 * t441 - t111 * t456 - t126 * t457;
-    let t459 = -(R::literal(58.86) * cos_chain_theta_5) - t260 - t311 - t357 - t398
-        - t431 - t432 - t433 - t434 - t435 - t277 - t326 - t369 - t407 + t443 + t446
-        + t449 + t452 + t454 - t101 * t441 - t113 * t456;
-    let t460 = t459 - t128 * t457 - t141 * t458;
-    let t461 = t436 + t444 - t102 * t441 - t115 * t456 - t130 * t457 - t143 * t458
-        - t154 * t460;
-    let t462 = t437 + t447 - t103 * t441 - t117 * t456 - t132 * t457 - t145 * t458
-        - t156 * t460 - t165 * t461;
-    let t463 = t438 + t450 - t104 * t441 - t119 * t456 - t134 * t457 - t147 * t458
-        - t158 * t460 - t167 * t461 - t174 * t462;
-    let t464 = t439 + t453 - t105 * t441 - t121 * t456 - t136 * t457 - t149 * t458
-        - t160 * t460 - t169 * t461 - t176 * t462 - t181 * t463;
-    let chain_omega_10_dot_by_chain_theta_5 = (t440 + t455 - t106 * t441 - t123 * t456
-        - t138 * t457 - t151 * t458 - t162 * t460 - t171 * t461 - t178 * t462
-        - t183 * t463 - t186 * t464) * t187;
-    let chain_omega_9_dot_by_chain_theta_5 = t464 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_8_dot_by_chain_theta_5 = t463 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_5
-        - t183 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_7_dot_by_chain_theta_5 = t462 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_5
-        - t176 * chain_omega_9_dot_by_chain_theta_5
-        - t178 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_6_dot_by_chain_theta_5 = t461 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_5
-        - t167 * chain_omega_8_dot_by_chain_theta_5
-        - t169 * chain_omega_9_dot_by_chain_theta_5
-        - t171 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_5_dot_by_chain_theta_5 = t460 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_5
-        - t156 * chain_omega_7_dot_by_chain_theta_5
-        - t158 * chain_omega_8_dot_by_chain_theta_5
-        - t160 * chain_omega_9_dot_by_chain_theta_5
-        - t162 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_4_dot_by_chain_theta_5 = t458 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_5
-        - t143 * chain_omega_6_dot_by_chain_theta_5
-        - t145 * chain_omega_7_dot_by_chain_theta_5
-        - t147 * chain_omega_8_dot_by_chain_theta_5
-        - t149 * chain_omega_9_dot_by_chain_theta_5
-        - t151 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_3_dot_by_chain_theta_5 = t457 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_5
-        - t128 * chain_omega_5_dot_by_chain_theta_5
-        - t130 * chain_omega_6_dot_by_chain_theta_5
-        - t132 * chain_omega_7_dot_by_chain_theta_5
-        - t134 * chain_omega_8_dot_by_chain_theta_5
-        - t136 * chain_omega_9_dot_by_chain_theta_5
-        - t138 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_2_dot_by_chain_theta_5 = t456 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_5
-        - t111 * chain_omega_4_dot_by_chain_theta_5
-        - t113 * chain_omega_5_dot_by_chain_theta_5
-        - t115 * chain_omega_6_dot_by_chain_theta_5
-        - t117 * chain_omega_7_dot_by_chain_theta_5
-        - t119 * chain_omega_8_dot_by_chain_theta_5
-        - t121 * chain_omega_9_dot_by_chain_theta_5
-        - t123 * chain_omega_10_dot_by_chain_theta_5;
-    let chain_omega_1_dot_by_chain_theta_5 = t441 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_5
-        - t99 * chain_omega_3_dot_by_chain_theta_5
-        - t100 * chain_omega_4_dot_by_chain_theta_5
-        - t101 * chain_omega_5_dot_by_chain_theta_5
-        - t102 * chain_omega_6_dot_by_chain_theta_5
-        - t103 * chain_omega_7_dot_by_chain_theta_5
-        - t104 * chain_omega_8_dot_by_chain_theta_5
-        - t105 * chain_omega_9_dot_by_chain_theta_5
-        - t106 * chain_omega_10_dot_by_chain_theta_5;
-    let t465 = t193 * t79;
-    let t466 = t194 * t81;
-    let t467 = t195 * t83;
-    let t468 = chain_omega_10_squared * t85;
-    let t469 = t217 * t79;
-    let t470 = t223 * t81;
-    let t471 = t230 * t83;
-    let t472 = chain_omega_6_squared * t85;
-    let t473 = t252 - t279;
-    let t474 = R::literal(4.0) * t78;
-    let t475 = t474 * chain_omega_7_dot;
-    let t476 = t474 * chain_omega_6_dot;
-    let t477 = R::literal(3.0) * t80;
-    let t478 = t477 * chain_omega_8_dot;
-    let t479 = t477 * chain_omega_6_dot;
-    let t480 = R::literal(2.0) * t82;
-    let t481 = t480 * chain_omega_9_dot;
-    let t482 = t480 * chain_omega_6_dot;
-    let t483 = t84 * chain_omega_10_dot;
-    let t484 = t84 * chain_omega_6_dot;
-    let t485 = t304 - t328 - t98 * t473;
-    let t486 = t351 - t371 - t99 * t473 - t109 * t485;
-    let t487 = t393 - t409 - t100 * t473 - t111 * t485 - t126 * t486;
-    let t488 = t431 - t443 - t101 * t473 - t113 * t485 - t128 * t486 - t141 * t487;
-    let t489 = -(R::literal(49.05) * cos_chain_theta_6) - t261 - t312 - t358 - t399
-        - t436 - t465 - t466 - t467 - t468 - t280 - t329 - t372 - t410 - t444 + t475
-        + t478 + t481 + t483 - t102 * t473 - t115 * t485;
-    let t490 = t489 - t130 * t486 - t143 * t487 - t154 * t488;
-    let t491 = t469 + t476 - t103 * t473 - t117 * t485 - t132 * t486 - t145 * t487
-        - t156 * t488 - t165 * t490;
-    let t492 = t470 + t479 - t104 * t473 - t119 * t485 - t134 * t486 - t147 * t487
-        - t158 * t488 - t167 * t490 - t174 * t491;
-    let t493 = t471 + t482 - t105 * t473 - t121 * t485 - t136 * t486 - t149 * t487
-        - t160 * t488 - t169 * t490 - t176 * t491 - t181 * t492;
-    let chain_omega_10_dot_by_chain_theta_6 = (t472 + t484 - t106 * t473 - t123 * t485
-        - t138 * t486 - t151 * t487 - t162 * t488 - t171 * t490 - t178 * t491
-        - t183 * t492 - t186 * t493) * t187;
-    let chain_omega_9_dot_by_chain_theta_6 = t493 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_8_dot_by_chain_theta_6 = t492 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_6
-        - t183 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_7_dot_by_chain_theta_6 = t491 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_6
-        - t176 * chain_omega_9_dot_by_chain_theta_6
-        - t178 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_6_dot_by_chain_theta_6 = t490 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_6
-        - t167 * chain_omega_8_dot_by_chain_theta_6
-        - t169 * chain_omega_9_dot_by_chain_theta_6
-        - t171 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_5_dot_by_chain_theta_6 = t488 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_6
-        - t156 * chain_omega_7_dot_by_chain_theta_6
-        - t158 * chain_omega_8_dot_by_chain_theta_6
-        - t160 * chain_omega_9_dot_by_chain_theta_6
-        - t162 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_4_dot_by_chain_theta_6 = t487 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_6
-        - t143 * chain_omega_6_dot_by_chain_theta_6
-        - t145 * chain_omega_7_dot_by_chain_theta_6
-        - t147 * chain_omega_8_dot_by_chain_theta_6
-        - t149 * chain_omega_9_dot_by_chain_theta_6
-        - t151 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_3_dot_by_chain_theta_6 = t486 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_6
-        - t128 * chain_omega_5_dot_by_chain_theta_6
-        - t130 * chain_omega_6_dot_by_chain_theta_6
-        - t132 * chain_omega_7_dot_by_chain_theta_6
-        - t134 * chain_omega_8_dot_by_chain_theta_6
-        - t136 * chain_omega_9_dot_by_chain_theta_6
-        - t138 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_2_dot_by_chain_theta_6 = t485 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_6
-        - t111 * chain_omega_4_dot_by_chain_theta_6
-        - t113 * chain_omega_5_dot_by_chain_theta_6
-        - t115 * chain_omega_6_dot_by_chain_theta_6
-        - t117 * chain_omega_7_dot_by_chain_theta_6
-        - t119 * chain_omega_8_dot_by_chain_theta_6
-        - t121 * chain_omega_9_dot_by_chain_theta_6
-        - t123 * chain_omega_10_dot_by_chain_theta_6;
-    let chain_omega_1_dot_by_chain_theta_6 = t473 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_6
-        - t99 * chain_omega_3_dot_by_chain_theta_6
-        - t100 * chain_omega_4_dot_by_chain_theta_6
-        - t101 * chain_omega_5_dot_by_chain_theta_6
-        - t102 * chain_omega_6_dot_by_chain_theta_6
-        - t103 * chain_omega_7_dot_by_chain_theta_6
-        - t104 * chain_omega_8_dot_by_chain_theta_6
-        - t105 * chain_omega_9_dot_by_chain_theta_6
-        - t106 * chain_omega_10_dot_by_chain_theta_6;
-    let t494 = t194 * t87;
-    let t495 = t195 * t89;
-    let t496 = chain_omega_10_squared * t91;
-    let t497 = t224 * t87;
-    let t498 = t231 * t89;
-    let t499 = chain_omega_7_squared * t91;
-    let t500 = t253 - t282;
-    let t501 = R::literal(3.0) * t86;
-    let t502 = t501 * chain_omega_8_dot;
-    let t503 = t501 * chain_omega_7_dot;
-    let t504 = R::literal(2.0) * t88;
-    let t505 = t504 * chain_omega_9_dot;
-    let t506 = t504 * chain_omega_7_dot;
-    let t507 = t90 * chain_omega_10_dot;
-    let t508 = t90 * chain_omega_7_dot;
-    let t509 = t305 - t331 - t98 * t500;
-    let t510 = t352 - t374 - t99 * t500 - t109 * t509;
-    let t511 = t394 - t412 - t100 * t500 - t111 * t509 - t126 * t510;
-    let t512 = t432 - t446 - t101 * t500 - t113 * t509 - t128 * t510 - t141 * t511;
-    let t513 = t465 - t475 - t102 * t500 - t115 * t509 - t130 * t510 - t143 * t511
-        - t154 * t512;
-    let t514 = -(R::literal(39.24) * cos_chain_theta_7) - t262 - t313 - t359 - t400
-        - t437 - t469 - t494 - t495 - t496 - t283 - t332 - t375 - t413 - t447 - t476
-        + t502 + t505 + t507 - t103 * t500 - t117 * t509;
-    let t515 = t514 - t132 * t510 - t145 * t511 - t156 * t512 - t165 * t513;
-    let t516 = t497 + t503 - t104 * t500 - t119 * t509 - t134 * t510 - t147 * t511
-        - t158 * t512 - t167 * t513 - t174 * t515;
-    let t517 = t498 + t506 - t105 * t500 - t121 * t509 - t136 * t510 - t149 * t511
-        - t160 * t512 - t169 * t513 - t176 * t515 - t181 * t516;
-    let chain_omega_10_dot_by_chain_theta_7 = (t499 + t508 - t106 * t500 - t123 * t509
-        - t138 * t510 - t151 * t511 - t162 * t512 - t171 * t513 - t178 * t515
-        - t183 * t516 - t186 * t517) * t187;
-    let chain_omega_9_dot_by_chain_theta_7 = t517 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_8_dot_by_chain_theta_7 = t516 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_7
-        - t183 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_7_dot_by_chain_theta_7 = t515 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_7
-        - t176 * chain_omega_9_dot_by_chain_theta_7
-        - t178 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_6_dot_by_chain_theta_7 = t513 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_7
-        - t167 * chain_omega_8_dot_by_chain_theta_7
-        - t169 * chain_omega_9_dot_by_chain_theta_7
-        - t171 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_5_dot_by_chain_theta_7 = t512 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_7
-        - t156 * chain_omega_7_dot_by_chain_theta_7
-        - t158 * chain_omega_8_dot_by_chain_theta_7
-        - t160 * chain_omega_9_dot_by_chain_theta_7
-        - t162 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_4_dot_by_chain_theta_7 = t511 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_7
-        - t143 * chain_omega_6_dot_by_chain_theta_7
-        - t145 * chain_omega_7_dot_by_chain_theta_7
-        - t147 * chain_omega_8_dot_by_chain_theta_7
-        - t149 * chain_omega_9_dot_by_chain_theta_7
-        - t151 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_3_dot_by_chain_theta_7 = t510 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_7
-        - t128 * chain_omega_5_dot_by_chain_theta_7
-        - t130 * chain_omega_6_dot_by_chain_theta_7
-        - t132 * chain_omega_7_dot_by_chain_theta_7
-        - t134 * chain_omega_8_dot_by_chain_theta_7
-        - t136 * chain_omega_9_dot_by_chain_theta_7
-        - t138 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_2_dot_by_chain_theta_7 = t509 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_7
-        - t111 * chain_omega_4_dot_by_chain_theta_7
-        - t113 * chain_omega_5_dot_by_chain_theta_7
-        - t115 * chain_omega_6_dot_by_chain_theta_7
-        - t117 * chain_omega_7_dot_by_chain_theta_7
-        - t119 * chain_omega_8_dot_by_chain_theta_7
-        - t121 * chain_omega_9_dot_by_chain_theta_7
-        - t123 * chain_omega_10_dot_by_chain_theta_7;
-    let chain_omega_1_dot_by_chain_theta_7 = t500 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_7
-        - t99 * chain_omega_3_dot_by_chain_theta_7
-        - t100 * chain_omega_4_dot_by_chain_theta_7
-        - t101 * chain_omega_5_dot_by_chain_theta_7
-        - t102 * chain_omega_6_dot_by_chain_theta_7
-        - t103 * chain_omega_7_dot_by_chain_theta_7
-        - t104 * chain_omega_8_dot_by_chain_theta_7
-        - t105 * chain_omega_9_dot_by_chain_theta_7
-        - t106 * chain_omega_10_dot_by_chain_theta_7;
-    let t518 = t195 * t93;
-    let t519 = chain_omega_10_squared * t95;
-    let t520 = t232 * t93;
-    let t521 = chain_omega_8_squared * t95;
-    let t522 = t254 - t285;
-    let t523 = R::literal(2.0) * t92;
-    let t524 = t523 * chain_omega_9_dot;
-    let t525 = t523 * chain_omega_8_dot;
-    let t526 = t94 * chain_omega_10_dot;
-    let t527 = t94 * chain_omega_8_dot;
-    let t528 = t306 - t334 - t98 * t522;
-    let t529 = t353 - t377 - t99 * t522 - t109 * t528;
-    let t530 = t395 - t415 - t100 * t522 - t111 * t528 - t126 * t529;
-    let t531 = t433 - t449 - t101 * t522 - t113 * t528 - t128 * t529 - t141 * t530;
-    let t532 = t466 - t478 - t102 * t522 - t115 * t528 - t130 * t529 - t143 * t530
-        - t154 * t531;
-    let t533 = t494 - t502 - t103 * t522 - t117 * t528 - t132 * t529 - t145 * t530
-        - t156 * t531 - t165 * t532;
-    let t534 = -(R::literal(29.43) * cos_chain_theta_8) - t263 - t314 - t360 - t401
-        - t438 - t470 - t497 - t518 - t519 - t286 - t335 - t378 - t416 - t450 - t479
-        - t503 + t524 + t526 - t104 * t522 - t119 * t528;
-    let t535 = t534 - t134 * t529 - t147 * t530 - t158 * t531 - t167 * t532
-        - t174 * t533;
-    let t536 = t520 + t525 - t105 * t522 - t121 * t528 - t136 * t529 - t149 * t530
-        - t160 * t531 - t169 * t532 - t176 * t533 - t181 * t535;
-    let chain_omega_10_dot_by_chain_theta_8 = (t521 + t527 - t106 * t522 - t123 * t528
-        - t138 * t529 - t151 * t530 - t162 * t531 - t171 * t532 - t178 * t533
-        - t183 * t535 - t186 * t536) * t187;
-    let chain_omega_9_dot_by_chain_theta_8 = t536 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_8_dot_by_chain_theta_8 = t535 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_8
-        - t183 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_7_dot_by_chain_theta_8 = t533 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_8
-        - t176 * chain_omega_9_dot_by_chain_theta_8
-        - t178 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_6_dot_by_chain_theta_8 = t532 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_8
-        - t167 * chain_omega_8_dot_by_chain_theta_8
-        - t169 * chain_omega_9_dot_by_chain_theta_8
-        - t171 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_5_dot_by_chain_theta_8 = t531 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_8
-        - t156 * chain_omega_7_dot_by_chain_theta_8
-        - t158 * chain_omega_8_dot_by_chain_theta_8
-        - t160 * chain_omega_9_dot_by_chain_theta_8
-        - t162 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_4_dot_by_chain_theta_8 = t530 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_8
-        - t143 * chain_omega_6_dot_by_chain_theta_8
-        - t145 * chain_omega_7_dot_by_chain_theta_8
-        - t147 * chain_omega_8_dot_by_chain_theta_8
-        - t149 * chain_omega_9_dot_by_chain_theta_8
-        - t151 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_3_dot_by_chain_theta_8 = t529 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_8
-        - t128 * chain_omega_5_dot_by_chain_theta_8
-        - t130 * chain_omega_6_dot_by_chain_theta_8
-        - t132 * chain_omega_7_dot_by_chain_theta_8
-        - t134 * chain_omega_8_dot_by_chain_theta_8
-        - t136 * chain_omega_9_dot_by_chain_theta_8
-        - t138 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_2_dot_by_chain_theta_8 = t528 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_8
-        - t111 * chain_omega_4_dot_by_chain_theta_8
-        - t113 * chain_omega_5_dot_by_chain_theta_8
-        - t115 * chain_omega_6_dot_by_chain_theta_8
-        - t117 * chain_omega_7_dot_by_chain_theta_8
-        - t119 * chain_omega_8_dot_by_chain_theta_8
-        - t121 * chain_omega_9_dot_by_chain_theta_8
-        - t123 * chain_omega_10_dot_by_chain_theta_8;
-    let chain_omega_1_dot_by_chain_theta_8 = t522 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_8
-        - t99 * chain_omega_3_dot_by_chain_theta_8
-        - t100 * chain_omega_4_dot_by_chain_theta_8
-        - t101 * chain_omega_5_dot_by_chain_theta_8
-        - t102 * chain_omega_6_dot_by_chain_theta_8
-        - t103 * chain_omega_7_dot_by_chain_theta_8
-        - t104 * chain_omega_8_dot_by_chain_theta_8
-        - t105 * chain_omega_9_dot_by_chain_theta_8
-        - t106 * chain_omega_10_dot_by_chain_theta_8;
-    let t537 = chain_omega_10_squared * t97;
-    let t538 = chain_omega_9_squared * t97;
-    let t539 = t255 - t288;
-    let t540 = t96 * chain_omega_10_dot;
-    let t541 = t96 * chain_omega_9_dot;
-    let t542 = t307 - t337 - t98 * t539;
-    let t543 = t354 - t380 - t99 * t539 - t109 * t542;
-    let t544 = t396 - t418 - t100 * t539 - t111 * t542 - t126 * t543;
-    let t545 = t434 - t452 - t101 * t539 - t113 * t542 - t128 * t543 - t141 * t544;
-    let t546 = t467 - t481 - t102 * t539 - t115 * t542 - t130 * t543 - t143 * t544
-        - t154 * t545;
-    let t547 = t495 - t505 - t103 * t539 - t117 * t542 - t132 * t543 - t145 * t544
-        - t156 * t545 - t165 * t546;
-    let t548 = t518 - t524 - t104 * t539 - t119 * t542 - t134 * t543 - t147 * t544
-        - t158 * t545 - t167 * t546 - t174 * t547;
-    let t549 = -(R::literal(19.62) * cos_chain_theta_9) - t264 - t315 - t361 - t402
-        - t439 - t471 - t498 - t520 - t537 - t289 - t338 - t381 - t419 - t453 - t482
-        - t506 - t525 + t540 - t105 * t539 - t121 * t542;
-    let t550 = t549 - t136 * t543 - t149 * t544 - t160 * t545 - t169 * t546 - t176 * t547
-        - t181 * t548;
-    let chain_omega_10_dot_by_chain_theta_9 = (t538 + t541 - t106 * t539 - t123 * t542
-        - t138 * t543 - t151 * t544 - t162 * t545 - t171 * t546 - t178 * t547
-        - t183 * t548 - t186 * t550) * t187;
-    let chain_omega_9_dot_by_chain_theta_9 = t550 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_8_dot_by_chain_theta_9 = t548 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_9
-        - t183 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_7_dot_by_chain_theta_9 = t547 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_9
-        - t176 * chain_omega_9_dot_by_chain_theta_9
-        - t178 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_6_dot_by_chain_theta_9 = t546 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_9
-        - t167 * chain_omega_8_dot_by_chain_theta_9
-        - t169 * chain_omega_9_dot_by_chain_theta_9
-        - t171 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_5_dot_by_chain_theta_9 = t545 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_9
-        - t156 * chain_omega_7_dot_by_chain_theta_9
-        - t158 * chain_omega_8_dot_by_chain_theta_9
-        - t160 * chain_omega_9_dot_by_chain_theta_9
-        - t162 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_4_dot_by_chain_theta_9 = t544 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_9
-        - t143 * chain_omega_6_dot_by_chain_theta_9
-        - t145 * chain_omega_7_dot_by_chain_theta_9
-        - t147 * chain_omega_8_dot_by_chain_theta_9
-        - t149 * chain_omega_9_dot_by_chain_theta_9
-        - t151 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_3_dot_by_chain_theta_9 = t543 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_9
-        - t128 * chain_omega_5_dot_by_chain_theta_9
-        - t130 * chain_omega_6_dot_by_chain_theta_9
-        - t132 * chain_omega_7_dot_by_chain_theta_9
-        - t134 * chain_omega_8_dot_by_chain_theta_9
-        - t136 * chain_omega_9_dot_by_chain_theta_9
-        - t138 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_2_dot_by_chain_theta_9 = t542 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_9
-        - t111 * chain_omega_4_dot_by_chain_theta_9
-        - t113 * chain_omega_5_dot_by_chain_theta_9
-        - t115 * chain_omega_6_dot_by_chain_theta_9
-        - t117 * chain_omega_7_dot_by_chain_theta_9
-        - t119 * chain_omega_8_dot_by_chain_theta_9
-        - t121 * chain_omega_9_dot_by_chain_theta_9
-        - t123 * chain_omega_10_dot_by_chain_theta_9;
-    let chain_omega_1_dot_by_chain_theta_9 = t539 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_9
-        - t99 * chain_omega_3_dot_by_chain_theta_9
-        - t100 * chain_omega_4_dot_by_chain_theta_9
-        - t101 * chain_omega_5_dot_by_chain_theta_9
-        - t102 * chain_omega_6_dot_by_chain_theta_9
-        - t103 * chain_omega_7_dot_by_chain_theta_9
-        - t104 * chain_omega_8_dot_by_chain_theta_9
-        - t105 * chain_omega_9_dot_by_chain_theta_9
-        - t106 * chain_omega_10_dot_by_chain_theta_9;
-    let t551 = t256 - t290;
-    let t552 = t308 - t339 - t98 * t551;
-    let t553 = t355 - t382 - t99 * t551 - t109 * t552;
-    let t554 = t397 - t420 - t100 * t551 - t111 * t552 - t126 * t553;
-    let t555 = t435 - t454 - t101 * t551 - t113 * t552 - t128 * t553 - t141 * t554;
-    let t556 = t468 - t483 - t102 * t551 - t115 * t552 - t130 * t553 - t143 * t554
-        - t154 * t555;
-    let t557 = t496 - t507 - t103 * t551 - t117 * t552 - t132 * t553 - t145 * t554
-        - t156 * t555 - t165 * t556;
-    let t558 = t519 - t526 - t104 * t551 - t119 * t552 - t134 * t553 - t147 * t554
-        - t158 * t555 - t167 * t556 - t174 * t557;
-    let t559 = t537 - t540 - t105 * t551 - t121 * t552 - t136 * t553 - t149 * t554
-        - t160 * t555 - t169 * t556 - t176 * t557 - t181 * t558;
-    let t560 = -(R::literal(9.81) * cos_chain_theta_10) - t265 - t316 - t362 - t403
-        - t440 - t472 - t499 - t521 - t538 - t292 - t340 - t383 - t421 - t455 - t484
-        - t508 - t527 - t541 - t106 * t551 - t123 * t552;
-    let chain_omega_10_dot_by_chain_theta_10 = (t560 - t138 * t553 - t151 * t554
-        - t162 * t555 - t171 * t556 - t178 * t557 - t183 * t558 - t186 * t559) * t187;
-    let chain_omega_9_dot_by_chain_theta_10 = t559 * t184
-        - t186 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_8_dot_by_chain_theta_10 = t558 * t179
-        - t181 * chain_omega_9_dot_by_chain_theta_10
-        - t183 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_7_dot_by_chain_theta_10 = t557 * t172
-        - t174 * chain_omega_8_dot_by_chain_theta_10
-        - t176 * chain_omega_9_dot_by_chain_theta_10
-        - t178 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_6_dot_by_chain_theta_10 = t556 * t163
-        - t165 * chain_omega_7_dot_by_chain_theta_10
-        - t167 * chain_omega_8_dot_by_chain_theta_10
-        - t169 * chain_omega_9_dot_by_chain_theta_10
-        - t171 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_5_dot_by_chain_theta_10 = t555 * t152
-        - t154 * chain_omega_6_dot_by_chain_theta_10
-        - t156 * chain_omega_7_dot_by_chain_theta_10
-        - t158 * chain_omega_8_dot_by_chain_theta_10
-        - t160 * chain_omega_9_dot_by_chain_theta_10
-        - t162 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_4_dot_by_chain_theta_10 = t554 * t139
-        - t141 * chain_omega_5_dot_by_chain_theta_10
-        - t143 * chain_omega_6_dot_by_chain_theta_10
-        - t145 * chain_omega_7_dot_by_chain_theta_10
-        - t147 * chain_omega_8_dot_by_chain_theta_10
-        - t149 * chain_omega_9_dot_by_chain_theta_10
-        - t151 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_3_dot_by_chain_theta_10 = t553 * t124
-        - t126 * chain_omega_4_dot_by_chain_theta_10
-        - t128 * chain_omega_5_dot_by_chain_theta_10
-        - t130 * chain_omega_6_dot_by_chain_theta_10
-        - t132 * chain_omega_7_dot_by_chain_theta_10
-        - t134 * chain_omega_8_dot_by_chain_theta_10
-        - t136 * chain_omega_9_dot_by_chain_theta_10
-        - t138 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_2_dot_by_chain_theta_10 = t552 * t107
-        - t109 * chain_omega_3_dot_by_chain_theta_10
-        - t111 * chain_omega_4_dot_by_chain_theta_10
-        - t113 * chain_omega_5_dot_by_chain_theta_10
-        - t115 * chain_omega_6_dot_by_chain_theta_10
-        - t117 * chain_omega_7_dot_by_chain_theta_10
-        - t119 * chain_omega_8_dot_by_chain_theta_10
-        - t121 * chain_omega_9_dot_by_chain_theta_10
-        - t123 * chain_omega_10_dot_by_chain_theta_10;
-    let chain_omega_1_dot_by_chain_theta_10 = t551 * R::literal(0.1)
-        - t98 * chain_omega_2_dot_by_chain_theta_10
-        - t99 * chain_omega_3_dot_by_chain_theta_10
-        - t100 * chain_omega_4_dot_by_chain_theta_10
-        - t101 * chain_omega_5_dot_by_chain_theta_10
-        - t102 * chain_omega_6_dot_by_chain_theta_10
-        - t103 * chain_omega_7_dot_by_chain_theta_10
-        - t104 * chain_omega_8_dot_by_chain_theta_10
-        - t105 * chain_omega_9_dot_by_chain_theta_10
-        - t106 * chain_omega_10_dot_by_chain_theta_10;
-    let t561 = R::literal(18.0) * chain_omega_1 * t0;
-    let t562 = R::literal(16.0) * chain_omega_1 * t3 - t109 * t561;
-    let t563 = R::literal(14.0) * chain_omega_1 * t6 - t111 * t561 - t126 * t562;
-    let t564 = R::literal(12.0) * chain_omega_1 * t9 - t113 * t561 - t128 * t562
-        - t141 * t563;
-    let t565 = R::literal(10.0) * chain_omega_1 * t12 - t115 * t561 - t130 * t562
-        - t143 * t563 - t154 * t564;
-    let t566 = R::literal(8.0) * chain_omega_1 * t15 - t117 * t561 - t132 * t562
-        - t145 * t563 - t156 * t564 - t165 * t565;
-    let t567 = R::literal(6.0) * chain_omega_1 * t18 - t119 * t561 - t134 * t562
-        - t147 * t563 - t158 * t564 - t167 * t565 - t174 * t566;
-    let t568 = R::literal(4.0) * chain_omega_1 * t21 - t121 * t561 - t136 * t562
-        - t149 * t563 - t160 * t564 - t169 * t565 - t176 * t566 - t181 * t567;
-    let chain_omega_10_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t24
-        - t123 * t561 - t138 * t562 - t151 * t563 - t162 * t564 - t171 * t565
-        - t178 * t566 - t183 * t567 - t186 * t568) * t187;
-    let chain_omega_9_dot_by_chain_omega_1 = t568 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_8_dot_by_chain_omega_1 = t567 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_1
-        - t183 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_7_dot_by_chain_omega_1 = t566 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_1
-        - t176 * chain_omega_9_dot_by_chain_omega_1
-        - t178 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_6_dot_by_chain_omega_1 = t565 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_1
-        - t167 * chain_omega_8_dot_by_chain_omega_1
-        - t169 * chain_omega_9_dot_by_chain_omega_1
-        - t171 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_5_dot_by_chain_omega_1 = t564 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_1
-        - t156 * chain_omega_7_dot_by_chain_omega_1
-        - t158 * chain_omega_8_dot_by_chain_omega_1
-        - t160 * chain_omega_9_dot_by_chain_omega_1
-        - t162 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_4_dot_by_chain_omega_1 = t563 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_1
-        - t143 * chain_omega_6_dot_by_chain_omega_1
-        - t145 * chain_omega_7_dot_by_chain_omega_1
-        - t147 * chain_omega_8_dot_by_chain_omega_1
-        - t149 * chain_omega_9_dot_by_chain_omega_1
-        - t151 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_3_dot_by_chain_omega_1 = t562 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_1
-        - t128 * chain_omega_5_dot_by_chain_omega_1
-        - t130 * chain_omega_6_dot_by_chain_omega_1
-        - t132 * chain_omega_7_dot_by_chain_omega_1
-        - t134 * chain_omega_8_dot_by_chain_omega_1
-        - t136 * chain_omega_9_dot_by_chain_omega_1
-        - t138 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_2_dot_by_chain_omega_1 = t561 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_1
-        - t111 * chain_omega_4_dot_by_chain_omega_1
-        - t113 * chain_omega_5_dot_by_chain_omega_1
-        - t115 * chain_omega_6_dot_by_chain_omega_1
-        - t117 * chain_omega_7_dot_by_chain_omega_1
-        - t119 * chain_omega_8_dot_by_chain_omega_1
-        - t121 * chain_omega_9_dot_by_chain_omega_1
-        - t123 * chain_omega_10_dot_by_chain_omega_1;
-    let chain_omega_1_dot_by_chain_omega_1 = -(t98 * chain_omega_2_dot_by_chain_omega_1)
-        - t99 * chain_omega_3_dot_by_chain_omega_1
-        - t100 * chain_omega_4_dot_by_chain_omega_1
-        - t101 * chain_omega_5_dot_by_chain_omega_1
-        - t102 * chain_omega_6_dot_by_chain_omega_1
-        - t103 * chain_omega_7_dot_by_chain_omega_1
-        - t104 * chain_omega_8_dot_by_chain_omega_1
-        - t105 * chain_omega_9_dot_by_chain_omega_1
-        - t106 * chain_omega_10_dot_by_chain_omega_1;
-    let t569 = R::literal(18.0) * chain_omega_2 * t0;
-    let t570 = t98 * t569;
-    let t571 = R::literal(16.0) * chain_omega_2 * t26 + t99 * t569 - t109 * t570;
-    let t572 = R::literal(14.0) * chain_omega_2 * t28 + t100 * t569 - t111 * t570
-        - t126 * t571;
-    let t573 = R::literal(12.0) * chain_omega_2 * t30 + t101 * t569 - t113 * t570
-        - t128 * t571 - t141 * t572;
-    let t574 = R::literal(10.0) * chain_omega_2 * t32 + t102 * t569 - t115 * t570
-        - t130 * t571 - t143 * t572 - t154 * t573;
-    let t575 = R::literal(8.0) * chain_omega_2 * t34 + t103 * t569 - t117 * t570
-        - t132 * t571 - t145 * t572 - t156 * t573 - t165 * t574;
-    let t576 = R::literal(6.0) * chain_omega_2 * t36 + t104 * t569 - t119 * t570
-        - t134 * t571 - t147 * t572 - t158 * t573 - t167 * t574 - t174 * t575;
-    let t577 = R::literal(4.0) * chain_omega_2 * t38 + t105 * t569 - t121 * t570
-        - t136 * t571 - t149 * t572 - t160 * t573 - t169 * t574 - t176 * t575
-        - t181 * t576;
-    let chain_omega_10_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t40
-        + t106 * t569 - t123 * t570 - t138 * t571 - t151 * t572 - t162 * t573
-        - t171 * t574 - t178 * t575 - t183 * t576 - t186 * t577) * t187;
-    let chain_omega_9_dot_by_chain_omega_2 = t577 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_8_dot_by_chain_omega_2 = t576 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_2
-        - t183 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_7_dot_by_chain_omega_2 = t575 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_2
-        - t176 * chain_omega_9_dot_by_chain_omega_2
-        - t178 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_6_dot_by_chain_omega_2 = t574 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_2
-        - t167 * chain_omega_8_dot_by_chain_omega_2
-        - t169 * chain_omega_9_dot_by_chain_omega_2
-        - t171 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_5_dot_by_chain_omega_2 = t573 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_2
-        - t156 * chain_omega_7_dot_by_chain_omega_2
-        - t158 * chain_omega_8_dot_by_chain_omega_2
-        - t160 * chain_omega_9_dot_by_chain_omega_2
-        - t162 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_4_dot_by_chain_omega_2 = t572 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_2
-        - t143 * chain_omega_6_dot_by_chain_omega_2
-        - t145 * chain_omega_7_dot_by_chain_omega_2
-        - t147 * chain_omega_8_dot_by_chain_omega_2
-        - t149 * chain_omega_9_dot_by_chain_omega_2
-        - t151 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_3_dot_by_chain_omega_2 = t571 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_2
-        - t128 * chain_omega_5_dot_by_chain_omega_2
-        - t130 * chain_omega_6_dot_by_chain_omega_2
-        - t132 * chain_omega_7_dot_by_chain_omega_2
-        - t134 * chain_omega_8_dot_by_chain_omega_2
-        - t136 * chain_omega_9_dot_by_chain_omega_2
-        - t138 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_2_dot_by_chain_omega_2 = t570 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_2
-        - t111 * chain_omega_4_dot_by_chain_omega_2
-        - t113 * chain_omega_5_dot_by_chain_omega_2
-        - t115 * chain_omega_6_dot_by_chain_omega_2
-        - t117 * chain_omega_7_dot_by_chain_omega_2
-        - t119 * chain_omega_8_dot_by_chain_omega_2
-        - t121 * chain_omega_9_dot_by_chain_omega_2
-        - t123 * chain_omega_10_dot_by_chain_omega_2;
-    let chain_omega_1_dot_by_chain_omega_2 = -(t569 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_2
-        - t99 * chain_omega_3_dot_by_chain_omega_2
-        - t100 * chain_omega_4_dot_by_chain_omega_2
-        - t101 * chain_omega_5_dot_by_chain_omega_2
-        - t102 * chain_omega_6_dot_by_chain_omega_2
-        - t103 * chain_omega_7_dot_by_chain_omega_2
-        - t104 * chain_omega_8_dot_by_chain_omega_2
-        - t105 * chain_omega_9_dot_by_chain_omega_2
-        - t106 * chain_omega_10_dot_by_chain_omega_2;
-    let t578 = R::literal(16.0) * chain_omega_3;
-    let t579 = t578 * t3;
-    let t580 = t98 * t579 - t578 * t26;
-    let t581 = t99 * t579 - t109 * t580;
-    let t582 = R::literal(14.0) * chain_omega_3 * t42 + t100 * t579 - t111 * t580
-        - t126 * t581;
-    let t583 = R::literal(12.0) * chain_omega_3 * t44 + t101 * t579 - t113 * t580
-        - t128 * t581 - t141 * t582;
-    let t584 = R::literal(10.0) * chain_omega_3 * t46 + t102 * t579 - t115 * t580
-        - t130 * t581 - t143 * t582 - t154 * t583;
-    let t585 = R::literal(8.0) * chain_omega_3 * t48 + t103 * t579 - t117 * t580
-        - t132 * t581 - t145 * t582 - t156 * t583 - t165 * t584;
-    let t586 = R::literal(6.0) * chain_omega_3 * t50 + t104 * t579 - t119 * t580
-        - t134 * t581 - t147 * t582 - t158 * t583 - t167 * t584 - t174 * t585;
-    let t587 = R::literal(4.0) * chain_omega_3 * t52 + t105 * t579 - t121 * t580
-        - t136 * t581 - t149 * t582 - t160 * t583 - t169 * t584 - t176 * t585
-        - t181 * t586;
-    let chain_omega_10_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t54
-        + t106 * t579 - t123 * t580 - t138 * t581 - t151 * t582 - t162 * t583
-        - t171 * t584 - t178 * t585 - t183 * t586 - t186 * t587) * t187;
-    let chain_omega_9_dot_by_chain_omega_3 = t587 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_8_dot_by_chain_omega_3 = t586 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_3
-        - t183 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_7_dot_by_chain_omega_3 = t585 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_3
-        - t176 * chain_omega_9_dot_by_chain_omega_3
-        - t178 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_6_dot_by_chain_omega_3 = t584 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_3
-        - t167 * chain_omega_8_dot_by_chain_omega_3
-        - t169 * chain_omega_9_dot_by_chain_omega_3
-        - t171 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_5_dot_by_chain_omega_3 = t583 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_3
-        - t156 * chain_omega_7_dot_by_chain_omega_3
-        - t158 * chain_omega_8_dot_by_chain_omega_3
-        - t160 * chain_omega_9_dot_by_chain_omega_3
-        - t162 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_4_dot_by_chain_omega_3 = t582 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_3
-        - t143 * chain_omega_6_dot_by_chain_omega_3
-        - t145 * chain_omega_7_dot_by_chain_omega_3
-        - t147 * chain_omega_8_dot_by_chain_omega_3
-        - t149 * chain_omega_9_dot_by_chain_omega_3
-        - t151 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_3_dot_by_chain_omega_3 = t581 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_3
-        - t128 * chain_omega_5_dot_by_chain_omega_3
-        - t130 * chain_omega_6_dot_by_chain_omega_3
-        - t132 * chain_omega_7_dot_by_chain_omega_3
-        - t134 * chain_omega_8_dot_by_chain_omega_3
-        - t136 * chain_omega_9_dot_by_chain_omega_3
-        - t138 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_2_dot_by_chain_omega_3 = t580 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_3
-        - t111 * chain_omega_4_dot_by_chain_omega_3
-        - t113 * chain_omega_5_dot_by_chain_omega_3
-        - t115 * chain_omega_6_dot_by_chain_omega_3
-        - t117 * chain_omega_7_dot_by_chain_omega_3
-        - t119 * chain_omega_8_dot_by_chain_omega_3
-        - t121 * chain_omega_9_dot_by_chain_omega_3
-        - t123 * chain_omega_10_dot_by_chain_omega_3;
-    let chain_omega_1_dot_by_chain_omega_3 = -(t579 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_3
-        - t99 * chain_omega_3_dot_by_chain_omega_3
-        - t100 * chain_omega_4_dot_by_chain_omega_3
-        - t101 * chain_omega_5_dot_by_chain_omega_3
-        - t102 * chain_omega_6_dot_by_chain_omega_3
-        - t103 * chain_omega_7_dot_by_chain_omega_3
-        - t104 * chain_omega_8_dot_by_chain_omega_3
-        - t105 * chain_omega_9_dot_by_chain_omega_3
-        - t106 * chain_omega_10_dot_by_chain_omega_3;
-    let t588 = R::literal(14.0) * chain_omega_4;
-    let t589 = t588 * t6;
-    let t590 = t98 * t589 - t588 * t28;
-    let t591 = t99 * t589 - t588 * t42 - t109 * t590;
-    let t592 = t100 * t589 - t111 * t590 - t126 * t591;
-    let t593 = R::literal(12.0) * chain_omega_4 * t56 + t101 * t589 - t113 * t590
-        - t128 * t591 - t141 * t592;
-    let t594 = R::literal(10.0) * chain_omega_4 * t58 + t102 * t589 - t115 * t590
-        - t130 * t591 - t143 * t592 - t154 * t593;
-    let t595 = R::literal(8.0) * chain_omega_4 * t60 + t103 * t589 - t117 * t590
-        - t132 * t591 - t145 * t592 - t156 * t593 - t165 * t594;
-    let t596 = R::literal(6.0) * chain_omega_4 * t62 + t104 * t589 - t119 * t590
-        - t134 * t591 - t147 * t592 - t158 * t593 - t167 * t594 - t174 * t595;
-    let t597 = R::literal(4.0) * chain_omega_4 * t64 + t105 * t589 - t121 * t590
-        - t136 * t591 - t149 * t592 - t160 * t593 - t169 * t594 - t176 * t595
-        - t181 * t596;
-    let chain_omega_10_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t66
-        + t106 * t589 - t123 * t590 - t138 * t591 - t151 * t592 - t162 * t593
-        - t171 * t594 - t178 * t595 - t183 * t596 - t186 * t597) * t187;
-    let chain_omega_9_dot_by_chain_omega_4 = t597 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_8_dot_by_chain_omega_4 = t596 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_4
-        - t183 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_7_dot_by_chain_omega_4 = t595 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_4
-        - t176 * chain_omega_9_dot_by_chain_omega_4
-        - t178 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_6_dot_by_chain_omega_4 = t594 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_4
-        - t167 * chain_omega_8_dot_by_chain_omega_4
-        - t169 * chain_omega_9_dot_by_chain_omega_4
-        - t171 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_5_dot_by_chain_omega_4 = t593 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_4
-        - t156 * chain_omega_7_dot_by_chain_omega_4
-        - t158 * chain_omega_8_dot_by_chain_omega_4
-        - t160 * chain_omega_9_dot_by_chain_omega_4
-        - t162 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_4_dot_by_chain_omega_4 = t592 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_4
-        - t143 * chain_omega_6_dot_by_chain_omega_4
-        - t145 * chain_omega_7_dot_by_chain_omega_4
-        - t147 * chain_omega_8_dot_by_chain_omega_4
-        - t149 * chain_omega_9_dot_by_chain_omega_4
-        - t151 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_3_dot_by_chain_omega_4 = t591 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_4
-        - t128 * chain_omega_5_dot_by_chain_omega_4
-        - t130 * chain_omega_6_dot_by_chain_omega_4
-        - t132 * chain_omega_7_dot_by_chain_omega_4
-        - t134 * chain_omega_8_dot_by_chain_omega_4
-        - t136 * chain_omega_9_dot_by_chain_omega_4
-        - t138 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_2_dot_by_chain_omega_4 = t590 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_4
-        - t111 * chain_omega_4_dot_by_chain_omega_4
-        - t113 * chain_omega_5_dot_by_chain_omega_4
-        - t115 * chain_omega_6_dot_by_chain_omega_4
-        - t117 * chain_omega_7_dot_by_chain_omega_4
-        - t119 * chain_omega_8_dot_by_chain_omega_4
-        - t121 * chain_omega_9_dot_by_chain_omega_4
-        - t123 * chain_omega_10_dot_by_chain_omega_4;
-    let chain_omega_1_dot_by_chain_omega_4 = -(t589 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_4
-        - t99 * chain_omega_3_dot_by_chain_omega_4
-        - t100 * chain_omega_4_dot_by_chain_omega_4
-        - t101 * chain_omega_5_dot_by_chain_omega_4
-        - t102 * chain_omega_6_dot_by_chain_omega_4
-        - t103 * chain_omega_7_dot_by_chain_omega_4
-        - t104 * chain_omega_8_dot_by_chain_omega_4
-        - t105 * chain_omega_9_dot_by_chain_omega_4
-        - t106 * chain_omega_10_dot_by_chain_omega_4;
-    let t598 = R::literal(12.0) * chain_omega_5;
-    let t599 = t598 * t9;
-    let t600 = t98 * t599 - t598 * t30;
-    let t601 = t99 * t599 - t598 * t44 - t109 * t600;
-    let t602 = t100 * t599 - t598 * t56 - t111 * t600 - t126 * t601;
-    let t603 = t101 * t599 - t113 * t600 - t128 * t601 - t141 * t602;
-    let t604 = R::literal(10.0) * chain_omega_5 * t68 + t102 * t599 - t115 * t600
-        - t130 * t601 - t143 * t602 - t154 * t603;
-    let t605 = R::literal(8.0) * chain_omega_5 * t70 + t103 * t599 - t117 * t600
-        - t132 * t601 - t145 * t602 - t156 * t603 - t165 * t604;
-    let t606 = R::literal(6.0) * chain_omega_5 * t72 + t104 * t599 - t119 * t600
-        - t134 * t601 - t147 * t602 - t158 * t603 - t167 * t604 - t174 * t605;
-    let t607 = R::literal(4.0) * chain_omega_5 * t74 + t105 * t599 - t121 * t600
-        - t136 * t601 - t149 * t602 - t160 * t603 - t169 * t604 - t176 * t605
-        - t181 * t606;
-    let chain_omega_10_dot_by_chain_omega_5 = (R::literal(2.0) * chain_omega_5 * t76
-        + t106 * t599 - t123 * t600 - t138 * t601 - t151 * t602 - t162 * t603
-        - t171 * t604 - t178 * t605 - t183 * t606 - t186 * t607) * t187;
-    let chain_omega_9_dot_by_chain_omega_5 = t607 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_8_dot_by_chain_omega_5 = t606 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_5
-        - t183 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_7_dot_by_chain_omega_5 = t605 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_5
-        - t176 * chain_omega_9_dot_by_chain_omega_5
-        - t178 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_6_dot_by_chain_omega_5 = t604 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_5
-        - t167 * chain_omega_8_dot_by_chain_omega_5
-        - t169 * chain_omega_9_dot_by_chain_omega_5
-        - t171 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_5_dot_by_chain_omega_5 = t603 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_5
-        - t156 * chain_omega_7_dot_by_chain_omega_5
-        - t158 * chain_omega_8_dot_by_chain_omega_5
-        - t160 * chain_omega_9_dot_by_chain_omega_5
-        - t162 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_4_dot_by_chain_omega_5 = t602 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_5
-        - t143 * chain_omega_6_dot_by_chain_omega_5
-        - t145 * chain_omega_7_dot_by_chain_omega_5
-        - t147 * chain_omega_8_dot_by_chain_omega_5
-        - t149 * chain_omega_9_dot_by_chain_omega_5
-        - t151 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_3_dot_by_chain_omega_5 = t601 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_5
-        - t128 * chain_omega_5_dot_by_chain_omega_5
-        - t130 * chain_omega_6_dot_by_chain_omega_5
-        - t132 * chain_omega_7_dot_by_chain_omega_5
-        - t134 * chain_omega_8_dot_by_chain_omega_5
-        - t136 * chain_omega_9_dot_by_chain_omega_5
-        - t138 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_2_dot_by_chain_omega_5 = t600 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_5
-        - t111 * chain_omega_4_dot_by_chain_omega_5
-        - t113 * chain_omega_5_dot_by_chain_omega_5
-        - t115 * chain_omega_6_dot_by_chain_omega_5
-        - t117 * chain_omega_7_dot_by_chain_omega_5
-        - t119 * chain_omega_8_dot_by_chain_omega_5
-        - t121 * chain_omega_9_dot_by_chain_omega_5
-        - t123 * chain_omega_10_dot_by_chain_omega_5;
-    let chain_omega_1_dot_by_chain_omega_5 = -(t599 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_5
-        - t99 * chain_omega_3_dot_by_chain_omega_5
-        - t100 * chain_omega_4_dot_by_chain_omega_5
-        - t101 * chain_omega_5_dot_by_chain_omega_5
-        - t102 * chain_omega_6_dot_by_chain_omega_5
-        - t103 * chain_omega_7_dot_by_chain_omega_5
-        - t104 * chain_omega_8_dot_by_chain_omega_5
-        - t105 * chain_omega_9_dot_by_chain_omega_5
-        - t106 * chain_omega_10_dot_by_chain_omega_5;
-    let t608 = R::literal(10.0) * chain_omega_6;
-    let t609 = t608 * t12;
-    let t610 = t98 * t609 - t608 * t32;
-    let t611 = t99 * t609 - t608 * t46 - t109 * t610;
-    let t612 = t100 * t609 - t608 * t58 - t111 * t610 - t126 * t611;
-    let t613 = t101 * t609 - t608 * t68 - t113 * t610 - t128 * t611 - t141 * t612;
-    let t614 = t102 * t609 - t115 * t610 - t130 * t611 - t143 * t612 - t154 * t613;
-    let t615 = R::literal(8.0) * chain_omega_6 * t78 + t103 * t609 - t117 * t610
-        - t132 * t611 - t145 * t612 - t156 * t613 - t165 * t614;
-    let t616 = R::literal(6.0) * chain_omega_6 * t80 + t104 * t609 - t119 * t610
-        - t134 * t611 - t147 * t612 - t158 * t613 - t167 * t614 - t174 * t615;
-    let t617 = R::literal(4.0) * chain_omega_6 * t82 + t105 * t609 - t121 * t610
-        - t136 * t611 - t149 * t612 - t160 * t613 - t169 * t614 - t176 * t615
-        - t181 * t616;
-    let chain_omega_10_dot_by_chain_omega_6 = (R::literal(2.0) * chain_omega_6 * t84
-        + t106 * t609 - t123 * t610 - t138 * t611 - t151 * t612 - t162 * t613
-        - t171 * t614 - t178 * t615 - t183 * t616 - t186 * t617) * t187;
-    let chain_omega_9_dot_by_chain_omega_6 = t617 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_8_dot_by_chain_omega_6 = t616 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_6
-        - t183 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_7_dot_by_chain_omega_6 = t615 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_6
-        - t176 * chain_omega_9_dot_by_chain_omega_6
-        - t178 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_6_dot_by_chain_omega_6 = t614 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_6
-        - t167 * chain_omega_8_dot_by_chain_omega_6
-        - t169 * chain_omega_9_dot_by_chain_omega_6
-        - t171 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_5_dot_by_chain_omega_6 = t613 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_6
-        - t156 * chain_omega_7_dot_by_chain_omega_6
-        - t158 * chain_omega_8_dot_by_chain_omega_6
-        - t160 * chain_omega_9_dot_by_chain_omega_6
-        - t162 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_4_dot_by_chain_omega_6 = t612 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_6
-        - t143 * chain_omega_6_dot_by_chain_omega_6
-        - t145 * chain_omega_7_dot_by_chain_omega_6
-        - t147 * chain_omega_8_dot_by_chain_omega_6
-        - t149 * chain_omega_9_dot_by_chain_omega_6
-        - t151 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_3_dot_by_chain_omega_6 = t611 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_6
-        - t128 * chain_omega_5_dot_by_chain_omega_6
-        - t130 * chain_omega_6_dot_by_chain_omega_6
-        - t132 * chain_omega_7_dot_by_chain_omega_6
-        - t134 * chain_omega_8_dot_by_chain_omega_6
-        - t136 * chain_omega_9_dot_by_chain_omega_6
-        - t138 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_2_dot_by_chain_omega_6 = t610 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_6
-        - t111 * chain_omega_4_dot_by_chain_omega_6
-        - t113 * chain_omega_5_dot_by_chain_omega_6
-        - t115 * chain_omega_6_dot_by_chain_omega_6
-        - t117 * chain_omega_7_dot_by_chain_omega_6
-        - t119 * chain_omega_8_dot_by_chain_omega_6
-        - t121 * chain_omega_9_dot_by_chain_omega_6
-        - t123 * chain_omega_10_dot_by_chain_omega_6;
-    let chain_omega_1_dot_by_chain_omega_6 = -(t609 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_6
-        - t99 * chain_omega_3_dot_by_chain_omega_6
-        - t100 * chain_omega_4_dot_by_chain_omega_6
-        - t101 * chain_omega_5_dot_by_chain_omega_6
-        - t102 * chain_omega_6_dot_by_chain_omega_6
-        - t103 * chain_omega_7_dot_by_chain_omega_6
-        - t104 * chain_omega_8_dot_by_chain_omega_6
-        - t105 * chain_omega_9_dot_by_chain_omega_6
-        - t106 * chain_omega_10_dot_by_chain_omega_6;
-    let t618 = R::literal(8.0) * chain_omega_7;
-    let t619 = t618 * t15;
-    let t620 = t98 * t619 - t618 * t34;
-    let t621 = t99 * t619 - t618 * t48 - t109 * t620;
-    let t622 = t100 * t619 - t618 * t60 - t111 * t620 - t126 * t621;
-    let t623 = t101 * t619 - t618 * t70 - t113 * t620 - t128 * t621 - t141 * t622;
-    let t624 = t102 * t619 - t618 * t78 - t115 * t620 - t130 * t621 - t143 * t622
-        - t154 * t623;
-    let t625 = t103 * t619 - t117 * t620 - t132 * t621 - t145 * t622 - t156 * t623
-        - t165 * t624;
-    let t626 = R::literal(6.0) * chain_omega_7 * t86 + t104 * t619 - t119 * t620
-        - t134 * t621 - t147 * t622 - t158 * t623 - t167 * t624 - t174 * t625;
-    let t627 = R::literal(4.0) * chain_omega_7 * t88 + t105 * t619 - t121 * t620
-        - t136 * t621 - t149 * t622 - t160 * t623 - t169 * t624 - t176 * t625
-        - t181 * t626;
-    let chain_omega_10_dot_by_chain_omega_7 = (R::literal(2.0) * chain_omega_7 * t90
-        + t106 * t619 - t123 * t620 - t138 * t621 - t151 * t622 - t162 * t623
-        - t171 * t624 - t178 * t625 - t183 * t626 - t186 * t627) * t187;
-    let chain_omega_9_dot_by_chain_omega_7 = t627 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_8_dot_by_chain_omega_7 = t626 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_7
-        - t183 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_7_dot_by_chain_omega_7 = t625 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_7
-        - t176 * chain_omega_9_dot_by_chain_omega_7
-        - t178 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_6_dot_by_chain_omega_7 = t624 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_7
-        - t167 * chain_omega_8_dot_by_chain_omega_7
-        - t169 * chain_omega_9_dot_by_chain_omega_7
-        - t171 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_5_dot_by_chain_omega_7 = t623 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_7
-        - t156 * chain_omega_7_dot_by_chain_omega_7
-        - t158 * chain_omega_8_dot_by_chain_omega_7
-        - t160 * chain_omega_9_dot_by_chain_omega_7
-        - t162 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_4_dot_by_chain_omega_7 = t622 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_7
-        - t143 * chain_omega_6_dot_by_chain_omega_7
-        - t145 * chain_omega_7_dot_by_chain_omega_7
-        - t147 * chain_omega_8_dot_by_chain_omega_7
-        - t149 * chain_omega_9_dot_by_chain_omega_7
-        - t151 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_3_dot_by_chain_omega_7 = t621 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_7
-        - t128 * chain_omega_5_dot_by_chain_omega_7
-        - t130 * chain_omega_6_dot_by_chain_omega_7
-        - t132 * chain_omega_7_dot_by_chain_omega_7
-        - t134 * chain_omega_8_dot_by_chain_omega_7
-        - t136 * chain_omega_9_dot_by_chain_omega_7
-        - t138 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_2_dot_by_chain_omega_7 = t620 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_7
-        - t111 * chain_omega_4_dot_by_chain_omega_7
-        - t113 * chain_omega_5_dot_by_chain_omega_7
-        - t115 * chain_omega_6_dot_by_chain_omega_7
-        - t117 * chain_omega_7_dot_by_chain_omega_7
-        - t119 * chain_omega_8_dot_by_chain_omega_7
-        - t121 * chain_omega_9_dot_by_chain_omega_7
-        - t123 * chain_omega_10_dot_by_chain_omega_7;
-    let chain_omega_1_dot_by_chain_omega_7 = -(t619 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_7
-        - t99 * chain_omega_3_dot_by_chain_omega_7
-        - t100 * chain_omega_4_dot_by_chain_omega_7
-        - t101 * chain_omega_5_dot_by_chain_omega_7
-        - t102 * chain_omega_6_dot_by_chain_omega_7
-        - t103 * chain_omega_7_dot_by_chain_omega_7
-        - t104 * chain_omega_8_dot_by_chain_omega_7
-        - t105 * chain_omega_9_dot_by_chain_omega_7
-        - t106 * chain_omega_10_dot_by_chain_omega_7;
-    let t628 = R::literal(6.0) * chain_omega_8;
-    let t629 = t628 * t18;
-    let t630 = t98 * t629 - t628 * t36;
-    let t631 = t99 * t629 - t628 * t50 - t109 * t630;
-    let t632 = t100 * t629 - t628 * t62 - t111 * t630 - t126 * t631;
-    let t633 = t101 * t629 - t628 * t72 - t113 * t630 - t128 * t631 - t141 * t632;
-    let t634 = t102 * t629 - t628 * t80 - t115 * t630 - t130 * t631 - t143 * t632
-        - t154 * t633;
-    let t635 = t103 * t629 - t628 * t86 - t117 * t630 - t132 * t631 - t145 * t632
-        - t156 * t633 - t165 * t634;
-    let t636 = t104 * t629 - t119 * t630 - t134 * t631 - t147 * t632 - t158 * t633
-        - t167 * t634 - t174 * t635;
-    let t637 = R::literal(4.0) * chain_omega_8 * t92 + t105 * t629 - t121 * t630
-        - t136 * t631 - t149 * t632 - t160 * t633 - t169 * t634 - t176 * t635
-        - t181 * t636;
-    let chain_omega_10_dot_by_chain_omega_8 = (R::literal(2.0) * chain_omega_8 * t94
-        + t106 * t629 - t123 * t630 - t138 * t631 - t151 * t632 - t162 * t633
-        - t171 * t634 - t178 * t635 - t183 * t636 - t186 * t637) * t187;
-    let chain_omega_9_dot_by_chain_omega_8 = t637 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_8_dot_by_chain_omega_8 = t636 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_8
-        - t183 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_7_dot_by_chain_omega_8 = t635 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_8
-        - t176 * chain_omega_9_dot_by_chain_omega_8
-        - t178 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_6_dot_by_chain_omega_8 = t634 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_8
-        - t167 * chain_omega_8_dot_by_chain_omega_8
-        - t169 * chain_omega_9_dot_by_chain_omega_8
-        - t171 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_5_dot_by_chain_omega_8 = t633 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_8
-        - t156 * chain_omega_7_dot_by_chain_omega_8
-        - t158 * chain_omega_8_dot_by_chain_omega_8
-        - t160 * chain_omega_9_dot_by_chain_omega_8
-        - t162 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_4_dot_by_chain_omega_8 = t632 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_8
-        - t143 * chain_omega_6_dot_by_chain_omega_8
-        - t145 * chain_omega_7_dot_by_chain_omega_8
-        - t147 * chain_omega_8_dot_by_chain_omega_8
-        - t149 * chain_omega_9_dot_by_chain_omega_8
-        - t151 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_3_dot_by_chain_omega_8 = t631 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_8
-        - t128 * chain_omega_5_dot_by_chain_omega_8
-        - t130 * chain_omega_6_dot_by_chain_omega_8
-        - t132 * chain_omega_7_dot_by_chain_omega_8
-        - t134 * chain_omega_8_dot_by_chain_omega_8
-        - t136 * chain_omega_9_dot_by_chain_omega_8
-        - t138 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_2_dot_by_chain_omega_8 = t630 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_8
-        - t111 * chain_omega_4_dot_by_chain_omega_8
-        - t113 * chain_omega_5_dot_by_chain_omega_8
-        - t115 * chain_omega_6_dot_by_chain_omega_8
-        - t117 * chain_omega_7_dot_by_chain_omega_8
-        - t119 * chain_omega_8_dot_by_chain_omega_8
-        - t121 * chain_omega_9_dot_by_chain_omega_8
-        - t123 * chain_omega_10_dot_by_chain_omega_8;
-    let chain_omega_1_dot_by_chain_omega_8 = -(t629 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_8
-        - t99 * chain_omega_3_dot_by_chain_omega_8
-        - t100 * chain_omega_4_dot_by_chain_omega_8
-        - t101 * chain_omega_5_dot_by_chain_omega_8
-        - t102 * chain_omega_6_dot_by_chain_omega_8
-        - t103 * chain_omega_7_dot_by_chain_omega_8
-        - t104 * chain_omega_8_dot_by_chain_omega_8
-        - t105 * chain_omega_9_dot_by_chain_omega_8
-        - t106 * chain_omega_10_dot_by_chain_omega_8;
-    let t638 = R::literal(4.0) * chain_omega_9;
-    let t639 = t638 * t21;
-    let t640 = t98 * t639 - t638 * t38;
-    let t641 = t99 * t639 - t638 * t52 - t109 * t640;
-    let t642 = t100 * t639 - t638 * t64 - t111 * t640 - t126 * t641;
-    let t643 = t101 * t639 - t638 * t74 - t113 * t640 - t128 * t641 - t141 * t642;
-    let t644 = t102 * t639 - t638 * t82 - t115 * t640 - t130 * t641 - t143 * t642
-        - t154 * t643;
-    let t645 = t103 * t639 - t638 * t88 - t117 * t640 - t132 * t641 - t145 * t642
-        - t156 * t643 - t165 * t644;
-    let t646 = t104 * t639 - t638 * t92 - t119 * t640 - t134 * t641 - t147 * t642
-        - t158 * t643 - t167 * t644 - t174 * t645;
-    let t647 = t105 * t639 - t121 * t640 - t136 * t641 - t149 * t642 - t160 * t643
-        - t169 * t644 - t176 * t645 - t181 * t646;
-    let chain_omega_10_dot_by_chain_omega_9 = (R::literal(2.0) * chain_omega_9 * t96
-        + t106 * t639 - t123 * t640 - t138 * t641 - t151 * t642 - t162 * t643
-        - t171 * t644 - t178 * t645 - t183 * t646 - t186 * t647) * t187;
-    let chain_omega_9_dot_by_chain_omega_9 = t647 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_8_dot_by_chain_omega_9 = t646 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_9
-        - t183 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_7_dot_by_chain_omega_9 = t645 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_9
-        - t176 * chain_omega_9_dot_by_chain_omega_9
-        - t178 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_6_dot_by_chain_omega_9 = t644 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_9
-        - t167 * chain_omega_8_dot_by_chain_omega_9
-        - t169 * chain_omega_9_dot_by_chain_omega_9
-        - t171 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_5_dot_by_chain_omega_9 = t643 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_9
-        - t156 * chain_omega_7_dot_by_chain_omega_9
-        - t158 * chain_omega_8_dot_by_chain_omega_9
-        - t160 * chain_omega_9_dot_by_chain_omega_9
-        - t162 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_4_dot_by_chain_omega_9 = t642 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_9
-        - t143 * chain_omega_6_dot_by_chain_omega_9
-        - t145 * chain_omega_7_dot_by_chain_omega_9
-        - t147 * chain_omega_8_dot_by_chain_omega_9
-        - t149 * chain_omega_9_dot_by_chain_omega_9
-        - t151 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_3_dot_by_chain_omega_9 = t641 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_9
-        - t128 * chain_omega_5_dot_by_chain_omega_9
-        - t130 * chain_omega_6_dot_by_chain_omega_9
-        - t132 * chain_omega_7_dot_by_chain_omega_9
-        - t134 * chain_omega_8_dot_by_chain_omega_9
-        - t136 * chain_omega_9_dot_by_chain_omega_9
-        - t138 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_2_dot_by_chain_omega_9 = t640 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_9
-        - t111 * chain_omega_4_dot_by_chain_omega_9
-        - t113 * chain_omega_5_dot_by_chain_omega_9
-        - t115 * chain_omega_6_dot_by_chain_omega_9
-        - t117 * chain_omega_7_dot_by_chain_omega_9
-        - t119 * chain_omega_8_dot_by_chain_omega_9
-        - t121 * chain_omega_9_dot_by_chain_omega_9
-        - t123 * chain_omega_10_dot_by_chain_omega_9;
-    let chain_omega_1_dot_by_chain_omega_9 = -(t639 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_9
-        - t99 * chain_omega_3_dot_by_chain_omega_9
-        - t100 * chain_omega_4_dot_by_chain_omega_9
-        - t101 * chain_omega_5_dot_by_chain_omega_9
-        - t102 * chain_omega_6_dot_by_chain_omega_9
-        - t103 * chain_omega_7_dot_by_chain_omega_9
-        - t104 * chain_omega_8_dot_by_chain_omega_9
-        - t105 * chain_omega_9_dot_by_chain_omega_9
-        - t106 * chain_omega_10_dot_by_chain_omega_9;
-    let t648 = R::literal(2.0) * chain_omega_10;
-    let t649 = t648 * t24;
-    let t650 = t98 * t649 - t648 * t40;
-    let t651 = t99 * t649 - t648 * t54 - t109 * t650;
-    let t652 = t100 * t649 - t648 * t66 - t111 * t650 - t126 * t651;
-    let t653 = t101 * t649 - t648 * t76 - t113 * t650 - t128 * t651 - t141 * t652;
-    let t654 = t102 * t649 - t648 * t84 - t115 * t650 - t130 * t651 - t143 * t652
-        - t154 * t653;
-    let t655 = t103 * t649 - t648 * t90 - t117 * t650 - t132 * t651 - t145 * t652
-        - t156 * t653 - t165 * t654;
-    let t656 = t104 * t649 - t648 * t94 - t119 * t650 - t134 * t651 - t147 * t652
-        - t158 * t653 - t167 * t654 - t174 * t655;
-    let t657 = t105 * t649 - t648 * t96 - t121 * t650 - t136 * t651 - t149 * t652
-        - t160 * t653 - t169 * t654 - t176 * t655 - t181 * t656;
-    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t649 - t123 * t650 - t138 * t651
-        - t151 * t652 - t162 * t653 - t171 * t654 - t178 * t655 - t183 * t656
-        - t186 * t657) * t187;
-    let chain_omega_9_dot_by_chain_omega_10 = t657 * t184
-        - t186 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_8_dot_by_chain_omega_10 = t656 * t179
-        - t181 * chain_omega_9_dot_by_chain_omega_10
-        - t183 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_7_dot_by_chain_omega_10 = t655 * t172
-        - t174 * chain_omega_8_dot_by_chain_omega_10
-        - t176 * chain_omega_9_dot_by_chain_omega_10
-        - t178 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_6_dot_by_chain_omega_10 = t654 * t163
-        - t165 * chain_omega_7_dot_by_chain_omega_10
-        - t167 * chain_omega_8_dot_by_chain_omega_10
-        - t169 * chain_omega_9_dot_by_chain_omega_10
-        - t171 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_5_dot_by_chain_omega_10 = t653 * t152
-        - t154 * chain_omega_6_dot_by_chain_omega_10
-        - t156 * chain_omega_7_dot_by_chain_omega_10
-        - t158 * chain_omega_8_dot_by_chain_omega_10
-        - t160 * chain_omega_9_dot_by_chain_omega_10
-        - t162 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_4_dot_by_chain_omega_10 = t652 * t139
-        - t141 * chain_omega_5_dot_by_chain_omega_10
-        - t143 * chain_omega_6_dot_by_chain_omega_10
-        - t145 * chain_omega_7_dot_by_chain_omega_10
-        - t147 * chain_omega_8_dot_by_chain_omega_10
-        - t149 * chain_omega_9_dot_by_chain_omega_10
-        - t151 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_3_dot_by_chain_omega_10 = t651 * t124
-        - t126 * chain_omega_4_dot_by_chain_omega_10
-        - t128 * chain_omega_5_dot_by_chain_omega_10
-        - t130 * chain_omega_6_dot_by_chain_omega_10
-        - t132 * chain_omega_7_dot_by_chain_omega_10
-        - t134 * chain_omega_8_dot_by_chain_omega_10
-        - t136 * chain_omega_9_dot_by_chain_omega_10
-        - t138 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_2_dot_by_chain_omega_10 = t650 * t107
-        - t109 * chain_omega_3_dot_by_chain_omega_10
-        - t111 * chain_omega_4_dot_by_chain_omega_10
-        - t113 * chain_omega_5_dot_by_chain_omega_10
-        - t115 * chain_omega_6_dot_by_chain_omega_10
-        - t117 * chain_omega_7_dot_by_chain_omega_10
-        - t119 * chain_omega_8_dot_by_chain_omega_10
-        - t121 * chain_omega_9_dot_by_chain_omega_10
-        - t123 * chain_omega_10_dot_by_chain_omega_10;
-    let chain_omega_1_dot_by_chain_omega_10 = -(t649 * R::literal(0.1))
-        - t98 * chain_omega_2_dot_by_chain_omega_10
-        - t99 * chain_omega_3_dot_by_chain_omega_10
-        - t100 * chain_omega_4_dot_by_chain_omega_10
-        - t101 * chain_omega_5_dot_by_chain_omega_10
-        - t102 * chain_omega_6_dot_by_chain_omega_10
-        - t103 * chain_omega_7_dot_by_chain_omega_10
-        - t104 * chain_omega_8_dot_by_chain_omega_10
-        - t105 * chain_omega_9_dot_by_chain_omega_10
-        - t106 * chain_omega_10_dot_by_chain_omega_10;
+    let t233 = (-(R::literal(88.29) * sin_chain_theta_2))
+        .add_product(t197, t0)
+        .sub_product(t189, t26)
+        .sub_product(t190, t28)
+        .sub_product(t191, t30)
+        .sub_product(t192, t32)
+        .sub_product(t193, t34)
+        .sub_product(t194, t36)
+        .sub_product(t195, t38)
+        .sub_product(chain_omega_10_squared, t40)
+        .sub_product(t98, t196);
+    let t234 = (t198 * t3)
+        .add_product(t199, t26)
+        .sub_product(R::literal(78.48), sin_chain_theta_3)
+        .sub_product(t190, t42)
+        .sub_product(t191, t44)
+        .sub_product(t192, t46)
+        .sub_product(t193, t48)
+        .sub_product(t194, t50)
+        .sub_product(t195, t52)
+        .sub_product(chain_omega_10_squared, t54)
+        .sub_product(t99, t196)
+        .sub_product(t109, t233);
+    let t235 = (t200 * t6)
+        .add_product(t201, t28)
+        .add_product(t202, t42)
+        .sub_product(R::literal(68.67), sin_chain_theta_4)
+        .sub_product(t191, t56)
+        .sub_product(t192, t58)
+        .sub_product(t193, t60)
+        .sub_product(t194, t62)
+        .sub_product(t195, t64)
+        .sub_product(chain_omega_10_squared, t66)
+        .sub_product(t100, t196)
+        .sub_product(t111, t233)
+        .sub_product(t126, t234);
+    let t236 = (t203 * t9)
+        .add_product(t204, t30)
+        .add_product(t205, t44)
+        .add_product(t206, t56)
+        .sub_product(R::literal(58.86), sin_chain_theta_5)
+        .sub_product(t192, t68)
+        .sub_product(t193, t70)
+        .sub_product(t194, t72)
+        .sub_product(t195, t74)
+        .sub_product(chain_omega_10_squared, t76)
+        .sub_product(t101, t196)
+        .sub_product(t113, t233)
+        .sub_product(t128, t234)
+        .sub_product(t141, t235);
+    let t237 = (t207 * t12)
+        .add_product(t208, t32)
+        .add_product(t209, t46)
+        .add_product(t210, t58)
+        .add_product(t211, t68)
+        .sub_product(R::literal(49.05), sin_chain_theta_6)
+        .sub_product(t193, t78)
+        .sub_product(t194, t80)
+        .sub_product(t195, t82)
+        .sub_product(chain_omega_10_squared, t84)
+        .sub_product(t102, t196)
+        .sub_product(t115, t233)
+        .sub_product(t130, t234)
+        .sub_product(t143, t235)
+        .sub_product(t154, t236);
+    let t238 = (t212 * t15)
+        .add_product(t213, t34)
+        .add_product(t214, t48)
+        .add_product(t215, t60)
+        .add_product(t216, t70)
+        .add_product(t217, t78)
+        .sub_product(R::literal(39.24), sin_chain_theta_7)
+        .sub_product(t194, t86)
+        .sub_product(t195, t88)
+        .sub_product(chain_omega_10_squared, t90)
+        .sub_product(t103, t196)
+        .sub_product(t117, t233)
+        .sub_product(t132, t234)
+        .sub_product(t145, t235)
+        .sub_product(t156, t236)
+        .sub_product(t165, t237);
+    let t239 = (t218 * t18)
+        .add_product(t219, t36)
+        .add_product(t220, t50)
+        .add_product(t221, t62)
+        .add_product(t222, t72)
+        .add_product(t223, t80)
+        .add_product(t224, t86)
+        .sub_product(R::literal(29.43), sin_chain_theta_8)
+        .sub_product(t195, t92)
+        .sub_product(chain_omega_10_squared, t94)
+        .sub_product(t104, t196)
+        .sub_product(t119, t233)
+        .sub_product(t134, t234)
+        .sub_product(t147, t235)
+        .sub_product(t158, t236)
+        .sub_product(t167, t237)
+        .sub_product(t174, t238);
+    let t240 = (t225 * t21)
+        .add_product(t226, t38)
+        .add_product(t227, t52)
+        .add_product(t228, t64)
+        .add_product(t229, t74)
+        .add_product(t230, t82)
+        .add_product(t231, t88)
+        .add_product(t232, t92)
+        .sub_product(R::literal(19.62), sin_chain_theta_9)
+        .sub_product(chain_omega_10_squared, t96)
+        .sub_product(t105, t196)
+        .sub_product(t121, t233)
+        .sub_product(t136, t234)
+        .sub_product(t149, t235)
+        .sub_product(t160, t236)
+        .sub_product(t169, t237)
+        .sub_product(t176, t238)
+        .sub_product(t181, t239);
+    let chain_omega_10_dot = (chain_omega_1_squared * t24)
+        .add_product(chain_omega_2_squared, t40)
+        .add_product(chain_omega_3_squared, t54)
+        .add_product(chain_omega_4_squared, t66)
+        .add_product(chain_omega_5_squared, t76)
+        .add_product(chain_omega_6_squared, t84)
+        .add_product(chain_omega_7_squared, t90)
+        .add_product(chain_omega_8_squared, t94)
+        .add_product(chain_omega_9_squared, t96)
+        .sub_product(R::literal(9.81), sin_chain_theta_10)
+        .sub_product(t106, t196)
+        .sub_product(t123, t233)
+        .sub_product(t138, t234)
+        .sub_product(t151, t235)
+        .sub_product(t162, t236)
+        .sub_product(t171, t237)
+        .sub_product(t178, t238)
+        .sub_product(t183, t239)
+        .sub_product(t186, t240) * t187;
+    let chain_omega_9_dot = (t240 * t184).sub_product(t186, chain_omega_10_dot);
+    let chain_omega_8_dot = (t239 * t179)
+        .sub_product(t181, chain_omega_9_dot)
+        .sub_product(t183, chain_omega_10_dot);
+    let chain_omega_7_dot = (t238 * t172)
+        .sub_product(t174, chain_omega_8_dot)
+        .sub_product(t176, chain_omega_9_dot)
+        .sub_product(t178, chain_omega_10_dot);
+    let chain_omega_6_dot = (t237 * t163)
+        .sub_product(t165, chain_omega_7_dot)
+        .sub_product(t167, chain_omega_8_dot)
+        .sub_product(t169, chain_omega_9_dot)
+        .sub_product(t171, chain_omega_10_dot);
+    let chain_omega_5_dot = (t236 * t152)
+        .sub_product(t154, chain_omega_6_dot)
+        .sub_product(t156, chain_omega_7_dot)
+        .sub_product(t158, chain_omega_8_dot)
+        .sub_product(t160, chain_omega_9_dot)
+        .sub_product(t162, chain_omega_10_dot);
+    let chain_omega_4_dot = (t235 * t139)
+        .sub_product(t141, chain_omega_5_dot)
+        .sub_product(t143, chain_omega_6_dot)
+        .sub_product(t145, chain_omega_7_dot)
+        .sub_product(t147, chain_omega_8_dot)
+        .sub_product(t149, chain_omega_9_dot)
+        .sub_product(t151, chain_omega_10_dot);
+    let chain_omega_3_dot = (t234 * t124)
+        .sub_product(t126, chain_omega_4_dot)
+        .sub_product(t128, chain_omega_5_dot)
+        .sub_product(t130, chain_omega_6_dot)
+        .sub_product(t132, chain_omega_7_dot)
+        .sub_product(t134, chain_omega_8_dot)
+        .sub_product(t136, chain_omega_9_dot)
+        .sub_product(t138, chain_omega_10_dot);
+    let chain_omega_2_dot = (t233 * t107)
+        .sub_product(t109, chain_omega_3_dot)
+        .sub_product(t111, chain_omega_4_dot)
+        .sub_product(t113, chain_omega_5_dot)
+        .sub_product(t115, chain_omega_6_dot)
+        .sub_product(t117, chain_omega_7_dot)
+        .sub_product(t119, chain_omega_8_dot)
+        .sub_product(t121, chain_omega_9_dot)
+        .sub_product(t123, chain_omega_10_dot);
+    let chain_omega_1_dot = (t196 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot)
+        .sub_product(t99, chain_omega_3_dot)
+        .sub_product(t100, chain_omega_4_dot)
+        .sub_product(t101, chain_omega_5_dot)
+        .sub_product(t102, chain_omega_6_dot)
+        .sub_product(t103, chain_omega_7_dot)
+        .sub_product(t104, chain_omega_8_dot)
+        .sub_product(t105, chain_omega_9_dot)
+        .sub_product(t106, chain_omega_10_dot);
+    let t241 = t188 * t1;
+    let t242 = t189 * t4;
+    let t243 = t190 * t7;
+    let t244 = t191 * t10;
+    let t245 = t192 * t13;
+    let t246 = t193 * t16;
+    let t247 = t194 * t19;
+    let t248 = t195 * t22;
+    let t249 = chain_omega_10_squared * t25;
+    let t250 = t197 * t1;
+    let t251 = t198 * t4;
+    let t252 = t200 * t7;
+    let t253 = t203 * t10;
+    let t254 = t207 * t13;
+    let t255 = t212 * t16;
+    let t256 = t218 * t19;
+    let t257 = t225 * t22;
+    let t258 = chain_omega_1_squared * t25;
+    let t259 = R::literal(9.0) * t0;
+    let t260 = t259 * chain_omega_2_dot;
+    let t261 = t259 * chain_omega_1_dot;
+    let t262 = R::literal(8.0) * t3;
+    let t263 = t262 * chain_omega_3_dot;
+    let t264 = t262 * chain_omega_1_dot;
+    let t265 = R::literal(7.0) * t6;
+    let t266 = t265 * chain_omega_4_dot;
+    let t267 = t265 * chain_omega_1_dot;
+    let t268 = R::literal(6.0) * t9;
+    let t269 = t268 * chain_omega_5_dot;
+    let t270 = t268 * chain_omega_1_dot;
+    let t271 = R::literal(5.0) * t12;
+    let t272 = t271 * chain_omega_6_dot;
+    let t273 = t271 * chain_omega_1_dot;
+    let t274 = R::literal(4.0) * t15;
+    let t275 = t274 * chain_omega_7_dot;
+    let t276 = t274 * chain_omega_1_dot;
+    let t277 = R::literal(3.0) * t18;
+    let t278 = t277 * chain_omega_8_dot;
+    let t279 = t277 * chain_omega_1_dot;
+    let t280 = R::literal(2.0) * t21;
+    let t281 = t280 * chain_omega_9_dot;
+    let t282 = t280 * chain_omega_1_dot;
+    let t283 = t24 * chain_omega_10_dot;
+    let t284 = (-t241).sub_product(R::literal(98.1), cos_chain_theta_1) - t242 - t243
+        - t244 - t245 - t246 - t247 - t248 - t249 + t260 + t263 + t266 + t269 + t272
+        + t275 + t278 + t281 + t283;
+    let t285 = t24 * chain_omega_1_dot;
+    let t286 = (t250 + t261).sub_product(t98, t284);
+    let t287 = (t251 + t264).sub_product(t99, t284).sub_product(t109, t286);
+    let t288 = (t252 + t267)
+        .sub_product(t100, t284)
+        .sub_product(t111, t286)
+        .sub_product(t126, t287);
+    let t289 = (t253 + t270)
+        .sub_product(t101, t284)
+        .sub_product(t113, t286)
+        .sub_product(t128, t287)
+        .sub_product(t141, t288);
+    let t290 = (t254 + t273)
+        .sub_product(t102, t284)
+        .sub_product(t115, t286)
+        .sub_product(t130, t287)
+        .sub_product(t143, t288)
+        .sub_product(t154, t289);
+    let t291 = (t255 + t276)
+        .sub_product(t103, t284)
+        .sub_product(t117, t286)
+        .sub_product(t132, t287)
+        .sub_product(t145, t288)
+        .sub_product(t156, t289)
+        .sub_product(t165, t290);
+    let t292 = (t256 + t279)
+        .sub_product(t104, t284)
+        .sub_product(t119, t286)
+        .sub_product(t134, t287)
+        .sub_product(t147, t288)
+        .sub_product(t158, t289)
+        .sub_product(t167, t290)
+        .sub_product(t174, t291);
+    let t293 = (t257 + t282)
+        .sub_product(t105, t284)
+        .sub_product(t121, t286)
+        .sub_product(t136, t287)
+        .sub_product(t149, t288)
+        .sub_product(t160, t289)
+        .sub_product(t169, t290)
+        .sub_product(t176, t291)
+        .sub_product(t181, t292);
+    let chain_omega_10_dot_by_chain_theta_1 = (t258 + t285)
+        .sub_product(t106, t284)
+        .sub_product(t123, t286)
+        .sub_product(t138, t287)
+        .sub_product(t151, t288)
+        .sub_product(t162, t289)
+        .sub_product(t171, t290)
+        .sub_product(t178, t291)
+        .sub_product(t183, t292)
+        .sub_product(t186, t293) * t187;
+    let chain_omega_9_dot_by_chain_theta_1 = (t293 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_8_dot_by_chain_theta_1 = (t292 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_7_dot_by_chain_theta_1 = (t291 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_6_dot_by_chain_theta_1 = (t290 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_5_dot_by_chain_theta_1 = (t289 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_1)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_4_dot_by_chain_theta_1 = (t288 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_1)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_1)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_3_dot_by_chain_theta_1 = (t287 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_1)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_1)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_1)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_2_dot_by_chain_theta_1 = (t286 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_1)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_1)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_1)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_1)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_1);
+    let chain_omega_1_dot_by_chain_theta_1 = (t284 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_1)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_1)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_1)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_1)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_1)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_1)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_1)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_1)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_1);
+    let t294 = t189 * t27;
+    let t295 = t190 * t29;
+    let t296 = t191 * t31;
+    let t297 = t192 * t33;
+    let t298 = t193 * t35;
+    let t299 = t194 * t37;
+    let t300 = t195 * t39;
+    let t301 = chain_omega_10_squared * t41;
+    let t302 = t199 * t27;
+    let t303 = t201 * t29;
+    let t304 = t204 * t31;
+    let t305 = t208 * t33;
+    let t306 = t213 * t35;
+    let t307 = t219 * t37;
+    let t308 = t226 * t39;
+    let t309 = chain_omega_2_squared * t41;
+    let t310 = t241 - t260;
+    let t311 = R::literal(8.0) * t26;
+    let t312 = t311 * chain_omega_3_dot;
+    let t313 = t311 * chain_omega_2_dot;
+    let t314 = R::literal(7.0) * t28;
+    let t315 = t314 * chain_omega_4_dot;
+    let t316 = t314 * chain_omega_2_dot;
+    let t317 = R::literal(6.0) * t30;
+    let t318 = t317 * chain_omega_5_dot;
+    let t319 = t317 * chain_omega_2_dot;
+    let t320 = R::literal(5.0) * t32;
+    let t321 = t320 * chain_omega_6_dot;
+    let t322 = t320 * chain_omega_2_dot;
+    let t323 = R::literal(4.0) * t34;
+    let t324 = t323 * chain_omega_7_dot;
+    let t325 = t323 * chain_omega_2_dot;
+    let t326 = R::literal(3.0) * t36;
+    let t327 = t326 * chain_omega_8_dot;
+    let t328 = t326 * chain_omega_2_dot;
+    let t329 = R::literal(2.0) * t38;
+    let t330 = t329 * chain_omega_9_dot;
+    let t331 = t329 * chain_omega_2_dot;
+    let t332 = t40 * chain_omega_10_dot;
+    let t333 = t40 * chain_omega_2_dot;
+    let t334 = ((-t250).sub_product(R::literal(88.29), cos_chain_theta_2) - t294 - t295
+        - t296 - t297 - t298 - t299 - t300 - t301 - t261 + t312 + t315 + t318 + t321
+        + t324 + t327 + t330 + t332)
+        .sub_product(t98, t310);
+    let t335 = (t302 + t313).sub_product(t99, t310).sub_product(t109, t334);
+    let t336 = (t303 + t316)
+        .sub_product(t100, t310)
+        .sub_product(t111, t334)
+        .sub_product(t126, t335);
+    let t337 = (t304 + t319)
+        .sub_product(t101, t310)
+        .sub_product(t113, t334)
+        .sub_product(t128, t335)
+        .sub_product(t141, t336);
+    let t338 = (t305 + t322)
+        .sub_product(t102, t310)
+        .sub_product(t115, t334)
+        .sub_product(t130, t335)
+        .sub_product(t143, t336)
+        .sub_product(t154, t337);
+    let t339 = (t306 + t325)
+        .sub_product(t103, t310)
+        .sub_product(t117, t334)
+        .sub_product(t132, t335)
+        .sub_product(t145, t336)
+        .sub_product(t156, t337)
+        .sub_product(t165, t338);
+    let t340 = (t307 + t328)
+        .sub_product(t104, t310)
+        .sub_product(t119, t334)
+        .sub_product(t134, t335)
+        .sub_product(t147, t336)
+        .sub_product(t158, t337)
+        .sub_product(t167, t338)
+        .sub_product(t174, t339);
+    let t341 = (t308 + t331)
+        .sub_product(t105, t310)
+        .sub_product(t121, t334)
+        .sub_product(t136, t335)
+        .sub_product(t149, t336)
+        .sub_product(t160, t337)
+        .sub_product(t169, t338)
+        .sub_product(t176, t339)
+        .sub_product(t181, t340);
+    let chain_omega_10_dot_by_chain_theta_2 = (t309 + t333)
+        .sub_product(t106, t310)
+        .sub_product(t123, t334)
+        .sub_product(t138, t335)
+        .sub_product(t151, t336)
+        .sub_product(t162, t337)
+        .sub_product(t171, t338)
+        .sub_product(t178, t339)
+        .sub_product(t183, t340)
+        .sub_product(t186, t341) * t187;
+    let chain_omega_9_dot_by_chain_theta_2 = (t341 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_8_dot_by_chain_theta_2 = (t340 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_7_dot_by_chain_theta_2 = (t339 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_6_dot_by_chain_theta_2 = (t338 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_5_dot_by_chain_theta_2 = (t337 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_2)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_4_dot_by_chain_theta_2 = (t336 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_2)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_2)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_3_dot_by_chain_theta_2 = (t335 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_2)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_2)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_2)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_2_dot_by_chain_theta_2 = (t334 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_2)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_2)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_2)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_2)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_2);
+    let chain_omega_1_dot_by_chain_theta_2 = (t310 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_2)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_2)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_2)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_2)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_2)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_2)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_2)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_2)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_2);
+    let t342 = t190 * t43;
+    let t343 = t191 * t45;
+    let t344 = t192 * t47;
+    let t345 = t193 * t49;
+    let t346 = t194 * t51;
+    let t347 = t195 * t53;
+    let t348 = chain_omega_10_squared * t55;
+    let t349 = t202 * t43;
+    let t350 = t205 * t45;
+    let t351 = t209 * t47;
+    let t352 = t214 * t49;
+    let t353 = t220 * t51;
+    let t354 = t227 * t53;
+    let t355 = chain_omega_3_squared * t55;
+    let t356 = t242 - t263;
+    let t357 = R::literal(7.0) * t42;
+    let t358 = t357 * chain_omega_4_dot;
+    let t359 = t357 * chain_omega_3_dot;
+    let t360 = R::literal(6.0) * t44;
+    let t361 = t360 * chain_omega_5_dot;
+    let t362 = t360 * chain_omega_3_dot;
+    let t363 = R::literal(5.0) * t46;
+    let t364 = t363 * chain_omega_6_dot;
+    let t365 = t363 * chain_omega_3_dot;
+    let t366 = R::literal(4.0) * t48;
+    let t367 = t366 * chain_omega_7_dot;
+    let t368 = t366 * chain_omega_3_dot;
+    let t369 = R::literal(3.0) * t50;
+    let t370 = t369 * chain_omega_8_dot;
+    let t371 = t369 * chain_omega_3_dot;
+    let t372 = R::literal(2.0) * t52;
+    let t373 = t372 * chain_omega_9_dot;
+    let t374 = t372 * chain_omega_3_dot;
+    let t375 = t54 * chain_omega_10_dot;
+    let t376 = t54 * chain_omega_3_dot;
+    let t377 = (t294 - t312).sub_product(t98, t356);
+    let t378 = ((-t251).sub_product(R::literal(78.48), cos_chain_theta_3) - t302 - t342
+        - t343 - t344 - t345 - t346 - t347 - t348 - t264 - t313 + t358 + t361 + t364
+        + t367 + t370 + t373 + t375)
+        .sub_product(t99, t356)
+        .sub_product(t109, t377);
+    let t379 = (t349 + t359)
+        .sub_product(t100, t356)
+        .sub_product(t111, t377)
+        .sub_product(t126, t378);
+    let t380 = (t350 + t362)
+        .sub_product(t101, t356)
+        .sub_product(t113, t377)
+        .sub_product(t128, t378)
+        .sub_product(t141, t379);
+    let t381 = (t351 + t365)
+        .sub_product(t102, t356)
+        .sub_product(t115, t377)
+        .sub_product(t130, t378)
+        .sub_product(t143, t379)
+        .sub_product(t154, t380);
+    let t382 = (t352 + t368)
+        .sub_product(t103, t356)
+        .sub_product(t117, t377)
+        .sub_product(t132, t378)
+        .sub_product(t145, t379)
+        .sub_product(t156, t380)
+        .sub_product(t165, t381);
+    let t383 = (t353 + t371)
+        .sub_product(t104, t356)
+        .sub_product(t119, t377)
+        .sub_product(t134, t378)
+        .sub_product(t147, t379)
+        .sub_product(t158, t380)
+        .sub_product(t167, t381)
+        .sub_product(t174, t382);
+    let t384 = (t354 + t374)
+        .sub_product(t105, t356)
+        .sub_product(t121, t377)
+        .sub_product(t136, t378)
+        .sub_product(t149, t379)
+        .sub_product(t160, t380)
+        .sub_product(t169, t381)
+        .sub_product(t176, t382)
+        .sub_product(t181, t383);
+    let chain_omega_10_dot_by_chain_theta_3 = (t355 + t376)
+        .sub_product(t106, t356)
+        .sub_product(t123, t377)
+        .sub_product(t138, t378)
+        .sub_product(t151, t379)
+        .sub_product(t162, t380)
+        .sub_product(t171, t381)
+        .sub_product(t178, t382)
+        .sub_product(t183, t383)
+        .sub_product(t186, t384) * t187;
+    let chain_omega_9_dot_by_chain_theta_3 = (t384 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_8_dot_by_chain_theta_3 = (t383 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_7_dot_by_chain_theta_3 = (t382 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_6_dot_by_chain_theta_3 = (t381 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_5_dot_by_chain_theta_3 = (t380 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_3)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_4_dot_by_chain_theta_3 = (t379 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_3)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_3)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_3_dot_by_chain_theta_3 = (t378 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_3)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_3)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_3)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_2_dot_by_chain_theta_3 = (t377 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_3)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_3)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_3)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_3)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_3);
+    let chain_omega_1_dot_by_chain_theta_3 = (t356 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_3)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_3)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_3)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_3)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_3)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_3)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_3)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_3)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_3);
+    let t385 = t191 * t57;
+    let t386 = t192 * t59;
+    let t387 = t193 * t61;
+    let t388 = t194 * t63;
+    let t389 = t195 * t65;
+    let t390 = chain_omega_10_squared * t67;
+    let t391 = t206 * t57;
+    let t392 = t210 * t59;
+    let t393 = t215 * t61;
+    let t394 = t221 * t63;
+    let t395 = t228 * t65;
+    let t396 = chain_omega_4_squared * t67;
+    let t397 = t243 - t266;
+    let t398 = R::literal(6.0) * t56;
+    let t399 = t398 * chain_omega_5_dot;
+    let t400 = t398 * chain_omega_4_dot;
+    let t401 = R::literal(5.0) * t58;
+    let t402 = t401 * chain_omega_6_dot;
+    let t403 = t401 * chain_omega_4_dot;
+    let t404 = R::literal(4.0) * t60;
+    let t405 = t404 * chain_omega_7_dot;
+    let t406 = t404 * chain_omega_4_dot;
+    let t407 = R::literal(3.0) * t62;
+    let t408 = t407 * chain_omega_8_dot;
+    let t409 = t407 * chain_omega_4_dot;
+    let t410 = R::literal(2.0) * t64;
+    let t411 = t410 * chain_omega_9_dot;
+    let t412 = t410 * chain_omega_4_dot;
+    let t413 = t66 * chain_omega_10_dot;
+    let t414 = t66 * chain_omega_4_dot;
+    let t415 = (t295 - t315).sub_product(t98, t397);
+    let t416 = (t342 - t358).sub_product(t99, t397).sub_product(t109, t415);
+    let t417 = ((-t252).sub_product(R::literal(68.67), cos_chain_theta_4) - t303 - t349
+        - t385 - t386 - t387 - t388 - t389 - t390 - t267 - t316 - t359 + t399 + t402
+        + t405 + t408 + t411 + t413)
+        .sub_product(t100, t397)
+        .sub_product(t111, t415)
+        .sub_product(t126, t416);
+    let t418 = (t391 + t400)
+        .sub_product(t101, t397)
+        .sub_product(t113, t415)
+        .sub_product(t128, t416)
+        .sub_product(t141, t417);
+    let t419 = (t392 + t403)
+        .sub_product(t102, t397)
+        .sub_product(t115, t415)
+        .sub_product(t130, t416)
+        .sub_product(t143, t417)
+        .sub_product(t154, t418);
+    let t420 = (t393 + t406)
+        .sub_product(t103, t397)
+        .sub_product(t117, t415)
+        .sub_product(t132, t416)
+        .sub_product(t145, t417)
+        .sub_product(t156, t418)
+        .sub_product(t165, t419);
+    let t421 = (t394 + t409)
+        .sub_product(t104, t397)
+        .sub_product(t119, t415)
+        .sub_product(t134, t416)
+        .sub_product(t147, t417)
+        .sub_product(t158, t418)
+        .sub_product(t167, t419)
+        .sub_product(t174, t420);
+    let t422 = (t395 + t412)
+        .sub_product(t105, t397)
+        .sub_product(t121, t415)
+        .sub_product(t136, t416)
+        .sub_product(t149, t417)
+        .sub_product(t160, t418)
+        .sub_product(t169, t419)
+        .sub_product(t176, t420)
+        .sub_product(t181, t421);
+    let chain_omega_10_dot_by_chain_theta_4 = (t396 + t414)
+        .sub_product(t106, t397)
+        .sub_product(t123, t415)
+        .sub_product(t138, t416)
+        .sub_product(t151, t417)
+        .sub_product(t162, t418)
+        .sub_product(t171, t419)
+        .sub_product(t178, t420)
+        .sub_product(t183, t421)
+        .sub_product(t186, t422) * t187;
+    let chain_omega_9_dot_by_chain_theta_4 = (t422 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_8_dot_by_chain_theta_4 = (t421 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_7_dot_by_chain_theta_4 = (t420 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_6_dot_by_chain_theta_4 = (t419 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_5_dot_by_chain_theta_4 = (t418 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_4)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_4_dot_by_chain_theta_4 = (t417 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_4)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_4)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_3_dot_by_chain_theta_4 = (t416 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_4)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_4)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_4)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_2_dot_by_chain_theta_4 = (t415 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_4)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_4)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_4)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_4)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_4);
+    let chain_omega_1_dot_by_chain_theta_4 = (t397 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_4)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_4)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_4)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_4)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_4)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_4)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_4)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_4)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_4);
+    let t423 = t192 * t69;
+    let t424 = t193 * t71;
+    let t425 = t194 * t73;
+    let t426 = t195 * t75;
+    let t427 = chain_omega_10_squared * t77;
+    let t428 = t211 * t69;
+    let t429 = t216 * t71;
+    let t430 = t222 * t73;
+    let t431 = t229 * t75;
+    let t432 = chain_omega_5_squared * t77;
+    let t433 = t244 - t269;
+    let t434 = R::literal(5.0) * t68;
+    let t435 = t434 * chain_omega_6_dot;
+    let t436 = t434 * chain_omega_5_dot;
+    let t437 = R::literal(4.0) * t70;
+    let t438 = t437 * chain_omega_7_dot;
+    let t439 = t437 * chain_omega_5_dot;
+    let t440 = R::literal(3.0) * t72;
+    let t441 = t440 * chain_omega_8_dot;
+    let t442 = t440 * chain_omega_5_dot;
+    let t443 = R::literal(2.0) * t74;
+    let t444 = t443 * chain_omega_9_dot;
+    let t445 = t443 * chain_omega_5_dot;
+    let t446 = t76 * chain_omega_10_dot;
+    let t447 = t76 * chain_omega_5_dot;
+    let t448 = (t296 - t318).sub_product(t98, t433);
+    let t449 = (t343 - t361).sub_product(t99, t433).sub_product(t109, t448);
+    let t450 = (t385 - t399)
+        .sub_product(t100, t433)
+        .sub_product(t111, t448)
+        .sub_product(t126, t449);
+    let t451 = ((-t253).sub_product(R::literal(58.86), cos_chain_theta_5) - t304 - t350
+        - t391 - t423 - t424 - t425 - t426 - t427 - t270 - t319 - t362 - t400 + t435
+        + t438 + t441 + t444 + t446)
+        .sub_product(t101, t433)
+        .sub_product(t113, t448)
+        .sub_product(t128, t449)
+        .sub_product(t141, t450);
+    let t452 = (t428 + t436)
+        .sub_product(t102, t433)
+        .sub_product(t115, t448)
+        .sub_product(t130, t449)
+        .sub_product(t143, t450)
+        .sub_product(t154, t451);
+    let t453 = (t429 + t439)
+        .sub_product(t103, t433)
+        .sub_product(t117, t448)
+        .sub_product(t132, t449)
+        .sub_product(t145, t450)
+        .sub_product(t156, t451)
+        .sub_product(t165, t452);
+    let t454 = (t430 + t442)
+        .sub_product(t104, t433)
+        .sub_product(t119, t448)
+        .sub_product(t134, t449)
+        .sub_product(t147, t450)
+        .sub_product(t158, t451)
+        .sub_product(t167, t452)
+        .sub_product(t174, t453);
+    let t455 = (t431 + t445)
+        .sub_product(t105, t433)
+        .sub_product(t121, t448)
+        .sub_product(t136, t449)
+        .sub_product(t149, t450)
+        .sub_product(t160, t451)
+        .sub_product(t169, t452)
+        .sub_product(t176, t453)
+        .sub_product(t181, t454);
+    let chain_omega_10_dot_by_chain_theta_5 = (t432 + t447)
+        .sub_product(t106, t433)
+        .sub_product(t123, t448)
+        .sub_product(t138, t449)
+        .sub_product(t151, t450)
+        .sub_product(t162, t451)
+        .sub_product(t171, t452)
+        .sub_product(t178, t453)
+        .sub_product(t183, t454)
+        .sub_product(t186, t455) * t187;
+    let chain_omega_9_dot_by_chain_theta_5 = (t455 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_8_dot_by_chain_theta_5 = (t454 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_7_dot_by_chain_theta_5 = (t453 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_6_dot_by_chain_theta_5 = (t452 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_5_dot_by_chain_theta_5 = (t451 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_5)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_4_dot_by_chain_theta_5 = (t450 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_5)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_5)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_3_dot_by_chain_theta_5 = (t449 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_5)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_5)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_5)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_2_dot_by_chain_theta_5 = (t448 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_5)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_5)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_5)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_5)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_5);
+    let chain_omega_1_dot_by_chain_theta_5 = (t433 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_5)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_5)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_5)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_5)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_5)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_5)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_5)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_5)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_5);
+    let t456 = t193 * t79;
+    let t457 = t194 * t81;
+    let t458 = t195 * t83;
+    let t459 = chain_omega_10_squared * t85;
+    let t460 = t217 * t79;
+    let t461 = t223 * t81;
+    let t462 = t230 * t83;
+    let t463 = chain_omega_6_squared * t85;
+    let t464 = t245 - t272;
+    let t465 = R::literal(4.0) * t78;
+    let t466 = t465 * chain_omega_7_dot;
+    let t467 = t465 * chain_omega_6_dot;
+    let t468 = R::literal(3.0) * t80;
+    let t469 = t468 * chain_omega_8_dot;
+    let t470 = t468 * chain_omega_6_dot;
+    let t471 = R::literal(2.0) * t82;
+    let t472 = t471 * chain_omega_9_dot;
+    let t473 = t471 * chain_omega_6_dot;
+    let t474 = t84 * chain_omega_10_dot;
+    let t475 = t84 * chain_omega_6_dot;
+    let t476 = (t297 - t321).sub_product(t98, t464);
+    let t477 = (t344 - t364).sub_product(t99, t464).sub_product(t109, t476);
+    let t478 = (t386 - t402)
+        .sub_product(t100, t464)
+        .sub_product(t111, t476)
+        .sub_product(t126, t477);
+    let t479 = (t423 - t435)
+        .sub_product(t101, t464)
+        .sub_product(t113, t476)
+        .sub_product(t128, t477)
+        .sub_product(t141, t478);
+    let t480 = ((-t254).sub_product(R::literal(49.05), cos_chain_theta_6) - t305 - t351
+        - t392 - t428 - t456 - t457 - t458 - t459 - t273 - t322 - t365 - t403 - t436
+        + t466 + t469 + t472 + t474)
+        .sub_product(t102, t464)
+        .sub_product(t115, t476)
+        .sub_product(t130, t477)
+        .sub_product(t143, t478)
+        .sub_product(t154, t479);
+    let t481 = (t460 + t467)
+        .sub_product(t103, t464)
+        .sub_product(t117, t476)
+        .sub_product(t132, t477)
+        .sub_product(t145, t478)
+        .sub_product(t156, t479)
+        .sub_product(t165, t480);
+    let t482 = (t461 + t470)
+        .sub_product(t104, t464)
+        .sub_product(t119, t476)
+        .sub_product(t134, t477)
+        .sub_product(t147, t478)
+        .sub_product(t158, t479)
+        .sub_product(t167, t480)
+        .sub_product(t174, t481);
+    let t483 = (t462 + t473)
+        .sub_product(t105, t464)
+        .sub_product(t121, t476)
+        .sub_product(t136, t477)
+        .sub_product(t149, t478)
+        .sub_product(t160, t479)
+        .sub_product(t169, t480)
+        .sub_product(t176, t481)
+        .sub_product(t181, t482);
+    let chain_omega_10_dot_by_chain_theta_6 = (t463 + t475)
+        .sub_product(t106, t464)
+        .sub_product(t123, t476)
+        .sub_product(t138, t477)
+        .sub_product(t151, t478)
+        .sub_product(t162, t479)
+        .sub_product(t171, t480)
+        .sub_product(t178, t481)
+        .sub_product(t183, t482)
+        .sub_product(t186, t483) * t187;
+    let chain_omega_9_dot_by_chain_theta_6 = (t483 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_8_dot_by_chain_theta_6 = (t482 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_7_dot_by_chain_theta_6 = (t481 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_6_dot_by_chain_theta_6 = (t480 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_5_dot_by_chain_theta_6 = (t479 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_6)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_4_dot_by_chain_theta_6 = (t478 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_6)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_6)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_3_dot_by_chain_theta_6 = (t477 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_6)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_6)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_6)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_2_dot_by_chain_theta_6 = (t476 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_6)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_6)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_6)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_6)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_6);
+    let chain_omega_1_dot_by_chain_theta_6 = (t464 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_6)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_6)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_6)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_6)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_6)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_6)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_6)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_6)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_6);
+    let t484 = t194 * t87;
+    let t485 = t195 * t89;
+    let t486 = chain_omega_10_squared * t91;
+    let t487 = t224 * t87;
+    let t488 = t231 * t89;
+    let t489 = chain_omega_7_squared * t91;
+    let t490 = t246 - t275;
+    let t491 = R::literal(3.0) * t86;
+    let t492 = t491 * chain_omega_8_dot;
+    let t493 = t491 * chain_omega_7_dot;
+    let t494 = R::literal(2.0) * t88;
+    let t495 = t494 * chain_omega_9_dot;
+    let t496 = t494 * chain_omega_7_dot;
+    let t497 = t90 * chain_omega_10_dot;
+    let t498 = t90 * chain_omega_7_dot;
+    let t499 = (t298 - t324).sub_product(t98, t490);
+    let t500 = (t345 - t367).sub_product(t99, t490).sub_product(t109, t499);
+    let t501 = (t387 - t405)
+        .sub_product(t100, t490)
+        .sub_product(t111, t499)
+        .sub_product(t126, t500);
+    let t502 = (t424 - t438)
+        .sub_product(t101, t490)
+        .sub_product(t113, t499)
+        .sub_product(t128, t500)
+        .sub_product(t141, t501);
+    let t503 = (t456 - t466)
+        .sub_product(t102, t490)
+        .sub_product(t115, t499)
+        .sub_product(t130, t500)
+        .sub_product(t143, t501)
+        .sub_product(t154, t502);
+    let t504 = ((-t255).sub_product(R::literal(39.24), cos_chain_theta_7) - t306 - t352
+        - t393 - t429 - t460 - t484 - t485 - t486 - t276 - t325 - t368 - t406 - t439
+        - t467 + t492 + t495 + t497)
+        .sub_product(t103, t490)
+        .sub_product(t117, t499)
+        .sub_product(t132, t500)
+        .sub_product(t145, t501)
+        .sub_product(t156, t502)
+        .sub_product(t165, t503);
+    let t505 = (t487 + t493)
+        .sub_product(t104, t490)
+        .sub_product(t119, t499)
+        .sub_product(t134, t500)
+        .sub_product(t147, t501)
+        .sub_product(t158, t502)
+        .sub_product(t167, t503)
+        .sub_product(t174, t504);
+    let t506 = (t488 + t496)
+        .sub_product(t105, t490)
+        .sub_product(t121, t499)
+        .sub_product(t136, t500)
+        .sub_product(t149, t501)
+        .sub_product(t160, t502)
+        .sub_product(t169, t503)
+        .sub_product(t176, t504)
+        .sub_product(t181, t505);
+    let chain_omega_10_dot_by_chain_theta_7 = (t489 + t498)
+        .sub_product(t106, t490)
+        .sub_product(t123, t499)
+        .sub_product(t138, t500)
+        .sub_product(t151, t501)
+        .sub_product(t162, t502)
+        .sub_product(t171, t503)
+        .sub_product(t178, t504)
+        .sub_product(t183, t505)
+        .sub_product(t186, t506) * t187;
+    let chain_omega_9_dot_by_chain_theta_7 = (t506 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_8_dot_by_chain_theta_7 = (t505 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_7_dot_by_chain_theta_7 = (t504 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_6_dot_by_chain_theta_7 = (t503 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_5_dot_by_chain_theta_7 = (t502 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_7)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_4_dot_by_chain_theta_7 = (t501 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_7)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_7)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_3_dot_by_chain_theta_7 = (t500 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_7)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_7)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_7)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_2_dot_by_chain_theta_7 = (t499 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_7)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_7)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_7)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_7)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_7);
+    let chain_omega_1_dot_by_chain_theta_7 = (t490 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_7)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_7)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_7)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_7)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_7)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_7)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_7)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_7)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_7);
+    let t507 = t195 * t93;
+    let t508 = chain_omega_10_squared * t95;
+    let t509 = t232 * t93;
+    let t510 = chain_omega_8_squared * t95;
+    let t511 = t247 - t278;
+    let t512 = R::literal(2.0) * t92;
+    let t513 = t512 * chain_omega_9_dot;
+    let t514 = t512 * chain_omega_8_dot;
+    let t515 = t94 * chain_omega_10_dot;
+    let t516 = t94 * chain_omega_8_dot;
+    let t517 = (t299 - t327).sub_product(t98, t511);
+    let t518 = (t346 - t370).sub_product(t99, t511).sub_product(t109, t517);
+    let t519 = (t388 - t408)
+        .sub_product(t100, t511)
+        .sub_product(t111, t517)
+        .sub_product(t126, t518);
+    let t520 = (t425 - t441)
+        .sub_product(t101, t511)
+        .sub_product(t113, t517)
+        .sub_product(t128, t518)
+        .sub_product(t141, t519);
+    let t521 = (t457 - t469)
+        .sub_product(t102, t511)
+        .sub_product(t115, t517)
+        .sub_product(t130, t518)
+        .sub_product(t143, t519)
+        .sub_product(t154, t520);
+    let t522 = (t484 - t492)
+        .sub_product(t103, t511)
+        .sub_product(t117, t517)
+        .sub_product(t132, t518)
+        .sub_product(t145, t519)
+        .sub_product(t156, t520)
+        .sub_product(t165, t521);
+    let t523 = ((-t256).sub_product(R::literal(29.43), cos_chain_theta_8) - t307 - t353
+        - t394 - t430 - t461 - t487 - t507 - t508 - t279 - t328 - t371 - t409 - t442
+        - t470 - t493 + t513 + t515)
+        .sub_product(t104, t511)
+        .sub_product(t119, t517)
+        .sub_product(t134, t518)
+        .sub_product(t147, t519)
+        .sub_product(t158, t520)
+        .sub_product(t167, t521);
+    let t524 = t523.sub_product(t174, t522);
+    let t525 = (t509 + t514)
+        .sub_product(t105, t511)
+        .sub_product(t121, t517)
+        .sub_product(t136, t518)
+        .sub_product(t149, t519)
+        .sub_product(t160, t520)
+        .sub_product(t169, t521)
+        .sub_product(t176, t522)
+        .sub_product(t181, t524);
+    let chain_omega_10_dot_by_chain_theta_8 = (t510 + t516)
+        .sub_product(t106, t511)
+        .sub_product(t123, t517)
+        .sub_product(t138, t518)
+        .sub_product(t151, t519)
+        .sub_product(t162, t520)
+        .sub_product(t171, t521)
+        .sub_product(t178, t522)
+        .sub_product(t183, t524)
+        .sub_product(t186, t525) * t187;
+    let chain_omega_9_dot_by_chain_theta_8 = (t525 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_8_dot_by_chain_theta_8 = (t524 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_7_dot_by_chain_theta_8 = (t522 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_6_dot_by_chain_theta_8 = (t521 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_5_dot_by_chain_theta_8 = (t520 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_8)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_4_dot_by_chain_theta_8 = (t519 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_8)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_8)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_3_dot_by_chain_theta_8 = (t518 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_8)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_8)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_8)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_2_dot_by_chain_theta_8 = (t517 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_8)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_8)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_8)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_8)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_8);
+    let chain_omega_1_dot_by_chain_theta_8 = (t511 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_8)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_8)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_8)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_8)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_8)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_8)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_8)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_8)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_8);
+    let t526 = chain_omega_10_squared * t97;
+    let t527 = chain_omega_9_squared * t97;
+    let t528 = t248 - t281;
+    let t529 = t96 * chain_omega_10_dot;
+    let t530 = t96 * chain_omega_9_dot;
+    let t531 = (t300 - t330).sub_product(t98, t528);
+    let t532 = (t347 - t373).sub_product(t99, t528).sub_product(t109, t531);
+    let t533 = (t389 - t411)
+        .sub_product(t100, t528)
+        .sub_product(t111, t531)
+        .sub_product(t126, t532);
+    let t534 = (t426 - t444)
+        .sub_product(t101, t528)
+        .sub_product(t113, t531)
+        .sub_product(t128, t532)
+        .sub_product(t141, t533);
+    let t535 = (t458 - t472)
+        .sub_product(t102, t528)
+        .sub_product(t115, t531)
+        .sub_product(t130, t532)
+        .sub_product(t143, t533)
+        .sub_product(t154, t534);
+    let t536 = (t485 - t495)
+        .sub_product(t103, t528)
+        .sub_product(t117, t531)
+        .sub_product(t132, t532)
+        .sub_product(t145, t533)
+        .sub_product(t156, t534)
+        .sub_product(t165, t535);
+    let t537 = (t507 - t513)
+        .sub_product(t104, t528)
+        .sub_product(t119, t531)
+        .sub_product(t134, t532)
+        .sub_product(t147, t533)
+        .sub_product(t158, t534)
+        .sub_product(t167, t535)
+        .sub_product(t174, t536);
+    let t538 = ((-t257).sub_product(R::literal(19.62), cos_chain_theta_9) - t308 - t354
+        - t395 - t431 - t462 - t488 - t509 - t526 - t282 - t331 - t374 - t412 - t445
+        - t473 - t496 - t514 + t529)
+        .sub_product(t105, t528)
+        .sub_product(t121, t531)
+        .sub_product(t136, t532)
+        .sub_product(t149, t533)
+        .sub_product(t160, t534)
+        .sub_product(t169, t535);
+    let t539 = t538.sub_product(t176, t536).sub_product(t181, t537);
+    let chain_omega_10_dot_by_chain_theta_9 = (t527 + t530)
+        .sub_product(t106, t528)
+        .sub_product(t123, t531)
+        .sub_product(t138, t532)
+        .sub_product(t151, t533)
+        .sub_product(t162, t534)
+        .sub_product(t171, t535)
+        .sub_product(t178, t536)
+        .sub_product(t183, t537)
+        .sub_product(t186, t539) * t187;
+    let chain_omega_9_dot_by_chain_theta_9 = (t539 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_8_dot_by_chain_theta_9 = (t537 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_7_dot_by_chain_theta_9 = (t536 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_6_dot_by_chain_theta_9 = (t535 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_5_dot_by_chain_theta_9 = (t534 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_9)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_4_dot_by_chain_theta_9 = (t533 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_9)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_9)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_3_dot_by_chain_theta_9 = (t532 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_9)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_9)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_9)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_2_dot_by_chain_theta_9 = (t531 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_9)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_9)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_9)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_9)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_9);
+    let chain_omega_1_dot_by_chain_theta_9 = (t528 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_9)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_9)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_9)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_9)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_9)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_9)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_9)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_9)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_9);
+    let t540 = t249 - t283;
+    let t541 = (t301 - t332).sub_product(t98, t540);
+    let t542 = (t348 - t375).sub_product(t99, t540).sub_product(t109, t541);
+    let t543 = (t390 - t413)
+        .sub_product(t100, t540)
+        .sub_product(t111, t541)
+        .sub_product(t126, t542);
+    let t544 = (t427 - t446)
+        .sub_product(t101, t540)
+        .sub_product(t113, t541)
+        .sub_product(t128, t542)
+        .sub_product(t141, t543);
+    let t545 = (t459 - t474)
+        .sub_product(t102, t540)
+        .sub_product(t115, t541)
+        .sub_product(t130, t542)
+        .sub_product(t143, t543)
+        .sub_product(t154, t544);
+    let t546 = (t486 - t497)
+        .sub_product(t103, t540)
+        .sub_product(t117, t541)
+        .sub_product(t132, t542)
+        .sub_product(t145, t543)
+        .sub_product(t156, t544)
+        .sub_product(t165, t545);
+    let t547 = (t508 - t515)
+        .sub_product(t104, t540)
+        .sub_product(t119, t541)
+        .sub_product(t134, t542)
+        .sub_product(t147, t543)
+        .sub_product(t158, t544)
+        .sub_product(t167, t545)
+        .sub_product(t174, t546);
+    let t548 = (t526 - t529)
+        .sub_product(t105, t540)
+        .sub_product(t121, t541)
+        .sub_product(t136, t542)
+        .sub_product(t149, t543)
+        .sub_product(t160, t544)
+        .sub_product(t169, t545)
+        .sub_product(t176, t546)
+        .sub_product(t181, t547);
+    let t549 = ((-t258).sub_product(R::literal(9.81), cos_chain_theta_10) - t309 - t355
+        - t396 - t432 - t463 - t489 - t510 - t527 - t285 - t333 - t376 - t414 - t447
+        - t475 - t498 - t516 - t530)
+        .sub_product(t106, t540)
+        .sub_product(t123, t541)
+        .sub_product(t138, t542)
+        .sub_product(t151, t543)
+        .sub_product(t162, t544)
+        .sub_product(t171, t545);
+    let chain_omega_10_dot_by_chain_theta_10 = t549
+        .sub_product(t178, t546)
+        .sub_product(t183, t547)
+        .sub_product(t186, t548) * t187;
+    let chain_omega_9_dot_by_chain_theta_10 = (t548 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_8_dot_by_chain_theta_10 = (t547 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t183, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_7_dot_by_chain_theta_10 = (t546 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t176, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t178, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_6_dot_by_chain_theta_10 = (t545 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t167, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t169, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t171, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_5_dot_by_chain_theta_10 = (t544 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_theta_10)
+        .sub_product(t156, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t158, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t160, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t162, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_4_dot_by_chain_theta_10 = (t543 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_theta_10)
+        .sub_product(t143, chain_omega_6_dot_by_chain_theta_10)
+        .sub_product(t145, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t147, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t149, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t151, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_3_dot_by_chain_theta_10 = (t542 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_theta_10)
+        .sub_product(t128, chain_omega_5_dot_by_chain_theta_10)
+        .sub_product(t130, chain_omega_6_dot_by_chain_theta_10)
+        .sub_product(t132, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t134, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t136, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t138, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_2_dot_by_chain_theta_10 = (t541 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_theta_10)
+        .sub_product(t111, chain_omega_4_dot_by_chain_theta_10)
+        .sub_product(t113, chain_omega_5_dot_by_chain_theta_10)
+        .sub_product(t115, chain_omega_6_dot_by_chain_theta_10)
+        .sub_product(t117, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t119, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t121, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t123, chain_omega_10_dot_by_chain_theta_10);
+    let chain_omega_1_dot_by_chain_theta_10 = (t540 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_theta_10)
+        .sub_product(t99, chain_omega_3_dot_by_chain_theta_10)
+        .sub_product(t100, chain_omega_4_dot_by_chain_theta_10)
+        .sub_product(t101, chain_omega_5_dot_by_chain_theta_10)
+        .sub_product(t102, chain_omega_6_dot_by_chain_theta_10)
+        .sub_product(t103, chain_omega_7_dot_by_chain_theta_10)
+        .sub_product(t104, chain_omega_8_dot_by_chain_theta_10)
+        .sub_product(t105, chain_omega_9_dot_by_chain_theta_10)
+        .sub_product(t106, chain_omega_10_dot_by_chain_theta_10);
+    let t550 = R::literal(18.0) * chain_omega_1 * t0;
+    let t551 = (R::literal(16.0) * chain_omega_1 * t3).sub_product(t109, t550);
+    let t552 = (R::literal(14.0) * chain_omega_1 * t6)
+        .sub_product(t111, t550)
+        .sub_product(t126, t551);
+    let t553 = (R::literal(12.0) * chain_omega_1 * t9)
+        .sub_product(t113, t550)
+        .sub_product(t128, t551)
+        .sub_product(t141, t552);
+    let t554 = (R::literal(10.0) * chain_omega_1 * t12)
+        .sub_product(t115, t550)
+        .sub_product(t130, t551)
+        .sub_product(t143, t552)
+        .sub_product(t154, t553);
+    let t555 = (R::literal(8.0) * chain_omega_1 * t15)
+        .sub_product(t117, t550)
+        .sub_product(t132, t551)
+        .sub_product(t145, t552)
+        .sub_product(t156, t553)
+        .sub_product(t165, t554);
+    let t556 = (R::literal(6.0) * chain_omega_1 * t18)
+        .sub_product(t119, t550)
+        .sub_product(t134, t551)
+        .sub_product(t147, t552)
+        .sub_product(t158, t553)
+        .sub_product(t167, t554)
+        .sub_product(t174, t555);
+    let t557 = (R::literal(4.0) * chain_omega_1 * t21)
+        .sub_product(t121, t550)
+        .sub_product(t136, t551)
+        .sub_product(t149, t552)
+        .sub_product(t160, t553)
+        .sub_product(t169, t554)
+        .sub_product(t176, t555)
+        .sub_product(t181, t556);
+    let chain_omega_10_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t24)
+        .sub_product(t123, t550)
+        .sub_product(t138, t551)
+        .sub_product(t151, t552)
+        .sub_product(t162, t553)
+        .sub_product(t171, t554)
+        .sub_product(t178, t555)
+        .sub_product(t183, t556)
+        .sub_product(t186, t557) * t187;
+    let chain_omega_9_dot_by_chain_omega_1 = (t557 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_8_dot_by_chain_omega_1 = (t556 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_7_dot_by_chain_omega_1 = (t555 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_6_dot_by_chain_omega_1 = (t554 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_5_dot_by_chain_omega_1 = (t553 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_1)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_4_dot_by_chain_omega_1 = (t552 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_1)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_1)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_3_dot_by_chain_omega_1 = (t551 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_1)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_1)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_1)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_2_dot_by_chain_omega_1 = (t550 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_1)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_1)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_1)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_1)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_1);
+    let chain_omega_1_dot_by_chain_omega_1 = (-(t99
+        * chain_omega_3_dot_by_chain_omega_1))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_1)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_1)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_1)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_1)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_1)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_1)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_1)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_1);
+    let t558 = R::literal(18.0) * chain_omega_2 * t0;
+    let t559 = t98 * t558;
+    let t560 = (R::literal(16.0) * chain_omega_2 * t26)
+        .add_product(t99, t558)
+        .sub_product(t109, t559);
+    let t561 = (R::literal(14.0) * chain_omega_2 * t28)
+        .add_product(t100, t558)
+        .sub_product(t111, t559)
+        .sub_product(t126, t560);
+    let t562 = (R::literal(12.0) * chain_omega_2 * t30)
+        .add_product(t101, t558)
+        .sub_product(t113, t559)
+        .sub_product(t128, t560)
+        .sub_product(t141, t561);
+    let t563 = (R::literal(10.0) * chain_omega_2 * t32)
+        .add_product(t102, t558)
+        .sub_product(t115, t559)
+        .sub_product(t130, t560)
+        .sub_product(t143, t561)
+        .sub_product(t154, t562);
+    let t564 = (R::literal(8.0) * chain_omega_2 * t34)
+        .add_product(t103, t558)
+        .sub_product(t117, t559)
+        .sub_product(t132, t560)
+        .sub_product(t145, t561)
+        .sub_product(t156, t562)
+        .sub_product(t165, t563);
+    let t565 = (R::literal(6.0) * chain_omega_2 * t36)
+        .add_product(t104, t558)
+        .sub_product(t119, t559)
+        .sub_product(t134, t560)
+        .sub_product(t147, t561)
+        .sub_product(t158, t562)
+        .sub_product(t167, t563)
+        .sub_product(t174, t564);
+    let t566 = (R::literal(4.0) * chain_omega_2 * t38)
+        .add_product(t105, t558)
+        .sub_product(t121, t559)
+        .sub_product(t136, t560)
+        .sub_product(t149, t561)
+        .sub_product(t160, t562)
+        .sub_product(t169, t563)
+        .sub_product(t176, t564)
+        .sub_product(t181, t565);
+    let chain_omega_10_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t40)
+        .add_product(t106, t558)
+        .sub_product(t123, t559)
+        .sub_product(t138, t560)
+        .sub_product(t151, t561)
+        .sub_product(t162, t562)
+        .sub_product(t171, t563)
+        .sub_product(t178, t564)
+        .sub_product(t183, t565)
+        .sub_product(t186, t566) * t187;
+    let chain_omega_9_dot_by_chain_omega_2 = (t566 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_8_dot_by_chain_omega_2 = (t565 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_7_dot_by_chain_omega_2 = (t564 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_6_dot_by_chain_omega_2 = (t563 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_5_dot_by_chain_omega_2 = (t562 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_2)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_4_dot_by_chain_omega_2 = (t561 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_2)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_2)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_3_dot_by_chain_omega_2 = (t560 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_2)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_2)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_2)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_2_dot_by_chain_omega_2 = (t559 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_2)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_2)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_2)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_2)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_2);
+    let chain_omega_1_dot_by_chain_omega_2 = (-(t558 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_2)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_2)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_2)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_2)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_2)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_2)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_2)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_2)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_2);
+    let t567 = R::literal(16.0) * chain_omega_3;
+    let t568 = t567 * t3;
+    let t569 = (-(t567 * t26)).add_product(t98, t568);
+    let t570 = (t99 * t568).sub_product(t109, t569);
+    let t571 = (R::literal(14.0) * chain_omega_3 * t42)
+        .add_product(t100, t568)
+        .sub_product(t111, t569)
+        .sub_product(t126, t570);
+    let t572 = (R::literal(12.0) * chain_omega_3 * t44)
+        .add_product(t101, t568)
+        .sub_product(t113, t569)
+        .sub_product(t128, t570)
+        .sub_product(t141, t571);
+    let t573 = (R::literal(10.0) * chain_omega_3 * t46)
+        .add_product(t102, t568)
+        .sub_product(t115, t569)
+        .sub_product(t130, t570)
+        .sub_product(t143, t571)
+        .sub_product(t154, t572);
+    let t574 = (R::literal(8.0) * chain_omega_3 * t48)
+        .add_product(t103, t568)
+        .sub_product(t117, t569)
+        .sub_product(t132, t570)
+        .sub_product(t145, t571)
+        .sub_product(t156, t572)
+        .sub_product(t165, t573);
+    let t575 = (R::literal(6.0) * chain_omega_3 * t50)
+        .add_product(t104, t568)
+        .sub_product(t119, t569)
+        .sub_product(t134, t570)
+        .sub_product(t147, t571)
+        .sub_product(t158, t572)
+        .sub_product(t167, t573)
+        .sub_product(t174, t574);
+    let t576 = (R::literal(4.0) * chain_omega_3 * t52)
+        .add_product(t105, t568)
+        .sub_product(t121, t569)
+        .sub_product(t136, t570)
+        .sub_product(t149, t571)
+        .sub_product(t160, t572)
+        .sub_product(t169, t573)
+        .sub_product(t176, t574)
+        .sub_product(t181, t575);
+    let chain_omega_10_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t54)
+        .add_product(t106, t568)
+        .sub_product(t123, t569)
+        .sub_product(t138, t570)
+        .sub_product(t151, t571)
+        .sub_product(t162, t572)
+        .sub_product(t171, t573)
+        .sub_product(t178, t574)
+        .sub_product(t183, t575)
+        .sub_product(t186, t576) * t187;
+    let chain_omega_9_dot_by_chain_omega_3 = (t576 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_8_dot_by_chain_omega_3 = (t575 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_7_dot_by_chain_omega_3 = (t574 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_6_dot_by_chain_omega_3 = (t573 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_5_dot_by_chain_omega_3 = (t572 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_3)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_4_dot_by_chain_omega_3 = (t571 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_3)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_3)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_3_dot_by_chain_omega_3 = (t570 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_3)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_3)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_3)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_2_dot_by_chain_omega_3 = (t569 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_3)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_3)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_3)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_3)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_3);
+    let chain_omega_1_dot_by_chain_omega_3 = (-(t568 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_3)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_3)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_3)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_3)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_3)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_3)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_3)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_3)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_3);
+    let t577 = R::literal(14.0) * chain_omega_4;
+    let t578 = t577 * t6;
+    let t579 = (-(t577 * t28)).add_product(t98, t578);
+    let t580 = (-(t577 * t42)).add_product(t99, t578).sub_product(t109, t579);
+    let t581 = (t100 * t578).sub_product(t111, t579).sub_product(t126, t580);
+    let t582 = (R::literal(12.0) * chain_omega_4 * t56)
+        .add_product(t101, t578)
+        .sub_product(t113, t579)
+        .sub_product(t128, t580)
+        .sub_product(t141, t581);
+    let t583 = (R::literal(10.0) * chain_omega_4 * t58)
+        .add_product(t102, t578)
+        .sub_product(t115, t579)
+        .sub_product(t130, t580)
+        .sub_product(t143, t581)
+        .sub_product(t154, t582);
+    let t584 = (R::literal(8.0) * chain_omega_4 * t60)
+        .add_product(t103, t578)
+        .sub_product(t117, t579)
+        .sub_product(t132, t580)
+        .sub_product(t145, t581)
+        .sub_product(t156, t582)
+        .sub_product(t165, t583);
+    let t585 = (R::literal(6.0) * chain_omega_4 * t62)
+        .add_product(t104, t578)
+        .sub_product(t119, t579)
+        .sub_product(t134, t580)
+        .sub_product(t147, t581)
+        .sub_product(t158, t582)
+        .sub_product(t167, t583)
+        .sub_product(t174, t584);
+    let t586 = (R::literal(4.0) * chain_omega_4 * t64)
+        .add_product(t105, t578)
+        .sub_product(t121, t579)
+        .sub_product(t136, t580)
+        .sub_product(t149, t581)
+        .sub_product(t160, t582)
+        .sub_product(t169, t583)
+        .sub_product(t176, t584)
+        .sub_product(t181, t585);
+    let chain_omega_10_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t66)
+        .add_product(t106, t578)
+        .sub_product(t123, t579)
+        .sub_product(t138, t580)
+        .sub_product(t151, t581)
+        .sub_product(t162, t582)
+        .sub_product(t171, t583)
+        .sub_product(t178, t584)
+        .sub_product(t183, t585)
+        .sub_product(t186, t586) * t187;
+    let chain_omega_9_dot_by_chain_omega_4 = (t586 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_8_dot_by_chain_omega_4 = (t585 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_7_dot_by_chain_omega_4 = (t584 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_6_dot_by_chain_omega_4 = (t583 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_5_dot_by_chain_omega_4 = (t582 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_4)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_4_dot_by_chain_omega_4 = (t581 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_4)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_4)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_3_dot_by_chain_omega_4 = (t580 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_4)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_4)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_4)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_2_dot_by_chain_omega_4 = (t579 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_4)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_4)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_4)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_4)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_4);
+    let chain_omega_1_dot_by_chain_omega_4 = (-(t578 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_4)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_4)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_4)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_4)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_4)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_4)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_4)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_4)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_4);
+    let t587 = R::literal(12.0) * chain_omega_5;
+    let t588 = t587 * t9;
+    let t589 = (-(t587 * t30)).add_product(t98, t588);
+    let t590 = (-(t587 * t44)).add_product(t99, t588).sub_product(t109, t589);
+    let t591 = (-(t587 * t56))
+        .add_product(t100, t588)
+        .sub_product(t111, t589)
+        .sub_product(t126, t590);
+    let t592 = (t101 * t588)
+        .sub_product(t113, t589)
+        .sub_product(t128, t590)
+        .sub_product(t141, t591);
+    let t593 = (R::literal(10.0) * chain_omega_5 * t68)
+        .add_product(t102, t588)
+        .sub_product(t115, t589)
+        .sub_product(t130, t590)
+        .sub_product(t143, t591)
+        .sub_product(t154, t592);
+    let t594 = (R::literal(8.0) * chain_omega_5 * t70)
+        .add_product(t103, t588)
+        .sub_product(t117, t589)
+        .sub_product(t132, t590)
+        .sub_product(t145, t591)
+        .sub_product(t156, t592)
+        .sub_product(t165, t593);
+    let t595 = (R::literal(6.0) * chain_omega_5 * t72)
+        .add_product(t104, t588)
+        .sub_product(t119, t589)
+        .sub_product(t134, t590)
+        .sub_product(t147, t591)
+        .sub_product(t158, t592)
+        .sub_product(t167, t593)
+        .sub_product(t174, t594);
+    let t596 = (R::literal(4.0) * chain_omega_5 * t74)
+        .add_product(t105, t588)
+        .sub_product(t121, t589)
+        .sub_product(t136, t590)
+        .sub_product(t149, t591)
+        .sub_product(t160, t592)
+        .sub_product(t169, t593)
+        .sub_product(t176, t594)
+        .sub_product(t181, t595);
+    let chain_omega_10_dot_by_chain_omega_5 = (R::literal(2.0) * chain_omega_5 * t76)
+        .add_product(t106, t588)
+        .sub_product(t123, t589)
+        .sub_product(t138, t590)
+        .sub_product(t151, t591)
+        .sub_product(t162, t592)
+        .sub_product(t171, t593)
+        .sub_product(t178, t594)
+        .sub_product(t183, t595)
+        .sub_product(t186, t596) * t187;
+    let chain_omega_9_dot_by_chain_omega_5 = (t596 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_8_dot_by_chain_omega_5 = (t595 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_7_dot_by_chain_omega_5 = (t594 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_6_dot_by_chain_omega_5 = (t593 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_5_dot_by_chain_omega_5 = (t592 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_5)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_4_dot_by_chain_omega_5 = (t591 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_5)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_5)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_3_dot_by_chain_omega_5 = (t590 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_5)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_5)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_5)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_2_dot_by_chain_omega_5 = (t589 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_5)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_5)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_5)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_5)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_5);
+    let chain_omega_1_dot_by_chain_omega_5 = (-(t588 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_5)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_5)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_5)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_5)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_5)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_5)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_5)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_5)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_5);
+    let t597 = R::literal(10.0) * chain_omega_6;
+    let t598 = t597 * t12;
+    let t599 = (-(t597 * t32)).add_product(t98, t598);
+    let t600 = (-(t597 * t46)).add_product(t99, t598).sub_product(t109, t599);
+    let t601 = (-(t597 * t58))
+        .add_product(t100, t598)
+        .sub_product(t111, t599)
+        .sub_product(t126, t600);
+    let t602 = (-(t597 * t68))
+        .add_product(t101, t598)
+        .sub_product(t113, t599)
+        .sub_product(t128, t600)
+        .sub_product(t141, t601);
+    let t603 = (t102 * t598)
+        .sub_product(t115, t599)
+        .sub_product(t130, t600)
+        .sub_product(t143, t601)
+        .sub_product(t154, t602);
+    let t604 = (R::literal(8.0) * chain_omega_6 * t78)
+        .add_product(t103, t598)
+        .sub_product(t117, t599)
+        .sub_product(t132, t600)
+        .sub_product(t145, t601)
+        .sub_product(t156, t602)
+        .sub_product(t165, t603);
+    let t605 = (R::literal(6.0) * chain_omega_6 * t80)
+        .add_product(t104, t598)
+        .sub_product(t119, t599)
+        .sub_product(t134, t600)
+        .sub_product(t147, t601)
+        .sub_product(t158, t602)
+        .sub_product(t167, t603)
+        .sub_product(t174, t604);
+    let t606 = (R::literal(4.0) * chain_omega_6 * t82)
+        .add_product(t105, t598)
+        .sub_product(t121, t599)
+        .sub_product(t136, t600)
+        .sub_product(t149, t601)
+        .sub_product(t160, t602)
+        .sub_product(t169, t603)
+        .sub_product(t176, t604)
+        .sub_product(t181, t605);
+    let chain_omega_10_dot_by_chain_omega_6 = (R::literal(2.0) * chain_omega_6 * t84)
+        .add_product(t106, t598)
+        .sub_product(t123, t599)
+        .sub_product(t138, t600)
+        .sub_product(t151, t601)
+        .sub_product(t162, t602)
+        .sub_product(t171, t603)
+        .sub_product(t178, t604)
+        .sub_product(t183, t605)
+        .sub_product(t186, t606) * t187;
+    let chain_omega_9_dot_by_chain_omega_6 = (t606 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_8_dot_by_chain_omega_6 = (t605 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_7_dot_by_chain_omega_6 = (t604 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_6_dot_by_chain_omega_6 = (t603 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_5_dot_by_chain_omega_6 = (t602 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_6)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_4_dot_by_chain_omega_6 = (t601 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_6)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_6)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_3_dot_by_chain_omega_6 = (t600 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_6)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_6)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_6)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_2_dot_by_chain_omega_6 = (t599 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_6)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_6)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_6)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_6)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_6);
+    let chain_omega_1_dot_by_chain_omega_6 = (-(t598 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_6)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_6)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_6)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_6)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_6)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_6)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_6)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_6)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_6);
+    let t607 = R::literal(8.0) * chain_omega_7;
+    let t608 = t607 * t15;
+    let t609 = (-(t607 * t34)).add_product(t98, t608);
+    let t610 = (-(t607 * t48)).add_product(t99, t608).sub_product(t109, t609);
+    let t611 = (-(t607 * t60))
+        .add_product(t100, t608)
+        .sub_product(t111, t609)
+        .sub_product(t126, t610);
+    let t612 = (-(t607 * t70))
+        .add_product(t101, t608)
+        .sub_product(t113, t609)
+        .sub_product(t128, t610)
+        .sub_product(t141, t611);
+    let t613 = (-(t607 * t78))
+        .add_product(t102, t608)
+        .sub_product(t115, t609)
+        .sub_product(t130, t610)
+        .sub_product(t143, t611)
+        .sub_product(t154, t612);
+    let t614 = (t103 * t608)
+        .sub_product(t117, t609)
+        .sub_product(t132, t610)
+        .sub_product(t145, t611)
+        .sub_product(t156, t612)
+        .sub_product(t165, t613);
+    let t615 = (R::literal(6.0) * chain_omega_7 * t86)
+        .add_product(t104, t608)
+        .sub_product(t119, t609)
+        .sub_product(t134, t610)
+        .sub_product(t147, t611)
+        .sub_product(t158, t612)
+        .sub_product(t167, t613)
+        .sub_product(t174, t614);
+    let t616 = (R::literal(4.0) * chain_omega_7 * t88)
+        .add_product(t105, t608)
+        .sub_product(t121, t609)
+        .sub_product(t136, t610)
+        .sub_product(t149, t611)
+        .sub_product(t160, t612)
+        .sub_product(t169, t613)
+        .sub_product(t176, t614)
+        .sub_product(t181, t615);
+    let chain_omega_10_dot_by_chain_omega_7 = (R::literal(2.0) * chain_omega_7 * t90)
+        .add_product(t106, t608)
+        .sub_product(t123, t609)
+        .sub_product(t138, t610)
+        .sub_product(t151, t611)
+        .sub_product(t162, t612)
+        .sub_product(t171, t613)
+        .sub_product(t178, t614)
+        .sub_product(t183, t615)
+        .sub_product(t186, t616) * t187;
+    let chain_omega_9_dot_by_chain_omega_7 = (t616 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_8_dot_by_chain_omega_7 = (t615 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_7_dot_by_chain_omega_7 = (t614 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_6_dot_by_chain_omega_7 = (t613 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_5_dot_by_chain_omega_7 = (t612 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_7)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_4_dot_by_chain_omega_7 = (t611 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_7)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_7)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_3_dot_by_chain_omega_7 = (t610 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_7)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_7)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_7)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_2_dot_by_chain_omega_7 = (t609 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_7)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_7)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_7)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_7)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_7);
+    let chain_omega_1_dot_by_chain_omega_7 = (-(t608 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_7)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_7)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_7)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_7)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_7)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_7)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_7)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_7)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_7);
+    let t617 = R::literal(6.0) * chain_omega_8;
+    let t618 = t617 * t18;
+    let t619 = (-(t617 * t36)).add_product(t98, t618);
+    let t620 = (-(t617 * t50)).add_product(t99, t618).sub_product(t109, t619);
+    let t621 = (-(t617 * t62))
+        .add_product(t100, t618)
+        .sub_product(t111, t619)
+        .sub_product(t126, t620);
+    let t622 = (-(t617 * t72))
+        .add_product(t101, t618)
+        .sub_product(t113, t619)
+        .sub_product(t128, t620)
+        .sub_product(t141, t621);
+    let t623 = (-(t617 * t80))
+        .add_product(t102, t618)
+        .sub_product(t115, t619)
+        .sub_product(t130, t620)
+        .sub_product(t143, t621)
+        .sub_product(t154, t622);
+    let t624 = (-(t617 * t86))
+        .add_product(t103, t618)
+        .sub_product(t117, t619)
+        .sub_product(t132, t620)
+        .sub_product(t145, t621)
+        .sub_product(t156, t622)
+        .sub_product(t165, t623);
+    let t625 = (t104 * t618)
+        .sub_product(t119, t619)
+        .sub_product(t134, t620)
+        .sub_product(t147, t621)
+        .sub_product(t158, t622)
+        .sub_product(t167, t623)
+        .sub_product(t174, t624);
+    let t626 = (R::literal(4.0) * chain_omega_8 * t92)
+        .add_product(t105, t618)
+        .sub_product(t121, t619)
+        .sub_product(t136, t620)
+        .sub_product(t149, t621)
+        .sub_product(t160, t622)
+        .sub_product(t169, t623)
+        .sub_product(t176, t624)
+        .sub_product(t181, t625);
+    let chain_omega_10_dot_by_chain_omega_8 = (R::literal(2.0) * chain_omega_8 * t94)
+        .add_product(t106, t618)
+        .sub_product(t123, t619)
+        .sub_product(t138, t620)
+        .sub_product(t151, t621)
+        .sub_product(t162, t622)
+        .sub_product(t171, t623)
+        .sub_product(t178, t624)
+        .sub_product(t183, t625)
+        .sub_product(t186, t626) * t187;
+    let chain_omega_9_dot_by_chain_omega_8 = (t626 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_8_dot_by_chain_omega_8 = (t625 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_7_dot_by_chain_omega_8 = (t624 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_6_dot_by_chain_omega_8 = (t623 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_5_dot_by_chain_omega_8 = (t622 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_8)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_4_dot_by_chain_omega_8 = (t621 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_8)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_8)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_3_dot_by_chain_omega_8 = (t620 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_8)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_8)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_8)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_2_dot_by_chain_omega_8 = (t619 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_8)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_8)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_8)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_8)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_8);
+    let chain_omega_1_dot_by_chain_omega_8 = (-(t618 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_8)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_8)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_8)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_8)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_8)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_8)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_8)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_8)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_8);
+    let t627 = R::literal(4.0) * chain_omega_9;
+    let t628 = t627 * t21;
+    let t629 = (-(t627 * t38)).add_product(t98, t628);
+    let t630 = (-(t627 * t52)).add_product(t99, t628).sub_product(t109, t629);
+    let t631 = (-(t627 * t64))
+        .add_product(t100, t628)
+        .sub_product(t111, t629)
+        .sub_product(t126, t630);
+    let t632 = (-(t627 * t74))
+        .add_product(t101, t628)
+        .sub_product(t113, t629)
+        .sub_product(t128, t630)
+        .sub_product(t141, t631);
+    let t633 = (-(t627 * t82))
+        .add_product(t102, t628)
+        .sub_product(t115, t629)
+        .sub_product(t130, t630)
+        .sub_product(t143, t631)
+        .sub_product(t154, t632);
+    let t634 = (-(t627 * t88))
+        .add_product(t103, t628)
+        .sub_product(t117, t629)
+        .sub_product(t132, t630)
+        .sub_product(t145, t631)
+        .sub_product(t156, t632)
+        .sub_product(t165, t633);
+    let t635 = (-(t627 * t92))
+        .add_product(t104, t628)
+        .sub_product(t119, t629)
+        .sub_product(t134, t630)
+        .sub_product(t147, t631)
+        .sub_product(t158, t632)
+        .sub_product(t167, t633)
+        .sub_product(t174, t634);
+    let t636 = (t105 * t628)
+        .sub_product(t121, t629)
+        .sub_product(t136, t630)
+        .sub_product(t149, t631)
+        .sub_product(t160, t632)
+        .sub_product(t169, t633)
+        .sub_product(t176, t634)
+        .sub_product(t181, t635);
+    let chain_omega_10_dot_by_chain_omega_9 = (R::literal(2.0) * chain_omega_9 * t96)
+        .add_product(t106, t628)
+        .sub_product(t123, t629)
+        .sub_product(t138, t630)
+        .sub_product(t151, t631)
+        .sub_product(t162, t632)
+        .sub_product(t171, t633)
+        .sub_product(t178, t634)
+        .sub_product(t183, t635)
+        .sub_product(t186, t636) * t187;
+    let chain_omega_9_dot_by_chain_omega_9 = (t636 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_8_dot_by_chain_omega_9 = (t635 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_7_dot_by_chain_omega_9 = (t634 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_6_dot_by_chain_omega_9 = (t633 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_5_dot_by_chain_omega_9 = (t632 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_9)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_4_dot_by_chain_omega_9 = (t631 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_9)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_9)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_3_dot_by_chain_omega_9 = (t630 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_9)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_9)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_9)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_2_dot_by_chain_omega_9 = (t629 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_9)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_9)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_9)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_9)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_9);
+    let chain_omega_1_dot_by_chain_omega_9 = (-(t628 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_9)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_9)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_9)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_9)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_9)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_9)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_9)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_9)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_9);
+    let t637 = R::literal(2.0) * chain_omega_10;
+    let t638 = t637 * t24;
+    let t639 = (-(t637 * t40)).add_product(t98, t638);
+    let t640 = (-(t637 * t54)).add_product(t99, t638).sub_product(t109, t639);
+    let t641 = (-(t637 * t66))
+        .add_product(t100, t638)
+        .sub_product(t111, t639)
+        .sub_product(t126, t640);
+    let t642 = (-(t637 * t76))
+        .add_product(t101, t638)
+        .sub_product(t113, t639)
+        .sub_product(t128, t640)
+        .sub_product(t141, t641);
+    let t643 = (-(t637 * t84))
+        .add_product(t102, t638)
+        .sub_product(t115, t639)
+        .sub_product(t130, t640)
+        .sub_product(t143, t641)
+        .sub_product(t154, t642);
+    let t644 = (-(t637 * t90))
+        .add_product(t103, t638)
+        .sub_product(t117, t639)
+        .sub_product(t132, t640)
+        .sub_product(t145, t641)
+        .sub_product(t156, t642)
+        .sub_product(t165, t643);
+    let t645 = (-(t637 * t94))
+        .add_product(t104, t638)
+        .sub_product(t119, t639)
+        .sub_product(t134, t640)
+        .sub_product(t147, t641)
+        .sub_product(t158, t642)
+        .sub_product(t167, t643)
+        .sub_product(t174, t644);
+    let t646 = (-(t637 * t96))
+        .add_product(t105, t638)
+        .sub_product(t121, t639)
+        .sub_product(t136, t640)
+        .sub_product(t149, t641)
+        .sub_product(t160, t642)
+        .sub_product(t169, t643)
+        .sub_product(t176, t644)
+        .sub_product(t181, t645);
+    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t638)
+        .sub_product(t123, t639)
+        .sub_product(t138, t640)
+        .sub_product(t151, t641)
+        .sub_product(t162, t642)
+        .sub_product(t171, t643)
+        .sub_product(t178, t644)
+        .sub_product(t183, t645)
+        .sub_product(t186, t646) * t187;
+    let chain_omega_9_dot_by_chain_omega_10 = (t646 * t184)
+        .sub_product(t186, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_8_dot_by_chain_omega_10 = (t645 * t179)
+        .sub_product(t181, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t183, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_7_dot_by_chain_omega_10 = (t644 * t172)
+        .sub_product(t174, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t176, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t178, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_6_dot_by_chain_omega_10 = (t643 * t163)
+        .sub_product(t165, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t167, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t169, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t171, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_5_dot_by_chain_omega_10 = (t642 * t152)
+        .sub_product(t154, chain_omega_6_dot_by_chain_omega_10)
+        .sub_product(t156, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t158, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t160, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t162, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_4_dot_by_chain_omega_10 = (t641 * t139)
+        .sub_product(t141, chain_omega_5_dot_by_chain_omega_10)
+        .sub_product(t143, chain_omega_6_dot_by_chain_omega_10)
+        .sub_product(t145, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t147, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t149, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t151, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_3_dot_by_chain_omega_10 = (t640 * t124)
+        .sub_product(t126, chain_omega_4_dot_by_chain_omega_10)
+        .sub_product(t128, chain_omega_5_dot_by_chain_omega_10)
+        .sub_product(t130, chain_omega_6_dot_by_chain_omega_10)
+        .sub_product(t132, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t134, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t136, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t138, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_2_dot_by_chain_omega_10 = (t639 * t107)
+        .sub_product(t109, chain_omega_3_dot_by_chain_omega_10)
+        .sub_product(t111, chain_omega_4_dot_by_chain_omega_10)
+        .sub_product(t113, chain_omega_5_dot_by_chain_omega_10)
+        .sub_product(t115, chain_omega_6_dot_by_chain_omega_10)
+        .sub_product(t117, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t119, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t121, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t123, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_1_dot_by_chain_omega_10 = (-(t638 * R::literal(0.1)))
+        .sub_product(t98, chain_omega_2_dot_by_chain_omega_10)
+        .sub_product(t99, chain_omega_3_dot_by_chain_omega_10)
+        .sub_product(t100, chain_omega_4_dot_by_chain_omega_10)
+        .sub_product(t101, chain_omega_5_dot_by_chain_omega_10)
+        .sub_product(t102, chain_omega_6_dot_by_chain_omega_10)
+        .sub_product(t103, chain_omega_7_dot_by_chain_omega_10)
+        .sub_product(t104, chain_omega_8_dot_by_chain_omega_10)
+        .sub_product(t105, chain_omega_9_dot_by_chain_omega_10)
+        .sub_product(t106, chain_omega_10_dot_by_chain_omega_10);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -3830,51 +5065,64 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
     let chain_v_1 = chain_omega_1 * chain_theta_1.sin();
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1 + chain_omega_2 * cos_chain_theta_2;
-    let chain_v_2 = chain_v_1 + chain_omega_2 * chain_theta_2.sin();
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, chain_theta_2.sin());
     let cos_chain_theta_3 = chain_theta_3.cos();
-    let chain_u_3 = chain_u_2 + chain_omega_3 * cos_chain_theta_3;
-    let chain_v_3 = chain_v_2 + chain_omega_3 * chain_theta_3.sin();
+    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, chain_theta_3.sin());
     let cos_chain_theta_4 = chain_theta_4.cos();
-    let chain_u_4 = chain_u_3 + chain_omega_4 * cos_chain_theta_4;
-    let chain_v_4 = chain_v_3 + chain_omega_4 * chain_theta_4.sin();
+    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, chain_theta_4.sin());
     let cos_chain_theta_5 = chain_theta_5.cos();
-    let chain_u_5 = chain_u_4 + chain_omega_5 * cos_chain_theta_5;
-    let chain_v_5 = chain_v_4 + chain_omega_5 * chain_theta_5.sin();
+    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, chain_theta_5.sin());
     let cos_chain_theta_6 = chain_theta_6.cos();
-    let chain_u_6 = chain_u_5 + chain_omega_6 * cos_chain_theta_6;
-    let chain_v_6 = chain_v_5 + chain_omega_6 * chain_theta_6.sin();
+    let chain_u_6 = chain_u_5.add_product(chain_omega_6, cos_chain_theta_6);
+    let chain_v_6 = chain_v_5.add_product(chain_omega_6, chain_theta_6.sin());
     let cos_chain_theta_7 = chain_theta_7.cos();
-    let chain_u_7 = chain_u_6 + chain_omega_7 * cos_chain_theta_7;
-    let chain_v_7 = chain_v_6 + chain_omega_7 * chain_theta_7.sin();
+    let chain_u_7 = chain_u_6.add_product(chain_omega_7, cos_chain_theta_7);
+    let chain_v_7 = chain_v_6.add_product(chain_omega_7, chain_theta_7.sin());
     let cos_chain_theta_8 = chain_theta_8.cos();
-    let chain_u_8 = chain_u_7 + chain_omega_8 * cos_chain_theta_8;
-    let chain_v_8 = chain_v_7 + chain_omega_8 * chain_theta_8.sin();
+    let chain_u_8 = chain_u_7.add_product(chain_omega_8, cos_chain_theta_8);
+    let chain_v_8 = chain_v_7.add_product(chain_omega_8, chain_theta_8.sin());
     let cos_chain_theta_9 = chain_theta_9.cos();
-    let chain_u_9 = chain_u_8 + chain_omega_9 * cos_chain_theta_9;
-    let chain_v_9 = chain_v_8 + chain_omega_9 * chain_theta_9.sin();
+    let chain_u_9 = chain_u_8.add_product(chain_omega_9, cos_chain_theta_9);
+    let chain_v_9 = chain_v_8.add_product(chain_omega_9, chain_theta_9.sin());
     let cos_chain_theta_10 = chain_theta_10.cos();
-    let chain_u_10 = chain_u_9 + chain_omega_10 * cos_chain_theta_10;
-    let chain_v_10 = chain_v_9 + chain_omega_10 * chain_theta_10.sin();
-    let t0 = chain_u_1 * chain_u_1 + chain_v_1 * chain_v_1 + chain_u_2 * chain_u_2
-        + chain_v_2 * chain_v_2 + chain_u_3 * chain_u_3 + chain_v_3 * chain_v_3
-        + chain_u_4 * chain_u_4 + chain_v_4 * chain_v_4 + chain_u_5 * chain_u_5
-        + chain_v_5 * chain_v_5 + chain_u_6 * chain_u_6 + chain_v_6 * chain_v_6;
+    let chain_u_10 = chain_u_9.add_product(chain_omega_10, cos_chain_theta_10);
+    let chain_v_10 = chain_v_9.add_product(chain_omega_10, chain_theta_10.sin());
     Energy {
         kinetic: R::literal(0.5)
-            * (t0 + chain_u_7 * chain_u_7 + chain_v_7 * chain_v_7 + chain_u_8 * chain_u_8
-                + chain_v_8 * chain_v_8 + chain_u_9 * chain_u_9 + chain_v_9 * chain_v_9
-                + chain_u_10 * chain_u_10 + chain_v_10 * chain_v_10),
+            * (chain_u_1 * chain_u_1)
+                .add_product(chain_v_1, chain_v_1)
+                .add_product(chain_u_2, chain_u_2)
+                .add_product(chain_v_2, chain_v_2)
+                .add_product(chain_u_3, chain_u_3)
+                .add_product(chain_v_3, chain_v_3)
+                .add_product(chain_u_4, chain_u_4)
+                .add_product(chain_v_4, chain_v_4)
+                .add_product(chain_u_5, chain_u_5)
+                .add_product(chain_v_5, chain_v_5)
+                .add_product(chain_u_6, chain_u_6)
+                .add_product(chain_v_6, chain_v_6)
+                .add_product(chain_u_7, chain_u_7)
+                .add_product(chain_v_7, chain_v_7)
+                .add_product(chain_u_8, chain_u_8)
+                .add_product(chain_v_8, chain_v_8)
+                .add_product(chain_u_9, chain_u_9)
+                .add_product(chain_v_9, chain_v_9)
+                .add_product(chain_u_10, chain_u_10)
+                .add_product(chain_v_10, chain_v_10),
         potential: R::literal(9.81)
-            * (-(R::literal(10.0) * cos_chain_theta_1)
-                - R::literal(9.0) * cos_chain_theta_2
-                - R::literal(8.0) * cos_chain_theta_3
-                - R::literal(7.0) * cos_chain_theta_4
-                - R::literal(6.0) * cos_chain_theta_5
-                - R::literal(5.0) * cos_chain_theta_6
-                - R::literal(4.0) * cos_chain_theta_7
-                - R::literal(3.0) * cos_chain_theta_8
-                - R::literal(2.0) * cos_chain_theta_9 - cos_chain_theta_10),
+            * ((-(R::literal(10.0) * cos_chain_theta_1))
+                .sub_product(R::literal(9.0), cos_chain_theta_2)
+                .sub_product(R::literal(8.0), cos_chain_theta_3)
+                .sub_product(R::literal(7.0), cos_chain_theta_4)
+                .sub_product(R::literal(6.0), cos_chain_theta_5)
+                .sub_product(R::literal(5.0), cos_chain_theta_6)
+                .sub_product(R::literal(4.0), cos_chain_theta_7)
+                .sub_product(R::literal(3.0), cos_chain_theta_8)
+                .sub_product(R::literal(2.0), cos_chain_theta_9) - cos_chain_theta_10),
         stored: R::literal(0.0),
     }
 }
@@ -3897,41 +5145,41 @@ pub fn power_balance<R: Real>(
     let sin_chain_theta_1 = chain_theta_1.sin();
     let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1 + chain_omega_2 * cos_chain_theta_2;
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
     let sin_chain_theta_2 = chain_theta_2.sin();
-    let chain_v_2 = chain_v_1 + chain_omega_2 * sin_chain_theta_2;
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     let cos_chain_theta_3 = chain_theta_3.cos();
-    let chain_u_3 = chain_u_2 + chain_omega_3 * cos_chain_theta_3;
+    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
     let sin_chain_theta_3 = chain_theta_3.sin();
-    let chain_v_3 = chain_v_2 + chain_omega_3 * sin_chain_theta_3;
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
     let cos_chain_theta_4 = chain_theta_4.cos();
-    let chain_u_4 = chain_u_3 + chain_omega_4 * cos_chain_theta_4;
+    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
     let sin_chain_theta_4 = chain_theta_4.sin();
-    let chain_v_4 = chain_v_3 + chain_omega_4 * sin_chain_theta_4;
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
     let cos_chain_theta_5 = chain_theta_5.cos();
-    let chain_u_5 = chain_u_4 + chain_omega_5 * cos_chain_theta_5;
+    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
     let sin_chain_theta_5 = chain_theta_5.sin();
-    let chain_v_5 = chain_v_4 + chain_omega_5 * sin_chain_theta_5;
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
     let cos_chain_theta_6 = chain_theta_6.cos();
-    let chain_u_6 = chain_u_5 + chain_omega_6 * cos_chain_theta_6;
+    let chain_u_6 = chain_u_5.add_product(chain_omega_6, cos_chain_theta_6);
     let sin_chain_theta_6 = chain_theta_6.sin();
-    let chain_v_6 = chain_v_5 + chain_omega_6 * sin_chain_theta_6;
+    let chain_v_6 = chain_v_5.add_product(chain_omega_6, sin_chain_theta_6);
     let cos_chain_theta_7 = chain_theta_7.cos();
-    let chain_u_7 = chain_u_6 + chain_omega_7 * cos_chain_theta_7;
+    let chain_u_7 = chain_u_6.add_product(chain_omega_7, cos_chain_theta_7);
     let sin_chain_theta_7 = chain_theta_7.sin();
-    let chain_v_7 = chain_v_6 + chain_omega_7 * sin_chain_theta_7;
+    let chain_v_7 = chain_v_6.add_product(chain_omega_7, sin_chain_theta_7);
     let cos_chain_theta_8 = chain_theta_8.cos();
-    let chain_u_8 = chain_u_7 + chain_omega_8 * cos_chain_theta_8;
+    let chain_u_8 = chain_u_7.add_product(chain_omega_8, cos_chain_theta_8);
     let sin_chain_theta_8 = chain_theta_8.sin();
-    let chain_v_8 = chain_v_7 + chain_omega_8 * sin_chain_theta_8;
+    let chain_v_8 = chain_v_7.add_product(chain_omega_8, sin_chain_theta_8);
     let cos_chain_theta_9 = chain_theta_9.cos();
-    let chain_u_9 = chain_u_8 + chain_omega_9 * cos_chain_theta_9;
+    let chain_u_9 = chain_u_8.add_product(chain_omega_9, cos_chain_theta_9);
     let sin_chain_theta_9 = chain_theta_9.sin();
-    let chain_v_9 = chain_v_8 + chain_omega_9 * sin_chain_theta_9;
+    let chain_v_9 = chain_v_8.add_product(chain_omega_9, sin_chain_theta_9);
     let cos_chain_theta_10 = chain_theta_10.cos();
-    let chain_u_10 = chain_u_9 + chain_omega_10 * cos_chain_theta_10;
+    let chain_u_10 = chain_u_9.add_product(chain_omega_10, cos_chain_theta_10);
     let sin_chain_theta_10 = chain_theta_10.sin();
-    let chain_v_10 = chain_v_9 + chain_omega_10 * sin_chain_theta_10;
+    let chain_v_10 = chain_v_9.add_product(chain_omega_10, sin_chain_theta_10);
     let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
     let t0 = R::literal(9.0) * chain_theta_1_minus_chain_theta_2.cos();
     let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
@@ -3995,468 +5243,876 @@ pub fn power_balance<R: Real>(
     let t15 = t6 * R::literal(0.1);
     let t16 = t7 * R::literal(0.1);
     let t17 = t8 * R::literal(0.1);
-    let t18 = R::literal(1.0) / (R::literal(9.0) - t9 * t0);
-    let t19 = R::literal(8.0) * chain_theta_2_minus_chain_theta_3.cos() - t10 * t0;
+    let t18 = R::literal(1.0) / R::literal(9.0).sub_product(t9, t0);
+    let t19 = (R::literal(8.0) * chain_theta_2_minus_chain_theta_3.cos())
+        .sub_product(t10, t0);
     let t20 = t19 * t18;
-    let t21 = R::literal(7.0) * chain_theta_2_minus_chain_theta_4.cos() - t11 * t0;
+    let t21 = (R::literal(7.0) * chain_theta_2_minus_chain_theta_4.cos())
+        .sub_product(t11, t0);
     let t22 = t21 * t18;
-    let t23 = R::literal(6.0) * chain_theta_2_minus_chain_theta_5.cos() - t12 * t0;
+    let t23 = (R::literal(6.0) * chain_theta_2_minus_chain_theta_5.cos())
+        .sub_product(t12, t0);
     let t24 = t23 * t18;
-    let t25 = R::literal(5.0) * chain_theta_2_minus_chain_theta_6.cos() - t13 * t0;
+    let t25 = (R::literal(5.0) * chain_theta_2_minus_chain_theta_6.cos())
+        .sub_product(t13, t0);
     let t26 = t25 * t18;
-    let t27 = R::literal(4.0) * chain_theta_2_minus_chain_theta_7.cos() - t14 * t0;
+    let t27 = (R::literal(4.0) * chain_theta_2_minus_chain_theta_7.cos())
+        .sub_product(t14, t0);
     let t28 = t27 * t18;
-    let t29 = R::literal(3.0) * chain_theta_2_minus_chain_theta_8.cos() - t15 * t0;
+    let t29 = (R::literal(3.0) * chain_theta_2_minus_chain_theta_8.cos())
+        .sub_product(t15, t0);
     let t30 = t29 * t18;
-    let t31 = R::literal(2.0) * chain_theta_2_minus_chain_theta_9.cos() - t16 * t0;
+    let t31 = (R::literal(2.0) * chain_theta_2_minus_chain_theta_9.cos())
+        .sub_product(t16, t0);
     let t32 = t31 * t18;
-    let t33 = chain_theta_2_minus_chain_theta_10.cos() - t17 * t0;
+    let t33 = chain_theta_2_minus_chain_theta_10.cos().sub_product(t17, t0);
     let t34 = t33 * t18;
-    let t35 = R::literal(1.0) / (R::literal(8.0) - t10 * t1 - t20 * t19);
-    let t36 = R::literal(7.0) * chain_theta_3_minus_chain_theta_4.cos() - t11 * t1
-        - t22 * t19;
+    let t35 = R::literal(1.0)
+        / R::literal(8.0).sub_product(t10, t1).sub_product(t20, t19);
+    let t36 = (R::literal(7.0) * chain_theta_3_minus_chain_theta_4.cos())
+        .sub_product(t11, t1)
+        .sub_product(t22, t19);
     let t37 = t36 * t35;
-    let t38 = R::literal(6.0) * chain_theta_3_minus_chain_theta_5.cos() - t12 * t1
-        - t24 * t19;
+    let t38 = (R::literal(6.0) * chain_theta_3_minus_chain_theta_5.cos())
+        .sub_product(t12, t1)
+        .sub_product(t24, t19);
     let t39 = t38 * t35;
-    let t40 = R::literal(5.0) * chain_theta_3_minus_chain_theta_6.cos() - t13 * t1
-        - t26 * t19;
+    let t40 = (R::literal(5.0) * chain_theta_3_minus_chain_theta_6.cos())
+        .sub_product(t13, t1)
+        .sub_product(t26, t19);
     let t41 = t40 * t35;
-    let t42 = R::literal(4.0) * chain_theta_3_minus_chain_theta_7.cos() - t14 * t1
-        - t28 * t19;
+    let t42 = (R::literal(4.0) * chain_theta_3_minus_chain_theta_7.cos())
+        .sub_product(t14, t1)
+        .sub_product(t28, t19);
     let t43 = t42 * t35;
-    let t44 = R::literal(3.0) * chain_theta_3_minus_chain_theta_8.cos() - t15 * t1
-        - t30 * t19;
+    let t44 = (R::literal(3.0) * chain_theta_3_minus_chain_theta_8.cos())
+        .sub_product(t15, t1)
+        .sub_product(t30, t19);
     let t45 = t44 * t35;
-    let t46 = R::literal(2.0) * chain_theta_3_minus_chain_theta_9.cos() - t16 * t1
-        - t32 * t19;
+    let t46 = (R::literal(2.0) * chain_theta_3_minus_chain_theta_9.cos())
+        .sub_product(t16, t1)
+        .sub_product(t32, t19);
     let t47 = t46 * t35;
-    let t48 = chain_theta_3_minus_chain_theta_10.cos() - t17 * t1 - t34 * t19;
+    let t48 = chain_theta_3_minus_chain_theta_10
+        .cos()
+        .sub_product(t17, t1)
+        .sub_product(t34, t19);
     let t49 = t48 * t35;
-    let t50 = R::literal(1.0) / (R::literal(7.0) - t11 * t2 - t22 * t21 - t37 * t36);
-    let t51 = R::literal(6.0) * chain_theta_4_minus_chain_theta_5.cos() - t12 * t2
-        - t24 * t21 - t39 * t36;
+    let t50 = R::literal(1.0)
+        / R::literal(7.0)
+            .sub_product(t11, t2)
+            .sub_product(t22, t21)
+            .sub_product(t37, t36);
+    let t51 = (R::literal(6.0) * chain_theta_4_minus_chain_theta_5.cos())
+        .sub_product(t12, t2)
+        .sub_product(t24, t21)
+        .sub_product(t39, t36);
     let t52 = t51 * t50;
-    let t53 = R::literal(5.0) * chain_theta_4_minus_chain_theta_6.cos() - t13 * t2
-        - t26 * t21 - t41 * t36;
+    let t53 = (R::literal(5.0) * chain_theta_4_minus_chain_theta_6.cos())
+        .sub_product(t13, t2)
+        .sub_product(t26, t21)
+        .sub_product(t41, t36);
     let t54 = t53 * t50;
-    let t55 = R::literal(4.0) * chain_theta_4_minus_chain_theta_7.cos() - t14 * t2
-        - t28 * t21 - t43 * t36;
+    let t55 = (R::literal(4.0) * chain_theta_4_minus_chain_theta_7.cos())
+        .sub_product(t14, t2)
+        .sub_product(t28, t21)
+        .sub_product(t43, t36);
     let t56 = t55 * t50;
-    let t57 = R::literal(3.0) * chain_theta_4_minus_chain_theta_8.cos() - t15 * t2
-        - t30 * t21 - t45 * t36;
+    let t57 = (R::literal(3.0) * chain_theta_4_minus_chain_theta_8.cos())
+        .sub_product(t15, t2)
+        .sub_product(t30, t21)
+        .sub_product(t45, t36);
     let t58 = t57 * t50;
-    let t59 = R::literal(2.0) * chain_theta_4_minus_chain_theta_9.cos() - t16 * t2
-        - t32 * t21 - t47 * t36;
+    let t59 = (R::literal(2.0) * chain_theta_4_minus_chain_theta_9.cos())
+        .sub_product(t16, t2)
+        .sub_product(t32, t21)
+        .sub_product(t47, t36);
     let t60 = t59 * t50;
-    let t61 = chain_theta_4_minus_chain_theta_10.cos() - t17 * t2 - t34 * t21
-        - t49 * t36;
+    let t61 = chain_theta_4_minus_chain_theta_10
+        .cos()
+        .sub_product(t17, t2)
+        .sub_product(t34, t21)
+        .sub_product(t49, t36);
     let t62 = t61 * t50;
     let t63 = R::literal(1.0)
-        / (R::literal(6.0) - t12 * t3 - t24 * t23 - t39 * t38 - t52 * t51);
-    let t64 = R::literal(5.0) * chain_theta_5_minus_chain_theta_6.cos() - t13 * t3
-        - t26 * t23 - t41 * t38 - t54 * t51;
+        / R::literal(6.0)
+            .sub_product(t12, t3)
+            .sub_product(t24, t23)
+            .sub_product(t39, t38)
+            .sub_product(t52, t51);
+    let t64 = (R::literal(5.0) * chain_theta_5_minus_chain_theta_6.cos())
+        .sub_product(t13, t3)
+        .sub_product(t26, t23)
+        .sub_product(t41, t38)
+        .sub_product(t54, t51);
     let t65 = t64 * t63;
-    let t66 = R::literal(4.0) * chain_theta_5_minus_chain_theta_7.cos() - t14 * t3
-        - t28 * t23 - t43 * t38 - t56 * t51;
+    let t66 = (R::literal(4.0) * chain_theta_5_minus_chain_theta_7.cos())
+        .sub_product(t14, t3)
+        .sub_product(t28, t23)
+        .sub_product(t43, t38)
+        .sub_product(t56, t51);
     let t67 = t66 * t63;
-    let t68 = R::literal(3.0) * chain_theta_5_minus_chain_theta_8.cos() - t15 * t3
-        - t30 * t23 - t45 * t38 - t58 * t51;
+    let t68 = (R::literal(3.0) * chain_theta_5_minus_chain_theta_8.cos())
+        .sub_product(t15, t3)
+        .sub_product(t30, t23)
+        .sub_product(t45, t38)
+        .sub_product(t58, t51);
     let t69 = t68 * t63;
-    let t70 = R::literal(2.0) * chain_theta_5_minus_chain_theta_9.cos() - t16 * t3
-        - t32 * t23 - t47 * t38 - t60 * t51;
+    let t70 = (R::literal(2.0) * chain_theta_5_minus_chain_theta_9.cos())
+        .sub_product(t16, t3)
+        .sub_product(t32, t23)
+        .sub_product(t47, t38)
+        .sub_product(t60, t51);
     let t71 = t70 * t63;
-    let t72 = chain_theta_5_minus_chain_theta_10.cos() - t17 * t3 - t34 * t23 - t49 * t38
-        - t62 * t51;
+    let t72 = chain_theta_5_minus_chain_theta_10
+        .cos()
+        .sub_product(t17, t3)
+        .sub_product(t34, t23)
+        .sub_product(t49, t38)
+        .sub_product(t62, t51);
     let t73 = t72 * t63;
     let t74 = R::literal(1.0)
-        / (R::literal(5.0) - t13 * t4 - t26 * t25 - t41 * t40 - t54 * t53 - t65 * t64);
-    let t75 = R::literal(4.0) * chain_theta_6_minus_chain_theta_7.cos() - t14 * t4
-        - t28 * t25 - t43 * t40 - t56 * t53 - t67 * t64;
+        / R::literal(5.0)
+            .sub_product(t13, t4)
+            .sub_product(t26, t25)
+            .sub_product(t41, t40)
+            .sub_product(t54, t53)
+            .sub_product(t65, t64);
+    let t75 = (R::literal(4.0) * chain_theta_6_minus_chain_theta_7.cos())
+        .sub_product(t14, t4)
+        .sub_product(t28, t25)
+        .sub_product(t43, t40)
+        .sub_product(t56, t53)
+        .sub_product(t67, t64);
     let t76 = t75 * t74;
-    let t77 = R::literal(3.0) * chain_theta_6_minus_chain_theta_8.cos() - t15 * t4
-        - t30 * t25 - t45 * t40 - t58 * t53 - t69 * t64;
+    let t77 = (R::literal(3.0) * chain_theta_6_minus_chain_theta_8.cos())
+        .sub_product(t15, t4)
+        .sub_product(t30, t25)
+        .sub_product(t45, t40)
+        .sub_product(t58, t53)
+        .sub_product(t69, t64);
     let t78 = t77 * t74;
-    let t79 = R::literal(2.0) * chain_theta_6_minus_chain_theta_9.cos() - t16 * t4
-        - t32 * t25 - t47 * t40 - t60 * t53 - t71 * t64;
+    let t79 = (R::literal(2.0) * chain_theta_6_minus_chain_theta_9.cos())
+        .sub_product(t16, t4)
+        .sub_product(t32, t25)
+        .sub_product(t47, t40)
+        .sub_product(t60, t53)
+        .sub_product(t71, t64);
     let t80 = t79 * t74;
-    let t81 = chain_theta_6_minus_chain_theta_10.cos() - t17 * t4 - t34 * t25 - t49 * t40
-        - t62 * t53 - t73 * t64;
+    let t81 = chain_theta_6_minus_chain_theta_10
+        .cos()
+        .sub_product(t17, t4)
+        .sub_product(t34, t25)
+        .sub_product(t49, t40)
+        .sub_product(t62, t53)
+        .sub_product(t73, t64);
     let t82 = t81 * t74;
     let t83 = R::literal(1.0)
-        / (R::literal(4.0) - t14 * t5 - t28 * t27 - t43 * t42 - t56 * t55 - t67 * t66
-            - t76 * t75);
-    let t84 = R::literal(3.0) * chain_theta_7_minus_chain_theta_8.cos() - t15 * t5
-        - t30 * t27 - t45 * t42 - t58 * t55 - t69 * t66 - t78 * t75;
+        / R::literal(4.0)
+            .sub_product(t14, t5)
+            .sub_product(t28, t27)
+            .sub_product(t43, t42)
+            .sub_product(t56, t55)
+            .sub_product(t67, t66)
+            .sub_product(t76, t75);
+    let t84 = (R::literal(3.0) * chain_theta_7_minus_chain_theta_8.cos())
+        .sub_product(t15, t5)
+        .sub_product(t30, t27)
+        .sub_product(t45, t42)
+        .sub_product(t58, t55)
+        .sub_product(t69, t66)
+        .sub_product(t78, t75);
     let t85 = t84 * t83;
-    let t86 = R::literal(2.0) * chain_theta_7_minus_chain_theta_9.cos() - t16 * t5
-        - t32 * t27 - t47 * t42 - t60 * t55 - t71 * t66 - t80 * t75;
+    let t86 = (R::literal(2.0) * chain_theta_7_minus_chain_theta_9.cos())
+        .sub_product(t16, t5)
+        .sub_product(t32, t27)
+        .sub_product(t47, t42)
+        .sub_product(t60, t55)
+        .sub_product(t71, t66)
+        .sub_product(t80, t75);
     let t87 = t86 * t83;
-    let t88 = chain_theta_7_minus_chain_theta_10.cos() - t17 * t5 - t34 * t27 - t49 * t42
-        - t62 * t55 - t73 * t66 - t82 * t75;
+    let t88 = chain_theta_7_minus_chain_theta_10
+        .cos()
+        .sub_product(t17, t5)
+        .sub_product(t34, t27)
+        .sub_product(t49, t42)
+        .sub_product(t62, t55)
+        .sub_product(t73, t66)
+        .sub_product(t82, t75);
     let t89 = t88 * t83;
     let t90 = R::literal(1.0)
-        / (R::literal(3.0) - t15 * t6 - t30 * t29 - t45 * t44 - t58 * t57 - t69 * t68
-            - t78 * t77 - t85 * t84);
-    let t91 = R::literal(2.0) * chain_theta_8_minus_chain_theta_9.cos() - t16 * t6
-        - t32 * t29 - t47 * t44 - t60 * t57 - t71 * t68 - t80 * t77 - t87 * t84;
+        / R::literal(3.0)
+            .sub_product(t15, t6)
+            .sub_product(t30, t29)
+            .sub_product(t45, t44)
+            .sub_product(t58, t57)
+            .sub_product(t69, t68)
+            .sub_product(t78, t77)
+            .sub_product(t85, t84);
+    let t91 = (R::literal(2.0) * chain_theta_8_minus_chain_theta_9.cos())
+        .sub_product(t16, t6)
+        .sub_product(t32, t29)
+        .sub_product(t47, t44)
+        .sub_product(t60, t57)
+        .sub_product(t71, t68)
+        .sub_product(t80, t77)
+        .sub_product(t87, t84);
     let t92 = t91 * t90;
-    let t93 = chain_theta_8_minus_chain_theta_10.cos() - t17 * t6 - t34 * t29 - t49 * t44
-        - t62 * t57 - t73 * t68 - t82 * t77 - t89 * t84;
+    let t93 = chain_theta_8_minus_chain_theta_10
+        .cos()
+        .sub_product(t17, t6)
+        .sub_product(t34, t29)
+        .sub_product(t49, t44)
+        .sub_product(t62, t57)
+        .sub_product(t73, t68)
+        .sub_product(t82, t77)
+        .sub_product(t89, t84);
     let t94 = t93 * t90;
     let t95 = R::literal(1.0)
-        / (R::literal(2.0) - t16 * t7 - t32 * t31 - t47 * t46 - t60 * t59 - t71 * t70
-            - t80 * t79 - t87 * t86 - t92 * t91);
-    let t96 = chain_theta_9_minus_chain_theta_10.cos() - t17 * t7 - t34 * t31 - t49 * t46
-        - t62 * t59 - t73 * t70 - t82 * t79 - t89 * t86 - t94 * t91;
+        / R::literal(2.0)
+            .sub_product(t16, t7)
+            .sub_product(t32, t31)
+            .sub_product(t47, t46)
+            .sub_product(t60, t59)
+            .sub_product(t71, t70)
+            .sub_product(t80, t79)
+            .sub_product(t87, t86)
+            .sub_product(t92, t91);
+    let t96 = chain_theta_9_minus_chain_theta_10
+        .cos()
+        .sub_product(t17, t7)
+        .sub_product(t34, t31)
+        .sub_product(t49, t46)
+        .sub_product(t62, t59)
+        .sub_product(t73, t70)
+        .sub_product(t82, t79)
+        .sub_product(t89, t86)
+        .sub_product(t94, t91);
     let t97 = t96 * t95;
-    let t98 = R::literal(1.0)
-        / (R::literal(1.0) - t17 * t8 - t34 * t33 - t49 * t48 - t62 * t61 - t73 * t72
-            - t82 * t81 - t89 * t88 - t94 * t93 - t97 * t96);
-    let t99 = R::literal(98.1) * sin_chain_theta_1;
+    let t98 = R::literal(98.1) * sin_chain_theta_1;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t100 = chain_theta_1_minus_chain_theta_2.sin();
+    let t99 = chain_theta_1_minus_chain_theta_2.sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t101 = chain_theta_1_minus_chain_theta_3.sin();
-    let t102 = R::literal(8.0) * chain_omega_3_squared;
+    let t100 = chain_theta_1_minus_chain_theta_3.sin();
+    let t101 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t103 = chain_theta_1_minus_chain_theta_4.sin();
-    let t104 = R::literal(7.0) * chain_omega_4_squared;
+    let t102 = chain_theta_1_minus_chain_theta_4.sin();
+    let t103 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t105 = chain_theta_1_minus_chain_theta_5.sin();
-    let t106 = R::literal(6.0) * chain_omega_5_squared;
+    let t104 = chain_theta_1_minus_chain_theta_5.sin();
+    let t105 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t107 = chain_theta_1_minus_chain_theta_6.sin();
-    let t108 = R::literal(5.0) * chain_omega_6_squared;
+    let t106 = chain_theta_1_minus_chain_theta_6.sin();
+    let t107 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t109 = chain_theta_1_minus_chain_theta_7.sin();
-    let t110 = R::literal(4.0) * chain_omega_7_squared;
+    let t108 = chain_theta_1_minus_chain_theta_7.sin();
+    let t109 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t111 = chain_theta_1_minus_chain_theta_8.sin();
-    let t112 = R::literal(3.0) * chain_omega_8_squared;
+    let t110 = chain_theta_1_minus_chain_theta_8.sin();
+    let t111 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t113 = chain_theta_1_minus_chain_theta_9.sin();
-    let t114 = R::literal(2.0) * chain_omega_9_squared;
+    let t112 = chain_theta_1_minus_chain_theta_9.sin();
+    let t113 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t115 = chain_theta_1_minus_chain_theta_10.sin();
-    let t116 = -t99 - R::literal(9.0) * chain_omega_2_squared * t100 - t102 * t101
-        - t104 * t103 - t106 * t105 - t108 * t107 - t110 * t109 - t112 * t111
-        - t114 * t113 - chain_omega_10_squared * t115;
-    let t117 = R::literal(88.29) * sin_chain_theta_2;
-    let t118 = chain_theta_2_minus_chain_theta_3.sin();
-    let t119 = chain_theta_2_minus_chain_theta_4.sin();
-    let t120 = chain_theta_2_minus_chain_theta_5.sin();
-    let t121 = chain_theta_2_minus_chain_theta_6.sin();
-    let t122 = chain_theta_2_minus_chain_theta_7.sin();
-    let t123 = chain_theta_2_minus_chain_theta_8.sin();
-    let t124 = chain_theta_2_minus_chain_theta_9.sin();
-    let t125 = chain_theta_2_minus_chain_theta_10.sin();
+    let t114 = chain_theta_1_minus_chain_theta_10.sin();
+    let t115 = (-t98)
+        .sub_product(R::literal(9.0) * chain_omega_2_squared, t99)
+        .sub_product(t101, t100)
+        .sub_product(t103, t102)
+        .sub_product(t105, t104)
+        .sub_product(t107, t106)
+        .sub_product(t109, t108)
+        .sub_product(t111, t110)
+        .sub_product(t113, t112)
+        .sub_product(chain_omega_10_squared, t114);
+    let t116 = R::literal(88.29) * sin_chain_theta_2;
+    let t117 = chain_theta_2_minus_chain_theta_3.sin();
+    let t118 = chain_theta_2_minus_chain_theta_4.sin();
+    let t119 = chain_theta_2_minus_chain_theta_5.sin();
+    let t120 = chain_theta_2_minus_chain_theta_6.sin();
+    let t121 = chain_theta_2_minus_chain_theta_7.sin();
+    let t122 = chain_theta_2_minus_chain_theta_8.sin();
+    let t123 = chain_theta_2_minus_chain_theta_9.sin();
+    let t124 = chain_theta_2_minus_chain_theta_10.sin();
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t126 = R::literal(78.48) * sin_chain_theta_3;
-    let t127 = chain_theta_3_minus_chain_theta_4.sin();
-    let t128 = chain_theta_3_minus_chain_theta_5.sin();
-    let t129 = chain_theta_3_minus_chain_theta_6.sin();
-    let t130 = chain_theta_3_minus_chain_theta_7.sin();
-    let t131 = chain_theta_3_minus_chain_theta_8.sin();
-    let t132 = chain_theta_3_minus_chain_theta_9.sin();
-    let t133 = chain_theta_3_minus_chain_theta_10.sin();
-    let t134 = R::literal(68.67) * sin_chain_theta_4;
-    let t135 = chain_theta_4_minus_chain_theta_5.sin();
-    let t136 = chain_theta_4_minus_chain_theta_6.sin();
-    let t137 = chain_theta_4_minus_chain_theta_7.sin();
-    let t138 = chain_theta_4_minus_chain_theta_8.sin();
-    let t139 = chain_theta_4_minus_chain_theta_9.sin();
-    let t140 = chain_theta_4_minus_chain_theta_10.sin();
-    let t141 = R::literal(58.86) * sin_chain_theta_5;
-    let t142 = chain_theta_5_minus_chain_theta_6.sin();
-    let t143 = chain_theta_5_minus_chain_theta_7.sin();
-    let t144 = chain_theta_5_minus_chain_theta_8.sin();
-    let t145 = chain_theta_5_minus_chain_theta_9.sin();
-    let t146 = chain_theta_5_minus_chain_theta_10.sin();
-    let t147 = R::literal(49.05) * sin_chain_theta_6;
-    let t148 = chain_theta_6_minus_chain_theta_7.sin();
-    let t149 = chain_theta_6_minus_chain_theta_8.sin();
-    let t150 = chain_theta_6_minus_chain_theta_9.sin();
-    let t151 = chain_theta_6_minus_chain_theta_10.sin();
-    let t152 = R::literal(5.0) * chain_omega_1_squared * t107
-        + R::literal(5.0) * chain_omega_2_squared * t121
-        + R::literal(5.0) * chain_omega_3_squared * t129
-        + R::literal(5.0) * chain_omega_4_squared * t136
-        + R::literal(5.0) * chain_omega_5_squared * t142 - t147 - t110 * t148
-        - t112 * t149 - t114 * t150 - chain_omega_10_squared * t151;
-    let t153 = R::literal(39.24) * sin_chain_theta_7;
-    let t154 = chain_theta_7_minus_chain_theta_8.sin();
-    let t155 = chain_theta_7_minus_chain_theta_9.sin();
-    let t156 = chain_theta_7_minus_chain_theta_10.sin();
-    let t157 = R::literal(4.0) * chain_omega_1_squared * t109
-        + R::literal(4.0) * chain_omega_2_squared * t122
-        + R::literal(4.0) * chain_omega_3_squared * t130
-        + R::literal(4.0) * chain_omega_4_squared * t137
-        + R::literal(4.0) * chain_omega_5_squared * t143
-        + R::literal(4.0) * chain_omega_6_squared * t148 - t153 - t112 * t154
-        - t114 * t155 - chain_omega_10_squared * t156;
-    let t158 = R::literal(29.43) * sin_chain_theta_8;
-    let t159 = chain_theta_8_minus_chain_theta_9.sin();
-    let t160 = chain_theta_8_minus_chain_theta_10.sin();
-    let t161 = R::literal(3.0) * chain_omega_1_squared * t111
-        + R::literal(3.0) * chain_omega_2_squared * t123
-        + R::literal(3.0) * chain_omega_3_squared * t131
-        + R::literal(3.0) * chain_omega_4_squared * t138
-        + R::literal(3.0) * chain_omega_5_squared * t144
-        + R::literal(3.0) * chain_omega_6_squared * t149
-        + R::literal(3.0) * chain_omega_7_squared * t154 - t158 - t114 * t159;
-    let t162 = R::literal(19.62) * sin_chain_theta_9;
-    let t163 = chain_theta_9_minus_chain_theta_10.sin();
-    let t164 = R::literal(2.0) * chain_omega_1_squared * t113
-        + R::literal(2.0) * chain_omega_2_squared * t124
-        + R::literal(2.0) * chain_omega_3_squared * t132
-        + R::literal(2.0) * chain_omega_4_squared * t139
-        + R::literal(2.0) * chain_omega_5_squared * t145
-        + R::literal(2.0) * chain_omega_6_squared * t150
-        + R::literal(2.0) * chain_omega_7_squared * t155
-        + R::literal(2.0) * chain_omega_8_squared * t159 - t162;
-    let t165 = R::literal(9.81) * sin_chain_theta_10;
-    let t166 = R::literal(9.0) * chain_omega_1_squared * t100 - t117 - t102 * t118
-        - t104 * t119 - t106 * t120 - t108 * t121 - t110 * t122 - t112 * t123
-        - t114 * t124 - chain_omega_10_squared * t125 - t9 * t116;
-    let t167 = R::literal(8.0) * chain_omega_1_squared * t101
-        + R::literal(8.0) * chain_omega_2_squared * t118 - t126 - t104 * t127
-        - t106 * t128 - t108 * t129 - t110 * t130 - t112 * t131 - t114 * t132
-        - chain_omega_10_squared * t133 - t10 * t116 - t20 * t166;
-    let t168 = R::literal(7.0) * chain_omega_1_squared * t103
-        + R::literal(7.0) * chain_omega_2_squared * t119
-        + R::literal(7.0) * chain_omega_3_squared * t127 - t134 - t106 * t135
-        - t108 * t136 - t110 * t137 - t112 * t138 - t114 * t139
-        - chain_omega_10_squared * t140 - t11 * t116;
-    let t169 = t168 - t22 * t166 - t37 * t167;
-    let t170 = R::literal(6.0) * chain_omega_1_squared * t105
-        + R::literal(6.0) * chain_omega_2_squared * t120
-        + R::literal(6.0) * chain_omega_3_squared * t128
-        + R::literal(6.0) * chain_omega_4_squared * t135 - t141 - t108 * t142
-        - t110 * t143 - t112 * t144 - t114 * t145 - chain_omega_10_squared * t146
-        - t12 * t116;
-    let t171 = t170 - t24 * t166 - t39 * t167 - t52 * t169;
-    let t172 = t152 - t13 * t116 - t26 * t166 - t41 * t167 - t54 * t169 - t65 * t171;
-    let t173 = t157 - t14 * t116 - t28 * t166 - t43 * t167 - t56 * t169 - t67 * t171
-        - t76 * t172;
-    let t174 = t161 - chain_omega_10_squared * t160 - t15 * t116 - t30 * t166
-        - t45 * t167 - t58 * t169 - t69 * t171 - t78 * t172 - t85 * t173;
-    let t175 = t164 - chain_omega_10_squared * t163 - t16 * t116 - t32 * t166
-        - t47 * t167 - t60 * t169 - t71 * t171 - t80 * t172 - t87 * t173 - t92 * t174;
-    let t176 = chain_omega_1_squared * t115 + chain_omega_2_squared * t125
-        + chain_omega_3_squared * t133 + chain_omega_4_squared * t140
-        + chain_omega_5_squared * t146 + chain_omega_6_squared * t151
-        + chain_omega_7_squared * t156 + chain_omega_8_squared * t160
-        + chain_omega_9_squared * t163 - t165 - t17 * t116 - t34 * t166 - t49 * t167;
-    let chain_omega_10_dot = (t176 - t62 * t169 - t73 * t171 - t82 * t172 - t89 * t173
-        - t94 * t174 - t97 * t175) * t98;
-    let chain_omega_9_dot = t175 * t95 - t97 * chain_omega_10_dot;
-    let chain_omega_8_dot = t174 * t90 - t92 * chain_omega_9_dot
-        - t94 * chain_omega_10_dot;
-    let chain_omega_7_dot = t173 * t83 - t85 * chain_omega_8_dot
-        - t87 * chain_omega_9_dot - t89 * chain_omega_10_dot;
-    let chain_omega_6_dot = t172 * t74 - t76 * chain_omega_7_dot
-        - t78 * chain_omega_8_dot - t80 * chain_omega_9_dot - t82 * chain_omega_10_dot;
-    let chain_omega_5_dot = t171 * t63 - t65 * chain_omega_6_dot
-        - t67 * chain_omega_7_dot - t69 * chain_omega_8_dot - t71 * chain_omega_9_dot
-        - t73 * chain_omega_10_dot;
-    let chain_omega_4_dot = t169 * t50 - t52 * chain_omega_5_dot
-        - t54 * chain_omega_6_dot - t56 * chain_omega_7_dot - t58 * chain_omega_8_dot
-        - t60 * chain_omega_9_dot - t62 * chain_omega_10_dot;
-    let chain_omega_3_dot = t167 * t35 - t37 * chain_omega_4_dot
-        - t39 * chain_omega_5_dot - t41 * chain_omega_6_dot - t43 * chain_omega_7_dot
-        - t45 * chain_omega_8_dot - t47 * chain_omega_9_dot - t49 * chain_omega_10_dot;
-    let chain_omega_2_dot = t166 * t18 - t20 * chain_omega_3_dot
-        - t22 * chain_omega_4_dot - t24 * chain_omega_5_dot - t26 * chain_omega_6_dot
-        - t28 * chain_omega_7_dot - t30 * chain_omega_8_dot - t32 * chain_omega_9_dot
-        - t34 * chain_omega_10_dot;
-    let chain_omega_1_dot = t116 * R::literal(0.1) - t9 * chain_omega_2_dot
-        - t10 * chain_omega_3_dot - t11 * chain_omega_4_dot - t12 * chain_omega_5_dot
-        - t13 * chain_omega_6_dot - t14 * chain_omega_7_dot - t15 * chain_omega_8_dot
-        - t16 * chain_omega_9_dot - t17 * chain_omega_10_dot;
-    let t177 = R::literal(2.0) * chain_omega_2;
-    let t178 = R::literal(2.0) * chain_omega_3;
-    let t179 = R::literal(2.0) * chain_omega_4;
-    let t180 = R::literal(2.0) * chain_omega_5;
-    let t181 = R::literal(2.0) * chain_omega_6;
-    let t182 = R::literal(2.0) * chain_omega_7;
-    let t183 = R::literal(2.0) * chain_omega_8;
-    let t184 = R::literal(2.0) * chain_omega_9;
-    let t185 = R::literal(2.0) * chain_omega_10;
-    let t186 = R::literal(2.0) * chain_v_1;
-    let t187 = R::literal(2.0) * chain_u_1;
-    let t188 = t187 * chain_v_2 + t187 * chain_v_3 + t187 * chain_v_4 + t187 * chain_v_5
-        + t187 * chain_v_6 + t187 * chain_v_7 + t187 * chain_v_8 + t187 * chain_v_9
-        + t187 * chain_v_10 - t186 * chain_u_2 - t186 * chain_u_3 - t186 * chain_u_4;
-    let t189 = (R::literal(0.5)
-        * (t188 - t186 * chain_u_5 - t186 * chain_u_6 - t186 * chain_u_7
-            - t186 * chain_u_8 - t186 * chain_u_9 - t186 * chain_u_10) + t99)
-        * chain_omega_1;
-    let t190 = t177 * chain_v_2 * cos_chain_theta_2
-        + t177 * chain_v_3 * cos_chain_theta_2 + t177 * chain_v_4 * cos_chain_theta_2
-        + t177 * chain_v_5 * cos_chain_theta_2 + t177 * chain_v_6 * cos_chain_theta_2
-        + t177 * chain_v_7 * cos_chain_theta_2 + t177 * chain_v_8 * cos_chain_theta_2
-        + t177 * chain_v_9 * cos_chain_theta_2;
-    let t191 = t190 + t177 * chain_v_10 * cos_chain_theta_2
-        - t177 * chain_u_2 * sin_chain_theta_2 - t177 * chain_u_3 * sin_chain_theta_2
-        - t177 * chain_u_4 * sin_chain_theta_2 - t177 * chain_u_5 * sin_chain_theta_2
-        - t177 * chain_u_6 * sin_chain_theta_2 - t177 * chain_u_7 * sin_chain_theta_2
-        - t177 * chain_u_8 * sin_chain_theta_2;
-    let t192 = t178 * chain_v_3 * cos_chain_theta_3
-        + t178 * chain_v_4 * cos_chain_theta_3 + t178 * chain_v_5 * cos_chain_theta_3
-        + t178 * chain_v_6 * cos_chain_theta_3 + t178 * chain_v_7 * cos_chain_theta_3
-        + t178 * chain_v_8 * cos_chain_theta_3 + t178 * chain_v_9 * cos_chain_theta_3
-        + t178 * chain_v_10 * cos_chain_theta_3;
-    let t193 = t192 - t178 * chain_u_3 * sin_chain_theta_3
-        - t178 * chain_u_4 * sin_chain_theta_3 - t178 * chain_u_5 * sin_chain_theta_3
-        - t178 * chain_u_6 * sin_chain_theta_3 - t178 * chain_u_7 * sin_chain_theta_3
-        - t178 * chain_u_8 * sin_chain_theta_3 - t178 * chain_u_9 * sin_chain_theta_3
-        - t178 * chain_u_10 * sin_chain_theta_3;
-    let t194 = t179 * chain_v_4 * cos_chain_theta_4
-        + t179 * chain_v_5 * cos_chain_theta_4 + t179 * chain_v_6 * cos_chain_theta_4
-        + t179 * chain_v_7 * cos_chain_theta_4 + t179 * chain_v_8 * cos_chain_theta_4
-        + t179 * chain_v_9 * cos_chain_theta_4 + t179 * chain_v_10 * cos_chain_theta_4
-        - t179 * chain_u_4 * sin_chain_theta_4;
-    let t195 = (R::literal(0.5)
-        * (t194 - t179 * chain_u_5 * sin_chain_theta_4
-            - t179 * chain_u_6 * sin_chain_theta_4 - t179 * chain_u_7 * sin_chain_theta_4
-            - t179 * chain_u_8 * sin_chain_theta_4 - t179 * chain_u_9 * sin_chain_theta_4
-            - t179 * chain_u_10 * sin_chain_theta_4) + t134) * chain_omega_4;
-    let t196 = t180 * chain_v_5 * cos_chain_theta_5
-        + t180 * chain_v_6 * cos_chain_theta_5 + t180 * chain_v_7 * cos_chain_theta_5
-        + t180 * chain_v_8 * cos_chain_theta_5 + t180 * chain_v_9 * cos_chain_theta_5
-        + t180 * chain_v_10 * cos_chain_theta_5 - t180 * chain_u_5 * sin_chain_theta_5
-        - t180 * chain_u_6 * sin_chain_theta_5;
-    let t197 = (R::literal(0.5)
-        * (t196 - t180 * chain_u_7 * sin_chain_theta_5
-            - t180 * chain_u_8 * sin_chain_theta_5 - t180 * chain_u_9 * sin_chain_theta_5
-            - t180 * chain_u_10 * sin_chain_theta_5) + t141) * chain_omega_5;
-    let t198 = t189
-        + (R::literal(0.5)
-            * (t191 - t177 * chain_u_9 * sin_chain_theta_2
-                - t177 * chain_u_10 * sin_chain_theta_2) + t117) * chain_omega_2
-        + (R::literal(0.5) * t193 + t126) * chain_omega_3 + t195 + t197;
-    let t199 = t181 * chain_v_6 * cos_chain_theta_6
-        + t181 * chain_v_7 * cos_chain_theta_6 + t181 * chain_v_8 * cos_chain_theta_6
-        + t181 * chain_v_9 * cos_chain_theta_6 + t181 * chain_v_10 * cos_chain_theta_6
-        - t181 * chain_u_6 * sin_chain_theta_6 - t181 * chain_u_7 * sin_chain_theta_6
-        - t181 * chain_u_8 * sin_chain_theta_6;
-    let t200 = R::literal(0.5)
-        * (t182 * chain_v_7 * cos_chain_theta_7 + t182 * chain_v_8 * cos_chain_theta_7
-            + t182 * chain_v_9 * cos_chain_theta_7
-            + t182 * chain_v_10 * cos_chain_theta_7
-            - t182 * chain_u_7 * sin_chain_theta_7 - t182 * chain_u_8 * sin_chain_theta_7
-            - t182 * chain_u_9 * sin_chain_theta_7
-            - t182 * chain_u_10 * sin_chain_theta_7);
-    let t201 = (R::literal(0.5)
-        * (t183 * chain_v_8 * cos_chain_theta_8 + t183 * chain_v_9 * cos_chain_theta_8
-            + t183 * chain_v_10 * cos_chain_theta_8
-            - t183 * chain_u_8 * sin_chain_theta_8 - t183 * chain_u_9 * sin_chain_theta_8
-            - t183 * chain_u_10 * sin_chain_theta_8) + t158) * chain_omega_8;
-    let t202 = (R::literal(0.5)
-        * (t184 * chain_v_9 * cos_chain_theta_9 + t184 * chain_v_10 * cos_chain_theta_9
-            - t184 * chain_u_9 * sin_chain_theta_9
-            - t184 * chain_u_10 * sin_chain_theta_9) + t162) * chain_omega_9;
-    let t203 = t198
-        + (R::literal(0.5)
-            * (t199 - t181 * chain_u_9 * sin_chain_theta_6
-                - t181 * chain_u_10 * sin_chain_theta_6) + t147) * chain_omega_6
-        + (t200 + t153) * chain_omega_7 + t201 + t202
-        + (R::literal(0.5)
-            * (t185 * chain_v_10 * cos_chain_theta_10
-                - t185 * chain_u_10 * sin_chain_theta_10) + t165) * chain_omega_10;
-    let t204 = R::literal(2.0) * chain_u_2;
-    let t205 = R::literal(2.0) * chain_v_2;
-    let t206 = R::literal(2.0) * chain_u_3;
-    let t207 = R::literal(2.0) * chain_v_3;
-    let t208 = R::literal(2.0) * chain_u_4;
-    let t209 = R::literal(2.0) * chain_v_4;
-    let t210 = R::literal(2.0) * chain_u_5;
-    let t211 = R::literal(2.0) * chain_v_5;
-    let t212 = R::literal(2.0) * chain_u_6;
-    let t213 = R::literal(2.0) * chain_v_6;
-    let t214 = R::literal(2.0) * chain_u_7;
-    let t215 = R::literal(2.0) * chain_v_7;
-    let t216 = R::literal(2.0) * chain_u_8;
-    let t217 = R::literal(2.0) * chain_v_8;
-    let t218 = R::literal(2.0) * chain_u_9;
-    let t219 = R::literal(2.0) * chain_v_9;
-    let t220 = R::literal(2.0) * chain_u_10;
-    let t221 = R::literal(2.0) * chain_v_10;
-    let t222 = t187 * cos_chain_theta_1 + t186 * sin_chain_theta_1
-        + t204 * cos_chain_theta_1 + t205 * sin_chain_theta_1 + t206 * cos_chain_theta_1
-        + t207 * sin_chain_theta_1 + t208 * cos_chain_theta_1 + t209 * sin_chain_theta_1
-        + t210 * cos_chain_theta_1 + t211 * sin_chain_theta_1 + t212 * cos_chain_theta_1
-        + t213 * sin_chain_theta_1;
-    let t223 = t203
-        + R::literal(0.5)
-            * (t222 + t214 * cos_chain_theta_1 + t215 * sin_chain_theta_1
-                + t216 * cos_chain_theta_1 + t217 * sin_chain_theta_1
-                + t218 * cos_chain_theta_1 + t219 * sin_chain_theta_1
-                + t220 * cos_chain_theta_1 + t221 * sin_chain_theta_1)
-            * chain_omega_1_dot;
-    let t224 = t204 * cos_chain_theta_2 + t205 * sin_chain_theta_2
-        + t206 * cos_chain_theta_2 + t207 * sin_chain_theta_2 + t208 * cos_chain_theta_2
-        + t209 * sin_chain_theta_2 + t210 * cos_chain_theta_2 + t211 * sin_chain_theta_2
-        + t212 * cos_chain_theta_2 + t213 * sin_chain_theta_2 + t214 * cos_chain_theta_2
-        + t215 * sin_chain_theta_2;
-    let t225 = t223
-        + R::literal(0.5)
-            * (t224 + t216 * cos_chain_theta_2 + t217 * sin_chain_theta_2
-                + t218 * cos_chain_theta_2 + t219 * sin_chain_theta_2
-                + t220 * cos_chain_theta_2 + t221 * sin_chain_theta_2)
-            * chain_omega_2_dot;
-    let t226 = t206 * cos_chain_theta_3 + t207 * sin_chain_theta_3
-        + t208 * cos_chain_theta_3 + t209 * sin_chain_theta_3 + t210 * cos_chain_theta_3
-        + t211 * sin_chain_theta_3 + t212 * cos_chain_theta_3 + t213 * sin_chain_theta_3
-        + t214 * cos_chain_theta_3 + t215 * sin_chain_theta_3 + t216 * cos_chain_theta_3
-        + t217 * sin_chain_theta_3;
-    let t227 = t208 * cos_chain_theta_4 + t209 * sin_chain_theta_4
-        + t210 * cos_chain_theta_4 + t211 * sin_chain_theta_4 + t212 * cos_chain_theta_4
-        + t213 * sin_chain_theta_4 + t214 * cos_chain_theta_4 + t215 * sin_chain_theta_4
-        + t216 * cos_chain_theta_4 + t217 * sin_chain_theta_4 + t218 * cos_chain_theta_4
-        + t219 * sin_chain_theta_4;
-    let t228 = R::literal(0.5)
-        * (t210 * cos_chain_theta_5 + t211 * sin_chain_theta_5 + t212 * cos_chain_theta_5
-            + t213 * sin_chain_theta_5 + t214 * cos_chain_theta_5
-            + t215 * sin_chain_theta_5 + t216 * cos_chain_theta_5
-            + t217 * sin_chain_theta_5 + t218 * cos_chain_theta_5
-            + t219 * sin_chain_theta_5 + t220 * cos_chain_theta_5
-            + t221 * sin_chain_theta_5);
-    let t229 = R::literal(0.5)
-        * (t212 * cos_chain_theta_6 + t213 * sin_chain_theta_6 + t214 * cos_chain_theta_6
-            + t215 * sin_chain_theta_6 + t216 * cos_chain_theta_6
-            + t217 * sin_chain_theta_6 + t218 * cos_chain_theta_6
-            + t219 * sin_chain_theta_6 + t220 * cos_chain_theta_6
-            + t221 * sin_chain_theta_6) * chain_omega_6_dot;
-    let t230 = t225
-        + R::literal(0.5)
-            * (t226 + t218 * cos_chain_theta_3 + t219 * sin_chain_theta_3
-                + t220 * cos_chain_theta_3 + t221 * sin_chain_theta_3)
-            * chain_omega_3_dot
-        + R::literal(0.5) * (t227 + t220 * cos_chain_theta_4 + t221 * sin_chain_theta_4)
-            * chain_omega_4_dot + t228 * chain_omega_5_dot + t229;
-    let t231 = t230
-        + R::literal(0.5)
-            * (t214 * cos_chain_theta_7 + t215 * sin_chain_theta_7
-                + t216 * cos_chain_theta_7 + t217 * sin_chain_theta_7
-                + t218 * cos_chain_theta_7 + t219 * sin_chain_theta_7
-                + t220 * cos_chain_theta_7 + t221 * sin_chain_theta_7)
-            * chain_omega_7_dot;
-    let t232 = t231
-        + R::literal(0.5)
-            * (t216 * cos_chain_theta_8 + t217 * sin_chain_theta_8
-                + t218 * cos_chain_theta_8 + t219 * sin_chain_theta_8
-                + t220 * cos_chain_theta_8 + t221 * sin_chain_theta_8)
-            * chain_omega_8_dot
-        + R::literal(0.5)
-            * (t218 * cos_chain_theta_9 + t219 * sin_chain_theta_9
-                + t220 * cos_chain_theta_9 + t221 * sin_chain_theta_9)
-            * chain_omega_9_dot;
+    let t125 = R::literal(78.48) * sin_chain_theta_3;
+    let t126 = chain_theta_3_minus_chain_theta_4.sin();
+    let t127 = chain_theta_3_minus_chain_theta_5.sin();
+    let t128 = chain_theta_3_minus_chain_theta_6.sin();
+    let t129 = chain_theta_3_minus_chain_theta_7.sin();
+    let t130 = chain_theta_3_minus_chain_theta_8.sin();
+    let t131 = chain_theta_3_minus_chain_theta_9.sin();
+    let t132 = chain_theta_3_minus_chain_theta_10.sin();
+    let t133 = R::literal(68.67) * sin_chain_theta_4;
+    let t134 = chain_theta_4_minus_chain_theta_5.sin();
+    let t135 = chain_theta_4_minus_chain_theta_6.sin();
+    let t136 = chain_theta_4_minus_chain_theta_7.sin();
+    let t137 = chain_theta_4_minus_chain_theta_8.sin();
+    let t138 = chain_theta_4_minus_chain_theta_9.sin();
+    let t139 = chain_theta_4_minus_chain_theta_10.sin();
+    let t140 = R::literal(58.86) * sin_chain_theta_5;
+    let t141 = chain_theta_5_minus_chain_theta_6.sin();
+    let t142 = chain_theta_5_minus_chain_theta_7.sin();
+    let t143 = chain_theta_5_minus_chain_theta_8.sin();
+    let t144 = chain_theta_5_minus_chain_theta_9.sin();
+    let t145 = chain_theta_5_minus_chain_theta_10.sin();
+    let t146 = R::literal(49.05) * sin_chain_theta_6;
+    let t147 = chain_theta_6_minus_chain_theta_7.sin();
+    let t148 = chain_theta_6_minus_chain_theta_8.sin();
+    let t149 = chain_theta_6_minus_chain_theta_9.sin();
+    let t150 = chain_theta_6_minus_chain_theta_10.sin();
+    let t151 = R::literal(39.24) * sin_chain_theta_7;
+    let t152 = chain_theta_7_minus_chain_theta_8.sin();
+    let t153 = chain_theta_7_minus_chain_theta_9.sin();
+    let t154 = chain_theta_7_minus_chain_theta_10.sin();
+    let t155 = R::literal(29.43) * sin_chain_theta_8;
+    let t156 = chain_theta_8_minus_chain_theta_9.sin();
+    let t157 = chain_theta_8_minus_chain_theta_10.sin();
+    let t158 = R::literal(19.62) * sin_chain_theta_9;
+    let t159 = chain_theta_9_minus_chain_theta_10.sin();
+    let t160 = R::literal(9.81) * sin_chain_theta_10;
+    let t161 = (-t116)
+        .add_product(R::literal(9.0) * chain_omega_1_squared, t99)
+        .sub_product(t101, t117)
+        .sub_product(t103, t118)
+        .sub_product(t105, t119)
+        .sub_product(t107, t120)
+        .sub_product(t109, t121)
+        .sub_product(t111, t122)
+        .sub_product(t113, t123)
+        .sub_product(chain_omega_10_squared, t124)
+        .sub_product(t9, t115);
+    let t162 = ((R::literal(8.0) * chain_omega_1_squared * t100)
+        .add_product(R::literal(8.0) * chain_omega_2_squared, t117) - t125)
+        .sub_product(t103, t126)
+        .sub_product(t105, t127)
+        .sub_product(t107, t128)
+        .sub_product(t109, t129)
+        .sub_product(t111, t130)
+        .sub_product(t113, t131)
+        .sub_product(chain_omega_10_squared, t132)
+        .sub_product(t10, t115)
+        .sub_product(t20, t161);
+    let t163 = ((R::literal(7.0) * chain_omega_1_squared * t102)
+        .add_product(R::literal(7.0) * chain_omega_2_squared, t118)
+        .add_product(R::literal(7.0) * chain_omega_3_squared, t126) - t133)
+        .sub_product(t105, t134)
+        .sub_product(t107, t135)
+        .sub_product(t109, t136)
+        .sub_product(t111, t137)
+        .sub_product(t113, t138)
+        .sub_product(chain_omega_10_squared, t139)
+        .sub_product(t11, t115)
+        .sub_product(t22, t161)
+        .sub_product(t37, t162);
+    let t164 = ((R::literal(6.0) * chain_omega_1_squared * t104)
+        .add_product(R::literal(6.0) * chain_omega_2_squared, t119)
+        .add_product(R::literal(6.0) * chain_omega_3_squared, t127)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t134) - t140)
+        .sub_product(t107, t141)
+        .sub_product(t109, t142)
+        .sub_product(t111, t143)
+        .sub_product(t113, t144)
+        .sub_product(chain_omega_10_squared, t145)
+        .sub_product(t12, t115)
+        .sub_product(t24, t161)
+        .sub_product(t39, t162)
+        .sub_product(t52, t163);
+    let t165 = ((R::literal(5.0) * chain_omega_1_squared * t106)
+        .add_product(R::literal(5.0) * chain_omega_2_squared, t120)
+        .add_product(R::literal(5.0) * chain_omega_3_squared, t128)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t135)
+        .add_product(R::literal(5.0) * chain_omega_5_squared, t141) - t146)
+        .sub_product(t109, t147)
+        .sub_product(t111, t148)
+        .sub_product(t113, t149)
+        .sub_product(chain_omega_10_squared, t150)
+        .sub_product(t13, t115)
+        .sub_product(t26, t161)
+        .sub_product(t41, t162)
+        .sub_product(t54, t163)
+        .sub_product(t65, t164);
+    let t166 = ((R::literal(4.0) * chain_omega_1_squared * t108)
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t121)
+        .add_product(R::literal(4.0) * chain_omega_3_squared, t129)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t136)
+        .add_product(R::literal(4.0) * chain_omega_5_squared, t142)
+        .add_product(R::literal(4.0) * chain_omega_6_squared, t147) - t151)
+        .sub_product(t111, t152)
+        .sub_product(t113, t153)
+        .sub_product(chain_omega_10_squared, t154)
+        .sub_product(t14, t115)
+        .sub_product(t28, t161)
+        .sub_product(t43, t162)
+        .sub_product(t56, t163)
+        .sub_product(t67, t164)
+        .sub_product(t76, t165);
+    let t167 = ((R::literal(3.0) * chain_omega_1_squared * t110)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t122)
+        .add_product(R::literal(3.0) * chain_omega_3_squared, t130)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t137)
+        .add_product(R::literal(3.0) * chain_omega_5_squared, t143)
+        .add_product(R::literal(3.0) * chain_omega_6_squared, t148)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t152) - t155)
+        .sub_product(t113, t156)
+        .sub_product(chain_omega_10_squared, t157)
+        .sub_product(t15, t115)
+        .sub_product(t30, t161)
+        .sub_product(t45, t162)
+        .sub_product(t58, t163)
+        .sub_product(t69, t164)
+        .sub_product(t78, t165)
+        .sub_product(t85, t166);
+    let t168 = ((R::literal(2.0) * chain_omega_1_squared * t112)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t123)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t131)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t138)
+        .add_product(R::literal(2.0) * chain_omega_5_squared, t144)
+        .add_product(R::literal(2.0) * chain_omega_6_squared, t149)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t153)
+        .add_product(R::literal(2.0) * chain_omega_8_squared, t156) - t158)
+        .sub_product(chain_omega_10_squared, t159)
+        .sub_product(t16, t115)
+        .sub_product(t32, t161)
+        .sub_product(t47, t162)
+        .sub_product(t60, t163)
+        .sub_product(t71, t164)
+        .sub_product(t80, t165);
+    let t169 = t168.sub_product(t87, t166).sub_product(t92, t167);
+    let t170 = ((chain_omega_1_squared * t114)
+        .add_product(chain_omega_2_squared, t124)
+        .add_product(chain_omega_3_squared, t132)
+        .add_product(chain_omega_4_squared, t139)
+        .add_product(chain_omega_5_squared, t145)
+        .add_product(chain_omega_6_squared, t150)
+        .add_product(chain_omega_7_squared, t154)
+        .add_product(chain_omega_8_squared, t157)
+        .add_product(chain_omega_9_squared, t159) - t160)
+        .sub_product(t17, t115)
+        .sub_product(t34, t161)
+        .sub_product(t49, t162)
+        .sub_product(t62, t163)
+        .sub_product(t73, t164)
+        .sub_product(t82, t165)
+        .sub_product(t89, t166)
+        .sub_product(t94, t167)
+        .sub_product(t97, t169);
+    let chain_omega_10_dot = t170
+        * (R::literal(1.0)
+            / R::literal(1.0)
+                .sub_product(t17, t8)
+                .sub_product(t34, t33)
+                .sub_product(t49, t48)
+                .sub_product(t62, t61)
+                .sub_product(t73, t72)
+                .sub_product(t82, t81)
+                .sub_product(t89, t88)
+                .sub_product(t94, t93)
+                .sub_product(t97, t96));
+    let chain_omega_9_dot = (t169 * t95).sub_product(t97, chain_omega_10_dot);
+    let chain_omega_8_dot = (t167 * t90)
+        .sub_product(t92, chain_omega_9_dot)
+        .sub_product(t94, chain_omega_10_dot);
+    let chain_omega_7_dot = (t166 * t83)
+        .sub_product(t85, chain_omega_8_dot)
+        .sub_product(t87, chain_omega_9_dot)
+        .sub_product(t89, chain_omega_10_dot);
+    let chain_omega_6_dot = (t165 * t74)
+        .sub_product(t76, chain_omega_7_dot)
+        .sub_product(t78, chain_omega_8_dot)
+        .sub_product(t80, chain_omega_9_dot)
+        .sub_product(t82, chain_omega_10_dot);
+    let chain_omega_5_dot = (t164 * t63)
+        .sub_product(t65, chain_omega_6_dot)
+        .sub_product(t67, chain_omega_7_dot)
+        .sub_product(t69, chain_omega_8_dot)
+        .sub_product(t71, chain_omega_9_dot)
+        .sub_product(t73, chain_omega_10_dot);
+    let chain_omega_4_dot = (t163 * t50)
+        .sub_product(t52, chain_omega_5_dot)
+        .sub_product(t54, chain_omega_6_dot)
+        .sub_product(t56, chain_omega_7_dot)
+        .sub_product(t58, chain_omega_8_dot)
+        .sub_product(t60, chain_omega_9_dot)
+        .sub_product(t62, chain_omega_10_dot);
+    let chain_omega_3_dot = (t162 * t35)
+        .sub_product(t37, chain_omega_4_dot)
+        .sub_product(t39, chain_omega_5_dot)
+        .sub_product(t41, chain_omega_6_dot)
+        .sub_product(t43, chain_omega_7_dot)
+        .sub_product(t45, chain_omega_8_dot)
+        .sub_product(t47, chain_omega_9_dot)
+        .sub_product(t49, chain_omega_10_dot);
+    let chain_omega_2_dot = (t161 * t18)
+        .sub_product(t20, chain_omega_3_dot)
+        .sub_product(t22, chain_omega_4_dot)
+        .sub_product(t24, chain_omega_5_dot)
+        .sub_product(t26, chain_omega_6_dot)
+        .sub_product(t28, chain_omega_7_dot)
+        .sub_product(t30, chain_omega_8_dot)
+        .sub_product(t32, chain_omega_9_dot)
+        .sub_product(t34, chain_omega_10_dot);
+    let chain_omega_1_dot = (t115 * R::literal(0.1))
+        .sub_product(t9, chain_omega_2_dot)
+        .sub_product(t10, chain_omega_3_dot)
+        .sub_product(t11, chain_omega_4_dot)
+        .sub_product(t12, chain_omega_5_dot)
+        .sub_product(t13, chain_omega_6_dot)
+        .sub_product(t14, chain_omega_7_dot)
+        .sub_product(t15, chain_omega_8_dot)
+        .sub_product(t16, chain_omega_9_dot)
+        .sub_product(t17, chain_omega_10_dot);
+    let t171 = R::literal(2.0) * chain_omega_2;
+    let t172 = R::literal(2.0) * chain_omega_3;
+    let t173 = R::literal(2.0) * chain_omega_4;
+    let t174 = R::literal(2.0) * chain_omega_5;
+    let t175 = R::literal(2.0) * chain_omega_6;
+    let t176 = R::literal(2.0) * chain_omega_7;
+    let t177 = R::literal(2.0) * chain_omega_8;
+    let t178 = R::literal(2.0) * chain_omega_9;
+    let t179 = R::literal(2.0) * chain_omega_10;
+    let t180 = R::literal(2.0) * chain_v_1;
+    let t181 = R::literal(2.0) * chain_u_1;
+    let t182 = t98
+        .add_product(
+            R::literal(0.5),
+            (t181 * chain_v_2)
+                .add_product(t181, chain_v_3)
+                .add_product(t181, chain_v_4)
+                .add_product(t181, chain_v_5)
+                .add_product(t181, chain_v_6)
+                .add_product(t181, chain_v_7)
+                .add_product(t181, chain_v_8)
+                .add_product(t181, chain_v_9)
+                .add_product(t181, chain_v_10)
+                .sub_product(t180, chain_u_2)
+                .sub_product(t180, chain_u_3)
+                .sub_product(t180, chain_u_4)
+                .sub_product(t180, chain_u_5)
+                .sub_product(t180, chain_u_6)
+                .sub_product(t180, chain_u_7)
+                .sub_product(t180, chain_u_8)
+                .sub_product(t180, chain_u_9)
+                .sub_product(t180, chain_u_10),
+        ) * chain_omega_1;
+    let t183 = (t171 * chain_v_2 * cos_chain_theta_2)
+        .add_product(t171 * chain_v_3, cos_chain_theta_2)
+        .add_product(t171 * chain_v_4, cos_chain_theta_2)
+        .add_product(t171 * chain_v_5, cos_chain_theta_2)
+        .add_product(t171 * chain_v_6, cos_chain_theta_2)
+        .add_product(t171 * chain_v_7, cos_chain_theta_2)
+        .add_product(t171 * chain_v_8, cos_chain_theta_2)
+        .add_product(t171 * chain_v_9, cos_chain_theta_2)
+        .add_product(t171 * chain_v_10, cos_chain_theta_2)
+        .sub_product(t171 * chain_u_2, sin_chain_theta_2)
+        .sub_product(t171 * chain_u_3, sin_chain_theta_2)
+        .sub_product(t171 * chain_u_4, sin_chain_theta_2);
+    let t184 = (t172 * chain_v_3 * cos_chain_theta_3)
+        .add_product(t172 * chain_v_4, cos_chain_theta_3)
+        .add_product(t172 * chain_v_5, cos_chain_theta_3)
+        .add_product(t172 * chain_v_6, cos_chain_theta_3)
+        .add_product(t172 * chain_v_7, cos_chain_theta_3)
+        .add_product(t172 * chain_v_8, cos_chain_theta_3)
+        .add_product(t172 * chain_v_9, cos_chain_theta_3)
+        .add_product(t172 * chain_v_10, cos_chain_theta_3)
+        .sub_product(t172 * chain_u_3, sin_chain_theta_3)
+        .sub_product(t172 * chain_u_4, sin_chain_theta_3)
+        .sub_product(t172 * chain_u_5, sin_chain_theta_3)
+        .sub_product(t172 * chain_u_6, sin_chain_theta_3);
+    let t185 = t182
+        .add_product(
+            t116
+                .add_product(
+                    R::literal(0.5),
+                    t183
+                        .sub_product(t171 * chain_u_5, sin_chain_theta_2)
+                        .sub_product(t171 * chain_u_6, sin_chain_theta_2)
+                        .sub_product(t171 * chain_u_7, sin_chain_theta_2)
+                        .sub_product(t171 * chain_u_8, sin_chain_theta_2)
+                        .sub_product(t171 * chain_u_9, sin_chain_theta_2)
+                        .sub_product(t171 * chain_u_10, sin_chain_theta_2),
+                ),
+            chain_omega_2,
+        )
+        .add_product(
+            t125
+                .add_product(
+                    R::literal(0.5),
+                    t184
+                        .sub_product(t172 * chain_u_7, sin_chain_theta_3)
+                        .sub_product(t172 * chain_u_8, sin_chain_theta_3)
+                        .sub_product(t172 * chain_u_9, sin_chain_theta_3)
+                        .sub_product(t172 * chain_u_10, sin_chain_theta_3),
+                ),
+            chain_omega_3,
+        );
+    let t186 = (t173 * chain_v_4 * cos_chain_theta_4)
+        .add_product(t173 * chain_v_5, cos_chain_theta_4)
+        .add_product(t173 * chain_v_6, cos_chain_theta_4)
+        .add_product(t173 * chain_v_7, cos_chain_theta_4)
+        .add_product(t173 * chain_v_8, cos_chain_theta_4)
+        .add_product(t173 * chain_v_9, cos_chain_theta_4)
+        .add_product(t173 * chain_v_10, cos_chain_theta_4)
+        .sub_product(t173 * chain_u_4, sin_chain_theta_4)
+        .sub_product(t173 * chain_u_5, sin_chain_theta_4)
+        .sub_product(t173 * chain_u_6, sin_chain_theta_4)
+        .sub_product(t173 * chain_u_7, sin_chain_theta_4)
+        .sub_product(t173 * chain_u_8, sin_chain_theta_4);
+    let t187 = (t174 * chain_v_5 * cos_chain_theta_5)
+        .add_product(t174 * chain_v_6, cos_chain_theta_5)
+        .add_product(t174 * chain_v_7, cos_chain_theta_5)
+        .add_product(t174 * chain_v_8, cos_chain_theta_5)
+        .add_product(t174 * chain_v_9, cos_chain_theta_5)
+        .add_product(t174 * chain_v_10, cos_chain_theta_5)
+        .sub_product(t174 * chain_u_5, sin_chain_theta_5)
+        .sub_product(t174 * chain_u_6, sin_chain_theta_5)
+        .sub_product(t174 * chain_u_7, sin_chain_theta_5)
+        .sub_product(t174 * chain_u_8, sin_chain_theta_5)
+        .sub_product(t174 * chain_u_9, sin_chain_theta_5)
+        .sub_product(t174 * chain_u_10, sin_chain_theta_5);
+    let t188 = t146
+        .add_product(
+            R::literal(0.5),
+            (t175 * chain_v_6 * cos_chain_theta_6)
+                .add_product(t175 * chain_v_7, cos_chain_theta_6)
+                .add_product(t175 * chain_v_8, cos_chain_theta_6)
+                .add_product(t175 * chain_v_9, cos_chain_theta_6)
+                .add_product(t175 * chain_v_10, cos_chain_theta_6)
+                .sub_product(t175 * chain_u_6, sin_chain_theta_6)
+                .sub_product(t175 * chain_u_7, sin_chain_theta_6)
+                .sub_product(t175 * chain_u_8, sin_chain_theta_6)
+                .sub_product(t175 * chain_u_9, sin_chain_theta_6)
+                .sub_product(t175 * chain_u_10, sin_chain_theta_6),
+        );
+    let t189 = t151
+        .add_product(
+            R::literal(0.5),
+            (t176 * chain_v_7 * cos_chain_theta_7)
+                .add_product(t176 * chain_v_8, cos_chain_theta_7)
+                .add_product(t176 * chain_v_9, cos_chain_theta_7)
+                .add_product(t176 * chain_v_10, cos_chain_theta_7)
+                .sub_product(t176 * chain_u_7, sin_chain_theta_7)
+                .sub_product(t176 * chain_u_8, sin_chain_theta_7)
+                .sub_product(t176 * chain_u_9, sin_chain_theta_7)
+                .sub_product(t176 * chain_u_10, sin_chain_theta_7),
+        );
+    let t190 = t185
+        .add_product(
+            t133
+                .add_product(
+                    R::literal(0.5),
+                    t186
+                        .sub_product(t173 * chain_u_9, sin_chain_theta_4)
+                        .sub_product(t173 * chain_u_10, sin_chain_theta_4),
+                ),
+            chain_omega_4,
+        )
+        .add_product(t140.add_product(R::literal(0.5), t187), chain_omega_5)
+        .add_product(t188, chain_omega_6)
+        .add_product(t189, chain_omega_7)
+        .add_product(
+            t155
+                .add_product(
+                    R::literal(0.5),
+                    (t177 * chain_v_8 * cos_chain_theta_8)
+                        .add_product(t177 * chain_v_9, cos_chain_theta_8)
+                        .add_product(t177 * chain_v_10, cos_chain_theta_8)
+                        .sub_product(t177 * chain_u_8, sin_chain_theta_8)
+                        .sub_product(t177 * chain_u_9, sin_chain_theta_8)
+                        .sub_product(t177 * chain_u_10, sin_chain_theta_8),
+                ),
+            chain_omega_8,
+        );
+    let t191 = R::literal(2.0) * chain_u_2;
+    let t192 = R::literal(2.0) * chain_v_2;
+    let t193 = R::literal(2.0) * chain_u_3;
+    let t194 = R::literal(2.0) * chain_v_3;
+    let t195 = R::literal(2.0) * chain_u_4;
+    let t196 = R::literal(2.0) * chain_v_4;
+    let t197 = R::literal(2.0) * chain_u_5;
+    let t198 = R::literal(2.0) * chain_v_5;
+    let t199 = R::literal(2.0) * chain_u_6;
+    let t200 = R::literal(2.0) * chain_v_6;
+    let t201 = R::literal(2.0) * chain_u_7;
+    let t202 = R::literal(2.0) * chain_v_7;
+    let t203 = R::literal(2.0) * chain_u_8;
+    let t204 = R::literal(2.0) * chain_v_8;
+    let t205 = R::literal(2.0) * chain_u_9;
+    let t206 = R::literal(2.0) * chain_v_9;
+    let t207 = R::literal(2.0) * chain_u_10;
+    let t208 = R::literal(2.0) * chain_v_10;
+    let t209 = R::literal(0.5)
+        * (t181 * cos_chain_theta_1)
+            .add_product(t180, sin_chain_theta_1)
+            .add_product(t191, cos_chain_theta_1)
+            .add_product(t192, sin_chain_theta_1)
+            .add_product(t193, cos_chain_theta_1)
+            .add_product(t194, sin_chain_theta_1)
+            .add_product(t195, cos_chain_theta_1)
+            .add_product(t196, sin_chain_theta_1)
+            .add_product(t197, cos_chain_theta_1)
+            .add_product(t198, sin_chain_theta_1)
+            .add_product(t199, cos_chain_theta_1)
+            .add_product(t200, sin_chain_theta_1)
+            .add_product(t201, cos_chain_theta_1)
+            .add_product(t202, sin_chain_theta_1)
+            .add_product(t203, cos_chain_theta_1)
+            .add_product(t204, sin_chain_theta_1)
+            .add_product(t205, cos_chain_theta_1)
+            .add_product(t206, sin_chain_theta_1)
+            .add_product(t207, cos_chain_theta_1)
+            .add_product(t208, sin_chain_theta_1);
+    let t210 = R::literal(0.5)
+        * (t191 * cos_chain_theta_2)
+            .add_product(t192, sin_chain_theta_2)
+            .add_product(t193, cos_chain_theta_2)
+            .add_product(t194, sin_chain_theta_2)
+            .add_product(t195, cos_chain_theta_2)
+            .add_product(t196, sin_chain_theta_2)
+            .add_product(t197, cos_chain_theta_2)
+            .add_product(t198, sin_chain_theta_2)
+            .add_product(t199, cos_chain_theta_2)
+            .add_product(t200, sin_chain_theta_2)
+            .add_product(t201, cos_chain_theta_2)
+            .add_product(t202, sin_chain_theta_2)
+            .add_product(t203, cos_chain_theta_2)
+            .add_product(t204, sin_chain_theta_2)
+            .add_product(t205, cos_chain_theta_2)
+            .add_product(t206, sin_chain_theta_2)
+            .add_product(t207, cos_chain_theta_2)
+            .add_product(t208, sin_chain_theta_2);
+    let t211 = t190
+        .add_product(
+            t158
+                .add_product(
+                    R::literal(0.5),
+                    (t178 * chain_v_9 * cos_chain_theta_9)
+                        .add_product(t178 * chain_v_10, cos_chain_theta_9)
+                        .sub_product(t178 * chain_u_9, sin_chain_theta_9)
+                        .sub_product(t178 * chain_u_10, sin_chain_theta_9),
+                ),
+            chain_omega_9,
+        )
+        .add_product(
+            t160
+                .add_product(
+                    R::literal(0.5),
+                    (t179 * chain_v_10 * cos_chain_theta_10)
+                        .sub_product(t179 * chain_u_10, sin_chain_theta_10),
+                ),
+            chain_omega_10,
+        )
+        .add_product(t209, chain_omega_1_dot)
+        .add_product(t210, chain_omega_2_dot);
+    let t212 = t211
+        .add_product(
+            R::literal(0.5)
+                * (t193 * cos_chain_theta_3)
+                    .add_product(t194, sin_chain_theta_3)
+                    .add_product(t195, cos_chain_theta_3)
+                    .add_product(t196, sin_chain_theta_3)
+                    .add_product(t197, cos_chain_theta_3)
+                    .add_product(t198, sin_chain_theta_3)
+                    .add_product(t199, cos_chain_theta_3)
+                    .add_product(t200, sin_chain_theta_3)
+                    .add_product(t201, cos_chain_theta_3)
+                    .add_product(t202, sin_chain_theta_3)
+                    .add_product(t203, cos_chain_theta_3)
+                    .add_product(t204, sin_chain_theta_3)
+                    .add_product(t205, cos_chain_theta_3)
+                    .add_product(t206, sin_chain_theta_3)
+                    .add_product(t207, cos_chain_theta_3)
+                    .add_product(t208, sin_chain_theta_3),
+            chain_omega_3_dot,
+        );
+    let t213 = t212
+        .add_product(
+            R::literal(0.5)
+                * (t195 * cos_chain_theta_4)
+                    .add_product(t196, sin_chain_theta_4)
+                    .add_product(t197, cos_chain_theta_4)
+                    .add_product(t198, sin_chain_theta_4)
+                    .add_product(t199, cos_chain_theta_4)
+                    .add_product(t200, sin_chain_theta_4)
+                    .add_product(t201, cos_chain_theta_4)
+                    .add_product(t202, sin_chain_theta_4)
+                    .add_product(t203, cos_chain_theta_4)
+                    .add_product(t204, sin_chain_theta_4)
+                    .add_product(t205, cos_chain_theta_4)
+                    .add_product(t206, sin_chain_theta_4)
+                    .add_product(t207, cos_chain_theta_4)
+                    .add_product(t208, sin_chain_theta_4),
+            chain_omega_4_dot,
+        );
+    let t214 = t213
+        .add_product(
+            R::literal(0.5)
+                * (t197 * cos_chain_theta_5)
+                    .add_product(t198, sin_chain_theta_5)
+                    .add_product(t199, cos_chain_theta_5)
+                    .add_product(t200, sin_chain_theta_5)
+                    .add_product(t201, cos_chain_theta_5)
+                    .add_product(t202, sin_chain_theta_5)
+                    .add_product(t203, cos_chain_theta_5)
+                    .add_product(t204, sin_chain_theta_5)
+                    .add_product(t205, cos_chain_theta_5)
+                    .add_product(t206, sin_chain_theta_5)
+                    .add_product(t207, cos_chain_theta_5)
+                    .add_product(t208, sin_chain_theta_5),
+            chain_omega_5_dot,
+        );
+    let t215 = t214
+        .add_product(
+            R::literal(0.5)
+                * (t199 * cos_chain_theta_6)
+                    .add_product(t200, sin_chain_theta_6)
+                    .add_product(t201, cos_chain_theta_6)
+                    .add_product(t202, sin_chain_theta_6)
+                    .add_product(t203, cos_chain_theta_6)
+                    .add_product(t204, sin_chain_theta_6)
+                    .add_product(t205, cos_chain_theta_6)
+                    .add_product(t206, sin_chain_theta_6)
+                    .add_product(t207, cos_chain_theta_6)
+                    .add_product(t208, sin_chain_theta_6),
+            chain_omega_6_dot,
+        )
+        .add_product(
+            R::literal(0.5)
+                * (t201 * cos_chain_theta_7)
+                    .add_product(t202, sin_chain_theta_7)
+                    .add_product(t203, cos_chain_theta_7)
+                    .add_product(t204, sin_chain_theta_7)
+                    .add_product(t205, cos_chain_theta_7)
+                    .add_product(t206, sin_chain_theta_7)
+                    .add_product(t207, cos_chain_theta_7)
+                    .add_product(t208, sin_chain_theta_7),
+            chain_omega_7_dot,
+        );
     PowerBalance {
-        stored_rate: t232
-            + R::literal(0.5) * (t220 * cos_chain_theta_10 + t221 * sin_chain_theta_10)
-                * chain_omega_10_dot,
+        stored_rate: t215
+            .add_product(
+                R::literal(0.5)
+                    * (t203 * cos_chain_theta_8)
+                        .add_product(t204, sin_chain_theta_8)
+                        .add_product(t205, cos_chain_theta_8)
+                        .add_product(t206, sin_chain_theta_8)
+                        .add_product(t207, cos_chain_theta_8)
+                        .add_product(t208, sin_chain_theta_8),
+                chain_omega_8_dot,
+            )
+            .add_product(
+                R::literal(0.5)
+                    * (t205 * cos_chain_theta_9)
+                        .add_product(t206, sin_chain_theta_9)
+                        .add_product(t207, cos_chain_theta_9)
+                        .add_product(t208, sin_chain_theta_9),
+                chain_omega_9_dot,
+            )
+            .add_product(
+                R::literal(0.5)
+                    * (t207 * cos_chain_theta_10).add_product(t208, sin_chain_theta_10),
+                chain_omega_10_dot,
+            ),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }

@@ -215,17 +215,17 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let cos_chain_theta_1 = chain_theta_1.cos();
     let sin_chain_theta_2 = chain_theta_2.sin();
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let t0 = sin_chain_theta_1 * cos_chain_theta_2
-        - cos_chain_theta_1 * sin_chain_theta_2;
-    let t1 = cos_chain_theta_1 * cos_chain_theta_2
-        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
+        .add_product(sin_chain_theta_1, sin_chain_theta_2);
     let t2 = t1 * R::literal(0.5);
-    let t3 = -(R::literal(19.62) * sin_chain_theta_1)
-        - chain_omega_2 * chain_omega_2 * t0;
-    let chain_omega_2_dot = (chain_omega_1 * chain_omega_1 * t0
-        - R::literal(9.81) * sin_chain_theta_2 - t2 * t3)
-        * (R::literal(1.0) / (R::literal(1.0) - t2 * t1));
-    let chain_omega_1_dot = t3 * R::literal(0.5) - t2 * chain_omega_2_dot;
+    let t3 = (-(R::literal(19.62) * sin_chain_theta_1))
+        .sub_product(chain_omega_2 * chain_omega_2, t0);
+    let chain_omega_2_dot = (-(R::literal(9.81) * sin_chain_theta_2))
+        .add_product(chain_omega_1 * chain_omega_1, t0)
+        .sub_product(t2, t3) * (R::literal(1.0) / R::literal(1.0).sub_product(t2, t1));
+    let chain_omega_1_dot = (t3 * R::literal(0.5)).sub_product(t2, chain_omega_2_dot);
     [chain_omega_1, chain_omega_2, chain_omega_1_dot, chain_omega_2_dot]
 }
 
@@ -254,10 +254,10 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
     let t0 = (chain_theta_1 - chain_theta_2).sin();
-    let chain_theta_1_forcing = -(R::literal(19.62) * chain_theta_1.sin())
-        - chain_omega_2 * chain_omega_2 * t0;
-    let chain_theta_2_forcing = chain_omega_1 * chain_omega_1 * t0
-        - R::literal(9.81) * chain_theta_2.sin();
+    let chain_theta_1_forcing = (-(R::literal(19.62) * chain_theta_1.sin()))
+        .sub_product(chain_omega_2 * chain_omega_2, t0);
+    let chain_theta_2_forcing = (-(R::literal(9.81) * chain_theta_2.sin()))
+        .add_product(chain_omega_1 * chain_omega_1, t0);
     [chain_theta_1_forcing, chain_theta_2_forcing]
 }
 
@@ -275,37 +275,40 @@ pub fn rate_jacobian<R: Real>(
     let cos_chain_theta_1 = chain_theta_1.cos();
     let sin_chain_theta_2 = chain_theta_2.sin();
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let t0 = sin_chain_theta_1 * cos_chain_theta_2
-        - cos_chain_theta_1 * sin_chain_theta_2;
-    let t1 = cos_chain_theta_1 * cos_chain_theta_2
-        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
+        .add_product(sin_chain_theta_1, sin_chain_theta_2);
     let t2 = t1 * R::literal(0.5);
-    let t3 = R::literal(1.0) / (R::literal(1.0) - t2 * t1);
+    let t3 = R::literal(1.0) / R::literal(1.0).sub_product(t2, t1);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t4 = -(R::literal(19.62) * sin_chain_theta_1) - chain_omega_2_squared * t0;
+    let t4 = (-(R::literal(19.62) * sin_chain_theta_1))
+        .sub_product(chain_omega_2_squared, t0);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_omega_2_dot = (chain_omega_1_squared * t0
-        - R::literal(9.81) * sin_chain_theta_2 - t2 * t4) * t3;
-    let chain_omega_1_dot = t4 * R::literal(0.5) - t2 * chain_omega_2_dot;
+    let chain_omega_2_dot = (-(R::literal(9.81) * sin_chain_theta_2))
+        .add_product(chain_omega_1_squared, t0)
+        .sub_product(t2, t4) * t3;
+    let chain_omega_1_dot = (t4 * R::literal(0.5)).sub_product(t2, chain_omega_2_dot);
     let t5 = chain_omega_2_squared * t1;
     let t6 = chain_omega_1_squared * t1;
     let t7 = t0 * chain_omega_2_dot;
-    let t8 = -(R::literal(19.62) * cos_chain_theta_1) - t5 + t7;
+    let t8 = (-t5).sub_product(R::literal(19.62), cos_chain_theta_1) + t7;
     let t9 = t0 * chain_omega_1_dot;
-    let chain_omega_2_dot_by_chain_theta_1 = (t6 + t9 - t2 * t8) * t3;
-    let chain_omega_1_dot_by_chain_theta_1 = t8 * R::literal(0.5)
-        - t2 * chain_omega_2_dot_by_chain_theta_1;
+    let chain_omega_2_dot_by_chain_theta_1 = (t6 + t9).sub_product(t2, t8) * t3;
+    let chain_omega_1_dot_by_chain_theta_1 = (t8 * R::literal(0.5))
+        .sub_product(t2, chain_omega_2_dot_by_chain_theta_1);
     let t10 = t5 - t7;
-    let chain_omega_2_dot_by_chain_theta_2 = (-(R::literal(9.81) * cos_chain_theta_2)
-        - t6 - t9 - t2 * t10) * t3;
-    let chain_omega_1_dot_by_chain_theta_2 = t10 * R::literal(0.5)
-        - t2 * chain_omega_2_dot_by_chain_theta_2;
+    let chain_omega_2_dot_by_chain_theta_2 = ((-t6)
+        .sub_product(R::literal(9.81), cos_chain_theta_2) - t9)
+        .sub_product(t2, t10) * t3;
+    let chain_omega_1_dot_by_chain_theta_2 = (t10 * R::literal(0.5))
+        .sub_product(t2, chain_omega_2_dot_by_chain_theta_2);
     let chain_omega_2_dot_by_chain_omega_1 = R::literal(2.0) * chain_omega_1 * t0 * t3;
     let chain_omega_1_dot_by_chain_omega_1 = -(t2 * chain_omega_2_dot_by_chain_omega_1);
     let t11 = R::literal(2.0) * chain_omega_2 * t0;
     let chain_omega_2_dot_by_chain_omega_2 = t2 * t11 * t3;
-    let chain_omega_1_dot_by_chain_omega_2 = -(t11 * R::literal(0.5))
-        - t2 * chain_omega_2_dot_by_chain_omega_2;
+    let chain_omega_1_dot_by_chain_omega_2 = (-(t11 * R::literal(0.5)))
+        .sub_product(t2, chain_omega_2_dot_by_chain_omega_2);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -372,14 +375,16 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
     let chain_v_1 = chain_omega_1 * chain_theta_1.sin();
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1 + chain_omega_2 * cos_chain_theta_2;
-    let chain_v_2 = chain_v_1 + chain_omega_2 * chain_theta_2.sin();
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, chain_theta_2.sin());
     Energy {
         kinetic: R::literal(0.5)
-            * (chain_u_1 * chain_u_1 + chain_v_1 * chain_v_1 + chain_u_2 * chain_u_2
-                + chain_v_2 * chain_v_2),
+            * (chain_u_1 * chain_u_1)
+                .add_product(chain_v_1, chain_v_1)
+                .add_product(chain_u_2, chain_u_2)
+                .add_product(chain_v_2, chain_v_2),
         potential: R::literal(9.81)
-            * (-(R::literal(2.0) * cos_chain_theta_1) - cos_chain_theta_2),
+            * (-cos_chain_theta_2).sub_product(R::literal(2.0), cos_chain_theta_1),
         stored: R::literal(0.0),
     }
 }
@@ -399,36 +404,51 @@ pub fn power_balance<R: Real>(
     let sin_chain_theta_1 = chain_theta_1.sin();
     let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1 + chain_omega_2 * cos_chain_theta_2;
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
     let sin_chain_theta_2 = chain_theta_2.sin();
-    let chain_v_2 = chain_v_1 + chain_omega_2 * sin_chain_theta_2;
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
     let t0 = chain_theta_1_minus_chain_theta_2.cos();
     let t1 = t0 * R::literal(0.5);
     let t2 = R::literal(19.62) * sin_chain_theta_1;
     let t3 = chain_theta_1_minus_chain_theta_2.sin();
-    let t4 = -t2 - chain_omega_2 * chain_omega_2 * t3;
+    let t4 = (-t2).sub_product(chain_omega_2 * chain_omega_2, t3);
     let t5 = R::literal(9.81) * sin_chain_theta_2;
-    let chain_omega_2_dot = (chain_omega_1 * chain_omega_1 * t3 - t5 - t1 * t4)
-        * (R::literal(1.0) / (R::literal(1.0) - t1 * t0));
-    let chain_omega_1_dot = t4 * R::literal(0.5) - t1 * chain_omega_2_dot;
+    let chain_omega_2_dot = (-t5)
+        .add_product(chain_omega_1 * chain_omega_1, t3)
+        .sub_product(t1, t4) * (R::literal(1.0) / R::literal(1.0).sub_product(t1, t0));
+    let chain_omega_1_dot = (t4 * R::literal(0.5)).sub_product(t1, chain_omega_2_dot);
     let t6 = R::literal(2.0) * chain_omega_2;
     let t7 = R::literal(2.0) * chain_v_1;
     let t8 = R::literal(2.0) * chain_u_1;
-    let t9 = (R::literal(0.5) * (t8 * chain_v_2 - t7 * chain_u_2) + t2) * chain_omega_1
-        + (R::literal(0.5)
-            * (t6 * chain_v_2 * cos_chain_theta_2 - t6 * chain_u_2 * sin_chain_theta_2)
-            + t5) * chain_omega_2;
-    let t10 = R::literal(2.0) * chain_u_2;
-    let t11 = R::literal(2.0) * chain_v_2;
+    let t9 = R::literal(2.0) * chain_u_2;
+    let t10 = R::literal(2.0) * chain_v_2;
     PowerBalance {
-        stored_rate: t9
-            + R::literal(0.5)
-                * (t8 * cos_chain_theta_1 + t7 * sin_chain_theta_1
-                    + t10 * cos_chain_theta_1 + t11 * sin_chain_theta_1)
-                * chain_omega_1_dot
-            + R::literal(0.5) * (t10 * cos_chain_theta_2 + t11 * sin_chain_theta_2)
-                * chain_omega_2_dot,
+        stored_rate: (t2
+            .add_product(R::literal(0.5), (t8 * chain_v_2).sub_product(t7, chain_u_2))
+            * chain_omega_1)
+            .add_product(
+                t5
+                    .add_product(
+                        R::literal(0.5),
+                        (t6 * chain_v_2 * cos_chain_theta_2)
+                            .sub_product(t6 * chain_u_2, sin_chain_theta_2),
+                    ),
+                chain_omega_2,
+            )
+            .add_product(
+                R::literal(0.5)
+                    * (t8 * cos_chain_theta_1)
+                        .add_product(t7, sin_chain_theta_1)
+                        .add_product(t9, cos_chain_theta_1)
+                        .add_product(t10, sin_chain_theta_1),
+                chain_omega_1_dot,
+            )
+            .add_product(
+                R::literal(0.5)
+                    * (t9 * cos_chain_theta_2).add_product(t10, sin_chain_theta_2),
+                chain_omega_2_dot,
+            ),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }

@@ -346,64 +346,79 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let cos_chain_theta_4 = chain_theta_4.cos();
     let sin_chain_theta_5 = chain_theta_5.sin();
     let cos_chain_theta_5 = chain_theta_5.cos();
-    let t0 = sin_chain_theta_1 * cos_chain_theta_2
-        - cos_chain_theta_1 * sin_chain_theta_2;
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
     let t1 = R::literal(4.0)
-        * (cos_chain_theta_1 * cos_chain_theta_2
-            + sin_chain_theta_1 * sin_chain_theta_2);
-    let t2 = sin_chain_theta_1 * cos_chain_theta_3
-        - cos_chain_theta_1 * sin_chain_theta_3;
+        * (cos_chain_theta_1 * cos_chain_theta_2)
+            .add_product(sin_chain_theta_1, sin_chain_theta_2);
+    let t2 = (sin_chain_theta_1 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_3);
     let t3 = R::literal(3.0)
-        * (cos_chain_theta_1 * cos_chain_theta_3
-            + sin_chain_theta_1 * sin_chain_theta_3);
-    let t4 = sin_chain_theta_1 * cos_chain_theta_4
-        - cos_chain_theta_1 * sin_chain_theta_4;
+        * (cos_chain_theta_1 * cos_chain_theta_3)
+            .add_product(sin_chain_theta_1, sin_chain_theta_3);
+    let t4 = (sin_chain_theta_1 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_4);
     let t5 = R::literal(2.0)
-        * (cos_chain_theta_1 * cos_chain_theta_4
-            + sin_chain_theta_1 * sin_chain_theta_4);
-    let t6 = sin_chain_theta_1 * cos_chain_theta_5
-        - cos_chain_theta_1 * sin_chain_theta_5;
-    let t7 = cos_chain_theta_1 * cos_chain_theta_5
-        + sin_chain_theta_1 * sin_chain_theta_5;
-    let t8 = sin_chain_theta_2 * cos_chain_theta_3
-        - cos_chain_theta_2 * sin_chain_theta_3;
-    let t9 = sin_chain_theta_2 * cos_chain_theta_4
-        - cos_chain_theta_2 * sin_chain_theta_4;
-    let t10 = sin_chain_theta_2 * cos_chain_theta_5
-        - cos_chain_theta_2 * sin_chain_theta_5;
-    let t11 = sin_chain_theta_3 * cos_chain_theta_4
-        - cos_chain_theta_3 * sin_chain_theta_4;
-    let t12 = sin_chain_theta_3 * cos_chain_theta_5
-        - cos_chain_theta_3 * sin_chain_theta_5;
-    let t13 = sin_chain_theta_4 * cos_chain_theta_5
-        - cos_chain_theta_4 * sin_chain_theta_5;
+        * (cos_chain_theta_1 * cos_chain_theta_4)
+            .add_product(sin_chain_theta_1, sin_chain_theta_4);
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_5);
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_1, sin_chain_theta_5);
+    let t8 = (sin_chain_theta_2 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_3);
+    let t9 = (sin_chain_theta_2 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_4);
+    let t10 = (sin_chain_theta_2 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_5);
+    let t11 = (sin_chain_theta_3 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_4);
+    let t12 = (sin_chain_theta_3 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_5);
+    let t13 = (sin_chain_theta_4 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_5);
     let t14 = t1 * R::literal(0.2);
     let t15 = t3 * R::literal(0.2);
     let t16 = t5 * R::literal(0.2);
     let t17 = t7 * R::literal(0.2);
-    let t18 = R::literal(1.0) / (R::literal(4.0) - t14 * t1);
-    let t19 = R::literal(3.0)
-        * (cos_chain_theta_2 * cos_chain_theta_3 + sin_chain_theta_2 * sin_chain_theta_3)
-        - t15 * t1;
+    let t18 = R::literal(1.0) / R::literal(4.0).sub_product(t14, t1);
+    let t19 = (R::literal(3.0)
+        * (cos_chain_theta_2 * cos_chain_theta_3)
+            .add_product(sin_chain_theta_2, sin_chain_theta_3))
+        .sub_product(t15, t1);
     let t20 = t19 * t18;
-    let t21 = R::literal(2.0)
-        * (cos_chain_theta_2 * cos_chain_theta_4 + sin_chain_theta_2 * sin_chain_theta_4)
-        - t16 * t1;
+    let t21 = (R::literal(2.0)
+        * (cos_chain_theta_2 * cos_chain_theta_4)
+            .add_product(sin_chain_theta_2, sin_chain_theta_4))
+        .sub_product(t16, t1);
     let t22 = t21 * t18;
-    let t23 = cos_chain_theta_2 * cos_chain_theta_5
-        + sin_chain_theta_2 * sin_chain_theta_5 - t17 * t1;
+    let t23 = (cos_chain_theta_2 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_2, sin_chain_theta_5)
+        .sub_product(t17, t1);
     let t24 = t23 * t18;
-    let t25 = R::literal(1.0) / (R::literal(3.0) - t15 * t3 - t20 * t19);
-    let t26 = R::literal(2.0)
-        * (cos_chain_theta_3 * cos_chain_theta_4 + sin_chain_theta_3 * sin_chain_theta_4)
-        - t16 * t3 - t22 * t19;
+    let t25 = R::literal(1.0)
+        / R::literal(3.0).sub_product(t15, t3).sub_product(t20, t19);
+    let t26 = (R::literal(2.0)
+        * (cos_chain_theta_3 * cos_chain_theta_4)
+            .add_product(sin_chain_theta_3, sin_chain_theta_4))
+        .sub_product(t16, t3)
+        .sub_product(t22, t19);
     let t27 = t26 * t25;
-    let t28 = cos_chain_theta_3 * cos_chain_theta_5
-        + sin_chain_theta_3 * sin_chain_theta_5 - t17 * t3 - t24 * t19;
+    let t28 = (cos_chain_theta_3 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_3, sin_chain_theta_5)
+        .sub_product(t17, t3)
+        .sub_product(t24, t19);
     let t29 = t28 * t25;
-    let t30 = R::literal(1.0) / (R::literal(2.0) - t16 * t5 - t22 * t21 - t27 * t26);
-    let t31 = cos_chain_theta_4 * cos_chain_theta_5
-        + sin_chain_theta_4 * sin_chain_theta_5 - t17 * t5 - t24 * t21 - t29 * t26;
+    let t30 = R::literal(1.0)
+        / R::literal(2.0)
+            .sub_product(t16, t5)
+            .sub_product(t22, t21)
+            .sub_product(t27, t26);
+    let t31 = (cos_chain_theta_4 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_4, sin_chain_theta_5)
+        .sub_product(t17, t5)
+        .sub_product(t24, t21)
+        .sub_product(t29, t26);
     let t32 = t31 * t30;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
@@ -411,36 +426,61 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
     let t34 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t35 = -(R::literal(49.05) * sin_chain_theta_1)
-        - R::literal(4.0) * chain_omega_2_squared * t0 - t33 * t2 - t34 * t4
-        - chain_omega_5_squared * t6;
+    let t35 = (-(R::literal(49.05) * sin_chain_theta_1))
+        .sub_product(R::literal(4.0) * chain_omega_2_squared, t0)
+        .sub_product(t33, t2)
+        .sub_product(t34, t4)
+        .sub_product(chain_omega_5_squared, t6);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t36 = R::literal(4.0) * chain_omega_1_squared * t0
-        - R::literal(39.24) * sin_chain_theta_2 - t33 * t8 - t34 * t9
-        - chain_omega_5_squared * t10 - t14 * t35;
-    let t37 = R::literal(3.0) * chain_omega_1_squared * t2
-        + R::literal(3.0) * chain_omega_2_squared * t8
-        - R::literal(29.43) * sin_chain_theta_3 - t34 * t11 - chain_omega_5_squared * t12
-        - t15 * t35 - t20 * t36;
-    let t38 = R::literal(2.0) * chain_omega_1_squared * t4
-        + R::literal(2.0) * chain_omega_2_squared * t9
-        + R::literal(2.0) * chain_omega_3_squared * t11
-        - R::literal(19.62) * sin_chain_theta_4 - chain_omega_5_squared * t13 - t16 * t35
-        - t22 * t36 - t27 * t37;
-    let t39 = chain_omega_1_squared * t6 + chain_omega_2_squared * t10
-        + chain_omega_3_squared * t12 + chain_omega_4_squared * t13
-        - R::literal(9.81) * sin_chain_theta_5 - t17 * t35 - t24 * t36 - t29 * t37
-        - t32 * t38;
-    let chain_omega_5_dot = t39
+    let t36 = (-(R::literal(39.24) * sin_chain_theta_2))
+        .add_product(R::literal(4.0) * chain_omega_1_squared, t0)
+        .sub_product(t33, t8)
+        .sub_product(t34, t9)
+        .sub_product(chain_omega_5_squared, t10)
+        .sub_product(t14, t35);
+    let t37 = (R::literal(3.0) * chain_omega_1_squared * t2)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t8)
+        .sub_product(R::literal(29.43), sin_chain_theta_3)
+        .sub_product(t34, t11)
+        .sub_product(chain_omega_5_squared, t12)
+        .sub_product(t15, t35)
+        .sub_product(t20, t36);
+    let t38 = (R::literal(2.0) * chain_omega_1_squared * t4)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t9)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t11)
+        .sub_product(R::literal(19.62), sin_chain_theta_4)
+        .sub_product(chain_omega_5_squared, t13)
+        .sub_product(t16, t35)
+        .sub_product(t22, t36)
+        .sub_product(t27, t37);
+    let chain_omega_5_dot = (chain_omega_1_squared * t6)
+        .add_product(chain_omega_2_squared, t10)
+        .add_product(chain_omega_3_squared, t12)
+        .add_product(chain_omega_4_squared, t13)
+        .sub_product(R::literal(9.81), sin_chain_theta_5)
+        .sub_product(t17, t35)
+        .sub_product(t24, t36)
+        .sub_product(t29, t37)
+        .sub_product(t32, t38)
         * (R::literal(1.0)
-            / (R::literal(1.0) - t17 * t7 - t24 * t23 - t29 * t28 - t32 * t31));
-    let chain_omega_4_dot = t38 * t30 - t32 * chain_omega_5_dot;
-    let chain_omega_3_dot = t37 * t25 - t27 * chain_omega_4_dot
-        - t29 * chain_omega_5_dot;
-    let chain_omega_2_dot = t36 * t18 - t20 * chain_omega_3_dot - t22 * chain_omega_4_dot
-        - t24 * chain_omega_5_dot;
-    let chain_omega_1_dot = t35 * R::literal(0.2) - t14 * chain_omega_2_dot
-        - t15 * chain_omega_3_dot - t16 * chain_omega_4_dot - t17 * chain_omega_5_dot;
+            / R::literal(1.0)
+                .sub_product(t17, t7)
+                .sub_product(t24, t23)
+                .sub_product(t29, t28)
+                .sub_product(t32, t31));
+    let chain_omega_4_dot = (t38 * t30).sub_product(t32, chain_omega_5_dot);
+    let chain_omega_3_dot = (t37 * t25)
+        .sub_product(t27, chain_omega_4_dot)
+        .sub_product(t29, chain_omega_5_dot);
+    let chain_omega_2_dot = (t36 * t18)
+        .sub_product(t20, chain_omega_3_dot)
+        .sub_product(t22, chain_omega_4_dot)
+        .sub_product(t24, chain_omega_5_dot);
+    let chain_omega_1_dot = (t35 * R::literal(0.2))
+        .sub_product(t14, chain_omega_2_dot)
+        .sub_product(t15, chain_omega_3_dot)
+        .sub_product(t16, chain_omega_4_dot)
+        .sub_product(t17, chain_omega_5_dot);
     [
         chain_omega_1,
         chain_omega_2,
@@ -526,30 +566,38 @@ pub fn forcing<R: Real>(
     let t4 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
     let t5 = (chain_theta_1 - chain_theta_5).sin();
-    let chain_theta_1_forcing = -(R::literal(49.05) * chain_theta_1.sin())
-        - R::literal(4.0) * chain_omega_2_squared * t0 - t2 * t1 - t4 * t3
-        - chain_omega_5_squared * t5;
+    let chain_theta_1_forcing = (-(R::literal(49.05) * chain_theta_1.sin()))
+        .sub_product(R::literal(4.0) * chain_omega_2_squared, t0)
+        .sub_product(t2, t1)
+        .sub_product(t4, t3)
+        .sub_product(chain_omega_5_squared, t5);
     let t6 = (chain_theta_2 - chain_theta_3).sin();
     let t7 = (chain_theta_2 - chain_theta_4).sin();
     let t8 = (chain_theta_2 - chain_theta_5).sin();
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = R::literal(4.0) * chain_omega_1_squared * t0
-        - R::literal(39.24) * chain_theta_2.sin() - t2 * t6 - t4 * t7
-        - chain_omega_5_squared * t8;
+    let chain_theta_2_forcing = (-(R::literal(39.24) * chain_theta_2.sin()))
+        .add_product(R::literal(4.0) * chain_omega_1_squared, t0)
+        .sub_product(t2, t6)
+        .sub_product(t4, t7)
+        .sub_product(chain_omega_5_squared, t8);
     let t9 = (chain_theta_3 - chain_theta_4).sin();
     let t10 = (chain_theta_3 - chain_theta_5).sin();
-    let chain_theta_3_forcing = R::literal(3.0) * chain_omega_1_squared * t1
-        + R::literal(3.0) * chain_omega_2_squared * t6
-        - R::literal(29.43) * chain_theta_3.sin() - t4 * t9
-        - chain_omega_5_squared * t10;
+    let chain_theta_3_forcing = (R::literal(3.0) * chain_omega_1_squared * t1)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t6)
+        .sub_product(R::literal(29.43), chain_theta_3.sin())
+        .sub_product(t4, t9)
+        .sub_product(chain_omega_5_squared, t10);
     let t11 = (chain_theta_4 - chain_theta_5).sin();
-    let chain_theta_4_forcing = R::literal(2.0) * chain_omega_1_squared * t3
-        + R::literal(2.0) * chain_omega_2_squared * t7
-        + R::literal(2.0) * chain_omega_3_squared * t9
-        - R::literal(19.62) * chain_theta_4.sin() - chain_omega_5_squared * t11;
-    let chain_theta_5_forcing = chain_omega_1_squared * t5 + chain_omega_2_squared * t8
-        + chain_omega_3_squared * t10 + chain_omega_4_squared * t11
-        - R::literal(9.81) * chain_theta_5.sin();
+    let chain_theta_4_forcing = (R::literal(2.0) * chain_omega_1_squared * t3)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t7)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t9)
+        .sub_product(R::literal(19.62), chain_theta_4.sin())
+        .sub_product(chain_omega_5_squared, t11);
+    let chain_theta_5_forcing = (chain_omega_1_squared * t5)
+        .add_product(chain_omega_2_squared, t8)
+        .add_product(chain_omega_3_squared, t10)
+        .add_product(chain_omega_4_squared, t11)
+        .sub_product(R::literal(9.81), chain_theta_5.sin());
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -580,70 +628,79 @@ pub fn rate_jacobian<R: Real>(
     let cos_chain_theta_4 = chain_theta_4.cos();
     let sin_chain_theta_5 = chain_theta_5.sin();
     let cos_chain_theta_5 = chain_theta_5.cos();
-    let t0 = sin_chain_theta_1 * cos_chain_theta_2
-        - cos_chain_theta_1 * sin_chain_theta_2;
-    let t1 = cos_chain_theta_1 * cos_chain_theta_2
-        + sin_chain_theta_1 * sin_chain_theta_2;
+    let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_2);
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
+        .add_product(sin_chain_theta_1, sin_chain_theta_2);
     let t2 = R::literal(4.0) * t1;
-    let t3 = sin_chain_theta_1 * cos_chain_theta_3
-        - cos_chain_theta_1 * sin_chain_theta_3;
-    let t4 = cos_chain_theta_1 * cos_chain_theta_3
-        + sin_chain_theta_1 * sin_chain_theta_3;
+    let t3 = (sin_chain_theta_1 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_3);
+    let t4 = (cos_chain_theta_1 * cos_chain_theta_3)
+        .add_product(sin_chain_theta_1, sin_chain_theta_3);
     let t5 = R::literal(3.0) * t4;
-    let t6 = sin_chain_theta_1 * cos_chain_theta_4
-        - cos_chain_theta_1 * sin_chain_theta_4;
-    let t7 = cos_chain_theta_1 * cos_chain_theta_4
-        + sin_chain_theta_1 * sin_chain_theta_4;
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_4);
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_1, sin_chain_theta_4);
     let t8 = R::literal(2.0) * t7;
-    let t9 = sin_chain_theta_1 * cos_chain_theta_5
-        - cos_chain_theta_1 * sin_chain_theta_5;
-    let t10 = cos_chain_theta_1 * cos_chain_theta_5
-        + sin_chain_theta_1 * sin_chain_theta_5;
-    let t11 = sin_chain_theta_2 * cos_chain_theta_3
-        - cos_chain_theta_2 * sin_chain_theta_3;
-    let t12 = cos_chain_theta_2 * cos_chain_theta_3
-        + sin_chain_theta_2 * sin_chain_theta_3;
-    let t13 = sin_chain_theta_2 * cos_chain_theta_4
-        - cos_chain_theta_2 * sin_chain_theta_4;
-    let t14 = cos_chain_theta_2 * cos_chain_theta_4
-        + sin_chain_theta_2 * sin_chain_theta_4;
-    let t15 = sin_chain_theta_2 * cos_chain_theta_5
-        - cos_chain_theta_2 * sin_chain_theta_5;
-    let t16 = cos_chain_theta_2 * cos_chain_theta_5
-        + sin_chain_theta_2 * sin_chain_theta_5;
-    let t17 = sin_chain_theta_3 * cos_chain_theta_4
-        - cos_chain_theta_3 * sin_chain_theta_4;
-    let t18 = cos_chain_theta_3 * cos_chain_theta_4
-        + sin_chain_theta_3 * sin_chain_theta_4;
-    let t19 = sin_chain_theta_3 * cos_chain_theta_5
-        - cos_chain_theta_3 * sin_chain_theta_5;
-    let t20 = cos_chain_theta_3 * cos_chain_theta_5
-        + sin_chain_theta_3 * sin_chain_theta_5;
-    let t21 = sin_chain_theta_4 * cos_chain_theta_5
-        - cos_chain_theta_4 * sin_chain_theta_5;
-    let t22 = cos_chain_theta_4 * cos_chain_theta_5
-        + sin_chain_theta_4 * sin_chain_theta_5;
+    let t9 = (sin_chain_theta_1 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_1, sin_chain_theta_5);
+    let t10 = (cos_chain_theta_1 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_1, sin_chain_theta_5);
+    let t11 = (sin_chain_theta_2 * cos_chain_theta_3)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_3);
+    let t12 = (cos_chain_theta_2 * cos_chain_theta_3)
+        .add_product(sin_chain_theta_2, sin_chain_theta_3);
+    let t13 = (sin_chain_theta_2 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_4);
+    let t14 = (cos_chain_theta_2 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_2, sin_chain_theta_4);
+    let t15 = (sin_chain_theta_2 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_2, sin_chain_theta_5);
+    let t16 = (cos_chain_theta_2 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_2, sin_chain_theta_5);
+    let t17 = (sin_chain_theta_3 * cos_chain_theta_4)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_4);
+    let t18 = (cos_chain_theta_3 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_3, sin_chain_theta_4);
+    let t19 = (sin_chain_theta_3 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_3, sin_chain_theta_5);
+    let t20 = (cos_chain_theta_3 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_3, sin_chain_theta_5);
+    let t21 = (sin_chain_theta_4 * cos_chain_theta_5)
+        .sub_product(cos_chain_theta_4, sin_chain_theta_5);
+    let t22 = (cos_chain_theta_4 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_4, sin_chain_theta_5);
     let t23 = t2 * R::literal(0.2);
     let t24 = t5 * R::literal(0.2);
     let t25 = t8 * R::literal(0.2);
     let t26 = t10 * R::literal(0.2);
-    let t27 = R::literal(1.0) / (R::literal(4.0) - t23 * t2);
-    let t28 = R::literal(3.0) * t12 - t24 * t2;
+    let t27 = R::literal(1.0) / R::literal(4.0).sub_product(t23, t2);
+    let t28 = (R::literal(3.0) * t12).sub_product(t24, t2);
     let t29 = t28 * t27;
-    let t30 = R::literal(2.0) * t14 - t25 * t2;
+    let t30 = (R::literal(2.0) * t14).sub_product(t25, t2);
     let t31 = t30 * t27;
-    let t32 = t16 - t26 * t2;
+    let t32 = t16.sub_product(t26, t2);
     let t33 = t32 * t27;
-    let t34 = R::literal(1.0) / (R::literal(3.0) - t24 * t5 - t29 * t28);
-    let t35 = R::literal(2.0) * t18 - t25 * t5 - t31 * t28;
+    let t34 = R::literal(1.0)
+        / R::literal(3.0).sub_product(t24, t5).sub_product(t29, t28);
+    let t35 = (R::literal(2.0) * t18).sub_product(t25, t5).sub_product(t31, t28);
     let t36 = t35 * t34;
-    let t37 = t20 - t26 * t5 - t33 * t28;
+    let t37 = t20.sub_product(t26, t5).sub_product(t33, t28);
     let t38 = t37 * t34;
-    let t39 = R::literal(1.0) / (R::literal(2.0) - t25 * t8 - t31 * t30 - t36 * t35);
-    let t40 = t22 - t26 * t8 - t33 * t30 - t38 * t35;
+    let t39 = R::literal(1.0)
+        / R::literal(2.0)
+            .sub_product(t25, t8)
+            .sub_product(t31, t30)
+            .sub_product(t36, t35);
+    let t40 = t22.sub_product(t26, t8).sub_product(t33, t30).sub_product(t38, t35);
     let t41 = t40 * t39;
     let t42 = R::literal(1.0)
-        / (R::literal(1.0) - t26 * t10 - t33 * t32 - t38 * t37 - t41 * t40);
+        / R::literal(1.0)
+            .sub_product(t26, t10)
+            .sub_product(t33, t32)
+            .sub_product(t38, t37)
+            .sub_product(t41, t40);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let t43 = R::literal(4.0) * chain_omega_2_squared;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
@@ -651,8 +708,11 @@ pub fn rate_jacobian<R: Real>(
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
     let t45 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t46 = -(R::literal(49.05) * sin_chain_theta_1) - t43 * t0 - t44 * t3 - t45 * t6
-        - chain_omega_5_squared * t9;
+    let t46 = (-(R::literal(49.05) * sin_chain_theta_1))
+        .sub_product(t43, t0)
+        .sub_product(t44, t3)
+        .sub_product(t45, t6)
+        .sub_product(chain_omega_5_squared, t9);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t47 = R::literal(4.0) * chain_omega_1_squared;
     let t48 = R::literal(3.0) * chain_omega_1_squared;
@@ -660,23 +720,49 @@ pub fn rate_jacobian<R: Real>(
     let t50 = R::literal(2.0) * chain_omega_1_squared;
     let t51 = R::literal(2.0) * chain_omega_2_squared;
     let t52 = R::literal(2.0) * chain_omega_3_squared;
-    let t53 = t47 * t0 - R::literal(39.24) * sin_chain_theta_2 - t44 * t11 - t45 * t13
-        - chain_omega_5_squared * t15 - t23 * t46;
-    let t54 = t48 * t3 + t49 * t11 - R::literal(29.43) * sin_chain_theta_3 - t45 * t17
-        - chain_omega_5_squared * t19 - t24 * t46 - t29 * t53;
-    let t55 = t50 * t6 + t51 * t13 + t52 * t17 - R::literal(19.62) * sin_chain_theta_4
-        - chain_omega_5_squared * t21 - t25 * t46 - t31 * t53 - t36 * t54;
-    let chain_omega_5_dot = (chain_omega_1_squared * t9 + chain_omega_2_squared * t15
-        + chain_omega_3_squared * t19 + chain_omega_4_squared * t21
-        - R::literal(9.81) * sin_chain_theta_5 - t26 * t46 - t33 * t53 - t38 * t54
-        - t41 * t55) * t42;
-    let chain_omega_4_dot = t55 * t39 - t41 * chain_omega_5_dot;
-    let chain_omega_3_dot = t54 * t34 - t36 * chain_omega_4_dot
-        - t38 * chain_omega_5_dot;
-    let chain_omega_2_dot = t53 * t27 - t29 * chain_omega_3_dot - t31 * chain_omega_4_dot
-        - t33 * chain_omega_5_dot;
-    let chain_omega_1_dot = t46 * R::literal(0.2) - t23 * chain_omega_2_dot
-        - t24 * chain_omega_3_dot - t25 * chain_omega_4_dot - t26 * chain_omega_5_dot;
+    let t53 = (-(R::literal(39.24) * sin_chain_theta_2))
+        .add_product(t47, t0)
+        .sub_product(t44, t11)
+        .sub_product(t45, t13)
+        .sub_product(chain_omega_5_squared, t15)
+        .sub_product(t23, t46);
+    let t54 = (t48 * t3)
+        .add_product(t49, t11)
+        .sub_product(R::literal(29.43), sin_chain_theta_3)
+        .sub_product(t45, t17)
+        .sub_product(chain_omega_5_squared, t19)
+        .sub_product(t24, t46)
+        .sub_product(t29, t53);
+    let t55 = (t50 * t6)
+        .add_product(t51, t13)
+        .add_product(t52, t17)
+        .sub_product(R::literal(19.62), sin_chain_theta_4)
+        .sub_product(chain_omega_5_squared, t21)
+        .sub_product(t25, t46)
+        .sub_product(t31, t53)
+        .sub_product(t36, t54);
+    let chain_omega_5_dot = (chain_omega_1_squared * t9)
+        .add_product(chain_omega_2_squared, t15)
+        .add_product(chain_omega_3_squared, t19)
+        .add_product(chain_omega_4_squared, t21)
+        .sub_product(R::literal(9.81), sin_chain_theta_5)
+        .sub_product(t26, t46)
+        .sub_product(t33, t53)
+        .sub_product(t38, t54)
+        .sub_product(t41, t55) * t42;
+    let chain_omega_4_dot = (t55 * t39).sub_product(t41, chain_omega_5_dot);
+    let chain_omega_3_dot = (t54 * t34)
+        .sub_product(t36, chain_omega_4_dot)
+        .sub_product(t38, chain_omega_5_dot);
+    let chain_omega_2_dot = (t53 * t27)
+        .sub_product(t29, chain_omega_3_dot)
+        .sub_product(t31, chain_omega_4_dot)
+        .sub_product(t33, chain_omega_5_dot);
+    let chain_omega_1_dot = (t46 * R::literal(0.2))
+        .sub_product(t23, chain_omega_2_dot)
+        .sub_product(t24, chain_omega_3_dot)
+        .sub_product(t25, chain_omega_4_dot)
+        .sub_product(t26, chain_omega_5_dot);
     let t56 = t43 * t1;
     let t57 = t44 * t4;
     let t58 = t45 * t7;
@@ -695,28 +781,34 @@ pub fn rate_jacobian<R: Real>(
     let t71 = t70 * chain_omega_4_dot;
     let t72 = t70 * chain_omega_1_dot;
     let t73 = t9 * chain_omega_5_dot;
-    let t74 = -(R::literal(49.05) * cos_chain_theta_1) - t56 - t57 - t58 - t59 + t65
-        + t68 + t71 + t73;
+    let t74 = (-t56).sub_product(R::literal(49.05), cos_chain_theta_1) - t57 - t58 - t59
+        + t65 + t68 + t71 + t73;
     let t75 = t9 * chain_omega_1_dot;
-    let t76 = t60 + t66 - t23 * t74;
-    let t77 = t61 + t69 - t24 * t74 - t29 * t76;
-    let t78 = t62 + t72 - t25 * t74 - t31 * t76 - t36 * t77;
-    let chain_omega_5_dot_by_chain_theta_1 = (t63 + t75 - t26 * t74 - t33 * t76
-        - t38 * t77 - t41 * t78) * t42;
-    let chain_omega_4_dot_by_chain_theta_1 = t78 * t39
-        - t41 * chain_omega_5_dot_by_chain_theta_1;
-    let chain_omega_3_dot_by_chain_theta_1 = t77 * t34
-        - t36 * chain_omega_4_dot_by_chain_theta_1
-        - t38 * chain_omega_5_dot_by_chain_theta_1;
-    let chain_omega_2_dot_by_chain_theta_1 = t76 * t27
-        - t29 * chain_omega_3_dot_by_chain_theta_1
-        - t31 * chain_omega_4_dot_by_chain_theta_1
-        - t33 * chain_omega_5_dot_by_chain_theta_1;
-    let chain_omega_1_dot_by_chain_theta_1 = t74 * R::literal(0.2)
-        - t23 * chain_omega_2_dot_by_chain_theta_1
-        - t24 * chain_omega_3_dot_by_chain_theta_1
-        - t25 * chain_omega_4_dot_by_chain_theta_1
-        - t26 * chain_omega_5_dot_by_chain_theta_1;
+    let t76 = (t60 + t66).sub_product(t23, t74);
+    let t77 = (t61 + t69).sub_product(t24, t74).sub_product(t29, t76);
+    let t78 = (t62 + t72)
+        .sub_product(t25, t74)
+        .sub_product(t31, t76)
+        .sub_product(t36, t77);
+    let chain_omega_5_dot_by_chain_theta_1 = (t63 + t75)
+        .sub_product(t26, t74)
+        .sub_product(t33, t76)
+        .sub_product(t38, t77)
+        .sub_product(t41, t78) * t42;
+    let chain_omega_4_dot_by_chain_theta_1 = (t78 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_theta_1);
+    let chain_omega_3_dot_by_chain_theta_1 = (t77 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_theta_1)
+        .sub_product(t38, chain_omega_5_dot_by_chain_theta_1);
+    let chain_omega_2_dot_by_chain_theta_1 = (t76 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_theta_1)
+        .sub_product(t31, chain_omega_4_dot_by_chain_theta_1)
+        .sub_product(t33, chain_omega_5_dot_by_chain_theta_1);
+    let chain_omega_1_dot_by_chain_theta_1 = (t74 * R::literal(0.2))
+        .sub_product(t23, chain_omega_2_dot_by_chain_theta_1)
+        .sub_product(t24, chain_omega_3_dot_by_chain_theta_1)
+        .sub_product(t25, chain_omega_4_dot_by_chain_theta_1)
+        .sub_product(t26, chain_omega_5_dot_by_chain_theta_1);
     let t79 = t44 * t12;
     let t80 = t45 * t14;
     let t81 = chain_omega_5_squared * t16;
@@ -732,26 +824,33 @@ pub fn rate_jacobian<R: Real>(
     let t91 = t89 * chain_omega_2_dot;
     let t92 = t15 * chain_omega_5_dot;
     let t93 = t15 * chain_omega_2_dot;
-    let t94 = -(R::literal(39.24) * cos_chain_theta_2) - t60 - t79 - t80 - t81 - t66
-        + t87 + t90 + t92 - t23 * t85;
-    let t95 = t82 + t88 - t24 * t85 - t29 * t94;
-    let t96 = t83 + t91 - t25 * t85 - t31 * t94 - t36 * t95;
-    let chain_omega_5_dot_by_chain_theta_2 = (t84 + t93 - t26 * t85 - t33 * t94
-        - t38 * t95 - t41 * t96) * t42;
-    let chain_omega_4_dot_by_chain_theta_2 = t96 * t39
-        - t41 * chain_omega_5_dot_by_chain_theta_2;
-    let chain_omega_3_dot_by_chain_theta_2 = t95 * t34
-        - t36 * chain_omega_4_dot_by_chain_theta_2
-        - t38 * chain_omega_5_dot_by_chain_theta_2;
-    let chain_omega_2_dot_by_chain_theta_2 = t94 * t27
-        - t29 * chain_omega_3_dot_by_chain_theta_2
-        - t31 * chain_omega_4_dot_by_chain_theta_2
-        - t33 * chain_omega_5_dot_by_chain_theta_2;
-    let chain_omega_1_dot_by_chain_theta_2 = t85 * R::literal(0.2)
-        - t23 * chain_omega_2_dot_by_chain_theta_2
-        - t24 * chain_omega_3_dot_by_chain_theta_2
-        - t25 * chain_omega_4_dot_by_chain_theta_2
-        - t26 * chain_omega_5_dot_by_chain_theta_2;
+    let t94 = ((-t60).sub_product(R::literal(39.24), cos_chain_theta_2) - t79 - t80 - t81
+        - t66 + t87 + t90 + t92)
+        .sub_product(t23, t85);
+    let t95 = (t82 + t88).sub_product(t24, t85).sub_product(t29, t94);
+    let t96 = (t83 + t91)
+        .sub_product(t25, t85)
+        .sub_product(t31, t94)
+        .sub_product(t36, t95);
+    let chain_omega_5_dot_by_chain_theta_2 = (t84 + t93)
+        .sub_product(t26, t85)
+        .sub_product(t33, t94)
+        .sub_product(t38, t95)
+        .sub_product(t41, t96) * t42;
+    let chain_omega_4_dot_by_chain_theta_2 = (t96 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_theta_2);
+    let chain_omega_3_dot_by_chain_theta_2 = (t95 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_theta_2)
+        .sub_product(t38, chain_omega_5_dot_by_chain_theta_2);
+    let chain_omega_2_dot_by_chain_theta_2 = (t94 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_theta_2)
+        .sub_product(t31, chain_omega_4_dot_by_chain_theta_2)
+        .sub_product(t33, chain_omega_5_dot_by_chain_theta_2);
+    let chain_omega_1_dot_by_chain_theta_2 = (t85 * R::literal(0.2))
+        .sub_product(t23, chain_omega_2_dot_by_chain_theta_2)
+        .sub_product(t24, chain_omega_3_dot_by_chain_theta_2)
+        .sub_product(t25, chain_omega_4_dot_by_chain_theta_2)
+        .sub_product(t26, chain_omega_5_dot_by_chain_theta_2);
     let t97 = t45 * t18;
     let t98 = chain_omega_5_squared * t20;
     let t99 = t52 * t18;
@@ -762,175 +861,221 @@ pub fn rate_jacobian<R: Real>(
     let t104 = t102 * chain_omega_3_dot;
     let t105 = t19 * chain_omega_5_dot;
     let t106 = t19 * chain_omega_3_dot;
-    let t107 = t79 - t87 - t23 * t101;
-    let t108 = -(R::literal(29.43) * cos_chain_theta_3) - t61 - t82 - t97 - t98 - t69
-        - t88 + t103 + t105 - t24 * t101 - t29 * t107;
-    let t109 = t99 + t104 - t25 * t101 - t31 * t107 - t36 * t108;
-    let chain_omega_5_dot_by_chain_theta_3 = (t100 + t106 - t26 * t101 - t33 * t107
-        - t38 * t108 - t41 * t109) * t42;
-    let chain_omega_4_dot_by_chain_theta_3 = t109 * t39
-        - t41 * chain_omega_5_dot_by_chain_theta_3;
-    let chain_omega_3_dot_by_chain_theta_3 = t108 * t34
-        - t36 * chain_omega_4_dot_by_chain_theta_3
-        - t38 * chain_omega_5_dot_by_chain_theta_3;
-    let chain_omega_2_dot_by_chain_theta_3 = t107 * t27
-        - t29 * chain_omega_3_dot_by_chain_theta_3
-        - t31 * chain_omega_4_dot_by_chain_theta_3
-        - t33 * chain_omega_5_dot_by_chain_theta_3;
-    let chain_omega_1_dot_by_chain_theta_3 = t101 * R::literal(0.2)
-        - t23 * chain_omega_2_dot_by_chain_theta_3
-        - t24 * chain_omega_3_dot_by_chain_theta_3
-        - t25 * chain_omega_4_dot_by_chain_theta_3
-        - t26 * chain_omega_5_dot_by_chain_theta_3;
+    let t107 = (t79 - t87).sub_product(t23, t101);
+    let t108 = ((-t61).sub_product(R::literal(29.43), cos_chain_theta_3) - t82 - t97
+        - t98 - t69 - t88 + t103 + t105)
+        .sub_product(t24, t101)
+        .sub_product(t29, t107);
+    let t109 = (t99 + t104)
+        .sub_product(t25, t101)
+        .sub_product(t31, t107)
+        .sub_product(t36, t108);
+    let chain_omega_5_dot_by_chain_theta_3 = (t100 + t106)
+        .sub_product(t26, t101)
+        .sub_product(t33, t107)
+        .sub_product(t38, t108)
+        .sub_product(t41, t109) * t42;
+    let chain_omega_4_dot_by_chain_theta_3 = (t109 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_theta_3);
+    let chain_omega_3_dot_by_chain_theta_3 = (t108 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_theta_3)
+        .sub_product(t38, chain_omega_5_dot_by_chain_theta_3);
+    let chain_omega_2_dot_by_chain_theta_3 = (t107 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_theta_3)
+        .sub_product(t31, chain_omega_4_dot_by_chain_theta_3)
+        .sub_product(t33, chain_omega_5_dot_by_chain_theta_3);
+    let chain_omega_1_dot_by_chain_theta_3 = (t101 * R::literal(0.2))
+        .sub_product(t23, chain_omega_2_dot_by_chain_theta_3)
+        .sub_product(t24, chain_omega_3_dot_by_chain_theta_3)
+        .sub_product(t25, chain_omega_4_dot_by_chain_theta_3)
+        .sub_product(t26, chain_omega_5_dot_by_chain_theta_3);
     let t110 = chain_omega_5_squared * t22;
     let t111 = chain_omega_4_squared * t22;
     let t112 = t58 - t71;
     let t113 = t21 * chain_omega_5_dot;
     let t114 = t21 * chain_omega_4_dot;
-    let t115 = t80 - t90 - t23 * t112;
-    let t116 = t97 - t103 - t24 * t112 - t29 * t115;
-    let t117 = -(R::literal(19.62) * cos_chain_theta_4) - t62 - t83 - t99 - t110 - t72
-        - t91 - t104 + t113 - t25 * t112 - t31 * t115 - t36 * t116;
-    let chain_omega_5_dot_by_chain_theta_4 = (t111 + t114 - t26 * t112 - t33 * t115
-        - t38 * t116 - t41 * t117) * t42;
-    let chain_omega_4_dot_by_chain_theta_4 = t117 * t39
-        - t41 * chain_omega_5_dot_by_chain_theta_4;
-    let chain_omega_3_dot_by_chain_theta_4 = t116 * t34
-        - t36 * chain_omega_4_dot_by_chain_theta_4
-        - t38 * chain_omega_5_dot_by_chain_theta_4;
-    let chain_omega_2_dot_by_chain_theta_4 = t115 * t27
-        - t29 * chain_omega_3_dot_by_chain_theta_4
-        - t31 * chain_omega_4_dot_by_chain_theta_4
-        - t33 * chain_omega_5_dot_by_chain_theta_4;
-    let chain_omega_1_dot_by_chain_theta_4 = t112 * R::literal(0.2)
-        - t23 * chain_omega_2_dot_by_chain_theta_4
-        - t24 * chain_omega_3_dot_by_chain_theta_4
-        - t25 * chain_omega_4_dot_by_chain_theta_4
-        - t26 * chain_omega_5_dot_by_chain_theta_4;
+    let t115 = (t80 - t90).sub_product(t23, t112);
+    let t116 = (t97 - t103).sub_product(t24, t112).sub_product(t29, t115);
+    let t117 = ((-t62).sub_product(R::literal(19.62), cos_chain_theta_4) - t83 - t99
+        - t110 - t72 - t91 - t104 + t113)
+        .sub_product(t25, t112)
+        .sub_product(t31, t115)
+        .sub_product(t36, t116);
+    let chain_omega_5_dot_by_chain_theta_4 = (t111 + t114)
+        .sub_product(t26, t112)
+        .sub_product(t33, t115)
+        .sub_product(t38, t116)
+        .sub_product(t41, t117) * t42;
+    let chain_omega_4_dot_by_chain_theta_4 = (t117 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_theta_4);
+    let chain_omega_3_dot_by_chain_theta_4 = (t116 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_theta_4)
+        .sub_product(t38, chain_omega_5_dot_by_chain_theta_4);
+    let chain_omega_2_dot_by_chain_theta_4 = (t115 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_theta_4)
+        .sub_product(t31, chain_omega_4_dot_by_chain_theta_4)
+        .sub_product(t33, chain_omega_5_dot_by_chain_theta_4);
+    let chain_omega_1_dot_by_chain_theta_4 = (t112 * R::literal(0.2))
+        .sub_product(t23, chain_omega_2_dot_by_chain_theta_4)
+        .sub_product(t24, chain_omega_3_dot_by_chain_theta_4)
+        .sub_product(t25, chain_omega_4_dot_by_chain_theta_4)
+        .sub_product(t26, chain_omega_5_dot_by_chain_theta_4);
     let t118 = t59 - t73;
-    let t119 = t81 - t92 - t23 * t118;
-    let t120 = t98 - t105 - t24 * t118 - t29 * t119;
-    let t121 = t110 - t113 - t25 * t118 - t31 * t119 - t36 * t120;
-    let chain_omega_5_dot_by_chain_theta_5 = (-(R::literal(9.81) * cos_chain_theta_5)
-        - t63 - t84 - t100 - t111 - t75 - t93 - t106 - t114 - t26 * t118 - t33 * t119
-        - t38 * t120 - t41 * t121) * t42;
-    let chain_omega_4_dot_by_chain_theta_5 = t121 * t39
-        - t41 * chain_omega_5_dot_by_chain_theta_5;
-    let chain_omega_3_dot_by_chain_theta_5 = t120 * t34
-        - t36 * chain_omega_4_dot_by_chain_theta_5
-        - t38 * chain_omega_5_dot_by_chain_theta_5;
-    let chain_omega_2_dot_by_chain_theta_5 = t119 * t27
-        - t29 * chain_omega_3_dot_by_chain_theta_5
-        - t31 * chain_omega_4_dot_by_chain_theta_5
-        - t33 * chain_omega_5_dot_by_chain_theta_5;
-    let chain_omega_1_dot_by_chain_theta_5 = t118 * R::literal(0.2)
-        - t23 * chain_omega_2_dot_by_chain_theta_5
-        - t24 * chain_omega_3_dot_by_chain_theta_5
-        - t25 * chain_omega_4_dot_by_chain_theta_5
-        - t26 * chain_omega_5_dot_by_chain_theta_5;
+    let t119 = (t81 - t92).sub_product(t23, t118);
+    let t120 = (t98 - t105).sub_product(t24, t118).sub_product(t29, t119);
+    let t121 = (t110 - t113)
+        .sub_product(t25, t118)
+        .sub_product(t31, t119)
+        .sub_product(t36, t120);
+    let chain_omega_5_dot_by_chain_theta_5 = ((-t63)
+        .sub_product(R::literal(9.81), cos_chain_theta_5) - t84 - t100 - t111 - t75 - t93
+        - t106 - t114)
+        .sub_product(t26, t118)
+        .sub_product(t33, t119)
+        .sub_product(t38, t120)
+        .sub_product(t41, t121) * t42;
+    let chain_omega_4_dot_by_chain_theta_5 = (t121 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_theta_5);
+    let chain_omega_3_dot_by_chain_theta_5 = (t120 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_theta_5)
+        .sub_product(t38, chain_omega_5_dot_by_chain_theta_5);
+    let chain_omega_2_dot_by_chain_theta_5 = (t119 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_theta_5)
+        .sub_product(t31, chain_omega_4_dot_by_chain_theta_5)
+        .sub_product(t33, chain_omega_5_dot_by_chain_theta_5);
+    let chain_omega_1_dot_by_chain_theta_5 = (t118 * R::literal(0.2))
+        .sub_product(t23, chain_omega_2_dot_by_chain_theta_5)
+        .sub_product(t24, chain_omega_3_dot_by_chain_theta_5)
+        .sub_product(t25, chain_omega_4_dot_by_chain_theta_5)
+        .sub_product(t26, chain_omega_5_dot_by_chain_theta_5);
     let t122 = R::literal(8.0) * chain_omega_1 * t0;
-    let t123 = R::literal(6.0) * chain_omega_1 * t3 - t29 * t122;
-    let t124 = R::literal(4.0) * chain_omega_1 * t6 - t31 * t122 - t36 * t123;
-    let chain_omega_5_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t9
-        - t33 * t122 - t38 * t123 - t41 * t124) * t42;
-    let chain_omega_4_dot_by_chain_omega_1 = t124 * t39
-        - t41 * chain_omega_5_dot_by_chain_omega_1;
-    let chain_omega_3_dot_by_chain_omega_1 = t123 * t34
-        - t36 * chain_omega_4_dot_by_chain_omega_1
-        - t38 * chain_omega_5_dot_by_chain_omega_1;
-    let chain_omega_2_dot_by_chain_omega_1 = t122 * t27
-        - t29 * chain_omega_3_dot_by_chain_omega_1
-        - t31 * chain_omega_4_dot_by_chain_omega_1
-        - t33 * chain_omega_5_dot_by_chain_omega_1;
-    let chain_omega_1_dot_by_chain_omega_1 = -(t23 * chain_omega_2_dot_by_chain_omega_1)
-        - t24 * chain_omega_3_dot_by_chain_omega_1
-        - t25 * chain_omega_4_dot_by_chain_omega_1
-        - t26 * chain_omega_5_dot_by_chain_omega_1;
+    let t123 = (R::literal(6.0) * chain_omega_1 * t3).sub_product(t29, t122);
+    let t124 = (R::literal(4.0) * chain_omega_1 * t6)
+        .sub_product(t31, t122)
+        .sub_product(t36, t123);
+    let chain_omega_5_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t9)
+        .sub_product(t33, t122)
+        .sub_product(t38, t123)
+        .sub_product(t41, t124) * t42;
+    let chain_omega_4_dot_by_chain_omega_1 = (t124 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_omega_1);
+    let chain_omega_3_dot_by_chain_omega_1 = (t123 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_omega_1)
+        .sub_product(t38, chain_omega_5_dot_by_chain_omega_1);
+    let chain_omega_2_dot_by_chain_omega_1 = (t122 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_omega_1)
+        .sub_product(t31, chain_omega_4_dot_by_chain_omega_1)
+        .sub_product(t33, chain_omega_5_dot_by_chain_omega_1);
+    let chain_omega_1_dot_by_chain_omega_1 = (-(t24
+        * chain_omega_3_dot_by_chain_omega_1))
+        .sub_product(t23, chain_omega_2_dot_by_chain_omega_1)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_1)
+        .sub_product(t26, chain_omega_5_dot_by_chain_omega_1);
     let t125 = R::literal(8.0) * chain_omega_2 * t0;
     let t126 = t23 * t125;
-    let t127 = R::literal(6.0) * chain_omega_2 * t11 + t24 * t125 - t29 * t126;
-    let t128 = R::literal(4.0) * chain_omega_2 * t13 + t25 * t125 - t31 * t126
-        - t36 * t127;
-    let chain_omega_5_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t15
-        + t26 * t125 - t33 * t126 - t38 * t127 - t41 * t128) * t42;
-    let chain_omega_4_dot_by_chain_omega_2 = t128 * t39
-        - t41 * chain_omega_5_dot_by_chain_omega_2;
-    let chain_omega_3_dot_by_chain_omega_2 = t127 * t34
-        - t36 * chain_omega_4_dot_by_chain_omega_2
-        - t38 * chain_omega_5_dot_by_chain_omega_2;
-    let chain_omega_2_dot_by_chain_omega_2 = t126 * t27
-        - t29 * chain_omega_3_dot_by_chain_omega_2
-        - t31 * chain_omega_4_dot_by_chain_omega_2
-        - t33 * chain_omega_5_dot_by_chain_omega_2;
-    let chain_omega_1_dot_by_chain_omega_2 = -(t125 * R::literal(0.2))
-        - t23 * chain_omega_2_dot_by_chain_omega_2
-        - t24 * chain_omega_3_dot_by_chain_omega_2
-        - t25 * chain_omega_4_dot_by_chain_omega_2
-        - t26 * chain_omega_5_dot_by_chain_omega_2;
+    let t127 = (R::literal(6.0) * chain_omega_2 * t11)
+        .add_product(t24, t125)
+        .sub_product(t29, t126);
+    let t128 = (R::literal(4.0) * chain_omega_2 * t13)
+        .add_product(t25, t125)
+        .sub_product(t31, t126)
+        .sub_product(t36, t127);
+    let chain_omega_5_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t15)
+        .add_product(t26, t125)
+        .sub_product(t33, t126)
+        .sub_product(t38, t127)
+        .sub_product(t41, t128) * t42;
+    let chain_omega_4_dot_by_chain_omega_2 = (t128 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_omega_2);
+    let chain_omega_3_dot_by_chain_omega_2 = (t127 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_omega_2)
+        .sub_product(t38, chain_omega_5_dot_by_chain_omega_2);
+    let chain_omega_2_dot_by_chain_omega_2 = (t126 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_omega_2)
+        .sub_product(t31, chain_omega_4_dot_by_chain_omega_2)
+        .sub_product(t33, chain_omega_5_dot_by_chain_omega_2);
+    let chain_omega_1_dot_by_chain_omega_2 = (-(t125 * R::literal(0.2)))
+        .sub_product(t23, chain_omega_2_dot_by_chain_omega_2)
+        .sub_product(t24, chain_omega_3_dot_by_chain_omega_2)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_2)
+        .sub_product(t26, chain_omega_5_dot_by_chain_omega_2);
     let t129 = R::literal(6.0) * chain_omega_3;
     let t130 = t129 * t3;
-    let t131 = t23 * t130 - t129 * t11;
-    let t132 = t24 * t130 - t29 * t131;
-    let t133 = R::literal(4.0) * chain_omega_3 * t17 + t25 * t130 - t31 * t131
-        - t36 * t132;
-    let chain_omega_5_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t19
-        + t26 * t130 - t33 * t131 - t38 * t132 - t41 * t133) * t42;
-    let chain_omega_4_dot_by_chain_omega_3 = t133 * t39
-        - t41 * chain_omega_5_dot_by_chain_omega_3;
-    let chain_omega_3_dot_by_chain_omega_3 = t132 * t34
-        - t36 * chain_omega_4_dot_by_chain_omega_3
-        - t38 * chain_omega_5_dot_by_chain_omega_3;
-    let chain_omega_2_dot_by_chain_omega_3 = t131 * t27
-        - t29 * chain_omega_3_dot_by_chain_omega_3
-        - t31 * chain_omega_4_dot_by_chain_omega_3
-        - t33 * chain_omega_5_dot_by_chain_omega_3;
-    let chain_omega_1_dot_by_chain_omega_3 = -(t130 * R::literal(0.2))
-        - t23 * chain_omega_2_dot_by_chain_omega_3
-        - t24 * chain_omega_3_dot_by_chain_omega_3
-        - t25 * chain_omega_4_dot_by_chain_omega_3
-        - t26 * chain_omega_5_dot_by_chain_omega_3;
+    let t131 = (-(t129 * t11)).add_product(t23, t130);
+    let t132 = (t24 * t130).sub_product(t29, t131);
+    let t133 = (R::literal(4.0) * chain_omega_3 * t17)
+        .add_product(t25, t130)
+        .sub_product(t31, t131)
+        .sub_product(t36, t132);
+    let chain_omega_5_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t19)
+        .add_product(t26, t130)
+        .sub_product(t33, t131)
+        .sub_product(t38, t132)
+        .sub_product(t41, t133) * t42;
+    let chain_omega_4_dot_by_chain_omega_3 = (t133 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_omega_3);
+    let chain_omega_3_dot_by_chain_omega_3 = (t132 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_omega_3)
+        .sub_product(t38, chain_omega_5_dot_by_chain_omega_3);
+    let chain_omega_2_dot_by_chain_omega_3 = (t131 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_omega_3)
+        .sub_product(t31, chain_omega_4_dot_by_chain_omega_3)
+        .sub_product(t33, chain_omega_5_dot_by_chain_omega_3);
+    let chain_omega_1_dot_by_chain_omega_3 = (-(t130 * R::literal(0.2)))
+        .sub_product(t23, chain_omega_2_dot_by_chain_omega_3)
+        .sub_product(t24, chain_omega_3_dot_by_chain_omega_3)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_3)
+        .sub_product(t26, chain_omega_5_dot_by_chain_omega_3);
     let t134 = R::literal(4.0) * chain_omega_4;
     let t135 = t134 * t6;
-    let t136 = t23 * t135 - t134 * t13;
-    let t137 = t24 * t135 - t134 * t17 - t29 * t136;
-    let t138 = t25 * t135 - t31 * t136 - t36 * t137;
-    let chain_omega_5_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t21
-        + t26 * t135 - t33 * t136 - t38 * t137 - t41 * t138) * t42;
-    let chain_omega_4_dot_by_chain_omega_4 = t138 * t39
-        - t41 * chain_omega_5_dot_by_chain_omega_4;
-    let chain_omega_3_dot_by_chain_omega_4 = t137 * t34
-        - t36 * chain_omega_4_dot_by_chain_omega_4
-        - t38 * chain_omega_5_dot_by_chain_omega_4;
-    let chain_omega_2_dot_by_chain_omega_4 = t136 * t27
-        - t29 * chain_omega_3_dot_by_chain_omega_4
-        - t31 * chain_omega_4_dot_by_chain_omega_4
-        - t33 * chain_omega_5_dot_by_chain_omega_4;
-    let chain_omega_1_dot_by_chain_omega_4 = -(t135 * R::literal(0.2))
-        - t23 * chain_omega_2_dot_by_chain_omega_4
-        - t24 * chain_omega_3_dot_by_chain_omega_4
-        - t25 * chain_omega_4_dot_by_chain_omega_4
-        - t26 * chain_omega_5_dot_by_chain_omega_4;
+    let t136 = (-(t134 * t13)).add_product(t23, t135);
+    let t137 = (-(t134 * t17)).add_product(t24, t135).sub_product(t29, t136);
+    let t138 = (t25 * t135).sub_product(t31, t136).sub_product(t36, t137);
+    let chain_omega_5_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t21)
+        .add_product(t26, t135)
+        .sub_product(t33, t136)
+        .sub_product(t38, t137)
+        .sub_product(t41, t138) * t42;
+    let chain_omega_4_dot_by_chain_omega_4 = (t138 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_omega_4);
+    let chain_omega_3_dot_by_chain_omega_4 = (t137 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_omega_4)
+        .sub_product(t38, chain_omega_5_dot_by_chain_omega_4);
+    let chain_omega_2_dot_by_chain_omega_4 = (t136 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_omega_4)
+        .sub_product(t31, chain_omega_4_dot_by_chain_omega_4)
+        .sub_product(t33, chain_omega_5_dot_by_chain_omega_4);
+    let chain_omega_1_dot_by_chain_omega_4 = (-(t135 * R::literal(0.2)))
+        .sub_product(t23, chain_omega_2_dot_by_chain_omega_4)
+        .sub_product(t24, chain_omega_3_dot_by_chain_omega_4)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_4)
+        .sub_product(t26, chain_omega_5_dot_by_chain_omega_4);
     let t139 = R::literal(2.0) * chain_omega_5;
     let t140 = t139 * t9;
-    let t141 = t23 * t140 - t139 * t15;
-    let t142 = t24 * t140 - t139 * t19 - t29 * t141;
-    let t143 = t25 * t140 - t139 * t21 - t31 * t141 - t36 * t142;
-    let chain_omega_5_dot_by_chain_omega_5 = (t26 * t140 - t33 * t141 - t38 * t142
-        - t41 * t143) * t42;
-    let chain_omega_4_dot_by_chain_omega_5 = t143 * t39
-        - t41 * chain_omega_5_dot_by_chain_omega_5;
-    let chain_omega_3_dot_by_chain_omega_5 = t142 * t34
-        - t36 * chain_omega_4_dot_by_chain_omega_5
-        - t38 * chain_omega_5_dot_by_chain_omega_5;
-    let chain_omega_2_dot_by_chain_omega_5 = t141 * t27
-        - t29 * chain_omega_3_dot_by_chain_omega_5
-        - t31 * chain_omega_4_dot_by_chain_omega_5
-        - t33 * chain_omega_5_dot_by_chain_omega_5;
-    let chain_omega_1_dot_by_chain_omega_5 = -(t140 * R::literal(0.2))
-        - t23 * chain_omega_2_dot_by_chain_omega_5
-        - t24 * chain_omega_3_dot_by_chain_omega_5
-        - t25 * chain_omega_4_dot_by_chain_omega_5
-        - t26 * chain_omega_5_dot_by_chain_omega_5;
+    let t141 = (-(t139 * t15)).add_product(t23, t140);
+    let t142 = (-(t139 * t19)).add_product(t24, t140).sub_product(t29, t141);
+    let t143 = (-(t139 * t21))
+        .add_product(t25, t140)
+        .sub_product(t31, t141)
+        .sub_product(t36, t142);
+    let chain_omega_5_dot_by_chain_omega_5 = (t26 * t140)
+        .sub_product(t33, t141)
+        .sub_product(t38, t142)
+        .sub_product(t41, t143) * t42;
+    let chain_omega_4_dot_by_chain_omega_5 = (t143 * t39)
+        .sub_product(t41, chain_omega_5_dot_by_chain_omega_5);
+    let chain_omega_3_dot_by_chain_omega_5 = (t142 * t34)
+        .sub_product(t36, chain_omega_4_dot_by_chain_omega_5)
+        .sub_product(t38, chain_omega_5_dot_by_chain_omega_5);
+    let chain_omega_2_dot_by_chain_omega_5 = (t141 * t27)
+        .sub_product(t29, chain_omega_3_dot_by_chain_omega_5)
+        .sub_product(t31, chain_omega_4_dot_by_chain_omega_5)
+        .sub_product(t33, chain_omega_5_dot_by_chain_omega_5);
+    let chain_omega_1_dot_by_chain_omega_5 = (-(t140 * R::literal(0.2)))
+        .sub_product(t23, chain_omega_2_dot_by_chain_omega_5)
+        .sub_product(t24, chain_omega_3_dot_by_chain_omega_5)
+        .sub_product(t25, chain_omega_4_dot_by_chain_omega_5)
+        .sub_product(t26, chain_omega_5_dot_by_chain_omega_5);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1061,28 +1206,34 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
     let chain_v_1 = chain_omega_1 * chain_theta_1.sin();
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1 + chain_omega_2 * cos_chain_theta_2;
-    let chain_v_2 = chain_v_1 + chain_omega_2 * chain_theta_2.sin();
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, chain_theta_2.sin());
     let cos_chain_theta_3 = chain_theta_3.cos();
-    let chain_u_3 = chain_u_2 + chain_omega_3 * cos_chain_theta_3;
-    let chain_v_3 = chain_v_2 + chain_omega_3 * chain_theta_3.sin();
+    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, chain_theta_3.sin());
     let cos_chain_theta_4 = chain_theta_4.cos();
-    let chain_u_4 = chain_u_3 + chain_omega_4 * cos_chain_theta_4;
-    let chain_v_4 = chain_v_3 + chain_omega_4 * chain_theta_4.sin();
+    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, chain_theta_4.sin());
     let cos_chain_theta_5 = chain_theta_5.cos();
-    let chain_u_5 = chain_u_4 + chain_omega_5 * cos_chain_theta_5;
-    let chain_v_5 = chain_v_4 + chain_omega_5 * chain_theta_5.sin();
+    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, chain_theta_5.sin());
     Energy {
         kinetic: R::literal(0.5)
-            * (chain_u_1 * chain_u_1 + chain_v_1 * chain_v_1 + chain_u_2 * chain_u_2
-                + chain_v_2 * chain_v_2 + chain_u_3 * chain_u_3 + chain_v_3 * chain_v_3
-                + chain_u_4 * chain_u_4 + chain_v_4 * chain_v_4 + chain_u_5 * chain_u_5
-                + chain_v_5 * chain_v_5),
+            * (chain_u_1 * chain_u_1)
+                .add_product(chain_v_1, chain_v_1)
+                .add_product(chain_u_2, chain_u_2)
+                .add_product(chain_v_2, chain_v_2)
+                .add_product(chain_u_3, chain_u_3)
+                .add_product(chain_v_3, chain_v_3)
+                .add_product(chain_u_4, chain_u_4)
+                .add_product(chain_v_4, chain_v_4)
+                .add_product(chain_u_5, chain_u_5)
+                .add_product(chain_v_5, chain_v_5),
         potential: R::literal(9.81)
-            * (-(R::literal(5.0) * cos_chain_theta_1)
-                - R::literal(4.0) * cos_chain_theta_2
-                - R::literal(3.0) * cos_chain_theta_3
-                - R::literal(2.0) * cos_chain_theta_4 - cos_chain_theta_5),
+            * ((-(R::literal(5.0) * cos_chain_theta_1))
+                .sub_product(R::literal(4.0), cos_chain_theta_2)
+                .sub_product(R::literal(3.0), cos_chain_theta_3)
+                .sub_product(R::literal(2.0), cos_chain_theta_4) - cos_chain_theta_5),
         stored: R::literal(0.0),
     }
 }
@@ -1103,21 +1254,21 @@ pub fn power_balance<R: Real>(
     let sin_chain_theta_1 = chain_theta_1.sin();
     let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1 + chain_omega_2 * cos_chain_theta_2;
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
     let sin_chain_theta_2 = chain_theta_2.sin();
-    let chain_v_2 = chain_v_1 + chain_omega_2 * sin_chain_theta_2;
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     let cos_chain_theta_3 = chain_theta_3.cos();
-    let chain_u_3 = chain_u_2 + chain_omega_3 * cos_chain_theta_3;
+    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
     let sin_chain_theta_3 = chain_theta_3.sin();
-    let chain_v_3 = chain_v_2 + chain_omega_3 * sin_chain_theta_3;
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
     let cos_chain_theta_4 = chain_theta_4.cos();
-    let chain_u_4 = chain_u_3 + chain_omega_4 * cos_chain_theta_4;
+    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
     let sin_chain_theta_4 = chain_theta_4.sin();
-    let chain_v_4 = chain_v_3 + chain_omega_4 * sin_chain_theta_4;
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
     let cos_chain_theta_5 = chain_theta_5.cos();
-    let chain_u_5 = chain_u_4 + chain_omega_5 * cos_chain_theta_5;
+    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
     let sin_chain_theta_5 = chain_theta_5.sin();
-    let chain_v_5 = chain_v_4 + chain_omega_5 * sin_chain_theta_5;
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
     let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
     let t0 = R::literal(4.0) * chain_theta_1_minus_chain_theta_2.cos();
     let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
@@ -1136,21 +1287,35 @@ pub fn power_balance<R: Real>(
     let t5 = t1 * R::literal(0.2);
     let t6 = t2 * R::literal(0.2);
     let t7 = t3 * R::literal(0.2);
-    let t8 = R::literal(1.0) / (R::literal(4.0) - t4 * t0);
-    let t9 = R::literal(3.0) * chain_theta_2_minus_chain_theta_3.cos() - t5 * t0;
+    let t8 = R::literal(1.0) / R::literal(4.0).sub_product(t4, t0);
+    let t9 = (R::literal(3.0) * chain_theta_2_minus_chain_theta_3.cos())
+        .sub_product(t5, t0);
     let t10 = t9 * t8;
-    let t11 = R::literal(2.0) * chain_theta_2_minus_chain_theta_4.cos() - t6 * t0;
+    let t11 = (R::literal(2.0) * chain_theta_2_minus_chain_theta_4.cos())
+        .sub_product(t6, t0);
     let t12 = t11 * t8;
-    let t13 = chain_theta_2_minus_chain_theta_5.cos() - t7 * t0;
+    let t13 = chain_theta_2_minus_chain_theta_5.cos().sub_product(t7, t0);
     let t14 = t13 * t8;
-    let t15 = R::literal(1.0) / (R::literal(3.0) - t5 * t1 - t10 * t9);
-    let t16 = R::literal(2.0) * chain_theta_3_minus_chain_theta_4.cos() - t6 * t1
-        - t12 * t9;
+    let t15 = R::literal(1.0) / R::literal(3.0).sub_product(t5, t1).sub_product(t10, t9);
+    let t16 = (R::literal(2.0) * chain_theta_3_minus_chain_theta_4.cos())
+        .sub_product(t6, t1)
+        .sub_product(t12, t9);
     let t17 = t16 * t15;
-    let t18 = chain_theta_3_minus_chain_theta_5.cos() - t7 * t1 - t14 * t9;
+    let t18 = chain_theta_3_minus_chain_theta_5
+        .cos()
+        .sub_product(t7, t1)
+        .sub_product(t14, t9);
     let t19 = t18 * t15;
-    let t20 = R::literal(1.0) / (R::literal(2.0) - t6 * t2 - t12 * t11 - t17 * t16);
-    let t21 = chain_theta_4_minus_chain_theta_5.cos() - t7 * t2 - t14 * t11 - t19 * t16;
+    let t20 = R::literal(1.0)
+        / R::literal(2.0)
+            .sub_product(t6, t2)
+            .sub_product(t12, t11)
+            .sub_product(t17, t16);
+    let t21 = chain_theta_4_minus_chain_theta_5
+        .cos()
+        .sub_product(t7, t2)
+        .sub_product(t14, t11)
+        .sub_product(t19, t16);
     let t22 = t21 * t20;
     let t23 = R::literal(49.05) * sin_chain_theta_1;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
@@ -1163,8 +1328,11 @@ pub fn power_balance<R: Real>(
     let t28 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
     let t29 = chain_theta_1_minus_chain_theta_5.sin();
-    let t30 = -t23 - R::literal(4.0) * chain_omega_2_squared * t24 - t26 * t25
-        - t28 * t27 - chain_omega_5_squared * t29;
+    let t30 = (-t23)
+        .sub_product(R::literal(4.0) * chain_omega_2_squared, t24)
+        .sub_product(t26, t25)
+        .sub_product(t28, t27)
+        .sub_product(chain_omega_5_squared, t29);
     let t31 = R::literal(39.24) * sin_chain_theta_2;
     let t32 = chain_theta_2_minus_chain_theta_3.sin();
     let t33 = chain_theta_2_minus_chain_theta_4.sin();
@@ -1176,91 +1344,175 @@ pub fn power_balance<R: Real>(
     let t38 = R::literal(19.62) * sin_chain_theta_4;
     let t39 = chain_theta_4_minus_chain_theta_5.sin();
     let t40 = R::literal(9.81) * sin_chain_theta_5;
-    let t41 = R::literal(4.0) * chain_omega_1_squared * t24 - t31 - t26 * t32 - t28 * t33
-        - chain_omega_5_squared * t34 - t4 * t30;
-    let t42 = R::literal(3.0) * chain_omega_1_squared * t25
-        + R::literal(3.0) * chain_omega_2_squared * t32 - t35 - t28 * t36
-        - chain_omega_5_squared * t37 - t5 * t30 - t10 * t41;
-    let t43 = R::literal(2.0) * chain_omega_1_squared * t27
-        + R::literal(2.0) * chain_omega_2_squared * t33
-        + R::literal(2.0) * chain_omega_3_squared * t36 - t38
-        - chain_omega_5_squared * t39 - t6 * t30 - t12 * t41 - t17 * t42;
-    let t44 = chain_omega_1_squared * t29 + chain_omega_2_squared * t34
-        + chain_omega_3_squared * t37 + chain_omega_4_squared * t39 - t40 - t7 * t30
-        - t14 * t41 - t19 * t42 - t22 * t43;
-    let chain_omega_5_dot = t44
+    let t41 = (-t31)
+        .add_product(R::literal(4.0) * chain_omega_1_squared, t24)
+        .sub_product(t26, t32)
+        .sub_product(t28, t33)
+        .sub_product(chain_omega_5_squared, t34)
+        .sub_product(t4, t30);
+    let t42 = ((R::literal(3.0) * chain_omega_1_squared * t25)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t32) - t35)
+        .sub_product(t28, t36)
+        .sub_product(chain_omega_5_squared, t37)
+        .sub_product(t5, t30)
+        .sub_product(t10, t41);
+    let t43 = ((R::literal(2.0) * chain_omega_1_squared * t27)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t33)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t36) - t38)
+        .sub_product(chain_omega_5_squared, t39)
+        .sub_product(t6, t30)
+        .sub_product(t12, t41)
+        .sub_product(t17, t42);
+    let chain_omega_5_dot = ((chain_omega_1_squared * t29)
+        .add_product(chain_omega_2_squared, t34)
+        .add_product(chain_omega_3_squared, t37)
+        .add_product(chain_omega_4_squared, t39) - t40)
+        .sub_product(t7, t30)
+        .sub_product(t14, t41)
+        .sub_product(t19, t42)
+        .sub_product(t22, t43)
         * (R::literal(1.0)
-            / (R::literal(1.0) - t7 * t3 - t14 * t13 - t19 * t18 - t22 * t21));
-    let chain_omega_4_dot = t43 * t20 - t22 * chain_omega_5_dot;
-    let chain_omega_3_dot = t42 * t15 - t17 * chain_omega_4_dot
-        - t19 * chain_omega_5_dot;
-    let chain_omega_2_dot = t41 * t8 - t10 * chain_omega_3_dot - t12 * chain_omega_4_dot
-        - t14 * chain_omega_5_dot;
-    let chain_omega_1_dot = t30 * R::literal(0.2) - t4 * chain_omega_2_dot
-        - t5 * chain_omega_3_dot - t6 * chain_omega_4_dot - t7 * chain_omega_5_dot;
-    let t45 = R::literal(2.0) * chain_omega_2;
-    let t46 = R::literal(2.0) * chain_omega_3;
-    let t47 = R::literal(2.0) * chain_omega_4;
-    let t48 = R::literal(2.0) * chain_omega_5;
-    let t49 = R::literal(2.0) * chain_v_1;
-    let t50 = R::literal(2.0) * chain_u_1;
-    let t51 = R::literal(0.5)
-        * (t45 * chain_v_2 * cos_chain_theta_2 + t45 * chain_v_3 * cos_chain_theta_2
-            + t45 * chain_v_4 * cos_chain_theta_2 + t45 * chain_v_5 * cos_chain_theta_2
-            - t45 * chain_u_2 * sin_chain_theta_2 - t45 * chain_u_3 * sin_chain_theta_2
-            - t45 * chain_u_4 * sin_chain_theta_2 - t45 * chain_u_5 * sin_chain_theta_2);
-    let t52 = (R::literal(0.5)
-        * (t50 * chain_v_2 + t50 * chain_v_3 + t50 * chain_v_4 + t50 * chain_v_5
-            - t49 * chain_u_2 - t49 * chain_u_3 - t49 * chain_u_4 - t49 * chain_u_5)
-        + t23) * chain_omega_1 + (t51 + t31) * chain_omega_2;
-    let t53 = t52
-        + (R::literal(0.5)
-            * (t46 * chain_v_3 * cos_chain_theta_3 + t46 * chain_v_4 * cos_chain_theta_3
-                + t46 * chain_v_5 * cos_chain_theta_3
-                - t46 * chain_u_3 * sin_chain_theta_3
-                - t46 * chain_u_4 * sin_chain_theta_3
-                - t46 * chain_u_5 * sin_chain_theta_3) + t35) * chain_omega_3;
-    let t54 = t53
-        + (R::literal(0.5)
-            * (t47 * chain_v_4 * cos_chain_theta_4 + t47 * chain_v_5 * cos_chain_theta_4
-                - t47 * chain_u_4 * sin_chain_theta_4
-                - t47 * chain_u_5 * sin_chain_theta_4) + t38) * chain_omega_4
-        + (R::literal(0.5)
-            * (t48 * chain_v_5 * cos_chain_theta_5 - t48 * chain_u_5 * sin_chain_theta_5)
-            + t40) * chain_omega_5;
-    let t55 = R::literal(2.0) * chain_u_2;
-    let t56 = R::literal(2.0) * chain_v_2;
-    let t57 = R::literal(2.0) * chain_u_3;
-    let t58 = R::literal(2.0) * chain_v_3;
-    let t59 = R::literal(2.0) * chain_u_4;
-    let t60 = R::literal(2.0) * chain_v_4;
-    let t61 = R::literal(2.0) * chain_u_5;
-    let t62 = R::literal(2.0) * chain_v_5;
-    let t63 = t54
-        + R::literal(0.5)
-            * (t50 * cos_chain_theta_1 + t49 * sin_chain_theta_1
-                + t55 * cos_chain_theta_1 + t56 * sin_chain_theta_1
-                + t57 * cos_chain_theta_1 + t58 * sin_chain_theta_1
-                + t59 * cos_chain_theta_1 + t60 * sin_chain_theta_1
-                + t61 * cos_chain_theta_1 + t62 * sin_chain_theta_1) * chain_omega_1_dot;
-    let t64 = t63
-        + R::literal(0.5)
-            * (t55 * cos_chain_theta_2 + t56 * sin_chain_theta_2
-                + t57 * cos_chain_theta_2 + t58 * sin_chain_theta_2
-                + t59 * cos_chain_theta_2 + t60 * sin_chain_theta_2
-                + t61 * cos_chain_theta_2 + t62 * sin_chain_theta_2) * chain_omega_2_dot;
-    let t65 = t64
-        + R::literal(0.5)
-            * (t57 * cos_chain_theta_3 + t58 * sin_chain_theta_3
-                + t59 * cos_chain_theta_3 + t60 * sin_chain_theta_3
-                + t61 * cos_chain_theta_3 + t62 * sin_chain_theta_3) * chain_omega_3_dot
-        + R::literal(0.5)
-            * (t59 * cos_chain_theta_4 + t60 * sin_chain_theta_4
-                + t61 * cos_chain_theta_4 + t62 * sin_chain_theta_4) * chain_omega_4_dot;
+            / R::literal(1.0)
+                .sub_product(t7, t3)
+                .sub_product(t14, t13)
+                .sub_product(t19, t18)
+                .sub_product(t22, t21));
+    let chain_omega_4_dot = (t43 * t20).sub_product(t22, chain_omega_5_dot);
+    let chain_omega_3_dot = (t42 * t15)
+        .sub_product(t17, chain_omega_4_dot)
+        .sub_product(t19, chain_omega_5_dot);
+    let chain_omega_2_dot = (t41 * t8)
+        .sub_product(t10, chain_omega_3_dot)
+        .sub_product(t12, chain_omega_4_dot)
+        .sub_product(t14, chain_omega_5_dot);
+    let chain_omega_1_dot = (t30 * R::literal(0.2))
+        .sub_product(t4, chain_omega_2_dot)
+        .sub_product(t5, chain_omega_3_dot)
+        .sub_product(t6, chain_omega_4_dot)
+        .sub_product(t7, chain_omega_5_dot);
+    let t44 = R::literal(2.0) * chain_omega_2;
+    let t45 = R::literal(2.0) * chain_omega_3;
+    let t46 = R::literal(2.0) * chain_omega_4;
+    let t47 = R::literal(2.0) * chain_omega_5;
+    let t48 = R::literal(2.0) * chain_v_1;
+    let t49 = R::literal(2.0) * chain_u_1;
+    let t50 = t31
+        .add_product(
+            R::literal(0.5),
+            (t44 * chain_v_2 * cos_chain_theta_2)
+                .add_product(t44 * chain_v_3, cos_chain_theta_2)
+                .add_product(t44 * chain_v_4, cos_chain_theta_2)
+                .add_product(t44 * chain_v_5, cos_chain_theta_2)
+                .sub_product(t44 * chain_u_2, sin_chain_theta_2)
+                .sub_product(t44 * chain_u_3, sin_chain_theta_2)
+                .sub_product(t44 * chain_u_4, sin_chain_theta_2)
+                .sub_product(t44 * chain_u_5, sin_chain_theta_2),
+        );
+    let t51 = t35
+        .add_product(
+            R::literal(0.5),
+            (t45 * chain_v_3 * cos_chain_theta_3)
+                .add_product(t45 * chain_v_4, cos_chain_theta_3)
+                .add_product(t45 * chain_v_5, cos_chain_theta_3)
+                .sub_product(t45 * chain_u_3, sin_chain_theta_3)
+                .sub_product(t45 * chain_u_4, sin_chain_theta_3)
+                .sub_product(t45 * chain_u_5, sin_chain_theta_3),
+        );
+    let t52 = (t23
+        .add_product(
+            R::literal(0.5),
+            (t49 * chain_v_2)
+                .add_product(t49, chain_v_3)
+                .add_product(t49, chain_v_4)
+                .add_product(t49, chain_v_5)
+                .sub_product(t48, chain_u_2)
+                .sub_product(t48, chain_u_3)
+                .sub_product(t48, chain_u_4)
+                .sub_product(t48, chain_u_5),
+        ) * chain_omega_1)
+        .add_product(t50, chain_omega_2)
+        .add_product(t51, chain_omega_3)
+        .add_product(
+            t38
+                .add_product(
+                    R::literal(0.5),
+                    (t46 * chain_v_4 * cos_chain_theta_4)
+                        .add_product(t46 * chain_v_5, cos_chain_theta_4)
+                        .sub_product(t46 * chain_u_4, sin_chain_theta_4)
+                        .sub_product(t46 * chain_u_5, sin_chain_theta_4),
+                ),
+            chain_omega_4,
+        );
+    let t53 = R::literal(2.0) * chain_u_2;
+    let t54 = R::literal(2.0) * chain_v_2;
+    let t55 = R::literal(2.0) * chain_u_3;
+    let t56 = R::literal(2.0) * chain_v_3;
+    let t57 = R::literal(2.0) * chain_u_4;
+    let t58 = R::literal(2.0) * chain_v_4;
+    let t59 = R::literal(2.0) * chain_u_5;
+    let t60 = R::literal(2.0) * chain_v_5;
+    let t61 = t52
+        .add_product(
+            t40
+                .add_product(
+                    R::literal(0.5),
+                    (t47 * chain_v_5 * cos_chain_theta_5)
+                        .sub_product(t47 * chain_u_5, sin_chain_theta_5),
+                ),
+            chain_omega_5,
+        )
+        .add_product(
+            R::literal(0.5)
+                * (t49 * cos_chain_theta_1)
+                    .add_product(t48, sin_chain_theta_1)
+                    .add_product(t53, cos_chain_theta_1)
+                    .add_product(t54, sin_chain_theta_1)
+                    .add_product(t55, cos_chain_theta_1)
+                    .add_product(t56, sin_chain_theta_1)
+                    .add_product(t57, cos_chain_theta_1)
+                    .add_product(t58, sin_chain_theta_1)
+                    .add_product(t59, cos_chain_theta_1)
+                    .add_product(t60, sin_chain_theta_1),
+            chain_omega_1_dot,
+        );
+    let t62 = t61
+        .add_product(
+            R::literal(0.5)
+                * (t53 * cos_chain_theta_2)
+                    .add_product(t54, sin_chain_theta_2)
+                    .add_product(t55, cos_chain_theta_2)
+                    .add_product(t56, sin_chain_theta_2)
+                    .add_product(t57, cos_chain_theta_2)
+                    .add_product(t58, sin_chain_theta_2)
+                    .add_product(t59, cos_chain_theta_2)
+                    .add_product(t60, sin_chain_theta_2),
+            chain_omega_2_dot,
+        )
+        .add_product(
+            R::literal(0.5)
+                * (t55 * cos_chain_theta_3)
+                    .add_product(t56, sin_chain_theta_3)
+                    .add_product(t57, cos_chain_theta_3)
+                    .add_product(t58, sin_chain_theta_3)
+                    .add_product(t59, cos_chain_theta_3)
+                    .add_product(t60, sin_chain_theta_3),
+            chain_omega_3_dot,
+        )
+        .add_product(
+            R::literal(0.5)
+                * (t57 * cos_chain_theta_4)
+                    .add_product(t58, sin_chain_theta_4)
+                    .add_product(t59, cos_chain_theta_4)
+                    .add_product(t60, sin_chain_theta_4),
+            chain_omega_4_dot,
+        );
     PowerBalance {
-        stored_rate: t65
-            + R::literal(0.5) * (t61 * cos_chain_theta_5 + t62 * sin_chain_theta_5)
-                * chain_omega_5_dot,
+        stored_rate: t62
+            .add_product(
+                R::literal(0.5)
+                    * (t59 * cos_chain_theta_5).add_product(t60, sin_chain_theta_5),
+                chain_omega_5_dot,
+            ),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }

@@ -1,0 +1,102 @@
+//! Which products are written into the sums that use them, as one fused operation.
+//!
+//! A product fuses if nothing else uses it and the spec gives it no name. Tapes stay as
+//! they are: where the target has no fused operation, the emitted code does the two
+//! operations of the tape and gives its bits.
+
+use super::plan::count_uses;
+use crate::expr::Function;
+use crate::tape::{NodeId, Op, Tape};
+
+/// A sum with a product in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Fused {
+    /// The other operand of the sum.
+    pub(super) summand: NodeId,
+    /// Whether the summand is subtracted.
+    pub(super) is_summand_negative: bool,
+    /// Factors of the product.
+    pub(super) factors: [NodeId; 2],
+    /// Whether the product is subtracted.
+    pub(super) is_product_negative: bool,
+    /// The nodes that are written nowhere else.
+    swallowed: [Option<NodeId>; 2],
+}
+
+impl Fused {
+    /// What is read.
+    pub(super) fn operands(&self) -> [NodeId; 3] {
+        [self.summand, self.factors[0], self.factors[1]]
+    }
+}
+
+/// Of every node, whether it is such a sum.
+pub(super) fn fuse(tape: &Tape) -> Vec<Option<Fused>> {
+    let uses = count_uses(tape);
+    let delays = delays(tape);
+    let is_free = |id: NodeId| uses[id.0 as usize] == 1 && tape[id].name.is_none();
+    // A product or its opposite: factors, sign, what disappears.
+    let product = |id: NodeId| match tape[id].op {
+        _ if !is_free(id) => None,
+        Op::Mul(a, b) => Some(([a, b], false, [Some(id), None])),
+        Op::Neg(inner) if is_free(inner) => match tape[inner].op {
+            Op::Mul(a, b) => Some(([a, b], true, [Some(id), Some(inner)])),
+            _ => None,
+        },
+        _ => None,
+    };
+    let sum = |op: Op| {
+        let (a, b, is_difference) = match op {
+            Op::Add(a, b) => (a, b, false),
+            Op::Sub(a, b) => (a, b, true),
+            _ => return None,
+        };
+        // What is ready last is multiplied last.
+        let is_first = match (product(a), product(b)) {
+            (None, None) => return None,
+            (first, second) if first.is_some() && second.is_some() => {
+                delays[a.0 as usize] > delays[b.0 as usize]
+            }
+            (first, _) => first.is_some(),
+        };
+        let (own, summand) = if is_first { (a, b) } else { (b, a) };
+        let (factors, is_opposite, swallowed) = product(own)?;
+        Some(Fused {
+            summand,
+            is_summand_negative: is_difference && is_first,
+            factors,
+            is_product_negative: is_opposite != (is_difference && !is_first),
+            swallowed,
+        })
+    };
+    let mut fused: Vec<Option<Fused>> = vec![None; tape.nodes.len()];
+    for (index, node) in tape.nodes.iter().enumerate().filter(|(index, _)| uses[*index] > 0) {
+        fused[index] = sum(node.op);
+    }
+    fused
+}
+
+/// Of every node, whether it disappears into a fused sum.
+pub(super) fn swallowed(fused: &[Option<Fused>]) -> Vec<bool> {
+    let mut swallowed = vec![false; fused.len()];
+    for id in fused.iter().flatten().flat_map(|fused| fused.swallowed).flatten() {
+        swallowed[id.0 as usize] = true;
+    }
+    swallowed
+}
+
+/// How long after the inputs each node is ready, in the time of a sum.
+fn delays(tape: &Tape) -> Vec<u32> {
+    let mut delays: Vec<u32> = Vec::with_capacity(tape.nodes.len());
+    for node in &tape.nodes {
+        let before = node.op.operands().iter().map(|id| delays[id.0 as usize]).max();
+        let own = match node.op {
+            Op::Div(..) | Op::Call(Function::Sqrt, _) => 4,
+            Op::Call(Function::Abs, _) | Op::Neg(_) => 0,
+            Op::Powf(..) | Op::Call(..) | Op::Table { .. } => 10,
+            ref op => u32::from(op.is_arithmetic()),
+        };
+        delays.push(before.unwrap_or(0) + own);
+    }
+    delays
+}

@@ -1,15 +1,18 @@
 //! Several numbers side by side, for simulators to run on: four or eight variants
 //! of a machine at the cost of little more than one.
 //!
-//! Sums, products, quotients, roots, sines and cosines are those of the processor's
-//! vectors, as wide as the target that the program is compiled for has them
-//! (`-C target-cpu=native`); other functions are computed lane by lane. Both round as
+//! Sums, products, quotients, roots, sines, cosines, exponentials and hyperbolic tangents
+//! are those of the processor's vectors, as wide as the target that the program is compiled
+//! for has them (`-C target-cpu=native`); other functions are computed lane by lane. Both round as
 //! `f64` does, so every lane holds, to the last bit, what a run on `f64` would hold.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use machinist_scenes::Real;
+use machinist_scenes::digits::{Digits, ROUNDING};
+use machinist_scenes::exponential::{exponential, hyperbolic_tangent};
 use machinist_scenes::sine::{FARTHEST, sine_and_cosine};
+use wide::bytemuck::cast;
 
 /// Numbers with lanes that can be taken apart.
 pub trait Lanes: Real {
@@ -27,7 +30,7 @@ pub trait Lanes: Real {
 }
 
 macro_rules! lanes {
-    ($(#[$doc:meta])* $name:ident, $vector:ty, $count:literal) => {
+    ($(#[$doc:meta])* $name:ident, $vector:ty, $bits:ty, $count:literal) => {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct $name($vector);
@@ -38,10 +41,15 @@ macro_rules! lanes {
                 Self(<$vector>::from(self.0.to_array().map(function)))
             }
 
+            #[cold]
+            fn sin_cos_far_away(self) -> (Self, Self) {
+                (self.each(Real::sin), self.each(Real::cos))
+            }
+
             /// Whether every lane is near enough to zero for sines by arithmetic.
             #[inline]
             fn is_near(self) -> bool {
-                self.0.to_array().iter().all(|lane| lane.abs() <= FARTHEST)
+                self.0.abs().simd_le(<$vector>::splat(FARTHEST)).all()
             }
         }
 
@@ -121,15 +129,66 @@ macro_rules! lanes {
             fn abs(self) -> Self {
                 Self(self.0.abs())
             }
-            #[inline]
+            #[inline(always)]
+            fn exp(self) -> Self {
+                exponential(self)
+            }
+            #[inline(always)]
             fn sin(self) -> Self {
-                if self.is_near() { sine_and_cosine(self).0 } else { self.each(Real::sin) }
+                self.sin_cos().0
             }
-            #[inline]
+            #[inline(always)]
             fn cos(self) -> Self {
-                if self.is_near() { sine_and_cosine(self).1 } else { self.each(Real::cos) }
+                self.sin_cos().1
             }
-            lanes!(@each exp, ln, tan, asin, acos, atan, sinh, cosh, tanh);
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                if self.is_near() { sine_and_cosine(self) } else { self.sin_cos_far_away() }
+            }
+            #[inline(always)]
+            fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+                // Written out: arrays that are moved around are slower than what they hold.
+                let zero = Self::literal(0.0);
+                let mut pairs = [(zero, zero); N];
+                for (pair, angle) in pairs.iter_mut().zip(&angles) {
+                    *pair = angle.sin_cos();
+                }
+                pairs
+            }
+            #[inline(always)]
+            fn tanh(self) -> Self {
+                hyperbolic_tangent(self)
+            }
+            #[inline(always)]
+            fn tanh_each<const N: usize>(arguments: [Self; N]) -> [Self; N] {
+                let mut tangents = arguments;
+                for tangent in &mut tangents {
+                    *tangent = hyperbolic_tangent(*tangent);
+                }
+                tangents
+            }
+            lanes!(@each ln, tan, asin, acos, atan, sinh, cosh);
+        }
+
+        impl Digits for $name {
+            #[inline(always)]
+            fn power_of_two(n: Self) -> Self {
+                let digits: $bits = cast(n.0 + <$vector>::splat(ROUNDING + 1023.0));
+                Self(cast(digits << 52_u32))
+            }
+            #[inline(always)]
+            fn with_sign_of(self, other: Self) -> Self {
+                Self(self.0 | (other.0 & <$vector>::splat(-0.0)))
+            }
+            #[inline(always)]
+            fn turn(n: Self, sine: Self, cosine: Self) -> (Self, Self) {
+                let n: $bits = cast(n.0);
+                let [one, two] = [1, 2].map(<$bits>::splat);
+                let is_odd: $vector = cast((n & one).simd_eq(one));
+                let (s, c) = (is_odd.bitselect(cosine.0, sine.0), is_odd.bitselect(sine.0, cosine.0));
+                let sign = |n: $bits| -> $vector { cast((n & two) << 62_u32) };
+                (Self(s ^ sign(n)), Self(c ^ sign(n + one)))
+            }
         }
     };
     (@operator $name:ident, $operator:ident, $function:ident) => {
@@ -152,9 +211,9 @@ macro_rules! lanes {
 
 lanes! {
     /// Four numbers.
-    F64x4, wide::f64x4, 4
+    F64x4, wide::f64x4, wide::u64x4, 4
 }
 lanes! {
     /// Eight numbers.
-    F64x8, wide::f64x8, 8
+    F64x8, wide::f64x8, wide::u64x8, 8
 }

@@ -109,7 +109,7 @@ pub(crate) fn call(function: Function, x: f64) -> f64 {
     match function {
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
-        Function::Exp => x.exp(),
+        Function::Exp => Real::exp(x),
         Function::Ln => x.ln(),
         Function::Sin => Real::sin(x),
         Function::Cos => Real::cos(x),
@@ -119,7 +119,7 @@ pub(crate) fn call(function: Function, x: f64) -> f64 {
         Function::Atan => x.atan(),
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
+        Function::Tanh => Real::tanh(x),
         Function::SelectLess | Function::Table { .. } => f64::NAN,
     }
 }

@@ -80,8 +80,27 @@ fn mul(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {
             let product = graph.mul(a, y);
             Folded::Node(graph.neg(product))
         }
+        (Op::Literal(factor), _) => scaled(graph, b, factor).unwrap_or(Folded::Op(Op::Mul(a, b))),
+        (_, Op::Literal(factor)) => scaled(graph, a, factor).unwrap_or(Folded::Op(Op::Mul(a, b))),
         _ => Folded::Op(Op::Mul(a, b)),
     }
+}
+
+/// A product with a literal times another literal: one product, unless the first has a
+/// name, under which it is to be found.
+fn scaled(graph: &mut Graph, product: NodeId, factor: f64) -> Option<Folded> {
+    let Op::Mul(x, y) = graph.op(product) else { return None };
+    let (literal, rest) = match (graph.literal_value(x), graph.literal_value(y)) {
+        (Some(literal), _) => (literal, y),
+        (_, Some(literal)) => (literal, x),
+        _ => return None,
+    };
+    let both = factor * literal;
+    if graph.is_named(product) || !both.is_normal() {
+        return None;
+    }
+    let both = graph.literal(both);
+    Some(Folded::Node(graph.mul(both, rest)))
 }
 
 fn div(graph: &mut Graph, a: NodeId, b: NodeId) -> Folded {

@@ -123,6 +123,17 @@ impl Op {
         }
     }
 
+    /// Time that the operation takes, in that of a sum, roughly.
+    #[must_use]
+    pub fn cost(&self) -> u32 {
+        match self {
+            Op::Div(..) | Op::Call(Function::Sqrt, _) => 4,
+            Op::Call(Function::Abs, _) => 1,
+            Op::Powf(..) | Op::Call(..) | Op::Table { .. } => 10,
+            _ => u32::from(self.is_arithmetic()),
+        }
+    }
+
     /// Whether the operation costs anything at run time.
     #[must_use]
     pub fn is_arithmetic(&self) -> bool {

@@ -31,11 +31,14 @@ compile_error!("elementary functions come from `std` or `libm`: turn on one of t
 #[path = "scenes/bench/mod.rs"]
 pub mod bench;
 mod contract;
+pub mod digits;
+pub mod exponential;
 pub mod field;
 mod include;
 pub mod linear;
 mod real;
 pub mod scenes;
+mod side_by_side;
 pub mod sine;
 mod sources;
 mod table;

@@ -4,6 +4,8 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::CubicTable;
+use crate::exponential::{NEAR, exponential, exponential_near, hyperbolic_tangent};
+use crate::side_by_side::{hyperbolic_tangents, sines_and_cosines};
 use crate::sine::{FARTHEST, sine_and_cosine};
 
 /// A real number type that emitted code can run on: `f64` and `f32` here,
@@ -60,6 +62,16 @@ pub trait Real:
     fn sin(self) -> Self;
     /// Cosine.
     fn cos(self) -> Self;
+    /// Sine and cosine.
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
+    /// Sines and cosines, side by side where the type has a way; the same bits either way.
+    #[inline(always)]
+    fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        angles.map(Self::sin_cos)
+    }
     /// Tangent.
     fn tan(self) -> Self;
     /// Inverse sine.
@@ -74,6 +86,11 @@ pub trait Real:
     fn cosh(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
+    /// Hyperbolic tangents, likewise side by side.
+    #[inline(always)]
+    fn tanh_each<const N: usize>(arguments: [Self; N]) -> [Self; N] {
+        arguments.map(Self::tanh)
+    }
     /// Value (`order` 0) or derivative of a table at `argument`.
     ///
     /// Walks the whole table without a branch, so that it holds for types that
@@ -128,25 +145,39 @@ macro_rules! implement_real {
     };
 }
 
-implement_real!(f64, sqrt = sqrt, abs = fabs, exp = exp, ln = log, tan = tan, asin = asin,
-acos = acos, atan = atan, sinh = sinh, cosh = cosh, tanh = tanh; pow; {
+implement_real!(f64, sqrt = sqrt, abs = fabs, ln = log, tan = tan, asin = asin,
+acos = acos, atan = atan, sinh = sinh, cosh = cosh; pow; {
+    #[inline]
+    fn exp(self) -> Self {
+        if self.abs() <= NEAR { exponential_near(self) } else { exponential(self) }
+    }
     #[inline]
     fn sin(self) -> Self {
-        sine_and_cosine_of_any(self).0
+        if self.abs() <= FARTHEST { sine_and_cosine(self).0 } else { sine_and_cosine_far_away(self).0 }
     }
     #[inline]
     fn cos(self) -> Self {
-        sine_and_cosine_of_any(self).1
+        if self.abs() <= FARTHEST { sine_and_cosine(self).1 } else { sine_and_cosine_far_away(self).1 }
+    }
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        if self.abs() <= FARTHEST { sine_and_cosine(self) } else { sine_and_cosine_far_away(self) }
+    }
+    #[inline]
+    fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        sines_and_cosines(angles)
+    }
+    #[inline]
+    fn tanh(self) -> Self {
+        hyperbolic_tangent(self)
+    }
+    #[inline]
+    fn tanh_each<const N: usize>(arguments: [Self; N]) -> [Self; N] {
+        hyperbolic_tangents(arguments)
     }
 });
 implement_real!(f32, sqrt = sqrtf, abs = fabsf, exp = expf, ln = logf, sin = sinf, cos = cosf, tan = tanf,
     asin = asinf, acos = acosf, atan = atanf, sinh = sinhf, cosh = coshf, tanh = tanhf; powf; {});
-
-/// Sine and cosine; where both are asked for, compilers see that they are one call.
-#[inline]
-fn sine_and_cosine_of_any(x: f64) -> (f64, f64) {
-    if x.abs() <= FARTHEST { sine_and_cosine(x) } else { sine_and_cosine_far_away(x) }
-}
 
 #[cold]
 fn sine_and_cosine_far_away(x: f64) -> (f64, f64) {

@@ -11,15 +11,13 @@
 //!
 //! Source: the argument reduction and the polynomials are those of fdlibm (Sun
 //! Microsystems, 1993), `__ieee754_rem_pio2`, `__kernel_sin` and `__kernel_cos`, here
-//! without branches.
+//! without branches and with fused products where the target has them.
 
 use crate::Real;
+use crate::digits::{Digits, ROUNDING};
 
 /// Farther from zero than this, n would need more digits than are kept for it.
 pub const FARTHEST: f64 = 1e6;
-
-/// Adding and subtracting it rounds to a whole number.
-const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// pi/2: 33 bits, the next 33 bits, the rest.
 const HALF_PI: [f64; 3] =
@@ -48,61 +46,47 @@ const COSINE: [f64; 6] = [
 /// Sine and cosine of a number not farther from zero than [`FARTHEST`].
 #[must_use]
 #[inline(always)]
-pub fn sine_and_cosine<R: Real>(x: R) -> (R, R) {
-    let l = R::literal;
-    let n = round(x * l(core::f64::consts::FRAC_2_PI));
-    let (r, tail) = remainder(x, n);
-    let (sine, cosine) = (sine(r, tail), cosine(r, tail));
-
-    // n modulo 4: a turn has four quarters.
-    let quarter = n - l(4.0) * round((n - l(1.5)) * l(0.25));
-    let from_half = (quarter - l(2.0)).abs();
-    let is_odd = (from_half - l(1.0)).abs();
-    let half = l(0.5);
-    let (s, c) =
-        (R::select_less(is_odd, half, cosine, sine), R::select_less(is_odd, half, sine, cosine));
-    let from_middle = (quarter - l(1.5)).abs();
-    (R::select_less(l(1.5), quarter, -s, s), R::select_less(from_middle, l(1.0), -c, c))
+pub fn sine_and_cosine<R: Digits>(x: R) -> (R, R) {
+    let digits = x.mul_add(R::literal(core::f64::consts::FRAC_2_PI), R::literal(ROUNDING));
+    let n = digits - R::literal(ROUNDING);
+    let (r, minus_tail) = remainder(x, n);
+    let z = r * r;
+    let below_one = R::literal(0.5) * z;
+    let near = R::literal(1.0) - below_one;
+    let sine = sine(r, minus_tail * near, z);
+    let cosine = cosine(r * minus_tail, z, near, below_one);
+    R::turn(digits, sine, cosine)
 }
 
-#[inline(always)]
-fn round<R: Real>(x: R) -> R {
-    (x + R::literal(ROUNDING)) - R::literal(ROUNDING)
-}
-
-/// x - n pi/2 and what its last digit leaves out.
+/// x - n pi/2 and, with the other sign, what its last digit leaves out.
 #[inline(always)]
 fn remainder<R: Real>(x: R, n: R) -> (R, R) {
     let [first, second, rest] = HALF_PI.map(R::literal);
-    let near = x - n * first;
-    let part = n * second;
-    let r = near - part;
-    let left = n * rest - ((near - r) - part);
-    let y = r - left;
-    (y, (r - y) - left)
+    let near = (-n).mul_add(first, x);
+    let r = (-n).mul_add(second, near);
+    (r, n.mul_add(rest, n.mul_add(second, r - near)))
 }
 
-/// sin(r + tail).
+/// sin(r + tail) = sin r + tail cos r, of -tail cos r and r^2.
 #[inline(always)]
-fn sine<R: Real>(r: R, tail: R) -> R {
+fn sine<R: Real>(r: R, minus_rest: R, z: R) -> R {
     let [s1, s2, s3, s4, s5, s6] = SINE.map(R::literal);
-    let z = r * r;
-    let p = s2 + z * (s3 + z * s4) + z * (z * z) * (s5 + z * s6);
-    let v = z * r;
-    r - ((z * (R::literal(0.5) * tail - v * p) - tail) - v * s1)
+    let w = z * z;
+    let high = w.mul_add(s6.mul_add(z, s5), s4.mul_add(z, s3));
+    let p = w.mul_add(high, s2.mul_add(z, s1));
+    // Subtracted, so that zero keeps its sign.
+    r - (-(z * r)).mul_add(p, minus_rest)
 }
 
-/// cos(r + tail).
+/// cos(r + tail) = cos r - tail sin r, of -tail r, r^2, and 1 - r^2/2 with r^2/2.
 #[inline(always)]
-fn cosine<R: Real>(r: R, tail: R) -> R {
+fn cosine<R: Real>(rest: R, z: R, near: R, below_one: R) -> R {
     let [c1, c2, c3, c4, c5, c6] = COSINE.map(R::literal);
-    let one = R::literal(1.0);
-    let z = r * r;
     let w = z * z;
-    let p = z * (c1 + z * (c2 + z * c3)) + w * w * (c4 + z * (c5 + z * c6));
-    let half = R::literal(0.5) * z;
-    let near = one - half;
-    near + (((one - near) - half) + (z * p - r * tail))
+    let high = w.mul_add(c6.mul_add(z, c5), c4.mul_add(z, c3));
+    let p = w.mul_add(high, c2.mul_add(z, c1));
+    let lost = (R::literal(1.0) - near) - below_one;
+    near + (w.mul_add(p, lost) + rest)
 }
 
 #[cfg(all(test, feature = "std"))]

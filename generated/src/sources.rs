@@ -5,8 +5,11 @@
 pub const SOURCES: &[(&str, &str)] = &[
     ("lib.rs", include_str!("lib.rs")),
     ("contract.rs", include_str!("contract.rs")),
+    ("digits.rs", include_str!("digits.rs")),
+    ("exponential.rs", include_str!("exponential.rs")),
     ("include.rs", include_str!("include.rs")),
     ("real.rs", include_str!("real.rs")),
+    ("side_by_side.rs", include_str!("side_by_side.rs")),
     ("sine.rs", include_str!("sine.rs")),
     ("sources.rs", include_str!("sources.rs")),
     ("table.rs", include_str!("table.rs")),

@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 use super::convert::{to_atom, to_expr};
 use super::functions::Vocabulary;
 use crate::expr::{Expr, Function};
-use crate::lower::operations;
+use crate::lower::{cost, operations};
 use crate::trigonometry::{combine, has_sine};
 
 /// Forms larger than this are not factored: the cost of factoring grows much
@@ -17,17 +17,17 @@ const FACTOR_LIMIT: usize = 60;
 /// Forms larger than this are not multiplied out.
 const EXPAND_LIMIT: usize = 2000;
 
-/// The form whose tape has the fewest operations: as it is, multiplied out with
+/// The form whose tape takes the least time: as it is, multiplied out with
 /// trigonometric identities applied, with common factors collected, or factored.
 pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
     let expr = to_expr(vocabulary, atom.as_view());
     let size = operations(&expr);
-    let mut best = (size, expr);
+    let mut best = (cost(&expr), expr);
     if size <= 1 {
         return best.1;
     }
     let mut offer = |candidate: Expr| {
-        let cost = operations(&candidate);
+        let cost = cost(&candidate);
         if cost < best.0 {
             best = (cost, candidate);
         }

@@ -5,6 +5,7 @@
 //! and the contract crate, allocates nothing, and computes with any
 //! `machinist_scenes::Real`.
 
+mod batch;
 mod body;
 mod check;
 mod describe;

@@ -80,6 +80,12 @@ impl Graph {
         }
     }
 
+    /// Whether a node has a name.
+    #[must_use]
+    pub fn is_named(&self, id: NodeId) -> bool {
+        self.nodes[id.0 as usize].name.is_some()
+    }
+
     /// A finite literal.
     pub fn literal(&mut self, value: f64) -> NodeId {
         // Minus zero would hide equal operations.

@@ -275,9 +275,10 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [q_0, q_1, q_0_dot, q_1_dot] = *state;
     let q_0_minus_q_1 = q_0 - q_1;
-    let cos_q_0_minus_q_1 = q_0_minus_q_1.cos();
-    let t0 = (-(c.t0 * q_0.sin())).add_product((q_1 - q_0).sin(), q_1_dot.powi(2));
-    let t1 = (-(c.t1 * q_1.sin())).add_product(q_0_minus_q_1.sin(), q_0_dot.powi(2));
+    let [(sin_q_0_minus_q_1, cos_q_0_minus_q_1), (sin_q_1_minus_q_0, _), (sin_q_0, _),
+    (sin_q_1, _)] = R::sin_cos_each([q_0_minus_q_1, q_1 - q_0, q_0, q_1]);
+    let t0 = (-(c.t0 * sin_q_0)).add_product(sin_q_1_minus_q_0, q_1_dot.powi(2));
+    let t1 = (-(c.t1 * sin_q_1)).add_product(sin_q_0_minus_q_1, q_0_dot.powi(2));
     let t2 = R::literal(2.0).sub_product(cos_q_0_minus_q_1, cos_q_0_minus_q_1);
     let q_0_dot_dot = (R::literal(1.0) * t0).sub_product(cos_q_0_minus_q_1, t1) / t2;
     let q_1_dot_dot = (R::literal(2.0) * t1).sub_product(cos_q_0_minus_q_1, t0) / t2;
@@ -308,10 +309,16 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [q_0, q_1, q_0_dot, q_1_dot] = *state;
-    let q_0_forcing = (-(R::literal(2.0) * p.arm_gravity * q_0.sin()))
-        .add_product((q_1 - q_0).sin(), q_1_dot.powi(2));
-    let q_1_forcing = (-(R::literal(1.0) * p.arm_gravity * q_1.sin()))
-        .add_product((q_0 - q_1).sin(), q_0_dot.powi(2));
+    let [(sin_q_1_minus_q_0, _), (sin_q_0, _), (sin_q_0_minus_q_1, _), (sin_q_1, _)] = R::sin_cos_each([
+        q_1 - q_0,
+        q_0,
+        q_0 - q_1,
+        q_1,
+    ]);
+    let q_0_forcing = (-(R::literal(2.0) * p.arm_gravity * sin_q_0))
+        .add_product(sin_q_1_minus_q_0, q_1_dot.powi(2));
+    let q_1_forcing = (-(R::literal(1.0) * p.arm_gravity * sin_q_1))
+        .add_product(sin_q_0_minus_q_1, q_0_dot.powi(2));
     [q_0_forcing, q_1_forcing]
 }
 

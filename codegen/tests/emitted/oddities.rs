@@ -554,6 +554,7 @@ pub fn time_derivative<R: Real>(
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [state_2, STATES_2, p_2] = *state;
+    let (output_5, output_6) = state_2.sin_cos();
     let t0 = R::literal(1.0) + state_2.abs();
     let t1 = state_2 / t0;
     let STATES_2_plus_p_2 = STATES_2 + p_2;
@@ -614,8 +615,8 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         output_2: t1.asin(),
         output_3: t1.acos(),
         output_4: state_2.exp(),
-        output_5: state_2.sin(),
-        output_6: state_2.cos(),
+        output_5,
+        output_6,
         output_7: state_2.tan(),
         output_8: state_2.atan(),
         output_9: state_2.sinh(),

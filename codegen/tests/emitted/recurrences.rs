@@ -517,20 +517,31 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [arm_phi, arm_phi_dot, ..] = *state;
+    let arm_phi_minus_arm_phi_dot = arm_phi - arm_phi_dot;
+    let arm_phi_dot_minus_arm_phi = arm_phi_dot - arm_phi;
+    let z_50_dot = (-p.drive_lag).add_product(p.arm_length, time);
+    let minus_z_50_dot = -z_50_dot;
+    let [(z_8_dot, z_10_dot), (z_9_dot, z_11_dot), (z_55_dot, z_57_dot),
+    (z_56_dot, z_58_dot)] = R::sin_cos_each([
+        arm_phi_minus_arm_phi_dot,
+        arm_phi_dot_minus_arm_phi,
+        z_50_dot,
+        minus_z_50_dot,
+    ]);
+    let [z_24_dot, z_25_dot, z_63_dot, z_64_dot] = R::tanh_each([
+        arm_phi_minus_arm_phi_dot,
+        arm_phi_dot_minus_arm_phi,
+        z_50_dot,
+        minus_z_50_dot,
+    ]);
     let arm_phi_dot_dot = -arm_phi;
     let t0 = R::literal(2.0) + arm_phi;
     let z_2_dot = t0.sqrt();
     let z_3_dot = t0.ln();
-    let arm_phi_minus_arm_phi_dot = arm_phi - arm_phi_dot;
-    let arm_phi_dot_minus_arm_phi = arm_phi_dot - arm_phi;
     let z_4_dot = arm_phi_minus_arm_phi_dot.abs();
     let z_5_dot = arm_phi_dot_minus_arm_phi.abs();
     let z_6_dot = arm_phi_minus_arm_phi_dot.exp();
     let z_7_dot = arm_phi_dot_minus_arm_phi.exp();
-    let z_8_dot = arm_phi_minus_arm_phi_dot.sin();
-    let z_9_dot = arm_phi_dot_minus_arm_phi.sin();
-    let z_10_dot = arm_phi_minus_arm_phi_dot.cos();
-    let z_11_dot = arm_phi_dot_minus_arm_phi.cos();
     let z_12_dot = arm_phi_minus_arm_phi_dot.tan();
     let z_13_dot = arm_phi_dot_minus_arm_phi.tan();
     let z_14_dot = arm_phi_minus_arm_phi_dot.asin();
@@ -543,8 +554,6 @@ pub fn prepared_rate<R: Real>(
     let z_21_dot = arm_phi_dot_minus_arm_phi.sinh();
     let z_22_dot = arm_phi_minus_arm_phi_dot.cosh();
     let z_23_dot = arm_phi_dot_minus_arm_phi.cosh();
-    let z_24_dot = arm_phi_minus_arm_phi_dot.tanh();
-    let z_25_dot = arm_phi_dot_minus_arm_phi.tanh();
     let z_26_dot = R::interpolate(&DRIVE_LOAD_TABLE, 0, t0);
     let z_27_dot = R::interpolate(&DRIVE_LOAD_TABLE, 1, t0);
     let z_28_dot = R::interpolate(&DRIVE_LOAD_TABLE, 2, t0);
@@ -569,22 +578,14 @@ pub fn prepared_rate<R: Real>(
     let z_47_dot = t1.powf(arm_phi_dot);
     let z_48_dot = R::select_less(arm_phi, arm_phi_dot, arm_phi, t1);
     let z_49_dot = R::select_less(arm_phi_dot, arm_phi, p.arm_length, t1);
-    let z_50_dot = (-p.drive_lag).add_product(p.arm_length, time);
-    let minus_z_50_dot = -z_50_dot;
     let z_51_dot = time * arm_phi;
     let z_52_dot = z_50_dot * minus_z_50_dot;
     let z_53_dot = z_50_dot + arm_phi;
     let z_54_dot = R::interpolate(&DRIVE_LOAD_TABLE, 0, z_50_dot);
-    let z_55_dot = z_50_dot.sin();
-    let z_56_dot = minus_z_50_dot.sin();
-    let z_57_dot = z_50_dot.cos();
-    let z_58_dot = minus_z_50_dot.cos();
     let z_59_dot = z_50_dot.exp();
     let z_60_dot = minus_z_50_dot.exp();
     let z_61_dot = z_50_dot.sinh();
     let z_62_dot = minus_z_50_dot.sinh();
-    let z_63_dot = z_50_dot.tanh();
-    let z_64_dot = minus_z_50_dot.tanh();
     [
         arm_phi_dot,
         arm_phi_dot_dot,

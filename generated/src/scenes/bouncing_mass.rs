@@ -395,9 +395,10 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 4] {
     let [_, _, ball_resting] = *state;
     let frequency_times_time = p.frequency * time;
-    let sin_frequency_times_time = frequency_times_time.sin();
+    let (sin_frequency_times_time, cos_frequency_times_time) = frequency_times_time
+        .sin_cos();
     let plate = p.amplitude * sin_frequency_times_time;
-    let plate_speed = p.amplitude * p.frequency * frequency_times_time.cos();
+    let plate_speed = p.amplitude * p.frequency * cos_frequency_times_time;
     let frequency_squared = p.frequency * p.frequency;
     let t0 = p.ball_gravity.sub_product(frequency_squared, plate);
     let ball_weight = p.ball_mass * t0;
@@ -421,8 +422,8 @@ pub fn parameter_jacobian<R: Real>(
         R::literal(0.5),
         R::literal(0.0),
         p.ball_mass
-            * (-(R::literal(2.0) * p.frequency * plate))
-                .sub_product(frequency_times_time, plate_speed),
+            * (-(frequency_times_time * plate_speed))
+                .sub_product(R::literal(2.0) * p.frequency, plate),
     ) * inverse_ball_mass;
     let ball_v_dot_by_ball_mass = (R::select_less(
         ball_resting,
@@ -565,8 +566,10 @@ pub fn guard_rates<R: Real>(
 pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; RESETS] {
     let [_, ball_v, ..] = *state;
     let frequency_times_time = p.frequency * time;
-    let plate = p.amplitude * frequency_times_time.sin();
-    let plate_speed = p.amplitude * p.frequency * frequency_times_time.cos();
+    let (sin_frequency_times_time, cos_frequency_times_time) = frequency_times_time
+        .sin_cos();
+    let plate = p.amplitude * sin_frequency_times_time;
+    let plate_speed = p.amplitude * p.frequency * cos_frequency_times_time;
     let ball_approach = ball_v - plate_speed;
     let ball_weight = p.ball_mass
         * p.ball_gravity.sub_product(p.frequency * p.frequency, plate);

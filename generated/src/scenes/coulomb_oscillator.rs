@@ -39,7 +39,7 @@
 //   rate                     17
 //   mass_matrix               0
 //   forcing                  15
-//   rate_jacobian            25
+//   rate_jacobian            27
 //   parameter_jacobian       50
 //   time_derivative           0
 //   outputs                  14
@@ -49,9 +49,9 @@
 //   guard_rates              20
 //   resets                   12
 // With constants of the parameters, prepared once a run:
-//   prepare                   4
+//   prepare                   5
 //   prepared_rate            15
-//   prepared_rate_jacobian   21
+//   prepared_rate_jacobian   22
 
 use crate::{
     Describe, Direction, Event, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
@@ -227,7 +227,7 @@ pub mod state {
 }
 
 /// Constants that `prepare` computes.
-pub const CONSTANTS: usize = 3;
+pub const CONSTANTS: usize = 5;
 
 #[allow(missing_docs, reason = "`prepare` says what each is")]
 /// What parameters alone decide; `prepare` says what each is.
@@ -236,6 +236,8 @@ pub struct Constants<R> {
     pub inverse_slider_stribeck_speed: R,
     pub inverse_slider_mass: R,
     pub t0: R,
+    pub t1: R,
+    pub t2: R,
 }
 
 impl<R: Real> Constants<R> {
@@ -247,30 +249,41 @@ impl<R: Real> Constants<R> {
             inverse_slider_stribeck_speed: values[0],
             inverse_slider_mass: values[1],
             t0: values[2],
+            t1: values[3],
+            t2: values[4],
         }
     }
     /// The numbers in their order.
     #[must_use]
     #[inline]
     pub fn to_array(self) -> [R; CONSTANTS] {
-        [self.inverse_slider_stribeck_speed, self.inverse_slider_mass, self.t0]
+        [
+            self.inverse_slider_stribeck_speed,
+            self.inverse_slider_mass,
+            self.t0,
+            self.t1,
+            self.t2,
+        ]
     }
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run.
 ///
-/// 4 operations.
+/// 5 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_slider_stribeck_speed = R::literal(1.0) / p.slider_stribeck_speed;
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let t0 = p.slider_normal_force * p.slider_stribeck_friction
-        / p.slider_stribeck_speed;
+    let t0 = p.slider_damping * p.slider_stribeck_speed;
+    let t1 = p.slider_normal_force * p.slider_stribeck_friction;
+    let t2 = t1 / p.slider_stribeck_speed;
     Constants {
         inverse_slider_stribeck_speed,
         inverse_slider_mass,
         t0,
+        t1,
+        t2,
     }
 }
 
@@ -374,7 +387,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 25 operations.
+/// 27 operations.
 #[must_use]
 #[inline]
 pub fn rate_jacobian<R: Real>(
@@ -387,7 +400,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// As `rate_jacobian`, with the constants of the parameters from `prepare`.
 ///
-/// 21 operations.
+/// 22 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
@@ -403,14 +416,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         R::literal(0.0),
         R::select_less(slider_slip, R::literal(0.5), p.slider_stiffness, R::literal(0.0)),
     ) - p.slider_stiffness) * c.inverse_slider_mass;
-    let t1 = c.t0 * slider_slip * t0;
-    let slider_v_dot_by_slider_v = (R::select_less(
-        slider_slip,
-        R::literal(-0.5),
-        -t1,
-        R::select_less(slider_slip, R::literal(0.5), p.slider_damping, t1),
-    ) - p.slider_damping) * c.inverse_slider_mass;
-    let t2 = c.t0 * slider_v * t0;
+    let t1 = c.t1 * slider_slip * t0;
+    let slider_v_dot_by_slider_v = c.inverse_slider_stribeck_speed
+        * (R::select_less(
+            slider_slip,
+            R::literal(-0.5),
+            -t1,
+            R::select_less(slider_slip, R::literal(0.5), c.t0, t1),
+        ) - c.t0) * c.inverse_slider_mass;
+    let t2 = c.t2 * slider_v * t0;
     let slider_v_dot_by_slider_slip = R::select_less(
         slider_slip,
         R::literal(-0.5),

@@ -700,17 +700,17 @@ pub fn prepared_rate<R: Real>(
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, crank_v_x, crank_v_y,
     crank_omega, coupler_v_x, coupler_v_y, coupler_omega, rocker_v_x, rocker_v_y,
     rocker_omega] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = c.t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t1 = c.t0 * sin_crank_phi;
-    let cos_coupler_phi = coupler_phi.cos();
     let t2 = c.t1 * cos_coupler_phi;
-    let sin_coupler_phi = coupler_phi.sin();
     let t3 = c.t1 * sin_coupler_phi;
-    let cos_rocker_phi = rocker_phi.cos();
     let t4 = c.t2 * cos_rocker_phi;
-    let sin_rocker_phi = rocker_phi.sin();
     let t5 = c.t2 * sin_rocker_phi;
     let t6 = t1 * c.inverse_crank_inertia;
     let t7 = t0 * c.inverse_crank_inertia;
@@ -961,17 +961,17 @@ pub fn prepared_rate_jacobian<R: Real>(
 ) -> [R; 63] {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, _, _, crank_omega, _, _,
     coupler_omega, _, _, rocker_omega] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = c.t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t1 = c.t0 * sin_crank_phi;
-    let cos_coupler_phi = coupler_phi.cos();
     let t2 = c.t1 * cos_coupler_phi;
-    let sin_coupler_phi = coupler_phi.sin();
     let t3 = c.t1 * sin_coupler_phi;
-    let cos_rocker_phi = rocker_phi.cos();
     let t4 = c.t2 * cos_rocker_phi;
-    let sin_rocker_phi = rocker_phi.sin();
     let t5 = c.t2 * sin_rocker_phi;
     let t6 = t1 * c.inverse_crank_inertia;
     let t7 = t0 * c.inverse_crank_inertia;
@@ -1482,20 +1482,20 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 108] {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, _, _, crank_omega, _, _,
     coupler_omega, _, _, rocker_omega] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
     let t1 = t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t2 = t0 * sin_crank_phi;
-    let cos_coupler_phi = coupler_phi.cos();
     let t3 = R::literal(0.5) * p.coupler_length;
     let t4 = t3 * cos_coupler_phi;
-    let sin_coupler_phi = coupler_phi.sin();
     let t5 = t3 * sin_coupler_phi;
-    let cos_rocker_phi = rocker_phi.cos();
     let t6 = R::literal(0.5) * p.rocker_length;
     let t7 = t6 * cos_rocker_phi;
-    let sin_rocker_phi = rocker_phi.sin();
     let t8 = t6 * sin_rocker_phi;
     let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
     let minus_inverse_crank_mass = -inverse_crank_mass;
@@ -2384,20 +2384,20 @@ pub fn time_derivative<R: Real>(
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, _, _, crank_omega, _, _,
     coupler_omega, _, _, rocker_omega] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
     let t1 = t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t2 = t0 * sin_crank_phi;
-    let cos_coupler_phi = coupler_phi.cos();
     let t3 = R::literal(0.5) * p.coupler_length;
     let t4 = t3 * cos_coupler_phi;
-    let sin_coupler_phi = coupler_phi.sin();
     let t5 = t3 * sin_coupler_phi;
-    let cos_rocker_phi = rocker_phi.cos();
     let t6 = R::literal(0.5) * p.rocker_length;
     let t7 = t6 * cos_rocker_phi;
-    let sin_rocker_phi = rocker_phi.sin();
     let t8 = t6 * sin_rocker_phi;
     let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
     let minus_inverse_crank_mass = -inverse_crank_mass;
@@ -2591,20 +2591,20 @@ pub fn power_balance<R: Real>(
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, crank_v_x, crank_v_y,
     crank_omega, coupler_v_x, coupler_v_y, coupler_omega, rocker_v_x, rocker_v_y,
     rocker_omega] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
     let t1 = t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t2 = t0 * sin_crank_phi;
-    let cos_coupler_phi = coupler_phi.cos();
     let t3 = R::literal(0.5) * p.coupler_length;
     let t4 = t3 * cos_coupler_phi;
-    let sin_coupler_phi = coupler_phi.sin();
     let t5 = t3 * sin_coupler_phi;
-    let cos_rocker_phi = rocker_phi.cos();
     let t6 = R::literal(0.5) * p.rocker_length;
     let t7 = t6 * cos_rocker_phi;
-    let sin_rocker_phi = rocker_phi.sin();
     let t8 = t6 * sin_rocker_phi;
     let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
     let minus_inverse_crank_mass = -inverse_crank_mass;
@@ -2797,24 +2797,30 @@ pub fn constraint_values<R: Real>(
 ) -> [R; CONSTRAINTS] {
     let [crank_x, crank_y, crank_phi, coupler_x, coupler_y, coupler_phi, rocker_x,
     rocker_y, rocker_phi, ..] = *state;
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
-    let t1 = t0 * crank_phi.cos();
+    let t1 = t0 * cos_crank_phi;
     let crank_start_x = crank_x - t1;
-    let t2 = t0 * crank_phi.sin();
+    let t2 = t0 * sin_crank_phi;
     let crank_start_y = crank_y - t2;
     let crank_end_x = crank_x + t1;
     let crank_end_y = crank_y + t2;
     let t3 = R::literal(0.5) * p.coupler_length;
-    let t4 = t3 * coupler_phi.cos();
+    let t4 = t3 * cos_coupler_phi;
     let coupler_start_x = coupler_x - t4;
-    let t5 = t3 * coupler_phi.sin();
+    let t5 = t3 * sin_coupler_phi;
     let coupler_start_y = coupler_y - t5;
     let coupler_end_x = coupler_x + t4;
     let coupler_end_y = coupler_y + t5;
     let t6 = R::literal(0.5) * p.rocker_length;
-    let t7 = t6 * rocker_phi.cos();
+    let t7 = t6 * cos_rocker_phi;
     let rocker_start_x = rocker_x - t7;
-    let t8 = t6 * rocker_phi.sin();
+    let t8 = t6 * sin_rocker_phi;
     let rocker_start_y = rocker_y - t8;
     let rocker_end_x = rocker_x + t7;
     let rocker_end_y = rocker_y + t8;
@@ -2847,20 +2853,26 @@ pub fn constraint_rates<R: Real>(
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, crank_v_x, crank_v_y,
     crank_omega, coupler_v_x, coupler_v_y, coupler_omega, rocker_v_x, rocker_v_y,
     rocker_omega] = *state;
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length * crank_omega;
-    let t1 = t0 * crank_phi.sin();
+    let t1 = t0 * sin_crank_phi;
     let pin_o_x_rate = crank_v_x + t1;
-    let t2 = t0 * crank_phi.cos();
+    let t2 = t0 * cos_crank_phi;
     let pin_o_y_rate = crank_v_y - t2;
     let t3 = R::literal(0.5) * p.coupler_length * coupler_omega;
-    let t4 = t3 * coupler_phi.sin();
+    let t4 = t3 * sin_coupler_phi;
     let pin_a_x_rate = coupler_v_x + t1 + t4 - crank_v_x;
-    let t5 = t3 * coupler_phi.cos();
+    let t5 = t3 * cos_coupler_phi;
     let pin_a_y_rate = coupler_v_y - crank_v_y - t2 - t5;
     let t6 = R::literal(0.5) * p.rocker_length * rocker_omega;
-    let t7 = t6 * rocker_phi.sin();
+    let t7 = t6 * sin_rocker_phi;
     let pin_b_x_rate = rocker_v_x + t4 - coupler_v_x - t7;
-    let t8 = t6 * rocker_phi.cos();
+    let t8 = t6 * cos_rocker_phi;
     let pin_b_y_rate = rocker_v_y + t8 - coupler_v_y - t5;
     let pin_c_x_rate = rocker_v_x + t7;
     let pin_c_y_rate = rocker_v_y - t8;
@@ -2886,15 +2898,21 @@ pub fn constraint_matrix<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 24] {
     let [_, _, crank_phi, _, _, coupler_phi, _, _, rocker_phi, ..] = *state;
+    let [(sin_crank_phi, cos_crank_phi), (sin_coupler_phi, cos_coupler_phi),
+    (sin_rocker_phi, cos_rocker_phi)] = R::sin_cos_each([
+        crank_phi,
+        coupler_phi,
+        rocker_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
-    let t1 = t0 * crank_phi.sin();
+    let t1 = t0 * sin_crank_phi;
     let t2 = R::literal(0.5) * p.coupler_length;
-    let t3 = t2 * coupler_phi.sin();
+    let t3 = t2 * sin_coupler_phi;
     let t4 = R::literal(0.5) * p.rocker_length;
-    let t5 = t4 * rocker_phi.cos();
-    let t6 = t4 * rocker_phi.sin();
-    let t7 = -(t0 * crank_phi.cos());
-    let t8 = -(t2 * coupler_phi.cos());
+    let t5 = t4 * cos_rocker_phi;
+    let t6 = t4 * sin_rocker_phi;
+    let t7 = -(t0 * cos_crank_phi);
+    let t8 = -(t2 * cos_coupler_phi);
     [
         R::literal(1.0),
         t1,

@@ -658,10 +658,13 @@ impl<R: Real> Constants<R> {
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let (sin_motor_supply_phase, cos_motor_supply_phase) = p
+        .motor_supply_phase
+        .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let motor_u_x = t0 * cos_motor_supply_phase;
+    let motor_u_y = t0 * sin_motor_supply_phase;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
@@ -799,8 +802,9 @@ pub fn prepared_rate<R: Real>(
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
     crank_turn_speed, shaft_driven_dot, shaft_reed_dot, shaft_middle_dot, reed_speed,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let (sin_crank_turn, cos_crank_turn) = crank_turn.sin_cos();
     let fell_torque = p.fell_stiffness * reed_angle;
-    let crank_angle = p.crank_ratio * crank_turn.sin();
+    let crank_angle = p.crank_ratio * sin_crank_turn;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, crank_turn);
     let coupling_twist_rate = motor_omega
         .sub_product(p.coupling_ratio, crank_turn_speed);
@@ -815,7 +819,7 @@ pub fn prepared_rate<R: Real>(
     let crank_turn_speed_dot = ((c.t4 * coupling_twist)
         .add_product(
             c.crank_ratio_times_crank_stiffness * shaft_driven_minus_crank_angle,
-            crank_turn.cos(),
+            cos_crank_turn,
         ) - (p.crank_drag * crank_turn_speed).sub_product(c.t5, coupling_twist_rate))
         * c.inverse_crank_inertia;
     let shaft_driven_dot_dot = p
@@ -900,9 +904,10 @@ pub fn forcing<R: Real>(
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
     crank_turn_speed, _, _, _, _, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry,
     ] = *state;
+    let (sin_crank_turn, cos_crank_turn) = crank_turn.sin_cos();
     let fell_torque = p.fell_stiffness * reed_angle;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let crank_angle = p.crank_ratio * crank_turn.sin();
+    let crank_angle = p.crank_ratio * sin_crank_turn;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, crank_turn);
     let coupling_twist_rate = motor_omega
@@ -917,7 +922,7 @@ pub fn forcing<R: Real>(
     let crank_turn_forcing = (p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(
             p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle,
-            crank_turn.cos(),
+            cos_crank_turn,
         )
         - (p.crank_drag * crank_turn_speed)
             .sub_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate);
@@ -962,10 +967,10 @@ pub fn prepared_rate_jacobian<R: Real>(
 ) -> [R; 39] {
     let [_, crank_turn, shaft_driven, _, _, _, motor_omega, _, _, _, _, _, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let crank_angle = p.crank_ratio * crank_turn.sin();
+    let (sin_crank_turn, cos_crank_turn) = crank_turn.sin_cos();
+    let crank_angle = p.crank_ratio * sin_crank_turn;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let cos_crank_turn = crank_turn.cos();
     let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
     let crank_turn_speed_dot_by_crank_turn = -(c
         .t6
@@ -1036,16 +1041,18 @@ pub fn parameter_jacobian<R: Real>(
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
     crank_turn_speed, _, _, _, _, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry,
     ] = *state;
+    let [(sin_crank_turn, cos_crank_turn),
+    (sin_motor_supply_phase, cos_motor_supply_phase)] = R::sin_cos_each([
+        crank_turn,
+        p.motor_supply_phase,
+    ]);
     let fell_torque = p.fell_stiffness * reed_angle;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let sin_crank_turn = crank_turn.sin();
     let crank_angle = p.crank_ratio * sin_crank_turn;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let cos_motor_supply_phase = p.motor_supply_phase.cos();
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
-    let sin_motor_supply_phase = p.motor_supply_phase.sin();
     let motor_u_y = t0 * sin_motor_supply_phase;
     let coupling_ratio_times_crank_turn = p.coupling_ratio * crank_turn;
     let coupling_twist = motor_phi - coupling_ratio_times_crank_turn;
@@ -1072,7 +1079,6 @@ pub fn parameter_jacobian<R: Real>(
         / p.shaft_middle_field_inertia;
     let t6 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
-    let cos_crank_turn = crank_turn.cos();
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
     let t7 = p.reed_stiffness * shaft_reed_minus_reed_angle;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
@@ -1371,14 +1377,19 @@ pub fn power_balance<R: Real>(
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
     crank_turn_speed, shaft_driven_dot, shaft_reed_dot, shaft_middle_dot, reed_speed,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [(sin_crank_turn, cos_crank_turn),
+    (sin_motor_supply_phase, cos_motor_supply_phase)] = R::sin_cos_each([
+        crank_turn,
+        p.motor_supply_phase,
+    ]);
     let fell_torque = p.fell_stiffness * reed_angle;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let crank_angle = p.crank_ratio * crank_turn.sin();
+    let crank_angle = p.crank_ratio * sin_crank_turn;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let motor_u_x = t0 * cos_motor_supply_phase;
+    let motor_u_y = t0 * sin_motor_supply_phase;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, crank_turn);
     let coupling_twist_rate = motor_omega
         .sub_product(p.coupling_ratio, crank_turn_speed);
@@ -1403,7 +1414,7 @@ pub fn power_balance<R: Real>(
     let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let t7 = p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle
-        * crank_turn.cos();
+        * cos_crank_turn;
     let t8 = (p.crank_drag * crank_turn_speed)
         .sub_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate);
     let t9 = p.crank_stiffness * shaft_driven_minus_crank_angle;

@@ -419,12 +419,12 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let sin_chain_th_1 = chain_th_1.sin();
-    let cos_chain_th_1 = chain_th_1.cos();
-    let sin_chain_th_2 = chain_th_2.sin();
-    let cos_chain_th_2 = chain_th_2.cos();
-    let sin_chain_th_3 = chain_th_3.sin();
-    let cos_chain_th_3 = chain_th_3.cos();
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2),
+    (sin_chain_th_3, cos_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+    ]);
     let t0 = (sin_chain_th_1 * cos_chain_th_2)
         .sub_product(cos_chain_th_1, sin_chain_th_2);
     let t1 = c.t0
@@ -483,11 +483,17 @@ pub fn prepared_rate<R: Real>(
 #[must_use]
 pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 9] {
     let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
+    let [(_, cos_chain_th_1_minus_chain_th_2), (_, cos_chain_th_1_minus_chain_th_3),
+    (_, cos_chain_th_2_minus_chain_th_3)] = R::sin_cos_each([
+        chain_th_1 - chain_th_2,
+        chain_th_1 - chain_th_3,
+        chain_th_2 - chain_th_3,
+    ]);
     let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
     let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3
-        * (chain_th_1 - chain_th_2).cos();
-    let t1 = p.chain_m_3 * p.chain_l_1 * p.chain_l_3 * (chain_th_1 - chain_th_3).cos();
-    let t2 = p.chain_m_3 * p.chain_l_2 * p.chain_l_3 * (chain_th_2 - chain_th_3).cos();
+        * cos_chain_th_1_minus_chain_th_2;
+    let t1 = p.chain_m_3 * p.chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
+    let t2 = p.chain_m_3 * p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
     [
         (p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1),
         t0,
@@ -511,12 +517,18 @@ pub fn forcing<R: Real>(
     p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let sin_chain_th_1 = chain_th_1.sin();
-    let sin_chain_th_2 = chain_th_2.sin();
+    let [(sin_chain_th_1, _), (sin_chain_th_2, _), (sin_chain_th_3, _),
+    (sin_chain_th_1_minus_chain_th_2, _), (sin_chain_th_1_minus_chain_th_3, _),
+    (sin_chain_th_2_minus_chain_th_3, _)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+        chain_th_1 - chain_th_2,
+        chain_th_1 - chain_th_3,
+        chain_th_2 - chain_th_3,
+    ]);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let sin_chain_th_1_minus_chain_th_2 = (chain_th_1 - chain_th_2).sin();
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
-    let sin_chain_th_1_minus_chain_th_3 = (chain_th_1 - chain_th_3).sin();
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t0 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
@@ -533,7 +545,6 @@ pub fn forcing<R: Real>(
             )
             .add_product(t0, sin_chain_th_1_minus_chain_th_3)
             .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1));
-    let sin_chain_th_2_minus_chain_th_3 = (chain_th_2 - chain_th_3).sin();
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let chain_th_2_forcing = p.chain_l_2
         * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
@@ -551,7 +562,7 @@ pub fn forcing<R: Real>(
                 p.chain_l_2 * chain_w_2_squared,
                 sin_chain_th_2_minus_chain_th_3,
             )
-            .sub_product(p.chain_gravity, chain_th_3.sin());
+            .sub_product(p.chain_gravity, sin_chain_th_3);
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
@@ -579,12 +590,12 @@ pub fn prepared_rate_jacobian<R: Real>(
     c: &Constants<R>,
 ) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let sin_chain_th_1 = chain_th_1.sin();
-    let cos_chain_th_1 = chain_th_1.cos();
-    let sin_chain_th_2 = chain_th_2.sin();
-    let cos_chain_th_2 = chain_th_2.cos();
-    let sin_chain_th_3 = chain_th_3.sin();
-    let cos_chain_th_3 = chain_th_3.cos();
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2),
+    (sin_chain_th_3, cos_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+    ]);
     let t0 = (sin_chain_th_1 * cos_chain_th_2)
         .sub_product(cos_chain_th_1, sin_chain_th_2);
     let t1 = (cos_chain_th_1 * cos_chain_th_2)
@@ -694,8 +705,8 @@ pub fn prepared_rate_jacobian<R: Real>(
     let chain_w_3_dot_by_chain_th_3 = ((-t27)
         .add_product(
             c.chain_m_3_times_chain_l_3,
-            (-(chain_l_1_times_chain_w_1_squared * t4))
-                .sub_product(chain_l_2_times_chain_w_2_squared, t7)
+            (-(chain_l_2_times_chain_w_2_squared * t7))
+                .sub_product(chain_l_1_times_chain_w_1_squared, t4)
                 .sub_product(p.chain_gravity, cos_chain_th_3),
         ) - t32)
         .sub_product(t9, t34)
@@ -764,25 +775,30 @@ pub fn parameter_jacobian<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let sin_chain_th_1 = chain_th_1.sin();
+    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
+    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
+    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
+    let [(sin_chain_th_1, _), (sin_chain_th_2, _), (sin_chain_th_3, _),
+    (sin_chain_th_1_minus_chain_th_2, cos_chain_th_1_minus_chain_th_2),
+    (sin_chain_th_1_minus_chain_th_3, cos_chain_th_1_minus_chain_th_3),
+    (sin_chain_th_2_minus_chain_th_3, cos_chain_th_2_minus_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+        chain_th_1_minus_chain_th_2,
+        chain_th_1_minus_chain_th_3,
+        chain_th_2_minus_chain_th_3,
+    ]);
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let sin_chain_th_3 = chain_th_3.sin();
     let t0 = p.chain_m_1 + p.chain_m_2 + p.chain_m_3;
     let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
     let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
-    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
-    let cos_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.cos();
     let chain_l_1_times_chain_l_2 = p.chain_l_1 * p.chain_l_2;
     let t1 = chain_l_1_times_chain_l_2 * chain_m_2_plus_chain_m_3
         * cos_chain_th_1_minus_chain_th_2;
-    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
-    let cos_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.cos();
     let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
     let t2 = chain_m_3_times_chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
     let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
-    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
-    let cos_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.cos();
     let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
     let chain_l_3_squared = p.chain_l_3 * p.chain_l_3;
     let t3 = R::literal(1.0) / (t0 * chain_l_1_squared);
@@ -796,10 +812,8 @@ pub fn parameter_jacobian<R: Real>(
     let t9 = R::literal(1.0)
         / (p.chain_m_3 * chain_l_3_squared).sub_product(t5, t2).sub_product(t8, t7);
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
     let chain_w_3_squared = chain_w_3 * chain_w_3;
-    let sin_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.sin();
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t10 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
@@ -817,7 +831,6 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
     let t12 = p.chain_l_1 * t11;
     let t13 = chain_m_2_times_chain_gravity * sin_chain_th_2;
-    let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
     let t14 = t10 * sin_chain_th_2_minus_chain_th_3;
     let t15 = chain_m_3_times_chain_gravity * sin_chain_th_2;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
@@ -1024,12 +1037,18 @@ pub fn time_derivative<R: Real>(
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let chain_y_1 = -(p.chain_l_1 * chain_th_1.cos());
-    let chain_x_2 = chain_x_1.add_product(p.chain_l_2, chain_th_2.sin());
-    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, chain_th_2.cos());
-    let chain_x_3 = chain_x_2.add_product(p.chain_l_3, chain_th_3.sin());
-    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, chain_th_3.cos());
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2),
+    (sin_chain_th_3, cos_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+    ]);
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let chain_y_1 = -(p.chain_l_1 * cos_chain_th_1);
+    let chain_x_2 = chain_x_1.add_product(p.chain_l_2, sin_chain_th_2);
+    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_th_2);
+    let chain_x_3 = chain_x_2.add_product(p.chain_l_3, sin_chain_th_3);
+    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_th_3);
     Outputs {
         end_x: chain_x_3,
         end_y: chain_y_3,
@@ -1042,21 +1061,25 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2),
+    (sin_chain_th_3, cos_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+    ]);
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
     let chain_y_1 = -chain_l_1_times_cos_chain_th_1;
     let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
     let chain_vy_1 = chain_w_1 * chain_x_1;
-    let cos_chain_th_2 = chain_th_2.cos();
     let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_th_2);
     let chain_l_2_times_chain_w_2 = p.chain_l_2 * chain_w_2;
     let chain_vx_2 = chain_vx_1.add_product(chain_l_2_times_chain_w_2, cos_chain_th_2);
-    let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_w_2, chain_th_2.sin());
-    let cos_chain_th_3 = chain_th_3.cos();
+    let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_w_2, sin_chain_th_2);
     let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_th_3);
     let chain_l_3_times_chain_w_3 = p.chain_l_3 * chain_w_3;
     let chain_vx_3 = chain_vx_2.add_product(chain_l_3_times_chain_w_3, cos_chain_th_3);
-    let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_w_3, chain_th_3.sin());
+    let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_w_3, sin_chain_th_3);
     Energy {
         kinetic: (R::literal(0.5) * p.chain_m_1
             * (chain_vx_1 * chain_vx_1).add_product(chain_vy_1, chain_vy_1))
@@ -1086,29 +1109,36 @@ pub fn power_balance<R: Real>(
     p: &Parameters<R>,
 ) -> PowerBalance<R> {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let sin_chain_th_1 = chain_th_1.sin();
+    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
+    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
+    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2),
+    (sin_chain_th_3, cos_chain_th_3),
+    (sin_chain_th_1_minus_chain_th_2, cos_chain_th_1_minus_chain_th_2),
+    (sin_chain_th_1_minus_chain_th_3, cos_chain_th_1_minus_chain_th_3),
+    (sin_chain_th_2_minus_chain_th_3, cos_chain_th_2_minus_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+        chain_th_1_minus_chain_th_2,
+        chain_th_1_minus_chain_th_3,
+        chain_th_2_minus_chain_th_3,
+    ]);
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
     let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
     let chain_vy_1 = chain_w_1 * chain_x_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let cos_chain_th_2 = chain_th_2.cos();
     let chain_l_2_times_chain_w_2 = p.chain_l_2 * chain_w_2;
     let chain_vx_2 = chain_vx_1.add_product(chain_l_2_times_chain_w_2, cos_chain_th_2);
     let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_w_2, sin_chain_th_2);
-    let sin_chain_th_3 = chain_th_3.sin();
-    let cos_chain_th_3 = chain_th_3.cos();
     let chain_l_3_times_chain_w_3 = p.chain_l_3 * chain_w_3;
     let chain_vx_3 = chain_vx_2.add_product(chain_l_3_times_chain_w_3, cos_chain_th_3);
     let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_w_3, sin_chain_th_3);
     let chain_m_2_plus_chain_m_3 = p.chain_m_2 + p.chain_m_3;
-    let chain_th_1_minus_chain_th_2 = chain_th_1 - chain_th_2;
     let t0 = p.chain_l_1 * p.chain_l_2 * chain_m_2_plus_chain_m_3
-        * chain_th_1_minus_chain_th_2.cos();
-    let chain_th_1_minus_chain_th_3 = chain_th_1 - chain_th_3;
+        * cos_chain_th_1_minus_chain_th_2;
     let chain_m_3_times_chain_l_1 = p.chain_m_3 * p.chain_l_1;
-    let t1 = chain_m_3_times_chain_l_1 * p.chain_l_3 * chain_th_1_minus_chain_th_3.cos();
-    let chain_th_2_minus_chain_th_3 = chain_th_2 - chain_th_3;
+    let t1 = chain_m_3_times_chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
     let chain_m_3_times_chain_l_2 = p.chain_m_3 * p.chain_l_2;
     let t2 = R::literal(1.0)
         / ((p.chain_m_1 + p.chain_m_2 + p.chain_m_3) * (p.chain_l_1 * p.chain_l_1));
@@ -1116,15 +1146,12 @@ pub fn power_balance<R: Real>(
     let t4 = t1 * t2;
     let t5 = R::literal(1.0)
         / (chain_m_2_plus_chain_m_3 * (p.chain_l_2 * p.chain_l_2)).sub_product(t3, t0);
-    let t6 = (chain_m_3_times_chain_l_2 * p.chain_l_3
-        * chain_th_2_minus_chain_th_3.cos())
+    let t6 = (chain_m_3_times_chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3)
         .sub_product(t4, t0);
     let t7 = t6 * t5;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
-    let sin_chain_th_1_minus_chain_th_2 = chain_th_1_minus_chain_th_2.sin();
     let chain_m_2_times_chain_l_2 = p.chain_m_2 * p.chain_l_2;
     let chain_m_2_times_chain_gravity = p.chain_m_2 * p.chain_gravity;
-    let sin_chain_th_1_minus_chain_th_3 = chain_th_1_minus_chain_th_3.sin();
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
     let t8 = chain_m_3_times_chain_l_3 * (chain_w_3 * chain_w_3);
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
@@ -1141,7 +1168,6 @@ pub fn power_balance<R: Real>(
             )
             .add_product(t8, sin_chain_th_1_minus_chain_th_3)
             .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
-    let sin_chain_th_2_minus_chain_th_3 = chain_th_2_minus_chain_th_3.sin();
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let t10 = (p.chain_l_2
         * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared

@@ -536,14 +536,19 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
 /// 8 operations.
 #[must_use]
 pub fn initial_state<R: Real>(p: &Parameters<R>) -> [R; STATES] {
-    let l_1_times_sin_th_1 = p.l_1 * p.th_1.sin();
-    let t0 = l_1_times_sin_th_1.add_product(p.l_2, p.th_2.sin());
+    let [(sin_th_1, _), (sin_th_2, _), (sin_th_3, _)] = R::sin_cos_each([
+        p.th_1,
+        p.th_2,
+        p.th_3,
+    ]);
+    let l_1_times_sin_th_1 = p.l_1 * sin_th_1;
+    let t0 = l_1_times_sin_th_1.add_product(p.l_2, sin_th_2);
     [
         l_1_times_sin_th_1,
         R::literal(-0.5),
         t0,
         R::literal(-1.0),
-        t0.add_product(p.l_3, p.th_3.sin()),
+        t0.add_product(p.l_3, sin_th_3),
         R::literal(-1.1),
         R::literal(0.0),
         R::literal(0.0),
@@ -605,18 +610,18 @@ pub fn prepared_rate<R: Real>(
     let t16 = t6 * c.inverse_third_mass;
     let t17 = t7 * c.inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x))
-            .sub_product(t10, inverse_l_1_times_first_y);
-    let t19 = (-(t9 * inverse_l_1_times_first_x))
-        .sub_product(t11, inverse_l_1_times_first_y);
+        / (-(t10 * inverse_l_1_times_first_y))
+            .sub_product(t8, inverse_l_1_times_first_x);
+    let t19 = (-(t11 * inverse_l_1_times_first_y))
+        .sub_product(t9, inverse_l_1_times_first_x);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0))
-            .sub_product(t11, t1)
+        / (-(t11 * t1))
+            .sub_product(t9, t0)
             .sub_product(t12, t2)
             .sub_product(t14, t4)
             .sub_product(t20, t19);
-    let t22 = (-(t13 * t2)).sub_product(t15, t4);
+    let t22 = (-(t15 * t4)).sub_product(t13, t2);
     let t23 = t22 * t21;
     let first_v_x_squared = first_v_x * first_v_x;
     let first_v_y_squared = first_v_y * first_v_y;
@@ -645,8 +650,8 @@ pub fn prepared_rate<R: Real>(
         .add_product(t17, c.third_mass_times_third_gravity)
         .sub_product(t23, t25)
         * (R::literal(1.0)
-            / (-(t13 * t3))
-                .sub_product(t15, t5)
+            / (-(t15 * t5))
+                .sub_product(t13, t3)
                 .sub_product(t16, t6)
                 .sub_product(t17, t7)
                 .sub_product(t23, t22));
@@ -761,22 +766,22 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t16 = t6 * c.inverse_third_mass;
     let t17 = t7 * c.inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x))
-            .sub_product(t10, inverse_l_1_times_first_y);
-    let t19 = (-(t9 * inverse_l_1_times_first_x))
-        .sub_product(t11, inverse_l_1_times_first_y);
+        / (-(t10 * inverse_l_1_times_first_y))
+            .sub_product(t8, inverse_l_1_times_first_x);
+    let t19 = (-(t11 * inverse_l_1_times_first_y))
+        .sub_product(t9, inverse_l_1_times_first_x);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0))
-            .sub_product(t11, t1)
+        / (-(t11 * t1))
+            .sub_product(t9, t0)
             .sub_product(t12, t2)
             .sub_product(t14, t4)
             .sub_product(t20, t19);
-    let t22 = (-(t13 * t2)).sub_product(t15, t4);
+    let t22 = (-(t15 * t4)).sub_product(t13, t2);
     let t23 = t22 * t21;
     let t24 = R::literal(1.0)
-        / (-(t13 * t3))
-            .sub_product(t15, t5)
+        / (-(t15 * t5))
+            .sub_product(t13, t3)
             .sub_product(t16, t6)
             .sub_product(t17, t7)
             .sub_product(t23, t22);
@@ -817,7 +822,7 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t31 = (-t30).sub_product(c.inverse_l_1, t29);
     let inverse_l_2_times_first_v_x_dot = c.inverse_l_2 * first_v_x_dot;
     let inverse_l_2_times_second_v_x_dot = c.inverse_l_2 * second_v_x_dot;
-    let t32 = (-(c.inverse_l_1 * first_v_x_dot)).sub_product(t8, t31);
+    let t32 = (-(t8 * t31)).sub_product(c.inverse_l_1, first_v_x_dot);
     let t33 = (inverse_l_2_times_second_v_x_dot - inverse_l_2_times_first_v_x_dot)
         .sub_product(t9, t31)
         .sub_product(t12, t30)
@@ -1106,22 +1111,22 @@ pub fn parameter_jacobian<R: Real>(
     let t16 = t6 * inverse_third_mass;
     let t17 = t7 * inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x))
-            .sub_product(t10, inverse_l_1_times_first_y);
-    let t19 = (-(t9 * inverse_l_1_times_first_x))
-        .sub_product(t11, inverse_l_1_times_first_y);
+        / (-(t10 * inverse_l_1_times_first_y))
+            .sub_product(t8, inverse_l_1_times_first_x);
+    let t19 = (-(t11 * inverse_l_1_times_first_y))
+        .sub_product(t9, inverse_l_1_times_first_x);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0))
-            .sub_product(t11, t1)
+        / (-(t11 * t1))
+            .sub_product(t9, t0)
             .sub_product(t12, t2)
             .sub_product(t14, t4)
             .sub_product(t20, t19);
-    let t22 = (-(t13 * t2)).sub_product(t15, t4);
+    let t22 = (-(t15 * t4)).sub_product(t13, t2);
     let t23 = t22 * t21;
     let t24 = R::literal(1.0)
-        / (-(t13 * t3))
-            .sub_product(t15, t5)
+        / (-(t15 * t5))
+            .sub_product(t13, t3)
             .sub_product(t16, t6)
             .sub_product(t17, t7)
             .sub_product(t23, t22);
@@ -1183,7 +1188,7 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(inverse_l_1_squared_times_first_y, first_v_y_dot)
         .sub_product(t8, t40)
         .sub_product(t10, t41);
-    let t43 = (-(t9 * t40)).sub_product(t11, t41).sub_product(t20, t42);
+    let t43 = (-(t11 * t41)).sub_product(t9, t40).sub_product(t20, t42);
     let t44 = t23 * t43 * t24;
     let t45 = (t43 * t21).add_product(t23, t44);
     let t46 = (t42 * t18).sub_product(t20, t45);
@@ -1461,18 +1466,21 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let inverse_third_mass = R::literal(1.0) / p.third_mass;
     let t14 = t7 * inverse_third_mass;
     let t15 = R::literal(1.0)
-        / (-(inverse_l_1_times_first_x * inverse_first_mass * inverse_l_1_times_first_x))
-            .sub_product(t9, inverse_l_1_times_first_y);
-    let t16 = (-(t8 * inverse_l_1_times_first_x))
-        .sub_product(t10, inverse_l_1_times_first_y);
+        / (-(t9 * inverse_l_1_times_first_y))
+            .sub_product(
+                inverse_l_1_times_first_x * inverse_first_mass,
+                inverse_l_1_times_first_x,
+            );
+    let t16 = (-(t10 * inverse_l_1_times_first_y))
+        .sub_product(t8, inverse_l_1_times_first_x);
     let t17 = t16 * t15;
     let t18 = R::literal(1.0)
-        / (-(t8 * t0))
-            .sub_product(t10, t1)
+        / (-(t10 * t1))
+            .sub_product(t8, t0)
             .sub_product(t2 * inverse_second_mass, t2)
             .sub_product(t12, t4)
             .sub_product(t17, t16);
-    let t19 = (-(t11 * t2)).sub_product(t13, t4);
+    let t19 = (-(t13 * t4)).sub_product(t11, t2);
     let t20 = t19 * t18;
     let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
     let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
@@ -1504,8 +1512,8 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
         .add_product(t14, p.third_mass * p.third_gravity)
         .sub_product(t20, t22)
         * (R::literal(1.0)
-            / (-(t11 * t3))
-                .sub_product(t13, t5)
+            / (-(t13 * t5))
+                .sub_product(t11, t3)
                 .sub_product(t6 * inverse_third_mass, t6)
                 .sub_product(t14, t7)
                 .sub_product(t20, t19));
@@ -1585,18 +1593,18 @@ pub fn power_balance<R: Real>(
     let t16 = t6 * inverse_third_mass;
     let t17 = t7 * inverse_third_mass;
     let t18 = R::literal(1.0)
-        / (-(t8 * inverse_l_1_times_first_x))
-            .sub_product(t10, inverse_l_1_times_first_y);
-    let t19 = (-(t9 * inverse_l_1_times_first_x))
-        .sub_product(t11, inverse_l_1_times_first_y);
+        / (-(t10 * inverse_l_1_times_first_y))
+            .sub_product(t8, inverse_l_1_times_first_x);
+    let t19 = (-(t11 * inverse_l_1_times_first_y))
+        .sub_product(t9, inverse_l_1_times_first_x);
     let t20 = t19 * t18;
     let t21 = R::literal(1.0)
-        / (-(t9 * t0))
-            .sub_product(t11, t1)
+        / (-(t11 * t1))
+            .sub_product(t9, t0)
             .sub_product(t12, t2)
             .sub_product(t14, t4)
             .sub_product(t20, t19);
-    let t22 = (-(t13 * t2)).sub_product(t15, t4);
+    let t22 = (-(t15 * t4)).sub_product(t13, t2);
     let t23 = t22 * t21;
     let first_mass_times_first_gravity = p.first_mass * p.first_gravity;
     let second_mass_times_second_gravity = p.second_mass * p.second_gravity;
@@ -1628,8 +1636,8 @@ pub fn power_balance<R: Real>(
         .add_product(t17, third_mass_times_third_gravity)
         .sub_product(t23, t25)
         * (R::literal(1.0)
-            / (-(t13 * t3))
-                .sub_product(t15, t5)
+            / (-(t15 * t5))
+                .sub_product(t13, t3)
                 .sub_product(t16, t6)
                 .sub_product(t17, t7)
                 .sub_product(t23, t22));

@@ -457,17 +457,17 @@ pub fn prepared_rate<R: Real>(
     c: &Constants<R>,
 ) -> [R; STATES] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
-    let sin_chain_th_1 = chain_th_1.sin();
-    let cos_chain_th_1 = chain_th_1.cos();
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2),
+    (sin_chain_th_3, cos_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+    ]);
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let cos_chain_th_2 = chain_th_2.cos();
     let t0 = (sin_chain_th_1 * cos_chain_th_2)
         .add_product(cos_chain_th_1, sin_chain_th_2);
     let t1 = (cos_chain_th_1 * cos_chain_th_2)
         .sub_product(sin_chain_th_1, sin_chain_th_2);
-    let sin_chain_th_3 = chain_th_3.sin();
-    let cos_chain_th_3 = chain_th_3.cos();
     let t2 = (sin_chain_th_3 * t1).add_product(cos_chain_th_3, t0);
     let t3 = (cos_chain_th_3 * t1).sub_product(sin_chain_th_3, t0);
     let t4 = (sin_chain_th_1 * t1).sub_product(cos_chain_th_1, t0);
@@ -498,18 +498,17 @@ pub fn prepared_rate<R: Real>(
     let t25 = c.t12 * chain_w_3_squared * t8;
     let t26 = c.t13 * t0;
     let t27 = c.t14 * t2;
-    let t28 = ((((-(c.t0 * chain_w_1 * chain_w_2 * t4))
-        .sub_product(c.t3 * chain_w_1 * chain_w_2, t4)
+    let t28 = ((((-(c.t3 * chain_w_1 * chain_w_2 * t4))
+        .sub_product(c.t0 * chain_w_1 * chain_w_2, t4)
         .sub_product(t21 * chain_w_2, t6)
         .sub_product(t21 * chain_w_3, t6) - t22)
         .sub_product(c.t4 * chain_w_2 * chain_w_3, t6) - t23)
         .sub_product(c.chain_m_1_times_chain_gravity, chain_x_1)
         .sub_product(c.t7 * chain_w_2_squared, t4) - t24)
         .sub_product(c.chain_m_2_times_chain_gravity, chain_x_1)
-        .sub_product(c.t8 * chain_w_2_squared, t4);
-    let t29 = (t28
-        .sub_product(c.t9 * chain_w_2_squared, t6)
-        .sub_product(c.t9 * chain_w_3_squared, t6) - t25 - t26 - t27)
+        .sub_product(c.t8 * chain_w_2_squared, t4)
+        .sub_product(c.t9 * chain_w_2_squared, t6);
+    let t29 = (t28.sub_product(c.t9 * chain_w_3_squared, t6) - t25 - t26 - t27)
         .sub_product(c.chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
     let t30 = (sin_chain_th_2 * cos_chain_th_3)
@@ -546,11 +545,14 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
-    let cos_chain_th_1_minus_chain_a_2 = (chain_th_1 - chain_a_2).cos();
+    let [(_, cos_chain_th_1_minus_chain_a_2), (_, cos_chain_th_1_minus_chain_a_3),
+    (_, cos_chain_a_2_minus_chain_a_3)] = R::sin_cos_each([
+        chain_th_1 - chain_a_2,
+        chain_th_1 - chain_a_3,
+        chain_a_2 - chain_a_3,
+    ]);
     let t0 = R::literal(2.0) * p.chain_m_3;
     let t1 = t0 * p.chain_l_1;
-    let cos_chain_th_1_minus_chain_a_3 = (chain_th_1 - chain_a_3).cos();
-    let cos_chain_a_2_minus_chain_a_3 = (chain_a_2 - chain_a_3).cos();
     let t2 = t0 * p.chain_l_2 * p.chain_l_3 * cos_chain_a_2_minus_chain_a_3;
     let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
     let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
@@ -612,9 +614,20 @@ pub fn forcing<R: Real>(
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let sin_chain_a_2 = chain_a_2.sin();
-    let sin_chain_a_3 = chain_a_3.sin();
+    let [(sin_chain_th_1, _), (sin_chain_a_2, _), (sin_chain_a_3, _),
+    (sin_chain_th_1_minus_chain_a_2, _), (sin_chain_th_1_minus_chain_a_3, _),
+    (sin_chain_a_2_minus_chain_a_3, _), (sin_chain_th_2, _),
+    (sin_chain_th_2_plus_chain_th_3, _)] = R::sin_cos_each([
+        chain_th_1,
+        chain_a_2,
+        chain_a_3,
+        chain_th_1 - chain_a_2,
+        chain_th_1 - chain_a_3,
+        chain_a_2 - chain_a_3,
+        chain_th_2,
+        chain_th_2 + chain_th_3,
+    ]);
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
     let t0 = R::literal(2.0) * p.chain_m_3;
     let t1 = t0 * p.chain_l_1;
     let t2 = t1 * p.chain_l_3;
@@ -624,10 +637,7 @@ pub fn forcing<R: Real>(
     let t5 = chain_m_3_times_chain_l_1 * p.chain_l_2;
     let t6 = chain_m_3_times_chain_l_1 * p.chain_l_3;
     let chain_m_3_times_chain_l_3 = p.chain_m_3 * p.chain_l_3;
-    let sin_chain_th_1_minus_chain_a_2 = (chain_th_1 - chain_a_2).sin();
-    let sin_chain_th_1_minus_chain_a_3 = (chain_th_1 - chain_a_3).sin();
     let t7 = t2 * chain_w_1;
-    let sin_chain_a_2_minus_chain_a_3 = (chain_a_2 - chain_a_3).sin();
     let t8 = t3 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
     let t9 = t3 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
@@ -638,18 +648,19 @@ pub fn forcing<R: Real>(
         * sin_chain_a_2_minus_chain_a_3;
     let t12 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
     let t13 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let t14 = (((-(R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * chain_w_1
-        * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+    let t14 = (((-(t1 * p.chain_l_2 * chain_w_1 * chain_w_2
+        * sin_chain_th_1_minus_chain_a_2))
         .sub_product(
-            t1 * p.chain_l_2 * chain_w_1 * chain_w_2,
+            R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2 * chain_w_1
+                * chain_w_2,
             sin_chain_th_1_minus_chain_a_2,
         )
         .sub_product(t7 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
         .sub_product(t7 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t8)
         .sub_product(t2 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t9)
         .sub_product(p.chain_m_1 * p.chain_gravity, chain_x_1)
-        .sub_product(t4 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2);
-    let chain_th_1_forcing = ((t14 - t10)
+        .sub_product(t4 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) - t10;
+    let chain_th_1_forcing = (t14
         .sub_product(p.chain_m_2 * p.chain_gravity, chain_x_1)
         .sub_product(t5 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
         .sub_product(t6 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
@@ -657,8 +668,6 @@ pub fn forcing<R: Real>(
         - t13)
         .sub_product(p.chain_m_3 * p.chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
     let chain_th_2_forcing = ((-t8 - t9)
         .sub_product(t4 * chain_w_1_squared, sin_chain_th_2) - t10)
         .sub_product(t5 * chain_w_1_squared, sin_chain_th_2)
@@ -700,20 +709,20 @@ pub fn prepared_rate_jacobian<R: Real>(
     c: &Constants<R>,
 ) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2),
+    (sin_chain_th_3, cos_chain_th_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_th_2,
+        chain_th_3,
+    ]);
     let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_s_3 = chain_w_3 + chain_s_2;
-    let sin_chain_th_1 = chain_th_1.sin();
-    let cos_chain_th_1 = chain_th_1.cos();
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
     let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let cos_chain_th_2 = chain_th_2.cos();
     let t0 = (sin_chain_th_1 * cos_chain_th_2)
         .add_product(cos_chain_th_1, sin_chain_th_2);
     let t1 = (cos_chain_th_1 * cos_chain_th_2)
         .sub_product(sin_chain_th_1, sin_chain_th_2);
-    let sin_chain_th_3 = chain_th_3.sin();
-    let cos_chain_th_3 = chain_th_3.cos();
     let t2 = (sin_chain_th_3 * t1).add_product(cos_chain_th_3, t0);
     let t3 = (cos_chain_th_3 * t1).sub_product(sin_chain_th_3, t0);
     let t4 = (sin_chain_th_1 * t1).sub_product(cos_chain_th_1, t0);
@@ -758,8 +767,8 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t35 = c.t12 * chain_w_3_squared * t8;
     let t36 = c.t13 * t0;
     let t37 = c.t14 * t2;
-    let t38 = (((((-(t22 * t4))
-        .sub_product(t23, t4)
+    let t38 = (((((-(t23 * t4))
+        .sub_product(t22, t4)
         .sub_product(t25, t6)
         .sub_product(t26, t6) - t27)
         .sub_product(t28, t6) - t29)
@@ -967,25 +976,33 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
-    let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
-    let sin_chain_th_1 = chain_th_1.sin();
-    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let sin_chain_a_2 = chain_a_2.sin();
-    let sin_chain_a_3 = chain_a_3.sin();
     let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
-    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
+    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
+    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
+    let [(sin_chain_th_1, _), (sin_chain_a_2, _), (sin_chain_a_3, _),
+    (sin_chain_th_1_minus_chain_a_2, cos_chain_th_1_minus_chain_a_2),
+    (sin_chain_th_1_minus_chain_a_3, cos_chain_th_1_minus_chain_a_3),
+    (sin_chain_a_2_minus_chain_a_3, cos_chain_a_2_minus_chain_a_3), (sin_chain_th_2, _),
+    (sin_chain_th_2_plus_chain_th_3, _)] = R::sin_cos_each([
+        chain_th_1,
+        chain_a_2,
+        chain_a_3,
+        chain_th_1_minus_chain_a_2,
+        chain_th_1_minus_chain_a_3,
+        chain_a_2_minus_chain_a_3,
+        chain_th_2,
+        chain_th_2 + chain_th_3,
+    ]);
+    let chain_s_2 = chain_w_1 + chain_w_2;
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
     let t0 = R::literal(2.0) * p.chain_m_2;
     let t1 = t0 * p.chain_l_1;
     let t2 = t1 * p.chain_l_2;
     let t3 = R::literal(2.0) * p.chain_m_3;
     let t4 = t3 * p.chain_l_1;
     let t5 = t4 * p.chain_l_2;
-    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
-    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
     let t6 = t4 * p.chain_l_3;
-    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
-    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
     let t7 = t3 * p.chain_l_2;
     let t8 = t7 * p.chain_l_3;
     let t9 = t8 * cos_chain_a_2_minus_chain_a_3;
@@ -1028,10 +1045,7 @@ pub fn parameter_jacobian<R: Real>(
     let t25 = t24 * t23;
     let t26 = R::literal(1.0)
         / chain_m_3_times_chain_l_3_squared.sub_product(t22, t18).sub_product(t25, t24);
-    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
-    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
     let t27 = t6 * chain_w_1;
-    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
     let t28 = t8 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
     let t29 = t8 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
     let chain_m_1_times_chain_gravity = p.chain_m_1 * p.chain_gravity;
@@ -1046,23 +1060,20 @@ pub fn parameter_jacobian<R: Real>(
     let t32 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
     let t33 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
     let chain_m_3_times_chain_gravity = p.chain_m_3 * p.chain_gravity;
-    let t34 = ((((-(t2 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
-        .sub_product(t5 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
+    let t34 = ((((-(t5 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t2 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
         .sub_product(t27 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
         .sub_product(t27 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t28)
         .sub_product(t6 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t29)
         .sub_product(chain_m_1_times_chain_gravity, chain_x_1)
         .sub_product(t10 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) - t30)
         .sub_product(chain_m_2_times_chain_gravity, chain_x_1)
-        .sub_product(t11 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2);
-    let t35 = (t34
-        .sub_product(t12 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
-        .sub_product(t12 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) - t31 - t32
-        - t33)
+        .sub_product(t11 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
+        .sub_product(t12 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3);
+    let t35 = (t34.sub_product(t12 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3)
+        - t31 - t32 - t33)
         .sub_product(chain_m_3_times_chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
     let t36 = R::literal(2.0) * p.chain_l_2;
     let t37 = t36 * chain_w_1;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
@@ -1185,8 +1196,8 @@ pub fn parameter_jacobian<R: Real>(
     let t72 = t71 * chain_w_3;
     let t73 = t43 * chain_w_2 * chain_w_3;
     let t74 = chain_m_3_times_chain_l_3 * chain_w_3_squared;
-    let t75 = (-(t70 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
-        .sub_product(t7 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
+    let t75 = (-(t7 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t70 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
         .sub_product(t71 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
         .sub_product(t72, sin_chain_th_1_minus_chain_a_3)
         .sub_product(t73, sin_chain_th_1_minus_chain_a_3)
@@ -1246,8 +1257,8 @@ pub fn parameter_jacobian<R: Real>(
     let t90 = chain_m_2_times_chain_l_2 + chain_m_3_times_chain_l_2;
     let t91 = (t70 + t7).add_product(t43, cos_chain_a_2_minus_chain_a_3) + t87 + t88;
     let t92 = t89 * chain_w_3_dot;
-    let t93 = ((((-(t1 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
-        .sub_product(t4 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2) - t82
+    let t93 = ((((-(t4 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t1 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2) - t82
         - t83)
         .sub_product(
             chain_m_2_times_chain_l_1 * chain_w_2_squared,
@@ -1285,8 +1296,8 @@ pub fn parameter_jacobian<R: Real>(
     let t99 = p.chain_m_3 * (t98.add_product(t36, cos_chain_a_2_minus_chain_a_3) + t15);
     let t100 = p.chain_m_3 * (t98 + t15 + t16);
     let t101 = (p.chain_m_3
-        * ((((-(t42 * chain_w_2 * sin_chain_th_1_minus_chain_a_3))
-            .sub_product(t42 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t95)
+        * ((((-(t42 * chain_w_3 * sin_chain_th_1_minus_chain_a_3))
+            .sub_product(t42 * chain_w_2, sin_chain_th_1_minus_chain_a_3) - t95)
             .sub_product(t41 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3)
             - t96)
             .sub_product(p.chain_l_1 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
@@ -1381,12 +1392,18 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let [chain_th_1, chain_th_2, chain_th_3, ..] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let chain_y_1 = -(p.chain_l_1 * chain_th_1.cos());
-    let chain_x_2 = chain_x_1.add_product(p.chain_l_2, chain_a_2.sin());
-    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, chain_a_2.cos());
-    let chain_x_3 = chain_x_2.add_product(p.chain_l_3, chain_a_3.sin());
-    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, chain_a_3.cos());
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_a_2, cos_chain_a_2),
+    (sin_chain_a_3, cos_chain_a_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_a_2,
+        chain_a_3,
+    ]);
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let chain_y_1 = -(p.chain_l_1 * cos_chain_th_1);
+    let chain_x_2 = chain_x_1.add_product(p.chain_l_2, sin_chain_a_2);
+    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_a_2);
+    let chain_x_3 = chain_x_2.add_product(p.chain_l_3, sin_chain_a_3);
+    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_a_3);
     Outputs {
         end_x: chain_x_3,
         end_y: chain_y_3,
@@ -1400,24 +1417,28 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
-    let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_a_2, cos_chain_a_2),
+    (sin_chain_a_3, cos_chain_a_3)] = R::sin_cos_each([
+        chain_th_1,
+        chain_a_2,
+        chain_a_3,
+    ]);
+    let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_s_3 = chain_w_3 + chain_s_2;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
     let chain_y_1 = -chain_l_1_times_cos_chain_th_1;
     let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
     let chain_vy_1 = chain_w_1 * chain_x_1;
-    let cos_chain_a_2 = chain_a_2.cos();
     let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_a_2);
     let chain_l_2_times_chain_s_2 = p.chain_l_2 * chain_s_2;
     let chain_vx_2 = chain_vx_1.add_product(chain_l_2_times_chain_s_2, cos_chain_a_2);
-    let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_s_2, chain_a_2.sin());
-    let cos_chain_a_3 = chain_a_3.cos();
+    let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_s_2, sin_chain_a_2);
     let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_a_3);
     let chain_l_3_times_chain_s_3 = p.chain_l_3 * chain_s_3;
     let chain_vx_3 = chain_vx_2.add_product(chain_l_3_times_chain_s_3, cos_chain_a_3);
-    let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_s_3, chain_a_3.sin());
+    let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_s_3, sin_chain_a_3);
     Energy {
         kinetic: (R::literal(0.5) * p.chain_m_1
             * (chain_vx_1 * chain_vx_1).add_product(chain_vy_1, chain_vy_1))
@@ -1448,18 +1469,34 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
-    let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
+    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
+    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
+    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
+    let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_a_2, cos_chain_a_2),
+    (sin_chain_a_3, cos_chain_a_3),
+    (sin_chain_th_1_minus_chain_a_2, cos_chain_th_1_minus_chain_a_2),
+    (sin_chain_th_1_minus_chain_a_3, cos_chain_th_1_minus_chain_a_3),
+    (sin_chain_a_2_minus_chain_a_3, cos_chain_a_2_minus_chain_a_3), (sin_chain_th_2, _),
+    (sin_chain_th_2_plus_chain_th_3, _)] = R::sin_cos_each([
+        chain_th_1,
+        chain_a_2,
+        chain_a_3,
+        chain_th_1_minus_chain_a_2,
+        chain_th_1_minus_chain_a_3,
+        chain_a_2_minus_chain_a_3,
+        chain_th_2,
+        chain_th_2 + chain_th_3,
+    ]);
+    let chain_s_2 = chain_w_1 + chain_w_2;
     let chain_s_3 = chain_w_3 + chain_s_2;
-    let chain_x_1 = p.chain_l_1 * chain_th_1.sin();
-    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * chain_th_1.cos();
+    let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
+    let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
     let chain_y_1 = -chain_l_1_times_cos_chain_th_1;
     let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
     let chain_vy_1 = chain_w_1 * chain_x_1;
-    let sin_chain_a_2 = chain_a_2.sin();
     let chain_l_2_times_sin_chain_a_2 = p.chain_l_2 * sin_chain_a_2;
     let chain_x_2 = chain_x_1 + chain_l_2_times_sin_chain_a_2;
-    let cos_chain_a_2 = chain_a_2.cos();
     let chain_l_2_times_cos_chain_a_2 = p.chain_l_2 * cos_chain_a_2;
     let chain_y_2 = chain_y_1 - chain_l_2_times_cos_chain_a_2;
     let chain_l_2_times_chain_s_2 = p.chain_l_2 * chain_s_2;
@@ -1467,10 +1504,8 @@ pub fn power_balance<R: Real>(
     let chain_vx_2 = chain_vx_1 + t0;
     let t1 = chain_l_2_times_chain_s_2 * sin_chain_a_2;
     let chain_vy_2 = chain_vy_1 + t1;
-    let sin_chain_a_3 = chain_a_3.sin();
     let chain_l_3_times_sin_chain_a_3 = p.chain_l_3 * sin_chain_a_3;
     let chain_x_3 = chain_x_2 + chain_l_3_times_sin_chain_a_3;
-    let cos_chain_a_3 = chain_a_3.cos();
     let chain_l_3_times_cos_chain_a_3 = p.chain_l_3 * cos_chain_a_3;
     let chain_y_3 = chain_y_2 - chain_l_3_times_cos_chain_a_3;
     let chain_l_3_times_chain_s_3 = p.chain_l_3 * chain_s_3;
@@ -1478,17 +1513,11 @@ pub fn power_balance<R: Real>(
     let chain_vx_3 = chain_vx_2 + t2;
     let t3 = chain_l_3_times_chain_s_3 * sin_chain_a_3;
     let chain_vy_3 = chain_vy_2 + t3;
-    let chain_th_1_minus_chain_a_2 = chain_th_1 - chain_a_2;
-    let cos_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.cos();
     let t4 = R::literal(2.0) * p.chain_m_2 * p.chain_l_1 * p.chain_l_2;
     let t5 = R::literal(2.0) * p.chain_m_3;
     let t6 = t5 * p.chain_l_1;
     let t7 = t6 * p.chain_l_2;
-    let chain_th_1_minus_chain_a_3 = chain_th_1 - chain_a_3;
-    let cos_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.cos();
     let t8 = t6 * p.chain_l_3;
-    let chain_a_2_minus_chain_a_3 = chain_a_2 - chain_a_3;
-    let cos_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.cos();
     let t9 = t5 * p.chain_l_2 * p.chain_l_3;
     let t10 = t9 * cos_chain_a_2_minus_chain_a_3;
     let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
@@ -1524,10 +1553,7 @@ pub fn power_balance<R: Real>(
     let t21 = R::literal(1.0) / t14.sub_product(t19, t15);
     let t22 = (chain_m_3_times_chain_l_3 * (p.chain_l_3 + t16)).sub_product(t20, t15);
     let t23 = t22 * t21;
-    let sin_chain_th_1_minus_chain_a_2 = chain_th_1_minus_chain_a_2.sin();
-    let sin_chain_th_1_minus_chain_a_3 = chain_th_1_minus_chain_a_3.sin();
     let t24 = t8 * chain_w_1;
-    let sin_chain_a_2_minus_chain_a_3 = chain_a_2_minus_chain_a_3.sin();
     let t25 = t9 * chain_w_1 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
     let t26 = t9 * chain_w_2 * chain_w_3 * sin_chain_a_2_minus_chain_a_3;
     let chain_w_2_squared = chain_w_2 * chain_w_2;
@@ -1539,23 +1565,21 @@ pub fn power_balance<R: Real>(
         * sin_chain_a_2_minus_chain_a_3;
     let t29 = chain_m_3_times_chain_l_2 * p.chain_gravity * sin_chain_a_2;
     let t30 = chain_m_3_times_chain_l_3 * p.chain_gravity * sin_chain_a_3;
-    let t31 = ((((-(t4 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
-        .sub_product(t7 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
+    let t31 = ((((-(t7 * chain_w_1 * chain_w_2 * sin_chain_th_1_minus_chain_a_2))
+        .sub_product(t4 * chain_w_1 * chain_w_2, sin_chain_th_1_minus_chain_a_2)
         .sub_product(t24 * chain_w_2, sin_chain_th_1_minus_chain_a_3)
         .sub_product(t24 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t25)
         .sub_product(t8 * chain_w_2 * chain_w_3, sin_chain_th_1_minus_chain_a_3) - t26)
         .sub_product(p.chain_m_1 * p.chain_gravity, chain_x_1)
         .sub_product(t11 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2) - t27)
-        .sub_product(p.chain_m_2 * p.chain_gravity, chain_x_1);
+        .sub_product(p.chain_m_2 * p.chain_gravity, chain_x_1)
+        .sub_product(t12 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2);
     let t32 = (t31
-        .sub_product(t12 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_2)
         .sub_product(t13 * chain_w_2_squared, sin_chain_th_1_minus_chain_a_3)
         .sub_product(t13 * chain_w_3_squared, sin_chain_th_1_minus_chain_a_3) - t28 - t29
         - t30)
         .sub_product(p.chain_m_3 * p.chain_gravity, chain_x_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let sin_chain_th_2 = chain_th_2.sin();
-    let sin_chain_th_2_plus_chain_th_3 = (chain_th_2 + chain_th_3).sin();
     let t33 = R::literal(2.0) * p.chain_l_2;
     let t34 = (((-t25 - t26).sub_product(t11 * chain_w_1_squared, sin_chain_th_2) - t27)
         .sub_product(t12 * chain_w_1_squared, sin_chain_th_2)

@@ -597,9 +597,10 @@ pub fn parameter_jacobian<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 14] {
     let [shaft_driven, shaft_reed, _, reed_angle, ..] = *state;
-    let fell_torque = p.fell_stiffness * reed_angle;
     let drive_frequency_times_time = p.drive_frequency * time;
-    let sin_drive_frequency_times_time = drive_frequency_times_time.sin();
+    let (sin_drive_frequency_times_time, cos_drive_frequency_times_time) = drive_frequency_times_time
+        .sin_cos();
+    let fell_torque = p.fell_stiffness * reed_angle;
     let drive_angle = p.drive_amplitude * sin_drive_frequency_times_time;
     let reed_arm_squared = p.reed_arm * p.reed_arm;
     let inverse_shaft_driven_field_inertia = R::literal(1.0)
@@ -624,7 +625,7 @@ pub fn parameter_jacobian<R: Real>(
     let shaft_driven_dot_dot_by_drive_amplitude = p.drive_stiffness
         * sin_drive_frequency_times_time * inverse_shaft_driven_field_inertia;
     let shaft_driven_dot_dot_by_drive_frequency = p.drive_stiffness * p.drive_amplitude
-        * time * drive_frequency_times_time.cos() * inverse_shaft_driven_field_inertia;
+        * time * cos_drive_frequency_times_time * inverse_shaft_driven_field_inertia;
     let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t0);
     let reed_speed_dot_by_reed_arm = -(R::literal(2.0) * p.reed_mass * p.reed_arm
         * reed_speed_dot * t0);
@@ -751,9 +752,11 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [shaft_driven, shaft_reed, _, reed_angle, shaft_driven_dot, shaft_reed_dot,
     shaft_middle_dot, reed_speed] = *state;
-    let fell_torque = p.fell_stiffness * reed_angle;
     let drive_frequency_times_time = p.drive_frequency * time;
-    let drive_angle = p.drive_amplitude * drive_frequency_times_time.sin();
+    let (sin_drive_frequency_times_time, cos_drive_frequency_times_time) = drive_frequency_times_time
+        .sin_cos();
+    let fell_torque = p.fell_stiffness * reed_angle;
+    let drive_angle = p.drive_amplitude * sin_drive_frequency_times_time;
     let reed_mass_times_reed_arm_squared = p.reed_mass * (p.reed_arm * p.reed_arm);
     let shaft_driven_minus_drive_angle = shaft_driven - drive_angle;
     let t0 = p.drive_stiffness * shaft_driven_minus_drive_angle;
@@ -767,7 +770,7 @@ pub fn power_balance<R: Real>(
     let reed_speed_dot = (t1 - fell_torque)
         * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
     let t2 = p.drive_stiffness * p.drive_amplitude * p.drive_frequency
-        * shaft_driven_minus_drive_angle * drive_frequency_times_time.cos();
+        * shaft_driven_minus_drive_angle * cos_drive_frequency_times_time;
     PowerBalance {
         stored_rate: (-t2)
             .add_product(t0, shaft_driven_dot)

@@ -46,7 +46,7 @@
 //   mass_matrix               0
 //   forcing                  43
 //   rate_jacobian            73
-//   parameter_jacobian      185
+//   parameter_jacobian      184
 //   time_derivative          32
 //   outputs                  55
 //   energy                   39
@@ -489,10 +489,13 @@ impl<R: Real> Constants<R> {
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let (sin_motor_supply_phase, cos_motor_supply_phase) = p
+        .motor_supply_phase
+        .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let motor_u_x = t0 * cos_motor_supply_phase;
+    let motor_u_y = t0 * sin_motor_supply_phase;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
@@ -787,7 +790,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 185 operations.
+/// 184 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -796,40 +799,41 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 39] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let cos_motor_supply_phase = p.motor_supply_phase.cos();
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * cos_motor_supply_phase;
-    let sin_motor_supply_phase = p.motor_supply_phase.sin();
-    let motor_u_y = t0 * sin_motor_supply_phase;
-    let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
-    let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
-    let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
-    let time_minus_load_engagement_time = time - p.load_engagement_time;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t2 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t3 = R::literal(1.0) + t2;
-    let load_engagement = R::literal(1.0) / t3;
-    let t4 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
-    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t5 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
-    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t6 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t7 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t7 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
-        * t6;
-    let t8 = p
+    let t0 = p
         .load_phase
         .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
-    let t9 = t8.sin();
-    let t10 = p.load_mean.add_product(p.load_amplitude, t9);
-    let t11 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t10 * t11;
+    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t1, t2)] = R::sin_cos_each([
+        p.motor_supply_phase,
+        t0,
+    ]);
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t3 * cos_motor_supply_phase;
+    let motor_u_y = t3 * sin_motor_supply_phase;
+    let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
+    let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
+    let t4 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t4.add_product(p.coupling_damping, coupling_twist_rate);
+    let time_minus_load_engagement_time = time - p.load_engagement_time;
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t5 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t6 = R::literal(1.0) + t5;
+    let load_engagement = R::literal(1.0) / t6;
+    let t7 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
+    let t8 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
+    let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
+    let t9 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t10 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t10 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
+        * t9;
+    let t11 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t12 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t11 * t12;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
@@ -837,10 +841,10 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         - load_resistance) * inverse_cylinder_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t12 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t13 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t13 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let t14 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t14 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
@@ -848,44 +852,45 @@ pub fn parameter_jacobian<R: Real>(
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(
         3.0 * core::f64::consts::PI,
-    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t6
+    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t9
         * inverse_motor_inertia;
-    let t15 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
         * motor_psi_sy)
-        .sub_product(t15, t4);
+        .sub_product(t16, t7);
     let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
         core::f64::consts::TAU,
     ) * motor_psi_sx))
-        .sub_product(t15, t5);
-    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        .sub_product(t16, t8);
+    let t17 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
         * motor_psi_ry)
-        .add_product(t16, t12);
+        .add_product(t17, t13);
     let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
         core::f64::consts::TAU,
     ) * motor_psi_rx))
-        .add_product(t16, t13);
+        .add_product(t17, t14);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
-        * motor_omega_0 / motor_x_s_times_motor_sigma * t6 * inverse_motor_inertia;
+        * motor_omega_0 / motor_x_s_times_motor_sigma * t9 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t7 * motor_omega_0 / (p.motor_x_s * (t14 * t14))
+    let motor_omega_dot_by_motor_k_r = -(t10 * motor_omega_0
+        / (p.motor_x_s * (t15 * t15))
         * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
         * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
     let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
         * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t4);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t5);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t12;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t13;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t7);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t8);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
     let motor_omega_dot_by_coupling_stiffness = -(coupling_twist
         * inverse_motor_inertia);
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
@@ -896,7 +901,7 @@ pub fn parameter_jacobian<R: Real>(
         * inverse_cylinder_inertia;
     let motor_omega_dot_by_coupling_ratio = p.coupling_damping * cylinder_omega
         * inverse_motor_inertia;
-    let cylinder_omega_dot_by_coupling_ratio = t1
+    let cylinder_omega_dot_by_coupling_ratio = t4
         .add_product(p.coupling_damping, motor_omega)
         .sub_product(
             R::literal(2.0) * p.coupling_damping * p.coupling_ratio,
@@ -905,26 +910,25 @@ pub fn parameter_jacobian<R: Real>(
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t11
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t12
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t9 * t11
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t12
         * inverse_cylinder_inertia);
-    let t17 = t8.cos();
-    let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
-        * p.load_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-        * time * load_engagement * t17 * t11 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t17
-        * t11 * inverse_cylinder_inertia);
-    let t18 = t3 * t3;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t10
-        * t2 * t11 / t18 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_speed = -(R::literal(0.328_986_813_369_645_25)
+        * p.load_amplitude * time * load_engagement * t2 * t12
+        * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2
+        * t12 * inverse_cylinder_inertia);
+    let t18 = t6 * t6;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t11
+        * t5 * t12 / t18 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0)
         / (p.load_engagement_width * p.load_engagement_width)
-        * time_minus_load_engagement_time * t10 * t2 * t11 / t18
+        * time_minus_load_engagement_time * t11 * t5 * t12 / t18
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
-        * load_engagement * R::literal(1.0).sub_product(t11, t11) * t10
+        * load_engagement * R::literal(1.0).sub_product(t12, t12) * t11
         * inverse_cylinder_inertia;
     [
         coupling_twist_dot_by_coupling_ratio,
@@ -980,20 +984,21 @@ pub fn time_derivative<R: Real>(
 ) -> [R; STATES] {
     let [_, _, cylinder_omega, ..] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
-    let t1 = R::literal(1.0) + t0;
-    let load_engagement = R::literal(1.0) / t1;
-    let t2 = p
+    let t0 = p
         .load_phase
         .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
-    let t3 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let (t1, t2) = t0.sin_cos();
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t3 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
+    let t4 = R::literal(1.0) + t3;
+    let load_engagement = R::literal(1.0) / t4;
+    let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width
-        * p.load_mean.add_product(p.load_amplitude, t2.sin()) * t0 * t3 / (t1 * t1)))
+        * p.load_mean.add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
         .sub_product(
             R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
-                * load_engagement * t2.cos(),
-            t3,
+                * load_engagement * t2,
+            t5,
         ) * (R::literal(1.0) / p.cylinder_inertia);
     [
         R::literal(0.0),
@@ -1101,59 +1106,55 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t0, _)] = R::sin_cos_each([
+        p.motor_supply_phase,
+        p.load_phase.add_product(R::literal(core::f64::consts::PI) * load_omega_2, time),
+    ]);
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t1 * cos_motor_supply_phase;
+    let motor_u_y = t1 * sin_motor_supply_phase;
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
     let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
-    let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
+    let t2 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t2.add_product(p.coupling_damping, coupling_twist_rate);
     let load_engagement = R::literal(1.0)
         / (R::literal(1.0)
             + (-(R::literal(1.0) / p.load_engagement_width
                 * (time - p.load_engagement_time)))
                 .exp());
-    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t3 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
-    let motor_i_sx = t3 * t2;
-    let t4 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_i_sy = t3 * t4;
+    let t4 = motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_i_sx = t4 * t3;
+    let t5 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let motor_i_sy = t4 * t5;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
-    let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
-    let motor_i_rx = t5 * (motor_psi_rx - motor_k_s_times_motor_psi_sx);
+    let t6 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t6 * (motor_psi_rx - motor_k_s_times_motor_psi_sx);
     let motor_k_s_times_motor_psi_sy = p.motor_k_s * motor_psi_sy;
-    let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
+    let motor_i_ry = t6 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
         * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let load_resistance = load_engagement
-        * p
-            .load_mean
-            .add_product(
-                p.load_amplitude,
-                p
-                    .load_phase
-                    .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time)
-                    .sin(),
-            ) * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let t6 = p.coupling_damping * p.coupling_ratio;
+    let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, t0)
+        * (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let t7 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
     let cylinder_omega_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
-        .add_product(t6, coupling_twist_rate) - load_resistance)
+        .add_product(t7, coupling_twist_rate) - load_resistance)
         * (R::literal(1.0) / p.cylinder_inertia);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x
         .add_product(motor_omega_0, motor_psi_sy)
-        .sub_product(motor_alpha_s_times_motor_omega_0, t2);
+        .sub_product(motor_alpha_s_times_motor_omega_0, t3);
     let motor_psi_sy_dot = motor_u_y
         .sub_product(motor_omega_0, motor_psi_sx)
-        .sub_product(motor_alpha_s_times_motor_omega_0, t4);
+        .sub_product(motor_alpha_s_times_motor_omega_0, t5);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
         .add_product(
@@ -1163,37 +1164,37 @@ pub fn power_balance<R: Real>(
     let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
         * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
         .sub_product(motor_psi_rx, motor_slip_speed);
-    let t7 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t8 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
     PowerBalance {
-        stored_rate: (t1 * coupling_twist_rate)
+        stored_rate: (t2 * coupling_twist_rate)
             .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
             .add_product(p.cylinder_inertia * cylinder_omega, cylinder_omega_dot)
             .add_product(
                 R::literal(0.75)
                     * motor_i_sx
-                        .add_product(t3, motor_psi_sx)
-                        .sub_product(t7, motor_psi_rx),
+                        .add_product(t4, motor_psi_sx)
+                        .sub_product(t8, motor_psi_rx),
                 motor_psi_sx_dot,
             )
             .add_product(
                 R::literal(0.75)
                     * motor_i_sy
-                        .add_product(t3, motor_psi_sy)
-                        .sub_product(t7, motor_psi_ry),
+                        .add_product(t4, motor_psi_sy)
+                        .sub_product(t8, motor_psi_ry),
                 motor_psi_sy_dot,
             )
             .add_product(
                 R::literal(0.75)
                     * motor_i_rx
-                        .add_product(t5, motor_psi_rx)
-                        .sub_product(t7, motor_psi_sx),
+                        .add_product(t6, motor_psi_rx)
+                        .sub_product(t8, motor_psi_sx),
                 motor_psi_rx_dot,
             )
             .add_product(
                 R::literal(0.75)
                     * motor_i_ry
-                        .add_product(t5, motor_psi_ry)
-                        .sub_product(t7, motor_psi_sy),
+                        .add_product(t6, motor_psi_ry)
+                        .sub_product(t8, motor_psi_sy),
                 motor_psi_ry_dot,
             ),
         supplied: (R::literal(1.5)
@@ -1209,7 +1210,7 @@ pub fn power_balance<R: Real>(
                         (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
                     ),
             )
-            .sub_product(t6 * cylinder_omega, coupling_twist_rate),
+            .sub_product(t7 * cylinder_omega, coupling_twist_rate),
     }
 }
 

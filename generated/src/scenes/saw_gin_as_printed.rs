@@ -46,7 +46,7 @@
 //   mass_matrix               0
 //   forcing                  42
 //   rate_jacobian            78
-//   parameter_jacobian      186
+//   parameter_jacobian      185
 //   time_derivative          32
 //   outputs                  43
 //   energy                   12
@@ -494,6 +494,7 @@ impl<R: Real> Constants<R> {
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let (sin_motor_gamma, cos_motor_gamma) = p.motor_gamma.sin_cos();
     let t0 = R::literal(1.0) - p.motor_literal;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t1 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
@@ -507,8 +508,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t4 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
     let t5 = p.motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
-    let motor_u_m_times_cos_motor_gamma = p.motor_u_m * p.motor_gamma.cos();
-    let motor_u_m_times_sin_motor_gamma = p.motor_u_m * p.motor_gamma.sin();
+    let motor_u_m_times_cos_motor_gamma = p.motor_u_m * cos_motor_gamma;
+    let motor_u_m_times_sin_motor_gamma = p.motor_u_m * sin_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
     let t6 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
@@ -797,7 +798,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 186 operations.
+/// 185 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -807,32 +808,35 @@ pub fn parameter_jacobian<R: Real>(
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let t0 = p
+        .load_phase
+        .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
+    let [(t1, t2), (sin_motor_gamma, cos_motor_gamma)] = R::sin_cos_each([
+        t0,
+        p.motor_gamma,
+    ]);
     let coupling_ratio_times_cylinder_phi = p.coupling_ratio * cylinder_phi;
     let coupling_twist = motor_phi - coupling_ratio_times_cylinder_phi;
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = motor_omega - coupling_ratio_times_cylinder_omega;
     let time_minus_load_engagement_time = time - p.load_engagement_time;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t0 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
-    let t1 = R::literal(1.0) + t0;
-    let load_engagement = R::literal(1.0) / t1;
+    let t3 = (-(inverse_load_engagement_width * time_minus_load_engagement_time)).exp();
+    let t4 = R::literal(1.0) + t3;
+    let load_engagement = R::literal(1.0) / t4;
     let coupling_torque = (p.coupling_stiffness * coupling_twist)
         .add_product(p.coupling_damping, coupling_twist_rate);
     let motor_psi_x1_times_motor_psi_y2 = motor_psi_x1 * motor_psi_y2;
     let motor_psi_y1_times_motor_psi_x2 = motor_psi_y1 * motor_psi_x2;
-    let t2 = motor_psi_y1_times_motor_psi_x2 - motor_psi_x1_times_motor_psi_y2;
-    let t3 = R::literal(1.5) * p.motor_omega_0;
-    let t4 = t3 * p.motor_pole_pairs;
-    let t5 = t4 * p.motor_k_r;
+    let t5 = motor_psi_y1_times_motor_psi_x2 - motor_psi_x1_times_motor_psi_y2;
+    let t6 = R::literal(1.5) * p.motor_omega_0;
+    let t7 = t6 * p.motor_pole_pairs;
+    let t8 = t7 * p.motor_k_r;
     let motor_sigma_times_motor_x_s = p.motor_sigma * p.motor_x_s;
-    let motor_torque = t5 / motor_sigma_times_motor_x_s * t2;
-    let t6 = p
-        .load_phase
-        .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
-    let t7 = t6.sin();
-    let t8 = p.load_mean.add_product(p.load_amplitude, t7);
-    let t9 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t8 * t9;
+    let motor_torque = t8 / motor_sigma_times_motor_x_s * t5;
+    let t9 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t10 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t9 * t10;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
@@ -840,14 +844,12 @@ pub fn parameter_jacobian<R: Real>(
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
         - load_resistance) * inverse_cylinder_inertia;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
-    let cos_motor_gamma = p.motor_gamma.cos();
     let motor_psi_y1_dot_by_motor_gamma = p.motor_u_m * cos_motor_gamma;
-    let sin_motor_gamma = p.motor_gamma.sin();
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_x1_dot_by_motor_gamma = -(p.motor_u_m * sin_motor_gamma);
     let motor_omega_dot_by_motor_omega_0 = R::literal(1.5) * p.motor_pole_pairs
-        * p.motor_k_r / motor_sigma_times_motor_x_s * t2 * inverse_motor_inertia;
+        * p.motor_k_r / motor_sigma_times_motor_x_s * t5 * inverse_motor_inertia;
     let motor_k_r_times_motor_alpha_s = p.motor_k_r * p.motor_alpha_s;
     let motor_psi_x1_dot_by_motor_omega_0 = motor_psi_y1
         .add_product(motor_k_r_times_motor_alpha_s, motor_psi_x2)
@@ -862,19 +864,19 @@ pub fn parameter_jacobian<R: Real>(
     let motor_psi_y2_dot_by_motor_omega_0 = (-motor_psi_x2)
         .add_product(motor_k_s_times_motor_alpha_r, motor_psi_y1)
         .sub_product(p.motor_alpha_r, motor_psi_y2);
-    let motor_omega_dot_by_motor_pole_pairs = t3 * p.motor_k_r
-        / motor_sigma_times_motor_x_s * t2 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_pole_pairs = t6 * p.motor_k_r
+        / motor_sigma_times_motor_x_s * t5 * inverse_motor_inertia;
     let motor_psi_x2_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_x1;
     let motor_psi_y2_dot_by_motor_k_s = motor_omega_0_times_motor_alpha_r * motor_psi_y1;
-    let motor_omega_dot_by_motor_k_r = t4 / motor_sigma_times_motor_x_s * t2
+    let motor_omega_dot_by_motor_k_r = t7 / motor_sigma_times_motor_x_s * t5
         * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_x2;
     let motor_psi_y1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_y2;
-    let t10 = motor_psi_x1_times_motor_psi_y2 - motor_psi_y1_times_motor_psi_x2;
-    let motor_omega_dot_by_motor_sigma = t5
-        / (p.motor_sigma * p.motor_sigma * p.motor_x_s) * t10 * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_x_s = t5 / (p.motor_sigma * (p.motor_x_s * p.motor_x_s))
-        * t10 * inverse_motor_inertia;
+    let t11 = motor_psi_x1_times_motor_psi_y2 - motor_psi_y1_times_motor_psi_x2;
+    let motor_omega_dot_by_motor_sigma = t8
+        / (p.motor_sigma * p.motor_sigma * p.motor_x_s) * t11 * inverse_motor_inertia;
+    let motor_omega_dot_by_motor_x_s = t8 / (p.motor_sigma * (p.motor_x_s * p.motor_x_s))
+        * t11 * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_alpha_s = p.motor_omega_0
         * (-motor_psi_x1).add_product(p.motor_k_r, motor_psi_x2);
     let motor_psi_y1_dot_by_motor_alpha_s = p.motor_omega_0
@@ -907,26 +909,25 @@ pub fn parameter_jacobian<R: Real>(
         ) * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t9
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t10
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t7 * t9
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t10
         * inverse_cylinder_inertia);
-    let t11 = t6.cos();
-    let cylinder_omega_dot_by_load_speed = -(R::literal(0.033_333_333_333_333_33)
-        * p.load_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-        * time * load_engagement * t11 * t9 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t11
-        * t9 * inverse_cylinder_inertia);
-    let t12 = t1 * t1;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t8
-        * t0 * t9 / t12 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_speed = -(R::literal(0.328_986_813_369_645_25)
+        * p.load_amplitude * time * load_engagement * t2 * t10
+        * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2
+        * t10 * inverse_cylinder_inertia);
+    let t12 = t4 * t4;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t9
+        * t3 * t10 / t12 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0)
         / (p.load_engagement_width * p.load_engagement_width)
-        * time_minus_load_engagement_time * t8 * t0 * t9 / t12
+        * time_minus_load_engagement_time * t9 * t3 * t10 / t12
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0)
         / (p.load_standstill_band * p.load_standstill_band) * cylinder_omega
-        * load_engagement * R::literal(1.0).sub_product(t9, t9) * t8
+        * load_engagement * R::literal(1.0).sub_product(t10, t10) * t9
         * inverse_cylinder_inertia;
     [
         motor_omega_dot_by_motor_inertia,
@@ -981,20 +982,21 @@ pub fn time_derivative<R: Real>(
 ) -> [R; STATES] {
     let [_, _, _, cylinder_omega, ..] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t0 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
-    let t1 = R::literal(1.0) + t0;
-    let load_engagement = R::literal(1.0) / t1;
-    let t2 = p
+    let t0 = p
         .load_phase
         .add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
-    let t3 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let (t1, t2) = t0.sin_cos();
+    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
+    let t3 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
+    let t4 = R::literal(1.0) + t3;
+    let load_engagement = R::literal(1.0) / t4;
+    let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
     let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width
-        * p.load_mean.add_product(p.load_amplitude, t2.sin()) * t0 * t3 / (t1 * t1)))
+        * p.load_mean.add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
         .sub_product(
             R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
-                * load_engagement * t2.cos(),
-            t3,
+                * load_engagement * t2,
+            t5,
         ) * (R::literal(1.0) / p.cylinder_inertia);
     [
         R::literal(0.0),

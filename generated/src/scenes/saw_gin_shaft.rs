@@ -553,10 +553,13 @@ impl<R: Real> Constants<R> {
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let (sin_motor_supply_phase, cos_motor_supply_phase) = p
+        .motor_supply_phase
+        .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let motor_u_x = t0 * cos_motor_supply_phase;
+    let motor_u_y = t0 * sin_motor_supply_phase;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
@@ -832,13 +835,14 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 34] {
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, _, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let (sin_motor_supply_phase, cos_motor_supply_phase) = p
+        .motor_supply_phase
+        .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let cos_motor_supply_phase = p.motor_supply_phase.cos();
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
-    let sin_motor_supply_phase = p.motor_supply_phase.sin();
     let motor_u_y = t0 * sin_motor_supply_phase;
     let coupling_ratio_times_saws_driven = p.coupling_ratio * saws_driven;
     let coupling_twist = motor_phi - coupling_ratio_times_saws_driven;
@@ -1078,12 +1082,15 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [motor_phi, saws_driven, _, motor_omega, saws_driven_dot, saws_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let (sin_motor_supply_phase, cos_motor_supply_phase) = p
+        .motor_supply_phase
+        .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let motor_u_x = t0 * cos_motor_supply_phase;
+    let motor_u_y = t0 * sin_motor_supply_phase;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, saws_driven);
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, saws_driven_dot);
     let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
@@ -1701,7 +1708,7 @@ pub mod saws_phi {
     }
     /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x.
     ///
-    /// 31 operations.
+    /// 30 operations.
     #[must_use]
     #[inline]
     pub fn force<R: Real>(
@@ -1716,10 +1723,7 @@ pub mod saws_phi {
                 .saws_mean
                 .add_product(
                     p.saws_amplitude,
-                    (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                        * time)
-                        .sin(),
+                    (R::literal(0.328_986_813_369_645_25) * p.saws_speed * time).sin(),
                 )
                 * ((R::literal(1.0) - p.saws_growing) / p.saws_length)
                     .add_product(
@@ -1737,7 +1741,7 @@ pub mod saws_phi {
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
     ///
-    /// 33 operations.
+    /// 32 operations.
     #[must_use]
     #[inline]
     pub fn force_jacobian<R: Real>(
@@ -1758,9 +1762,7 @@ pub mod saws_phi {
                     .saws_mean
                     .add_product(
                         p.saws_amplitude,
-                        (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                            * time)
+                        (R::literal(0.328_986_813_369_645_25) * p.saws_speed * time)
                             .sin(),
                     )
                 * ((R::literal(1.0) - p.saws_growing) / p.saws_length)
@@ -1782,7 +1784,7 @@ pub mod saws_phi {
     }
     /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`.
     ///
-    /// 112 operations.
+    /// 100 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(
@@ -1792,77 +1794,64 @@ pub mod saws_phi {
         p: &Parameters<R>,
     ) -> [R; 28] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
+        let t0 = R::literal(0.328_986_813_369_645_25) * p.saws_speed * time;
+        let (t1, t2) = t0.sin_cos();
         let saws_length_squared = p.saws_length * p.saws_length;
-        let t0 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
-            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
-        let t1 = t0.sin();
-        let t2 = p.saws_mean.add_product(p.saws_amplitude, t1);
-        let t3 = R::literal(2.0) * p.saws_growing / saws_length_squared;
-        let t4 = R::literal(1.0) - p.saws_growing;
-        let t5 = (t4 / p.saws_length).add_product(t3, x);
+        let t3 = p.saws_mean.add_product(p.saws_amplitude, t1);
+        let t4 = R::literal(2.0) * p.saws_growing / saws_length_squared;
+        let t5 = R::literal(1.0) - p.saws_growing;
+        let t6 = (t5 / p.saws_length).add_product(t4, x);
         let time_minus_saws_engagement_time = time - p.saws_engagement_time;
         let inverse_saws_engagement_width = R::literal(1.0) / p.saws_engagement_width;
-        let t6 = (-(inverse_saws_engagement_width * time_minus_saws_engagement_time))
+        let t7 = (-(inverse_saws_engagement_width * time_minus_saws_engagement_time))
             .exp();
-        let t7 = R::literal(1.0) + t6;
-        let t8 = (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
-        let t9 = phi_x.add_product(p.saws_damping_time, phi_x_dot);
-        let t10 = t7 * t7;
-        let t11 = inverse_saws_engagement_width * t2 * t5 * t6 * t8 / t10;
-        let t12 = t0.cos();
-        let t13 = R::literal(0.033_333_333_333_333_33) * p.saws_length;
+        let t8 = R::literal(1.0) + t7;
+        let t9 = (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh();
+        let t10 = phi_x.add_product(p.saws_damping_time, phi_x_dot);
+        let t11 = t8 * t8;
+        let t12 = inverse_saws_engagement_width * t3 * t6 * t7 * t9 / t11;
         [
-            -(t3 * t2 * t8 / t7),
+            -(t4 * t3 * t9 / t8),
             R::literal(0.0),
-            -t11
+            -t12
                 - R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * t5
-                    * t12 * t8 / t7,
+                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * t6 * t2
+                    * t9 / t8,
             R::literal(0.0),
-            -(t2
-                * (-(t4 / saws_length_squared))
+            -(t3
+                * (-(t5 / saws_length_squared))
                     .sub_product(
                         R::literal(4.0) * p.saws_growing
                             / (saws_length_squared * p.saws_length),
                         x,
-                    ) * t8 / t7),
+                    ) * t9 / t8),
             R::literal(0.0),
             R::literal(0.0),
             R::literal(0.0),
             R::literal(0.0),
-            -(p.saws_polar_moment * t9),
+            -(p.saws_polar_moment * t10),
             R::literal(0.0),
-            -(p.saws_shear_modulus * t9),
+            -(p.saws_shear_modulus * t10),
             R::literal(0.0),
             -(p.saws_shear_modulus * p.saws_polar_moment * phi_x_dot),
-            -(t5 * t8 / t7),
+            -(t6 * t9 / t8),
             R::literal(0.0),
-            -(t5 * t1 * t8 / t7),
+            -(t6 * t1 * t9 / t8),
             R::literal(0.0),
-            p.saws_amplitude * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                / saws_length_squared * time
-                * (-t13)
-                    .add_product(t13, p.saws_growing)
-                    .sub_product(
-                        R::literal(0.066_666_666_666_666_67) * p.saws_growing,
-                        x,
-                    ) * t12 * t8
-                / (R::literal(1.0)
-                    + (p.saws_engagement_time / p.saws_engagement_width)
-                        .sub_product(inverse_saws_engagement_width, time)
-                        .exp()),
+            -(R::literal(0.328_986_813_369_645_25) * p.saws_amplitude * time * t6 * t2
+                * t9 / t8),
             R::literal(0.0),
-            -(t2
+            -(t3
                 * (-(R::literal(1.0) / p.saws_length))
-                    .add_product(R::literal(2.0) / saws_length_squared, x) * t8 / t7),
+                    .add_product(R::literal(2.0) / saws_length_squared, x) * t9 / t8),
             R::literal(0.0),
-            t11,
+            t12,
             R::literal(0.0),
             R::literal(1.0) / (p.saws_engagement_width * p.saws_engagement_width)
-                * time_minus_saws_engagement_time * t2 * t5 * t6 * t8 / t10,
+                * time_minus_saws_engagement_time * t3 * t6 * t7 * t9 / t11,
             R::literal(0.0),
             R::literal(1.0) / (p.saws_standstill_band * p.saws_standstill_band) * phi_dot
-                * R::literal(1.0).sub_product(t8, t8) * t2 * t5 / t7,
+                * R::literal(1.0).sub_product(t9, t9) * t3 * t6 / t8,
             R::literal(0.0),
         ]
     }
@@ -1886,7 +1875,7 @@ pub mod saws_phi {
     }
     /// Rate of V, power supplied and power dissipated, a length \[W/m\].
     ///
-    /// 33 operations.
+    /// 32 operations.
     #[must_use]
     #[inline]
     pub fn power<R: Real>(
@@ -1897,26 +1886,28 @@ pub mod saws_phi {
     ) -> [R; 3] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
         let t0 = p.saws_shear_modulus * p.saws_polar_moment;
-        let t1 = phi_dot
-            * p
-                .saws_mean
-                .add_product(
-                    p.saws_amplitude,
-                    (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                        * time)
-                        .sin(),
-                )
-            * ((R::literal(1.0) - p.saws_growing) / p.saws_length)
-                .add_product(
-                    R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length),
-                    x,
-                ) * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh()
-            / (R::literal(1.0)
-                + (-(R::literal(1.0) / p.saws_engagement_width
-                    * (time - p.saws_engagement_time)))
-                    .exp());
-        [t0 * phi_x * phi_x_dot, -t1, t0 * p.saws_damping_time * (phi_x_dot * phi_x_dot)]
+        [
+            t0 * phi_x * phi_x_dot,
+            -(phi_dot
+                * p
+                    .saws_mean
+                    .add_product(
+                        p.saws_amplitude,
+                        (R::literal(0.328_986_813_369_645_25) * p.saws_speed * time)
+                            .sin(),
+                    )
+                * ((R::literal(1.0) - p.saws_growing) / p.saws_length)
+                    .add_product(
+                        R::literal(2.0) * p.saws_growing
+                            / (p.saws_length * p.saws_length),
+                        x,
+                    ) * (R::literal(1.0) / p.saws_standstill_band * phi_dot).tanh()
+                / (R::literal(1.0)
+                    + (-(R::literal(1.0) / p.saws_engagement_width
+                        * (time - p.saws_engagement_time)))
+                        .exp())),
+            t0 * p.saws_damping_time * (phi_x_dot * phi_x_dot),
+        ]
     }
     /// x of the attachments, then the length \[m\].
     ///
@@ -1981,7 +1972,7 @@ pub mod saws_phi {
     }
     /// f_0 alone, at many points.
     ///
-    /// 18 operations for all points, 8 for each.
+    /// 17 operations for all points, 8 for each.
     pub fn on_value<R: Real>(
         time: R,
         at: &[R],
@@ -1994,9 +1985,7 @@ pub mod saws_phi {
             .saws_mean
             .add_product(
                 p.saws_amplitude,
-                (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin(),
+                (R::literal(0.328_986_813_369_645_25) * p.saws_speed * time).sin(),
             );
         let t1 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
         let t2 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
@@ -2012,7 +2001,7 @@ pub mod saws_phi {
     }
     /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 18 operations for all points, 11 for each.
+    /// 17 operations for all points, 11 for each.
     pub fn on_value_jacobian<R: Real>(
         time: R,
         at: &[R],
@@ -2026,9 +2015,7 @@ pub mod saws_phi {
             .saws_mean
             .add_product(
                 p.saws_amplitude,
-                (R::literal(0.033_333_333_333_333_33) * p.saws_speed
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin(),
+                (R::literal(0.328_986_813_369_645_25) * p.saws_speed * time).sin(),
             );
         let t1 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
         let t2 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
@@ -2053,7 +2040,7 @@ pub mod saws_phi {
     }
     /// df_0/dt, at many points.
     ///
-    /// 24 operations for all points, 14 for each.
+    /// 23 operations for all points, 14 for each.
     pub fn on_value_by_time<R: Real>(
         time: R,
         at: &[R],
@@ -2062,26 +2049,25 @@ pub mod saws_phi {
         p: &Parameters<R>,
         by_time: &mut [R],
     ) {
-        let t0 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
-        let t1 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
+        let t0 = R::literal(0.328_986_813_369_645_25) * p.saws_speed * time;
+        let (t1, t2) = t0.sin_cos();
+        let t3 = R::literal(2.0) * p.saws_growing / (p.saws_length * p.saws_length);
+        let t4 = (R::literal(1.0) - p.saws_growing) / p.saws_length;
         let inverse_saws_engagement_width = R::literal(1.0) / p.saws_engagement_width;
-        let t2 = (-(inverse_saws_engagement_width * (time - p.saws_engagement_time)))
+        let t5 = (-(inverse_saws_engagement_width * (time - p.saws_engagement_time)))
             .exp();
-        let t3 = R::literal(1.0) + t2;
+        let t6 = R::literal(1.0) + t5;
         let inverse_saws_standstill_band = R::literal(1.0) / p.saws_standstill_band;
-        let t4 = t3 * t3;
-        let t5 = R::literal(0.033_333_333_333_333_33) * p.saws_speed
-            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
-        let t6 = inverse_saws_engagement_width
-            * p.saws_mean.add_product(p.saws_amplitude, t5.sin());
-        let t7 = t5.cos();
-        let t8 = R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
+        let t7 = t6 * t6;
+        let t8 = inverse_saws_engagement_width
+            * p.saws_mean.add_product(p.saws_amplitude, t1);
+        let t9 = R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
             * R::literal(core::f64::consts::PI * core::f64::consts::PI);
         for (((&x, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
-            let t1_plus_t0_times_x = t1.add_product(t0, x);
-            let t0_2 = (inverse_saws_standstill_band * phi_dot).tanh();
-            *by_time = -(t6 * t1_plus_t0_times_x * t2 * t0_2 / t4)
-                - t8 * t1_plus_t0_times_x * t7 * t0_2 / t3;
+            let t4_plus_t3_times_x = t4.add_product(t3, x);
+            let t0 = (inverse_saws_standstill_band * phi_dot).tanh();
+            *by_time = -(t8 * t4_plus_t3_times_x * t5 * t0 / t7)
+                - t9 * t4_plus_t3_times_x * t2 * t0 / t6;
         }
     }
     /// f_1 alone, at many points.

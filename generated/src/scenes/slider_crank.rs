@@ -620,13 +620,13 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [_, _, crank_phi, _, _, rod_phi, _, _, crank_v_x, crank_v_y, crank_omega,
     rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = c.t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t1 = c.t0 * sin_crank_phi;
-    let cos_rod_phi = rod_phi.cos();
     let t2 = c.t1 * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
     let t3 = c.t1 * sin_rod_phi;
     let t4 = t1 * c.inverse_crank_inertia;
     let t5 = t0 * c.inverse_crank_inertia;
@@ -875,13 +875,13 @@ pub fn prepared_rate_jacobian<R: Real>(
     let rod_phi = state[5];
     let crank_omega = state[10];
     let rod_omega = state[13];
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = c.t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t1 = c.t0 * sin_crank_phi;
-    let cos_rod_phi = rod_phi.cos();
     let t2 = c.t1 * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
     let t3 = c.t1 * sin_rod_phi;
     let t4 = t1 * c.inverse_crank_inertia;
     let t5 = t0 * c.inverse_crank_inertia;
@@ -1310,15 +1310,15 @@ pub fn parameter_jacobian<R: Real>(
     let rod_phi = state[5];
     let crank_omega = state[10];
     let rod_omega = state[13];
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
     let t1 = t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t2 = t0 * sin_crank_phi;
-    let cos_rod_phi = rod_phi.cos();
     let t3 = R::literal(0.5) * p.rod_length;
     let t4 = t3 * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
     let t5 = t3 * sin_rod_phi;
     let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
     let minus_inverse_crank_mass = -inverse_crank_mass;
@@ -2124,15 +2124,15 @@ pub fn time_derivative<R: Real>(
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, _, crank_phi, _, _, rod_phi, slider_x, _, _, _, crank_omega, _, _, rod_omega,
     slider_v_x, ..] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
     let t1 = t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t2 = t0 * sin_crank_phi;
-    let cos_rod_phi = rod_phi.cos();
     let t3 = R::literal(0.5) * p.rod_length;
     let t4 = t3 * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
     let t5 = t3 * sin_rod_phi;
     let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
     let minus_inverse_crank_mass = -inverse_crank_mass;
@@ -2314,15 +2314,15 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [_, _, crank_phi, _, _, rod_phi, _, _, crank_v_x, crank_v_y, crank_omega,
     rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
-    let cos_crank_phi = crank_phi.cos();
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
     let t1 = t0 * cos_crank_phi;
-    let sin_crank_phi = crank_phi.sin();
     let t2 = t0 * sin_crank_phi;
-    let cos_rod_phi = rod_phi.cos();
     let t3 = R::literal(0.5) * p.rod_length;
     let t4 = t3 * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
     let t5 = t3 * sin_rod_phi;
     let inverse_crank_mass = R::literal(1.0) / p.crank_mass;
     let minus_inverse_crank_mass = -inverse_crank_mass;
@@ -2513,17 +2513,21 @@ pub fn constraint_values<R: Real>(
     p: &Parameters<R>,
 ) -> [R; CONSTRAINTS] {
     let [crank_x, crank_y, crank_phi, rod_x, rod_y, rod_phi, slider_x, slider_y, ..] = *state;
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
-    let t1 = t0 * crank_phi.cos();
+    let t1 = t0 * cos_crank_phi;
     let crank_start_x = crank_x - t1;
-    let t2 = t0 * crank_phi.sin();
+    let t2 = t0 * sin_crank_phi;
     let crank_start_y = crank_y - t2;
     let crank_end_x = crank_x + t1;
     let crank_end_y = crank_y + t2;
     let t3 = R::literal(0.5) * p.rod_length;
-    let t4 = t3 * rod_phi.cos();
+    let t4 = t3 * cos_rod_phi;
     let rod_start_x = rod_x - t4;
-    let t5 = t3 * rod_phi.sin();
+    let t5 = t3 * sin_rod_phi;
     let rod_start_y = rod_y - t5;
     let rod_end_x = rod_x + t4;
     let rod_end_y = rod_y + t5;
@@ -2555,15 +2559,19 @@ pub fn constraint_rates<R: Real>(
 ) -> [R; CONSTRAINTS] {
     let [_, _, crank_phi, _, _, rod_phi, _, _, crank_v_x, crank_v_y, crank_omega,
     rod_v_x, rod_v_y, rod_omega, slider_v_x, slider_v_y] = *state;
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length * crank_omega;
-    let t1 = t0 * crank_phi.sin();
+    let t1 = t0 * sin_crank_phi;
     let pin_o_x_rate = crank_v_x + t1;
-    let t2 = t0 * crank_phi.cos();
+    let t2 = t0 * cos_crank_phi;
     let pin_o_y_rate = crank_v_y - t2;
     let t3 = R::literal(0.5) * p.rod_length * rod_omega;
-    let t4 = t3 * rod_phi.sin();
+    let t4 = t3 * sin_rod_phi;
     let pin_a_x_rate = rod_v_x + t1 + t4 - crank_v_x;
-    let t5 = t3 * rod_phi.cos();
+    let t5 = t3 * cos_rod_phi;
     let pin_a_y_rate = rod_v_y - crank_v_y - t2 - t5;
     let pin_b_x_rate = slider_v_x + t4 - rod_v_x;
     let pin_b_y_rate = slider_v_y - rod_v_y - t5;
@@ -2590,12 +2598,16 @@ pub fn constraint_matrix<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 20] {
     let [_, _, crank_phi, _, _, rod_phi, ..] = *state;
+    let [(sin_crank_phi, cos_crank_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        crank_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.5) * p.crank_length;
-    let t1 = t0 * crank_phi.sin();
+    let t1 = t0 * sin_crank_phi;
     let t2 = R::literal(0.5) * p.rod_length;
-    let t3 = t2 * rod_phi.sin();
-    let t4 = -(t0 * crank_phi.cos());
-    let t5 = -(t2 * rod_phi.cos());
+    let t3 = t2 * sin_rod_phi;
+    let t4 = -(t0 * cos_crank_phi);
+    let t5 = -(t2 * cos_rod_phi);
     [
         R::literal(1.0),
         t1,

@@ -464,10 +464,11 @@ pub fn parameter_jacobian<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 13] {
     let [coupling_twist, driver_omega, cylinder_omega] = *state;
+    let load_frequency_times_time = p.load_frequency * time;
+    let (sin_load_frequency_times_time, cos_load_frequency_times_time) = load_frequency_times_time
+        .sin_cos();
     let coupling_ratio_times_cylinder_omega = p.coupling_ratio * cylinder_omega;
     let coupling_twist_rate = driver_omega - coupling_ratio_times_cylinder_omega;
-    let load_frequency_times_time = p.load_frequency * time;
-    let sin_load_frequency_times_time = load_frequency_times_time.sin();
     let resistance = p
         .load_torque
         .add_product(p.load_amplitude, sin_load_frequency_times_time);
@@ -483,7 +484,7 @@ pub fn parameter_jacobian<R: Real>(
     let cylinder_omega_dot_by_load_amplitude = -(sin_load_frequency_times_time
         * inverse_cylinder_inertia);
     let cylinder_omega_dot_by_load_frequency = -(p.load_amplitude * time
-        * load_frequency_times_time.cos() * inverse_cylinder_inertia);
+        * cos_load_frequency_times_time * inverse_cylinder_inertia);
     let driver_omega_dot_by_driver_inertia = -(driver_omega_dot
         * inverse_driver_inertia);
     let driver_omega_dot_by_coupling_stiffness = -(coupling_twist

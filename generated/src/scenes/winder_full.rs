@@ -48,7 +48,7 @@
 //   mass_matrix              17
 //   forcing                  82
 //   rate_jacobian           188
-//   parameter_jacobian      478
+//   parameter_jacobian      473
 //   time_derivative          83
 //   outputs                  77
 //   energy                   59
@@ -622,6 +622,15 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
+    let drum_speed_times_time = c.drum_speed * time;
+    let t0 = p.ovality_phase.add_product(c.t5, time);
+    let [(_, t1), (_, cos_package_phase_plus_pair_phi), (t2, t3),
+    (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.force_phase + drum_speed_times_time,
+        p.package_phase + pair_phi,
+        t0,
+        drum_speed_times_time,
+    ]);
     let layer_swelling = p
         .holder_preload
         .add_product(p.layer_stiffness, layer_surface)
@@ -639,22 +648,19 @@ pub fn prepared_rate<R: Real>(
             (-c.pair_bobbin_radius_squared_squared)
                 .add_product(pair_radius_squared, pair_radius_squared),
         );
-    let drum_speed_times_time = c.drum_speed * time;
-    let force = (p.package_force * (p.package_phase + pair_phi).cos())
-        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
+    let force = (p.package_force * cos_package_phase_plus_pair_phi)
+        .add_product(p.force_amplitude, t1);
     let holder_mass = c.t4 + pair_package_mass;
-    let t0 = p.ovality_phase.add_product(c.t5, time);
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
-        .sub_product(c.t6, t0.sin());
+    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
+        .sub_product(c.t6, t2);
     let layer_compression_rate = shape_rate - holder_v;
-    let t1 = p.layer_stiffness * layer_compression;
-    let t2 = p.layer_cubic_stiffness
+    let t4 = p.layer_stiffness * layer_compression;
+    let t5 = p.layer_cubic_stiffness
         * (layer_compression * layer_compression * layer_compression);
-    let t3 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t1 + t2 + t3;
+    let t6 = p.layer_viscosity * layer_compression_rate;
+    let layer_push = p.holder_preload + t4 + t5 + t6;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -688,14 +694,14 @@ pub fn prepared_rate<R: Real>(
         ),
     );
     let holder_v_dot = ((force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3))
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
         .sub_product(c.t8 * holder_v * pair_omega, pair_radius)
         - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                c.minus_holder_preload - t1 - t2,
+                c.minus_holder_preload - t4 - t5,
             ))) * (R::literal(1.0) / holder_mass);
     let pair_omega_dot = R::select_less(
         pair_slip,
@@ -757,6 +763,15 @@ pub fn forcing<R: Real>(
     let [holder_x, pair_phi, holder_v, pair_omega, _, layer_closed, pair_radius,
     pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let [(_, t1), (_, cos_package_phase_plus_pair_phi), (t2, t3),
+    (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.force_phase + drum_speed_times_time,
+        p.package_phase + pair_phi,
+        t0,
+        drum_speed_times_time,
+    ]);
     let pair_growth = R::literal(0.5) * p.pair_thread_area
         / (R::literal(core::f64::consts::PI) * p.pair_package_width) * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
@@ -769,21 +784,18 @@ pub fn forcing<R: Real>(
             (pair_radius_squared * pair_radius_squared)
                 .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
         );
-    let drum_speed_times_time = drum_speed * time;
-    let force = (p.package_force * (p.package_phase + pair_phi).cos())
-        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
+    let force = (p.package_force * cos_package_phase_plus_pair_phi)
+        .add_product(p.force_amplitude, t1);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2);
     let layer_compression_rate = shape_rate - holder_v;
-    let t1 = p.layer_stiffness * layer_compression;
-    let t2 = p.layer_cubic_stiffness
+    let t4 = p.layer_stiffness * layer_compression;
+    let t5 = p.layer_cubic_stiffness
         * (layer_compression * layer_compression * layer_compression);
-    let t3 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t1 + t2 + t3;
+    let t6 = p.layer_viscosity * layer_compression_rate;
+    let layer_push = p.holder_preload + t4 + t5 + t6;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -817,7 +829,7 @@ pub fn forcing<R: Real>(
         ),
     );
     let holder_x_forcing = (force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3))
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
         .sub_product(
             p.pair_yarn_density * p.pair_thread_area * holder_v * pair_omega,
             pair_radius,
@@ -827,7 +839,7 @@ pub fn forcing<R: Real>(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                -p.holder_preload - t1 - t2,
+                -p.holder_preload - t4 - t5,
             ));
     let pair_phi_forcing = R::select_less(
         pair_slip,
@@ -863,6 +875,16 @@ pub fn prepared_rate_jacobian<R: Real>(
 ) -> [R; 14] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
+    let drum_speed_times_time = c.drum_speed * time;
+    let package_phase_plus_pair_phi = p.package_phase + pair_phi;
+    let t0 = p.ovality_phase.add_product(c.t5, time);
+    let [(_, t1), (sin_package_phase_plus_pair_phi, cos_package_phase_plus_pair_phi),
+    (t2, t3), (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.force_phase + drum_speed_times_time,
+        package_phase_plus_pair_phi,
+        t0,
+        drum_speed_times_time,
+    ]);
     let pair_growth = c.t1 * pair_omega;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = c.t2 * (pair_radius_squared - c.pair_bobbin_radius_squared);
@@ -873,23 +895,19 @@ pub fn prepared_rate_jacobian<R: Real>(
             (-c.pair_bobbin_radius_squared_squared)
                 .add_product(pair_radius_squared, pair_radius_squared),
         );
-    let drum_speed_times_time = c.drum_speed * time;
-    let package_phase_plus_pair_phi = p.package_phase + pair_phi;
-    let force = (p.package_force * package_phase_plus_pair_phi.cos())
-        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
+    let force = (p.package_force * cos_package_phase_plus_pair_phi)
+        .add_product(p.force_amplitude, t1);
     let holder_mass = c.t4 + pair_package_mass;
-    let t0 = p.ovality_phase.add_product(c.t5, time);
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
-        .sub_product(c.t6, t0.sin());
+    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
+        .sub_product(c.t6, t2);
     let layer_compression_rate = shape_rate - holder_v;
-    let t1 = p.layer_stiffness * layer_compression;
+    let t4 = p.layer_stiffness * layer_compression;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t2 = p.layer_cubic_stiffness * (layer_compression_squared * layer_compression);
-    let t3 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t1 + t2 + t3;
+    let t5 = p.layer_cubic_stiffness * (layer_compression_squared * layer_compression);
+    let t6 = p.layer_viscosity * layer_compression_rate;
+    let layer_push = p.holder_preload + t4 + t5 + t6;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -897,13 +915,13 @@ pub fn prepared_rate_jacobian<R: Real>(
         R::literal(0.0),
         pair_friction_times_layer_push,
     );
-    let t4 = c.t7 * layer_push;
+    let t7 = c.t7 * layer_push;
     let pair_resistance = p.pair_tension
         + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t4 / pair_radius,
+            t7 / pair_radius,
         );
     let pair_held = pair_resistance
         - pair_omega * pair_growth * pair_inertia / pair_radius_squared;
@@ -925,17 +943,17 @@ pub fn prepared_rate_jacobian<R: Real>(
     );
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
-    let t5 = c.t8 * holder_v;
-    let t6 = t5 * pair_omega;
+    let t8 = c.t8 * holder_v;
+    let t9 = t8 * pair_omega;
     let holder_v_dot = ((force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3))
-        .sub_product(t6, pair_radius)
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
+        .sub_product(t9, pair_radius)
         - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                c.minus_holder_preload - t1 - t2,
+                c.minus_holder_preload - t4 - t5,
             ))) * inverse_holder_mass;
     let pair_omega_dot = R::select_less(
         pair_slip,
@@ -943,11 +961,11 @@ pub fn prepared_rate_jacobian<R: Real>(
         R::literal(0.0),
         pair_radius * (pair_carried - pair_resistance),
     ) * inverse_pair_inertia;
-    let t7 = c.t9 * layer_compression_squared;
-    let t8 = c.minus_layer_stiffness - t7;
-    let t9 = c.t7 * t8 / pair_radius;
-    let t10 = p.pair_friction * t8;
-    let t11 = R::select_less(
+    let t10 = c.t9 * layer_compression_squared;
+    let t11 = c.minus_layer_stiffness - t10;
+    let t12 = c.t7 * t11 / pair_radius;
+    let t13 = p.pair_friction * t11;
+    let t14 = R::select_less(
         pair_slip,
         R::literal(-1.5),
         R::literal(0.0),
@@ -958,7 +976,7 @@ pub fn prepared_rate_jacobian<R: Real>(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            p.layer_stiffness + t7,
+            p.layer_stiffness + t10,
         )) * inverse_holder_mass);
     let pair_omega_dot_by_holder_x = R::select_less(
         layer_closed,
@@ -968,11 +986,11 @@ pub fn prepared_rate_jacobian<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t10,
-                R::select_less(pair_slip, R::literal(0.5), t9, -t10),
-            ) - t9) * t11,
+                t13,
+                R::select_less(pair_slip, R::literal(0.5), t12, -t13),
+            ) - t12) * t14,
     ) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_phi = -(p.package_force * package_phase_plus_pair_phi.sin()
+    let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
     let holder_v_dot_by_holder_v = R::select_less(
@@ -998,7 +1016,7 @@ pub fn prepared_rate_jacobian<R: Real>(
                         c.t10,
                         pair_friction_times_pair_radius,
                     ),
-                )) * t11,
+                )) * t14,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_holder_v = R::select_less(
         layer_closed,
@@ -1006,7 +1024,7 @@ pub fn prepared_rate_jacobian<R: Real>(
         R::literal(0.0),
         R::literal(-1.0),
     );
-    let holder_v_dot_by_pair_omega = -(t5 * pair_radius * inverse_holder_mass);
+    let holder_v_dot_by_pair_omega = -(t8 * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_omega = R::select_less(
         pair_slip,
         R::literal(-1.5),
@@ -1032,9 +1050,9 @@ pub fn prepared_rate_jacobian<R: Real>(
             * p.layer_stiffness.add_product(c.t9, layer_surface * layer_surface)),
         R::literal(0.0),
     );
-    let t12 = t4 / pair_radius_squared;
-    let t13 = pair_radius_squared * pair_radius;
-    let holder_v_dot_by_pair_radius = (-t6)
+    let t15 = t7 / pair_radius_squared;
+    let t16 = pair_radius_squared * pair_radius;
+    let holder_v_dot_by_pair_radius = (-t9)
         .sub_product(c.t11 * pair_radius, holder_v_dot) * inverse_holder_mass;
     let pair_omega_dot_by_pair_radius = R::select_less(
             pair_slip,
@@ -1043,7 +1061,7 @@ pub fn prepared_rate_jacobian<R: Real>(
             pair_carried
                 .add_product(
                     pair_radius,
-                    R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t12)
+                    R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15)
                         + R::select_less(
                             pair_slip,
                             R::literal(-0.5),
@@ -1052,12 +1070,12 @@ pub fn prepared_rate_jacobian<R: Real>(
                                 pair_slip,
                                 R::literal(0.5),
                                 (R::literal(2.0) * pair_omega * pair_growth * pair_inertia
-                                    / t13
+                                    / t16
                                     + R::select_less(
                                         layer_closed,
                                         R::literal(0.5),
                                         R::literal(0.0),
-                                        -t12,
+                                        -t15,
                                     ))
                                     .sub_product(c.t8 * pair_radius, pair_omega * pair_omega),
                                 R::literal(0.0),
@@ -1065,7 +1083,7 @@ pub fn prepared_rate_jacobian<R: Real>(
                         ),
                 ) - pair_resistance,
         )
-        .sub_product(c.t11 * t13, pair_omega_dot) * inverse_pair_inertia;
+        .sub_product(c.t11 * t16, pair_omega_dot) * inverse_pair_inertia;
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -1086,7 +1104,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 478 operations.
+/// 473 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -1096,53 +1114,54 @@ pub fn parameter_jacobian<R: Real>(
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
-    let t0 = layer_surface * layer_surface * layer_surface;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.force_phase + drum_speed_times_time;
+    let package_phase_plus_pair_phi = p.package_phase + pair_phi;
+    let t1 = R::literal(2.0) * drum_speed;
+    let t2 = p.ovality_phase.add_product(t1, time);
+    let [(t3, t4), (sin_package_phase_plus_pair_phi, cos_package_phase_plus_pair_phi),
+    (t5, t6), (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        t0,
+        package_phase_plus_pair_phi,
+        t2,
+        drum_speed_times_time,
+    ]);
+    let t7 = layer_surface * layer_surface * layer_surface;
     let layer_swelling = p
         .holder_preload
         .add_product(p.layer_stiffness, layer_surface)
-        .add_product(p.layer_cubic_stiffness, t0);
-    let t1 = R::literal(core::f64::consts::PI) * p.pair_package_width;
-    let pair_growth = R::literal(0.5) * p.pair_thread_area / t1 * pair_omega;
+        .add_product(p.layer_cubic_stiffness, t7);
+    let t8 = R::literal(core::f64::consts::PI) * p.pair_package_width;
+    let pair_growth = R::literal(0.5) * p.pair_thread_area / t8 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
-    let t2 = pair_radius_squared - pair_bobbin_radius_squared;
-    let pair_package_mass = t1 * p.pair_yarn_density * t2;
+    let t9 = pair_radius_squared - pair_bobbin_radius_squared;
+    let pair_package_mass = t8 * p.pair_yarn_density * t9;
     let pair_bobbin_radius_squared_squared = pair_bobbin_radius_squared
         * pair_bobbin_radius_squared;
-    let t3 = (-pair_bobbin_radius_squared_squared)
+    let t10 = (-pair_bobbin_radius_squared_squared)
         .add_product(pair_radius_squared, pair_radius_squared);
-    let t4 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width;
-    let pair_inertia = p.pair_bobbin_inertia.add_product(t4 * p.pair_yarn_density, t3);
-    let drum_speed_times_time = drum_speed * time;
-    let t5 = p.force_phase + drum_speed_times_time;
-    let t6 = t5.cos();
-    let package_phase_plus_pair_phi = p.package_phase + pair_phi;
-    let cos_package_phase_plus_pair_phi = package_phase_plus_pair_phi.cos();
+    let t11 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width;
+    let pair_inertia = p.pair_bobbin_inertia.add_product(t11 * p.pair_yarn_density, t10);
     let force = (p.package_force * cos_package_phase_plus_pair_phi)
-        .add_product(p.force_amplitude, t6);
-    let t7 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass + t7 / p.holder_holder_arm
+        .add_product(p.force_amplitude, t4);
+    let t12 = p.holder_link_mass * p.holder_link_arm;
+    let holder_mass = p.holder_bobbin_mass + t12 / p.holder_holder_arm
         + pair_package_mass;
-    let t8 = R::literal(2.0) * drum_speed;
-    let t9 = p.ovality_phase.add_product(t8, time);
-    let t10 = t9.cos();
-    let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t10);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t6);
     let layer_compression = shape - holder_x;
-    let t11 = t9.sin();
-    let t12 = R::literal(2.0) * p.ovality;
-    let t13 = t12 * drum_speed;
-    let sin_drum_speed_times_time = drum_speed_times_time.sin();
+    let t13 = R::literal(2.0) * p.ovality;
+    let t14 = t13 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(t13, t11);
+        .sub_product(t14, t5);
     let layer_compression_rate = shape_rate - holder_v;
-    let t14 = p.layer_stiffness * layer_compression;
+    let t15 = p.layer_stiffness * layer_compression;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t15 = layer_compression_squared * layer_compression;
-    let t16 = p.layer_cubic_stiffness * t15;
-    let t17 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t14 + t16 + t17;
+    let t16 = layer_compression_squared * layer_compression;
+    let t17 = p.layer_cubic_stiffness * t16;
+    let t18 = p.layer_viscosity * layer_compression_rate;
+    let layer_push = p.holder_preload + t15 + t17 + t18;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -1150,13 +1169,13 @@ pub fn parameter_jacobian<R: Real>(
         R::literal(0.0),
         pair_friction_times_layer_push,
     );
-    let t18 = p.pair_support_arm + p.pair_rolling_arm;
+    let t19 = p.pair_support_arm + p.pair_rolling_arm;
     let pair_resistance = p.pair_tension
         + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t18 * layer_push / pair_radius,
+            t19 * layer_push / pair_radius,
         );
     let pair_omega_times_pair_growth = pair_omega * pair_growth;
     let pair_held = pair_resistance
@@ -1179,16 +1198,16 @@ pub fn parameter_jacobian<R: Real>(
     );
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
-    let t19 = p.pair_yarn_density * p.pair_thread_area;
+    let t20 = p.pair_yarn_density * p.pair_thread_area;
     let holder_v_dot = ((force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t17))
-        .sub_product(t19 * holder_v * pair_omega, pair_radius)
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t18))
+        .sub_product(t20 * holder_v * pair_omega, pair_radius)
         - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                -p.holder_preload - t14 - t16,
+                -p.holder_preload - t15 - t17,
             ))) * inverse_holder_mass;
     let pair_omega_dot = R::select_less(
         pair_slip,
@@ -1197,56 +1216,67 @@ pub fn parameter_jacobian<R: Real>(
         pair_radius * (pair_carried - pair_resistance),
     ) * inverse_pair_inertia;
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
-    let t20 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t21 = t20 * layer_compression_squared;
-    let t22 = R::select_less(
+    let t21 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t22 = t21 * layer_compression_squared;
+    let t23 = R::select_less(
         pair_slip,
         R::literal(-1.5),
         R::literal(0.0),
         R::literal(1.0),
     );
     let holder_v_dot_by_package_phase = -(p.package_force
-        * package_phase_plus_pair_phi.sin() * inverse_holder_mass);
+        * sin_package_phase_plus_pair_phi * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
-    let t23 = R::select_less(
+    let t24 = -pair_friction_times_pair_radius;
+    let t25 = t19
+        + R::select_less(
+            pair_slip,
+            R::literal(-0.5),
+            t24,
+            R::select_less(
+                pair_slip,
+                R::literal(0.5),
+                -p.pair_support_arm - p.pair_rolling_arm,
+                pair_friction_times_pair_radius,
+            ),
+        );
+    let t26 = R::select_less(
         pair_slip,
         R::literal(-0.5),
         R::literal(0.0),
         R::literal(1.0),
     );
-    let t24 = R::select_less(
+    let t27 = R::select_less(
         pair_slip,
         R::literal(0.5),
         R::literal(1.0),
         R::literal(0.0),
     );
     let pair_omega_squared = pair_omega * pair_omega;
-    let t25 = t5.sin();
-    let t26 = t12 / p.drum_radius;
+    let t28 = t13 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t27 = (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time))
-        .sub_product(t26 * time, t11);
-    let t28 = t20 * t27 * layer_compression_squared;
-    let t29 = p.layer_stiffness * t27;
-    let t30 = R::literal(4.0) * p.ovality;
-    let t31 = eccentricity_times_drum_speed / p.drum_radius;
-    let t32 = t31 * time;
-    let t33 = (-(t30 * drum_speed / p.drum_radius * time * t10))
-        .sub_product(t26, t11)
-        .sub_product(t32, cos_drum_speed_times_time)
+    let t29 = (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time))
+        .sub_product(t28 * time, t5);
+    let t30 = t21 * t29 * layer_compression_squared;
+    let t31 = p.layer_stiffness * t29;
+    let t32 = R::literal(4.0) * p.ovality;
+    let t33 = eccentricity_times_drum_speed / p.drum_radius;
+    let t34 = t33 * time;
+    let t35 = (-(t28 * t5))
+        .sub_product(t32 * drum_speed / p.drum_radius * time, t6)
+        .sub_product(t34, cos_drum_speed_times_time)
         .sub_product(eccentricity_over_drum_radius, sin_drum_speed_times_time);
-    let t34 = p.layer_viscosity * t33;
-    let t35 = t28 + t29 + t34;
-    let t36 = t18 * t35 / pair_radius;
-    let t37 = p.pair_friction * t35;
+    let t36 = p.layer_viscosity * t35;
+    let t37 = t30 + t31 + t36;
+    let t38 = t19 * t37 / pair_radius;
+    let t39 = p.pair_friction * t37;
     let holder_v_dot_by_winding_speed = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t34 - (-t28 - t29),
+            t36 - (-t30 - t31),
         )
-        .sub_product(p.force_amplitude / p.drum_radius * time, t25)
-        * inverse_holder_mass;
+        .sub_product(p.force_amplitude / p.drum_radius * time, t3) * inverse_holder_mass;
     let pair_omega_dot_by_winding_speed = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1255,39 +1285,39 @@ pub fn parameter_jacobian<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t37,
-                R::select_less(pair_slip, R::literal(0.5), t36, -t37),
-            ) - t36) * t22,
+                t39,
+                R::select_less(pair_slip, R::literal(0.5), t38, -t39),
+            ) - t38) * t23,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_winding_speed = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        t33,
+        t35,
     );
-    let t38 = t13 / p.drum_radius;
-    let t39 = (t32 * sin_drum_speed_times_time).add_product(t38 * time, t11);
-    let t40 = t20 * t39 * layer_compression_squared;
-    let t41 = p.layer_stiffness * t39;
+    let t40 = t14 / p.drum_radius;
+    let t41 = (t34 * sin_drum_speed_times_time).add_product(t40 * time, t5);
+    let t42 = t21 * t41 * layer_compression_squared;
+    let t43 = p.layer_stiffness * t41;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t42 = (t38 * t11)
-        .add_product(t30 * drum_speed_squared / p.drum_radius * time, t10)
+    let t44 = (t40 * t5)
+        .add_product(t32 * drum_speed_squared / p.drum_radius * time, t6)
         .add_product(
             p.eccentricity * drum_speed_squared / p.drum_radius * time,
             cos_drum_speed_times_time,
         )
-        .add_product(t31, sin_drum_speed_times_time);
-    let t43 = p.layer_viscosity * t42;
-    let t44 = t40 + t41 + t43;
-    let t45 = t18 * t44 / pair_radius;
-    let t46 = p.pair_friction * t44;
+        .add_product(t33, sin_drum_speed_times_time);
+    let t45 = p.layer_viscosity * t44;
+    let t46 = t42 + t43 + t45;
+    let t47 = t19 * t46 / pair_radius;
+    let t48 = p.pair_friction * t46;
     let holder_v_dot_by_drum_radius = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t43 - (-t40 - t41),
+            t45 - (-t42 - t43),
         )
-        .add_product(p.force_amplitude * drum_speed / p.drum_radius * time, t25)
+        .add_product(p.force_amplitude * drum_speed / p.drum_radius * time, t3)
         * inverse_holder_mass;
     let pair_omega_dot_by_drum_radius = R::select_less(
         layer_closed,
@@ -1297,31 +1327,31 @@ pub fn parameter_jacobian<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t46,
-                R::select_less(pair_slip, R::literal(0.5), t45, -t46),
-            ) - t45) * t22,
+                t48,
+                R::select_less(pair_slip, R::literal(0.5), t47, -t48),
+            ) - t47) * t23,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_drum_radius = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        t42,
+        t44,
     );
-    let holder_v_dot_by_force_amplitude = t6 * inverse_holder_mass;
-    let holder_v_dot_by_force_phase = -(p.force_amplitude * t25 * inverse_holder_mass);
+    let holder_v_dot_by_force_amplitude = t4 * inverse_holder_mass;
+    let holder_v_dot_by_force_phase = -(p.force_amplitude * t3 * inverse_holder_mass);
     let holder_v_dot_by_package_force = cos_package_phase_plus_pair_phi
         * inverse_holder_mass;
-    let t47 = R::literal(2.0) * p.layer_viscosity * drum_speed * t11;
-    let t48 = t21 * t10;
-    let t49 = p.layer_stiffness * t10;
-    let t50 = t48 + t49 - t47;
-    let t51 = t18 * t50 / pair_radius;
-    let t52 = p.pair_friction * t50;
+    let t49 = R::literal(2.0) * p.layer_viscosity * drum_speed * t5;
+    let t50 = t22 * t6;
+    let t51 = p.layer_stiffness * t6;
+    let t52 = t50 + t51 - t49;
+    let t53 = t19 * t52 / pair_radius;
+    let t54 = p.pair_friction * t52;
     let holder_v_dot_by_ovality = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -t47 - (-t48 - t49),
+        -t49 - (-t50 - t51),
     ) * inverse_holder_mass;
     let pair_omega_dot_by_ovality = R::select_less(
         layer_closed,
@@ -1331,28 +1361,28 @@ pub fn parameter_jacobian<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t52,
-                R::select_less(pair_slip, R::literal(0.5), t51, -t52),
-            ) - t51) * t22,
+                t54,
+                R::select_less(pair_slip, R::literal(0.5), t53, -t54),
+            ) - t53) * t23,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_ovality = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(t8 * t11),
+        -(t1 * t5),
     );
-    let t53 = t12 * p.layer_viscosity * drum_speed * t10;
-    let t54 = R::literal(3.0) * p.ovality * p.layer_cubic_stiffness
-        * layer_compression_squared * t11;
-    let t55 = p.ovality * p.layer_stiffness * t11;
-    let t56 = -t54 - t53 - t55;
-    let t57 = t18 * t56 / pair_radius;
-    let t58 = p.pair_friction * t56;
+    let t55 = t13 * p.layer_viscosity * drum_speed * t6;
+    let t56 = R::literal(3.0) * p.ovality * p.layer_cubic_stiffness
+        * layer_compression_squared * t5;
+    let t57 = p.ovality * p.layer_stiffness * t5;
+    let t58 = -t56 - t55 - t57;
+    let t59 = t19 * t58 / pair_radius;
+    let t60 = p.pair_friction * t58;
     let holder_v_dot_by_ovality_phase = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -t53 - (t54 + t55),
+        -t55 - (t56 + t57),
     ) * inverse_holder_mass;
     let pair_omega_dot_by_ovality_phase = R::select_less(
         layer_closed,
@@ -1362,27 +1392,27 @@ pub fn parameter_jacobian<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t58,
-                R::select_less(pair_slip, R::literal(0.5), t57, -t58),
-            ) - t57) * t22,
+                t60,
+                R::select_less(pair_slip, R::literal(0.5), t59, -t60),
+            ) - t59) * t23,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_ovality_phase = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -(t13 * t10),
+        -(t14 * t6),
     );
-    let t59 = p.layer_viscosity * drum_speed * sin_drum_speed_times_time;
-    let t60 = t21 * cos_drum_speed_times_time;
-    let t61 = p.layer_stiffness * cos_drum_speed_times_time;
-    let t62 = t60 + t61 - t59;
-    let t63 = t18 * t62 / pair_radius;
-    let t64 = p.pair_friction * t62;
+    let t61 = p.layer_viscosity * drum_speed * sin_drum_speed_times_time;
+    let t62 = t22 * cos_drum_speed_times_time;
+    let t63 = p.layer_stiffness * cos_drum_speed_times_time;
+    let t64 = t62 + t63 - t61;
+    let t65 = t19 * t64 / pair_radius;
+    let t66 = p.pair_friction * t64;
     let holder_v_dot_by_eccentricity = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        -t59 - (-t60 - t61),
+        -t61 - (-t62 - t63),
     ) * inverse_holder_mass;
     let pair_omega_dot_by_eccentricity = R::select_less(
         layer_closed,
@@ -1392,9 +1422,9 @@ pub fn parameter_jacobian<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t64,
-                R::select_less(pair_slip, R::literal(0.5), t63, -t64),
-            ) - t63) * t22,
+                t66,
+                R::select_less(pair_slip, R::literal(0.5), t65, -t66),
+            ) - t65) * t23,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_eccentricity = R::select_less(
         layer_closed,
@@ -1407,7 +1437,7 @@ pub fn parameter_jacobian<R: Real>(
         * holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_link_arm = -(p.holder_link_mass / p.holder_holder_arm
         * holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_holder_arm = t7
+    let holder_v_dot_by_holder_holder_arm = t12
         / (p.holder_holder_arm * p.holder_holder_arm) * holder_v_dot
         * inverse_holder_mass;
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
@@ -1429,12 +1459,7 @@ pub fn parameter_jacobian<R: Real>(
                 pair_slip,
                 R::literal(-0.5),
                 pair_friction_times_pair_radius,
-                R::select_less(
-                    pair_slip,
-                    R::literal(0.5),
-                    t18,
-                    -pair_friction_times_pair_radius,
-                ),
+                R::select_less(pair_slip, R::literal(0.5), t19, t24),
             ) - p.pair_support_arm - p.pair_rolling_arm,
         ),
     ) * inverse_pair_inertia;
@@ -1444,8 +1469,6 @@ pub fn parameter_jacobian<R: Real>(
         -inverse_layer_viscosity,
         R::literal(0.0),
     );
-    let t65 = t18 * layer_compression / pair_radius;
-    let t66 = p.pair_friction * layer_compression;
     let holder_v_dot_by_layer_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1456,13 +1479,7 @@ pub fn parameter_jacobian<R: Real>(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        pair_radius
-            * (R::select_less(
-                pair_slip,
-                R::literal(-0.5),
-                t66,
-                R::select_less(pair_slip, R::literal(0.5), t65, -t66),
-            ) - t65) * t22,
+        -(layer_compression * t25 * t23),
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_layer_stiffness = R::select_less(
         layer_closed,
@@ -1470,34 +1487,27 @@ pub fn parameter_jacobian<R: Real>(
         -(inverse_layer_viscosity * layer_surface),
         R::literal(0.0),
     );
-    let t67 = t18 * t15 / pair_radius;
-    let t68 = p.pair_friction * t15;
+    let holder_x_minus_shape = holder_x - shape;
     let holder_v_dot_by_layer_cubic_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        t15,
+        t16,
     ) * inverse_holder_mass;
     let pair_omega_dot_by_layer_cubic_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        pair_radius
-            * (R::select_less(
-                pair_slip,
-                R::literal(-0.5),
-                t68,
-                R::select_less(pair_slip, R::literal(0.5), t67, -t68),
-            ) - t67) * t22,
+        t25 * (holder_x_minus_shape * holder_x_minus_shape * holder_x_minus_shape) * t23,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(
         layer_closed,
         R::literal(0.5),
-        -(inverse_layer_viscosity * t0),
+        -(inverse_layer_viscosity * t7),
         R::literal(0.0),
     );
-    let t69 = t18 * layer_compression_rate / pair_radius;
-    let t70 = p.pair_friction * layer_compression_rate;
+    let t67 = t19 * layer_compression_rate / pair_radius;
+    let t68 = p.pair_friction * layer_compression_rate;
     let holder_v_dot_by_layer_viscosity = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1512,9 +1522,9 @@ pub fn parameter_jacobian<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t70,
-                R::select_less(pair_slip, R::literal(0.5), t69, -t70),
-            ) - t69) * t22,
+                t68,
+                R::select_less(pair_slip, R::literal(0.5), t67, -t68),
+            ) - t67) * t23,
     ) * inverse_pair_inertia;
     let layer_surface_dot_by_layer_viscosity = R::select_less(
         layer_closed,
@@ -1522,7 +1532,7 @@ pub fn parameter_jacobian<R: Real>(
         R::literal(1.0) / (p.layer_viscosity * p.layer_viscosity) * layer_swelling,
         R::literal(0.0),
     );
-    let t71 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
+    let t69 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
     let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
         * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density
         * holder_v_dot * inverse_holder_mass;
@@ -1530,32 +1540,32 @@ pub fn parameter_jacobian<R: Real>(
             pair_slip,
             R::literal(-1.5),
             R::literal(0.0),
-            t19 * t71 * pair_omega_squared * t23 * t24 / pair_radius,
+            t20 * t69 * pair_omega_squared * t26 * t27 / pair_radius,
         )
         .add_product(
             R::literal(core::f64::consts::TAU) * p.pair_package_width
-                * p.pair_yarn_density * t71,
+                * p.pair_yarn_density * t69,
             pair_omega_dot,
         ) * inverse_pair_inertia;
     let holder_v_dot_by_pair_package_width = -(R::literal(core::f64::consts::PI)
-        * p.pair_yarn_density * t2 * holder_v_dot * inverse_holder_mass);
+        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
     let pair_omega_dot_by_pair_package_width = R::select_less(
             pair_slip,
             R::literal(-1.5),
             R::literal(0.0),
-            p.pair_bobbin_inertia / p.pair_package_width * pair_omega * pair_growth * t23
-                * t24 / pair_radius,
+            p.pair_bobbin_inertia / p.pair_package_width * pair_omega * pair_growth * t26
+                * t27 / pair_radius,
         )
         .sub_product(
-            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_yarn_density * t3,
+            R::literal(core::f64::consts::FRAC_PI_2) * p.pair_yarn_density * t10,
             pair_omega_dot,
         ) * inverse_pair_inertia;
     let pair_radius_dot_by_pair_package_width = -(R::literal(1.0) / p.pair_package_width
         * pair_growth);
-    let t72 = R::literal(0.25) * p.pair_thread_area;
+    let t70 = R::literal(0.25) * p.pair_thread_area;
     let holder_v_dot_by_pair_yarn_density = (-(p.pair_thread_area * holder_v * pair_omega
         * pair_radius))
-        .sub_product(t1 * t2, holder_v_dot) * inverse_holder_mass;
+        .sub_product(t8 * t9, holder_v_dot) * inverse_holder_mass;
     let pair_omega_dot_by_pair_yarn_density = R::select_less(
             pair_slip,
             R::literal(-1.5),
@@ -1567,32 +1577,32 @@ pub fn parameter_jacobian<R: Real>(
                 R::select_less(
                     pair_slip,
                     R::literal(0.5),
-                    (t72 * pair_bobbin_radius_squared_squared * pair_omega_squared
+                    (t70 * pair_bobbin_radius_squared_squared * pair_omega_squared
                         / pair_radius)
                         .sub_product(
-                            t72 * pair_omega_squared,
+                            t70 * pair_omega_squared,
                             pair_radius_squared * pair_radius,
                         ),
                     R::literal(0.0),
                 ),
             ),
         )
-        .sub_product(t4 * t3, pair_omega_dot) * inverse_pair_inertia;
-    let t73 = R::literal(0.5) / t1;
+        .sub_product(t11 * t10, pair_omega_dot) * inverse_pair_inertia;
+    let t71 = R::literal(0.5) / t8;
     let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
         * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(
         pair_slip,
         R::literal(-1.5),
         R::literal(0.0),
-        -(t73 * pair_inertia * pair_omega_squared * t23 * t24 / pair_radius),
+        -(t71 * pair_inertia * pair_omega_squared * t26 * t27 / pair_radius),
     ) * inverse_pair_inertia;
-    let pair_radius_dot_by_pair_thread_area = t73 * pair_omega;
+    let pair_radius_dot_by_pair_thread_area = t71 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(
         pair_slip,
         R::literal(-1.5),
         R::literal(0.0),
-        -(pair_omega_times_pair_growth * t23 * t24 / pair_radius),
+        -(pair_omega_times_pair_growth * t26 * t27 / pair_radius),
     ) - pair_omega_dot) * inverse_pair_inertia;
     let pair_omega_dot_by_pair_tension = R::select_less(
         pair_slip,
@@ -1609,7 +1619,7 @@ pub fn parameter_jacobian<R: Real>(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        pair_radius * t22
+        pair_radius * t23
             * R::select_less(
                 pair_slip,
                 R::literal(-0.5),
@@ -1633,7 +1643,7 @@ pub fn parameter_jacobian<R: Real>(
                     layer_push_over_pair_radius,
                     R::literal(0.0),
                 ),
-            ) - layer_push_over_pair_radius) * t22,
+            ) - layer_push_over_pair_radius) * t23,
     ) * inverse_pair_inertia;
     [
         holder_v_dot_by_winding_speed,
@@ -1701,6 +1711,13 @@ pub fn time_derivative<R: Real>(
 ) -> [R; STATES] {
     let [holder_x, _, _, _, _, layer_closed, pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t3, _)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+    ]);
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
     let pair_package_mass = R::literal(core::f64::consts::PI) * p.pair_package_width
@@ -1713,39 +1730,33 @@ pub fn time_derivative<R: Real>(
             (pair_radius_squared * pair_radius_squared)
                 .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
         );
-    let drum_speed_times_time = drum_speed * time;
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let t1 = t0.cos();
-    let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let t2 = p.eccentricity * cos_drum_speed_times_time;
-    let shape = t2.add_product(p.ovality, t1);
+    let t4 = p.eccentricity * cos_drum_speed_times_time;
+    let shape = t4.add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
-    let t3 = R::literal(4.0) * p.ovality;
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
+    let t5 = R::literal(4.0) * p.ovality;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t4 = R::literal(3.0) * p.layer_cubic_stiffness * shape_rate
+    let t6 = R::literal(3.0) * p.layer_cubic_stiffness * shape_rate
         * (layer_compression * layer_compression);
     let layer_stiffness_times_shape_rate = p.layer_stiffness * shape_rate;
-    let t5 = p.layer_viscosity
+    let t7 = p.layer_viscosity
         * (-(p.eccentricity * drum_speed_squared * cos_drum_speed_times_time))
-            .sub_product(t3 * drum_speed_squared, t1);
-    let t6 = t4 + layer_stiffness_times_shape_rate + t5;
-    let t7 = (p.pair_support_arm + p.pair_rolling_arm) * t6 / pair_radius;
-    let t8 = p.pair_friction * t6;
+            .sub_product(t5 * drum_speed_squared, t2);
+    let t8 = t6 + layer_stiffness_times_shape_rate + t7;
+    let t9 = (p.pair_support_arm + p.pair_rolling_arm) * t8 / pair_radius;
+    let t10 = p.pair_friction * t8;
     let holder_v_dot_by_time = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t5 - (-t4 - layer_stiffness_times_shape_rate),
+            t7 - (-t6 - layer_stiffness_times_shape_rate),
         )
-        .sub_product(
-            p.force_amplitude * drum_speed,
-            (p.force_phase + drum_speed_times_time).sin(),
-        ) * (R::literal(1.0) / holder_mass);
+        .sub_product(p.force_amplitude * drum_speed, t3)
+        * (R::literal(1.0) / holder_mass);
     let pair_omega_dot_by_time = R::select_less(
         layer_closed,
         R::literal(0.5),
@@ -1754,9 +1765,9 @@ pub fn time_derivative<R: Real>(
             * (R::select_less(
                 pair_slip,
                 R::literal(-0.5),
-                t8,
-                R::select_less(pair_slip, R::literal(0.5), t7, -t8),
-            ) - t7)
+                t10,
+                R::select_less(pair_slip, R::literal(0.5), t9, -t10),
+            ) - t9)
             * R::select_less(
                 pair_slip,
                 R::literal(-1.5),
@@ -1768,7 +1779,7 @@ pub fn time_derivative<R: Real>(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
-        drum_speed_squared * (-t2).sub_product(t3, t1),
+        drum_speed_squared * (-t4).sub_product(t5, t2),
     );
     [
         R::literal(0.0),
@@ -1790,12 +1801,21 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [holder_x, pair_phi, holder_v, pair_omega, _, layer_closed, pair_radius,
     pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let [(_, t1), (_, cos_package_phase_plus_pair_phi), (t2, t3),
+    (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.force_phase + drum_speed_times_time,
+        p.package_phase + pair_phi,
+        t0,
+        drum_speed_times_time,
+    ]);
     let pair_sliding = (-p.winding_speed).add_product(pair_omega, pair_radius);
-    let t0 = R::literal(core::f64::consts::PI) * p.pair_package_width;
-    let pair_growth = R::literal(0.5) * p.pair_thread_area / t0 * pair_omega;
+    let t4 = R::literal(core::f64::consts::PI) * p.pair_package_width;
+    let pair_growth = R::literal(0.5) * p.pair_thread_area / t4 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
-    let pair_package_mass = t0 * p.pair_yarn_density
+    let pair_package_mass = t4 * p.pair_yarn_density
         * (pair_radius_squared - pair_bobbin_radius_squared);
     let pair_inertia = p
         .pair_bobbin_inertia
@@ -1805,18 +1825,15 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
             (pair_radius_squared * pair_radius_squared)
                 .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
         );
-    let drum_speed_times_time = drum_speed * time;
-    let force = (p.package_force * (p.package_phase + pair_phi).cos())
-        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
+    let force = (p.package_force * cos_package_phase_plus_pair_phi)
+        .add_product(p.force_amplitude, t1);
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t1 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t1.cos());
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2);
     let layer_compression_rate = shape_rate - holder_v;
     let layer_push = p
         .holder_preload
@@ -1883,6 +1900,10 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let [holder_x, _, holder_v, pair_omega, layer_surface, layer_closed, pair_radius, ..,
     ] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let [(_, t0), (_, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
+        drum_speed * time,
+    ]);
     let layer_surface_squared = layer_surface * layer_surface;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
@@ -1899,15 +1920,11 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let shape = (p.eccentricity * (drum_speed * time).cos())
-        .add_product(
-            p.ovality,
-            p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time).cos(),
-        );
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t0 = R::literal(0.25) * p.layer_cubic_stiffness;
-    let t1 = R::literal(0.5) * p.layer_stiffness;
+    let t1 = R::literal(0.25) * p.layer_cubic_stiffness;
+    let t2 = R::literal(0.5) * p.layer_stiffness;
     Energy {
         kinetic: (R::literal(0.5) * pair_inertia * (pair_omega * pair_omega))
             .add_product(R::literal(0.5) * holder_mass, holder_v * holder_v),
@@ -1917,9 +1934,9 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                (t1 * layer_compression_squared)
+                (t2 * layer_compression_squared)
                     .add_product(
-                        t0,
+                        t1,
                         layer_compression_squared * layer_compression_squared,
                     )
                     .add_product(p.holder_preload, layer_compression),
@@ -1927,8 +1944,8 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
         stored: R::select_less(
             layer_closed,
             R::literal(0.5),
-            (t1 * layer_surface_squared)
-                .add_product(t0, layer_surface_squared * layer_surface_squared)
+            (t2 * layer_surface_squared)
+                .add_product(t1, layer_surface_squared * layer_surface_squared)
                 .add_product(p.holder_preload, layer_surface),
             R::literal(0.0),
         ),
@@ -1947,6 +1964,15 @@ pub fn power_balance<R: Real>(
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let [(_, t1), (_, cos_package_phase_plus_pair_phi), (t2, t3),
+    (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.force_phase + drum_speed_times_time,
+        p.package_phase + pair_phi,
+        t0,
+        drum_speed_times_time,
+    ]);
     let layer_swelling = p
         .holder_preload
         .add_product(p.layer_stiffness, layer_surface)
@@ -1954,12 +1980,12 @@ pub fn power_balance<R: Real>(
             p.layer_cubic_stiffness,
             layer_surface * layer_surface * layer_surface,
         );
-    let t0 = R::literal(core::f64::consts::PI) * p.pair_package_width;
-    let pair_growth = R::literal(0.5) * p.pair_thread_area / t0 * pair_omega;
+    let t4 = R::literal(core::f64::consts::PI) * p.pair_package_width;
+    let pair_growth = R::literal(0.5) * p.pair_thread_area / t4 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
-    let t1 = t0 * p.pair_yarn_density;
-    let pair_package_mass = t1 * (pair_radius_squared - pair_bobbin_radius_squared);
+    let t5 = t4 * p.pair_yarn_density;
+    let pair_package_mass = t5 * (pair_radius_squared - pair_bobbin_radius_squared);
     let pair_inertia = p
         .pair_bobbin_inertia
         .add_product(
@@ -1968,24 +1994,21 @@ pub fn power_balance<R: Real>(
             (pair_radius_squared * pair_radius_squared)
                 .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
         );
-    let drum_speed_times_time = drum_speed * time;
-    let force = (p.package_force * (p.package_phase + pair_phi).cos())
-        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
+    let force = (p.package_force * cos_package_phase_plus_pair_phi)
+        .add_product(p.force_amplitude, t1);
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t2 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t2.cos());
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2);
     let layer_compression_rate = shape_rate - holder_v;
-    let t3 = p.layer_stiffness * layer_compression;
-    let t4 = layer_compression * layer_compression * layer_compression;
-    let t5 = p.layer_cubic_stiffness * t4;
-    let t6 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t3 + t5 + t6;
+    let t6 = p.layer_stiffness * layer_compression;
+    let t7 = layer_compression * layer_compression * layer_compression;
+    let t8 = p.layer_cubic_stiffness * t7;
+    let t9 = p.layer_viscosity * layer_compression_rate;
+    let layer_push = p.holder_preload + t6 + t8 + t9;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -2018,25 +2041,25 @@ pub fn power_balance<R: Real>(
             ),
         ),
     );
-    let t7 = p.pair_yarn_density * p.pair_thread_area;
-    let t8 = p.holder_preload.add_product(p.holder_stiffness, holder_x)
+    let t10 = p.pair_yarn_density * p.pair_thread_area;
+    let t11 = p.holder_preload.add_product(p.holder_stiffness, holder_x)
         + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -p.holder_preload - t3 - t5,
+            -p.holder_preload - t6 - t8,
         );
-    let t9 = R::select_less(
+    let t12 = R::select_less(
         pair_slip,
         R::literal(-1.5),
         R::literal(0.0),
         pair_radius * (pair_carried - pair_resistance),
     );
     let holder_v_dot = ((force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
-        .sub_product(t7 * holder_v * pair_omega, pair_radius) - t8)
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t9))
+        .sub_product(t10 * holder_v * pair_omega, pair_radius) - t11)
         * (R::literal(1.0) / holder_mass);
-    let pair_omega_dot = t9 * (R::literal(1.0) / pair_inertia);
+    let pair_omega_dot = t12 * (R::literal(1.0) / pair_inertia);
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let layer_surface_dot = R::select_less(
         layer_closed,
@@ -2045,20 +2068,20 @@ pub fn power_balance<R: Real>(
         layer_compression_rate,
     );
     let pair_omega_squared = pair_omega * pair_omega;
-    let t10 = pair_radius_squared * pair_radius;
-    let t11 = R::select_less(
+    let t13 = pair_radius_squared * pair_radius;
+    let t14 = R::select_less(
         layer_closed,
         R::literal(0.5),
         R::literal(0.0),
         (p.holder_preload * shape_rate)
-            .add_product(t3, shape_rate)
-            .add_product(p.layer_cubic_stiffness * shape_rate, t4),
+            .add_product(t6, shape_rate)
+            .add_product(p.layer_cubic_stiffness * shape_rate, t7),
     );
-    let t12 = (t1 * pair_radius * (holder_v * holder_v))
-        .add_product(t1 * pair_omega_squared, t10) * pair_growth;
+    let t15 = (t5 * pair_radius * (holder_v * holder_v))
+        .add_product(t5 * pair_omega_squared, t13) * pair_growth;
     PowerBalance {
-        stored_rate: t11
-            .add_product(t8, holder_v)
+        stored_rate: t14
+            .add_product(t11, holder_v)
             .add_product(holder_v * holder_mass, holder_v_dot)
             .add_product(pair_omega * pair_inertia, pair_omega_dot)
             .add_product(
@@ -2069,10 +2092,10 @@ pub fn power_balance<R: Real>(
                     R::literal(0.0),
                 ),
                 layer_surface_dot,
-            ) + t12,
+            ) + t15,
         supplied: (holder_v * force)
-            .add_product(pair_omega, t9.add_product(t7 * pair_omega_squared, t10)) + t11
-            - t12,
+            .add_product(pair_omega, t12.add_product(t10 * pair_omega_squared, t13))
+            + t14 - t15,
         dissipated: R::select_less(
             layer_closed,
             R::literal(0.5),
@@ -2090,6 +2113,12 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
     let [holder_x, _, holder_v, pair_omega, layer_surface, layer_closed, pair_radius, ..,
     ] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+    ]);
     let pair_sliding = (-p.winding_speed).add_product(pair_omega, pair_radius);
     let pair_growth = R::literal(0.5) * p.pair_thread_area
         / (R::literal(core::f64::consts::PI) * p.pair_package_width) * pair_omega;
@@ -2103,13 +2132,10 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
             (pair_radius_squared * pair_radius_squared)
                 .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
         );
-    let drum_speed_times_time = drum_speed * time;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
     let layer_push = p
         .holder_preload
@@ -2126,25 +2152,25 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
         R::literal(0.0),
         pair_friction_times_layer_push,
     );
-    let t1 = (p.pair_support_arm + p.pair_rolling_arm) * layer_push / pair_radius;
+    let t3 = (p.pair_support_arm + p.pair_rolling_arm) * layer_push / pair_radius;
     let pair_resistance = p.pair_tension
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t1);
-    let t2 = pair_omega * pair_growth * pair_inertia / pair_radius_squared;
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3);
+    let t4 = pair_omega * pair_growth * pair_inertia / pair_radius_squared;
     let layer_touches_guard = layer_compression - layer_surface;
     let pair_breaks_back_guard = p.pair_tension
         + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t1 - pair_friction_times_layer_push,
-        ) - t2;
+            t3 - pair_friction_times_layer_push,
+        ) - t4;
     let pair_breaks_forth_guard = p.pair_tension
         + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            pair_friction_times_layer_push + t1,
-        ) - t2;
+            pair_friction_times_layer_push + t3,
+        ) - t4;
     let pair_turns_guard = pair_limit - pair_resistance;
     [
         layer_touches_guard,
@@ -2171,6 +2197,15 @@ pub fn guard_rates<R: Real>(
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let [(_, t1), (_, cos_package_phase_plus_pair_phi), (t2, t3),
+    (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.force_phase + drum_speed_times_time,
+        p.package_phase + pair_phi,
+        t0,
+        drum_speed_times_time,
+    ]);
     let layer_swelling = p
         .holder_preload
         .add_product(p.layer_stiffness, layer_surface)
@@ -2178,11 +2213,11 @@ pub fn guard_rates<R: Real>(
             p.layer_cubic_stiffness,
             layer_surface * layer_surface * layer_surface,
         );
-    let t0 = R::literal(core::f64::consts::PI) * p.pair_package_width;
-    let pair_growth = R::literal(0.5) * p.pair_thread_area / t0 * pair_omega;
+    let t4 = R::literal(core::f64::consts::PI) * p.pair_package_width;
+    let pair_growth = R::literal(0.5) * p.pair_thread_area / t4 * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
     let pair_radius_squared = pair_radius * pair_radius;
-    let pair_package_mass = t0 * p.pair_yarn_density
+    let pair_package_mass = t4 * p.pair_yarn_density
         * (pair_radius_squared - pair_bobbin_radius_squared);
     let pair_inertia = p
         .pair_bobbin_inertia
@@ -2192,28 +2227,22 @@ pub fn guard_rates<R: Real>(
             (pair_radius_squared * pair_radius_squared)
                 .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
         );
-    let drum_speed_times_time = drum_speed * time;
-    let force = (p.package_force * (p.package_phase + pair_phi).cos())
-        .add_product(p.force_amplitude, (p.force_phase + drum_speed_times_time).cos());
+    let force = (p.package_force * cos_package_phase_plus_pair_phi)
+        .add_product(p.force_amplitude, t1);
     let holder_mass = p.holder_bobbin_mass
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm
         + pair_package_mass;
-    let t1 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let t2 = t1.cos();
-    let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let t3 = t1.sin();
-    let t4 = R::literal(2.0) * p.ovality;
-    let sin_drum_speed_times_time = drum_speed_times_time.sin();
+    let t5 = R::literal(2.0) * p.ovality;
     let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(t4 * drum_speed, t3);
+        .sub_product(t5 * drum_speed, t2);
     let layer_compression_rate = shape_rate - holder_v;
-    let t5 = p.layer_stiffness * layer_compression;
+    let t6 = p.layer_stiffness * layer_compression;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t6 = p.layer_cubic_stiffness * (layer_compression_squared * layer_compression);
-    let t7 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t5 + t6 + t7;
+    let t7 = p.layer_cubic_stiffness * (layer_compression_squared * layer_compression);
+    let t8 = p.layer_viscosity * layer_compression_rate;
+    let layer_push = p.holder_preload + t6 + t7 + t8;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(
         layer_closed,
@@ -2221,14 +2250,14 @@ pub fn guard_rates<R: Real>(
         R::literal(0.0),
         pair_friction_times_layer_push,
     );
-    let t8 = p.pair_support_arm + p.pair_rolling_arm;
-    let t9 = t8 * layer_push;
+    let t9 = p.pair_support_arm + p.pair_rolling_arm;
+    let t10 = t9 * layer_push;
     let pair_resistance = p.pair_tension
         + R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t9 / pair_radius,
+            t10 / pair_radius,
         );
     let pair_omega_times_pair_growth = pair_omega * pair_growth;
     let pair_held = pair_resistance
@@ -2249,16 +2278,16 @@ pub fn guard_rates<R: Real>(
             ),
         ),
     );
-    let t10 = p.pair_yarn_density * p.pair_thread_area;
+    let t11 = p.pair_yarn_density * p.pair_thread_area;
     let holder_v_dot = ((force
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t7))
-        .sub_product(t10 * holder_v * pair_omega, pair_radius)
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t8))
+        .sub_product(t11 * holder_v * pair_omega, pair_radius)
         - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                -p.holder_preload - t5 - t6,
+                -p.holder_preload - t6 - t7,
             ))) * (R::literal(1.0) / holder_mass);
     let pair_omega_dot = R::select_less(
         pair_slip,
@@ -2272,45 +2301,45 @@ pub fn guard_rates<R: Real>(
         -(R::literal(1.0) / p.layer_viscosity * layer_swelling),
         layer_compression_rate,
     );
-    let t11 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t12 = (-p.layer_stiffness).sub_product(t11, layer_compression_squared);
-    let t13 = t8 * t12 / pair_radius;
-    let t14 = p.pair_friction * t12;
-    let t15 = t9 / pair_radius_squared;
+    let t12 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t13 = (-p.layer_stiffness).sub_product(t12, layer_compression_squared);
+    let t14 = t9 * t13 / pair_radius;
+    let t15 = p.pair_friction * t13;
+    let t16 = t10 / pair_radius_squared;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t16 = (p.layer_stiffness * shape_rate)
-        .add_product(t11 * shape_rate, layer_compression_squared)
+    let t17 = (p.layer_stiffness * shape_rate)
+        .add_product(t12 * shape_rate, layer_compression_squared)
         .add_product(
             p.layer_viscosity,
             (-(p.eccentricity * drum_speed_squared * cos_drum_speed_times_time))
-                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t2),
+                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t3),
         );
-    let t17 = t8 * t16 / pair_radius;
-    let t18 = p.pair_friction * t16;
+    let t18 = t9 * t17 / pair_radius;
+    let t19 = p.pair_friction * t17;
     let layer_touches_guard_rate = (-holder_v)
         .add_product(
             drum_speed,
-            (-(p.eccentricity * sin_drum_speed_times_time)).sub_product(t4, t3),
+            (-(p.eccentricity * sin_drum_speed_times_time)).sub_product(t5, t2),
         ) - layer_surface_dot;
-    let layer_opens_guard_rate = t16
-        .add_product(t12, holder_v)
+    let layer_opens_guard_rate = t17
+        .add_product(t13, holder_v)
         .sub_product(p.layer_viscosity, holder_v_dot);
-    let t19 = p.layer_viscosity * t8 / pair_radius;
+    let t20 = p.layer_viscosity * t9 / pair_radius;
     let layer_viscosity_times_pair_friction = p.layer_viscosity * p.pair_friction;
-    let t20 = R::literal(2.0) * pair_growth * pair_inertia / pair_radius_squared
+    let t21 = R::literal(2.0) * pair_growth * pair_inertia / pair_radius_squared
         * pair_omega_dot;
-    let t21 = (R::literal(2.0) * pair_omega * pair_growth * pair_inertia
+    let t22 = (R::literal(2.0) * pair_omega * pair_growth * pair_inertia
         / (pair_radius_squared * pair_radius)
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t15))
-        .sub_product(t10 * pair_radius, pair_omega * pair_omega) * pair_growth;
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t16))
+        .sub_product(t11 * pair_radius, pair_omega * pair_omega) * pair_growth;
     let pair_breaks_back_guard_rate = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t17 - t18,
+            t18 - t19,
         )
         .add_product(
-            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t13 - t14),
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t14 - t15),
             holder_v,
         )
         .add_product(
@@ -2318,18 +2347,18 @@ pub fn guard_rates<R: Real>(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                layer_viscosity_times_pair_friction - t19,
+                layer_viscosity_times_pair_friction - t20,
             ),
             holder_v_dot,
-        ) - t20 + t21;
+        ) - t21 + t22;
     let pair_breaks_forth_guard_rate = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t18 + t17,
+            t19 + t18,
         )
         .add_product(
-            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t14 + t13),
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15 + t14),
             holder_v,
         )
         .add_product(
@@ -2337,20 +2366,20 @@ pub fn guard_rates<R: Real>(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                -layer_viscosity_times_pair_friction - t19,
+                -layer_viscosity_times_pair_friction - t20,
             ),
             holder_v_dot,
-        ) - t20 + t21;
+        ) - t21 + t22;
     let pair_ends_back_guard_rate = pair_omega_times_pair_growth
         .add_product(pair_radius, pair_omega_dot);
     let pair_turns_guard_rate = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
-            t18 - t17,
+            t19 - t18,
         )
         .add_product(
-            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t14 - t13),
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15 - t14),
             holder_v,
         )
         .add_product(
@@ -2358,12 +2387,12 @@ pub fn guard_rates<R: Real>(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                t19 - layer_viscosity_times_pair_friction,
+                t20 - layer_viscosity_times_pair_friction,
             ),
             holder_v_dot,
         )
         .add_product(
-            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15),
+            R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t16),
             pair_growth,
         );
     [
@@ -2386,6 +2415,12 @@ pub fn guard_rates<R: Real>(
 pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; RESETS] {
     let [holder_x, _, holder_v, pair_omega, _, layer_closed, pair_radius, ..] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let drum_speed_times_time = drum_speed * time;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+    ]);
     let pair_growth = R::literal(0.5) * p.pair_thread_area
         / (R::literal(core::f64::consts::PI) * p.pair_package_width) * pair_omega;
     let pair_bobbin_radius_squared = p.pair_bobbin_radius * p.pair_bobbin_radius;
@@ -2398,13 +2433,10 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
             (pair_radius_squared * pair_radius_squared)
                 .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared),
         );
-    let drum_speed_times_time = drum_speed * time;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
     let layer_push = p
         .holder_preload
@@ -2421,33 +2453,33 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
         R::literal(0.0),
         pair_friction_times_layer_push,
     );
-    let t1 = (p.pair_support_arm + p.pair_rolling_arm) * layer_push / pair_radius;
+    let t3 = (p.pair_support_arm + p.pair_rolling_arm) * layer_push / pair_radius;
     let pair_resistance = p.pair_tension
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t1);
-    let t2 = pair_omega * pair_growth * pair_inertia / pair_radius_squared;
-    let pair_held = pair_resistance - t2;
-    let t3 = R::select_less(
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t3);
+    let t4 = pair_omega * pair_growth * pair_inertia / pair_radius_squared;
+    let pair_held = pair_resistance - t4;
+    let t5 = R::select_less(
         p.pair_tension
             + R::select_less(
                 layer_closed,
                 R::literal(0.5),
                 R::literal(0.0),
-                pair_friction_times_layer_push + t1,
-            ) - t2,
+                pair_friction_times_layer_push + t3,
+            ) - t4,
         R::literal(0.0),
         R::literal(-1.0),
         R::literal(1.0),
     );
-    let t4 = R::select_less(
+    let t6 = R::select_less(
         pair_limit - pair_held,
         R::literal(0.0),
         R::literal(-1.0),
         R::literal(1.0),
     );
-    let pair_slip_after_pair_begins = R::literal(0.5) * (t4 - t3);
+    let pair_slip_after_pair_begins = R::literal(0.5) * (t6 - t5);
     let pair_omega_after_pair_ends_back = p.winding_speed / pair_radius;
-    let pair_slip_after_pair_ends_back = R::literal(0.5) * (R::literal(1.0) - t3);
-    let pair_slip_after_pair_ends_forth = R::literal(0.5) * (t4 - R::literal(1.0));
+    let pair_slip_after_pair_ends_back = R::literal(0.5) * (R::literal(1.0) - t5);
+    let pair_slip_after_pair_ends_forth = R::literal(0.5) * (t6 - R::literal(1.0));
     [
         R::literal(1.0),
         R::literal(0.0),

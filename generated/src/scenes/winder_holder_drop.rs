@@ -833,275 +833,274 @@ pub fn prepared_rate<R: Real>(
     rod_y, rod_phi, bobbin_x, bobbin_y, post_v_x, post_v_y, post_omega, plate_v_x,
     plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
     rod_omega, bobbin_v_x, bobbin_v_y, contact_closed, stop_closed] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
-    let t7 = R::literal(0.06) * sin_rod_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
     let stop_gap = (R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi);
-    let t8 = (R::literal(0.044) * sin_post_phi)
+    let t7 = (R::literal(0.044) * sin_post_phi)
         .add_product(R::literal(0.143), cos_post_phi);
-    let stop_rate = post_omega * t8;
-    let t9 = bobbin_x - R::literal(0.328);
-    let t10 = bobbin_y - R::literal(0.058);
-    let between = (t9 * t9).add_product(t10, t10).sqrt();
+    let stop_rate = post_omega * t7;
+    let t8 = bobbin_x - R::literal(0.328);
+    let t9 = bobbin_y - R::literal(0.058);
+    let between = (t8 * t8).add_product(t9, t9).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t9).add_product(bobbin_v_y, t10) / between;
-    let t11 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
+    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t11)
+        .add_product(cylinder_omega, t10)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t12 = (R::literal(0.01) * sin_plate_phi)
+    let t11 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t13 = (R::literal(0.01) * cos_plate_phi)
+    let t12 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
-    let t14 = t1 * R::literal(370.370_370_370_370_3);
-    let t15 = t0 * R::literal(370.370_370_370_370_3);
-    let t16 = t3 * R::literal(400.0);
-    let t17 = t2 * R::literal(400.0);
+    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = t11 * R::literal(400.0);
     let t18 = t12 * R::literal(400.0);
-    let t19 = t13 * R::literal(400.0);
-    let t20 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t22 = t5 * R::literal(2_777.777_777_777_778);
-    let t23 = t4 * R::literal(2_777.777_777_777_778);
-    let t24 = slide * R::literal(2_777.777_777_777_778);
-    let t25 = sin_cylinder_phi * R::literal(5.0);
-    let t26 = cos_cylinder_phi * R::literal(5.0);
-    let t27 = t7 * R::literal(4_166.666_666_666_667);
-    let t28 = t6 * R::literal(4_166.666_666_666_667);
-    let t29 = t14 * t1;
-    let t30 = R::literal(-1.25) - t29;
-    let t31 = R::literal(1.0) / t30;
-    let t32 = t15 * t1;
-    let t33 = t32 * t31;
-    let t34 = R::literal(1.25) - t29;
-    let t35 = t34 * t31;
-    let t36 = t15 * t0;
-    let t37 = R::literal(-1.25) - t36;
-    let t38 = t33 * t32;
-    let t39 = R::literal(1.0) / (t37 - t38);
-    let t40 = (t14 * t0).sub_product(t35, t32);
-    let t41 = t40 * t39;
-    let t42 = R::literal(1.25) - t36 - t38;
-    let t43 = t42 * t39;
-    let t44 = t16 * t3;
-    let t45 = R::literal(1.0)
-        / (t30 - R::literal(0.833_333_333_333_333_4) - t44)
-            .sub_product(t35, t34)
-            .sub_product(t41, t40);
-    let t46 = t17 * t3;
-    let t47 = (t32 + t46).sub_product(t33, t34).sub_product(t43, t40);
-    let t48 = t47 * t45;
-    let t49 = R::literal(0.833_333_333_333_333_4) - t44;
-    let t50 = t49 * t45;
-    let t51 = t46 * t45;
-    let t52 = t18 * t3;
-    let t53 = R::literal(0.833_333_333_333_333_4) + t52;
-    let t54 = t53 * t45;
-    let t55 = t19 * t3;
-    let t56 = t55 * t45;
-    let t57 = t17 * t2;
-    let t58 = R::literal(1.0)
-        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38)
-            .sub_product(t43, t42)
-            .sub_product(t48, t47);
-    let t59 = (t16 * t2).sub_product(t50, t47);
-    let t60 = t59 * t58;
-    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
-    let t62 = t61 * t58;
-    let t63 = -(t18 * t2);
-    let t64 = t63.sub_product(t54, t47);
-    let t65 = t64 * t58;
-    let t66 = t19 * t2;
-    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
-    let t68 = t67 * t58;
-    let t69 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t44
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
+    let t28 = t13 * t1;
+    let t29 = R::literal(-1.25) - t28;
+    let t30 = R::literal(1.0) / t29;
+    let t31 = t14 * t1;
+    let t32 = t31 * t30;
+    let t33 = R::literal(1.25) - t28;
+    let t34 = t33 * t30;
+    let t35 = t14 * t0;
+    let t36 = R::literal(-1.25) - t35;
+    let t37 = t32 * t31;
+    let t38 = R::literal(1.0) / (t36 - t37);
+    let t39 = (t13 * t0).sub_product(t34, t31);
+    let t40 = t39 * t38;
+    let t41 = R::literal(1.25) - t35 - t37;
+    let t42 = t41 * t38;
+    let t43 = t15 * t3;
+    let t44 = R::literal(1.0)
+        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
+            .sub_product(t34, t33)
+            .sub_product(t40, t39);
+    let t45 = t16 * t3;
+    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
+    let t47 = t46 * t44;
+    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
+    let t49 = t48 * t44;
+    let t50 = t45 * t44;
+    let t51 = t17 * t3;
+    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
+    let t53 = t52 * t44;
+    let t54 = t18 * t3;
+    let t55 = t54 * t44;
+    let t56 = t16 * t2;
+    let t57 = R::literal(1.0)
+        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
+            .sub_product(t42, t41)
+            .sub_product(t47, t46);
+    let t58 = (t15 * t2).sub_product(t49, t46);
+    let t59 = t58 * t57;
+    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
+    let t61 = t60 * t57;
+    let t62 = -(t17 * t2);
+    let t63 = t62.sub_product(t53, t46);
+    let t64 = t63 * t57;
+    let t65 = t18 * t2;
+    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
+    let t67 = t66 * t57;
+    let t68 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t43
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t5)
-            .sub_product(t50, t49)
-            .sub_product(t60, t59);
-    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
-    let t71 = t70 * t69;
-    let t72 = R::literal(-2_777.777_777_777_778) * t5;
-    let t73 = t72 * t69;
-    let t74 = (-t20).add_product(t24, t5);
-    let t75 = t74 * t69;
-    let t76 = (R::literal(-0.833_333_333_333_333_4) + t52)
-        .sub_product(t54, t49)
-        .sub_product(t65, t59);
-    let t77 = t76 * t69;
-    let t78 = (-t55).add_product(t56, t49).sub_product(t68, t59);
-    let t79 = t78 * t69;
-    let t80 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t57
+            .sub_product(t21, t5)
+            .sub_product(t49, t48)
+            .sub_product(t59, t58);
+    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
+    let t70 = t69 * t68;
+    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t72 = t71 * t68;
+    let t73 = (-t19).add_product(t23, t5);
+    let t74 = t73 * t68;
+    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
+        .sub_product(t53, t48)
+        .sub_product(t64, t58);
+    let t76 = t75 * t68;
+    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
+    let t78 = t77 * t68;
+    let t79 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t56
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t23, t4)
-            .sub_product(t51, t46)
-            .sub_product(t62, t61)
-            .sub_product(t71, t70);
-    let t81 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t73, t70);
-    let t82 = t81 * t80;
-    let t83 = t21.sub_product(t24, t4).sub_product(t75, t70);
-    let t84 = t83 * t80;
-    let t85 = t63.sub_product(t54, t46).sub_product(t65, t61).sub_product(t77, t70);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(-0.833_333_333_333_333_4) + t66)
-        .add_product(t56, t46)
-        .sub_product(t68, t61)
-        .sub_product(t79, t70);
-    let t88 = t87 * t80;
-    let t89 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t73, t72).sub_product(t82, t81);
-    let t90 = (-t24).add_product(t75, t72).sub_product(t84, t81);
-    let t91 = t90 * t89;
-    let t92 = t27 * t89;
-    let t93 = t28 * t89;
-    let t94 = (t77 * t72).sub_product(t86, t81);
-    let t95 = t94 * t89;
-    let t96 = (t79 * t72).sub_product(t88, t81);
-    let t97 = t96 * t89;
-    let t98 = R::literal(1.0)
-        / (-(t20 * sin_cylinder_phi))
-            .sub_product(t21, cos_cylinder_phi)
-            .sub_product(t24, slide)
-            .sub_product(t25, sin_cylinder_phi)
-            .sub_product(t26, cos_cylinder_phi)
-            .sub_product(t75, t74)
-            .sub_product(t84, t83)
-            .sub_product(t91, t90);
-    let t99 = t25.sub_product(t92, t90);
-    let t100 = t99 * t98;
-    let t101 = (-t26).add_product(t93, t90);
-    let t102 = t101 * t98;
-    let t103 = (-(t77 * t74)).sub_product(t86, t83).sub_product(t95, t90);
-    let t104 = t103 * t98;
-    let t105 = (-(t79 * t74)).sub_product(t88, t83).sub_product(t97, t90);
-    let t106 = t105 * t98;
-    let t107 = R::literal(1.0)
+            .sub_product(t22, t4)
+            .sub_product(t50, t45)
+            .sub_product(t61, t60)
+            .sub_product(t70, t69);
+    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t72, t69);
+    let t81 = t80 * t79;
+    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
+    let t83 = t82 * t79;
+    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
+    let t85 = t84 * t79;
+    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
+        .add_product(t55, t45)
+        .sub_product(t67, t60)
+        .sub_product(t78, t69);
+    let t87 = t86 * t79;
+    let t88 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
+    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
+    let t90 = t89 * t88;
+    let t91 = t26 * t88;
+    let t92 = t27 * t88;
+    let t93 = (t76 * t71).sub_product(t85, t80);
+    let t94 = t93 * t88;
+    let t95 = (t78 * t71).sub_product(t87, t80);
+    let t96 = t95 * t88;
+    let t97 = R::literal(1.0)
+        / (-(t20 * cos_cylinder_phi))
+            .sub_product(t19, sin_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t74, t73)
+            .sub_product(t83, t82)
+            .sub_product(t90, t89);
+    let t98 = t24.sub_product(t91, t89);
+    let t99 = t98 * t97;
+    let t100 = (-t25).add_product(t92, t89);
+    let t101 = t100 * t97;
+    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
+    let t103 = t102 * t97;
+    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
+    let t105 = t104 * t97;
+    let t106 = R::literal(1.0)
         / R::literal(-5.0)
-            .sub_product(t27, t7)
+            .sub_product(t26, t6)
+            .sub_product(t91, t26)
+            .sub_product(t99, t98);
+    let t107 = (t27 * t6).add_product(t92, t26).sub_product(t101, t98);
+    let t108 = t107 * t106;
+    let t109 = (-(t94 * t26)).sub_product(t103, t98);
+    let t110 = t109 * t106;
+    let t111 = (-(t96 * t26)).sub_product(t105, t98);
+    let t112 = t111 * t106;
+    let t113 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t27, R::literal(0.06) * cos_rod_phi)
             .sub_product(t92, t27)
-            .sub_product(t100, t99);
-    let t108 = (t28 * t7).add_product(t93, t27).sub_product(t102, t99);
-    let t109 = t108 * t107;
-    let t110 = (-(t95 * t27)).sub_product(t104, t99);
-    let t111 = t110 * t107;
-    let t112 = (-(t97 * t27)).sub_product(t106, t99);
-    let t113 = t112 * t107;
-    let t114 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t28, t6)
-            .sub_product(t93, t28)
-            .sub_product(t102, t101)
-            .sub_product(t109, t108);
-    let t115 = (t95 * t28).sub_product(t104, t101).sub_product(t111, t108);
-    let t116 = t115 * t114;
-    let t117 = (t97 * t28).sub_product(t106, t101).sub_product(t113, t108);
-    let t118 = t117 * t114;
-    let t119 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            .sub_product(t101, t100)
+            .sub_product(t108, t107);
+    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
+    let t115 = t114 * t113;
+    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
+    let t117 = t116 * t113;
+    let t118 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
             - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t54, t53)
-            .sub_product(t65, t64)
-            .sub_product(t77, t76)
-            .sub_product(t86, t85)
-            .sub_product(t95, t94)
-            .sub_product(t104, t103)
-            .sub_product(t111, t110)
-            .sub_product(t116, t115);
-    let t120 = (t19 * t12)
-        .add_product(t56, t53)
-        .sub_product(t68, t64)
-        .sub_product(t79, t76)
-        .sub_product(t88, t85)
-        .sub_product(t97, t94)
-        .sub_product(t106, t103)
-        .sub_product(t113, t110)
-        .sub_product(t118, t115);
-    let t121 = t120 * t119;
-    let t122 = R::select_less(
+            .sub_product(t53, t52)
+            .sub_product(t64, t63)
+            .sub_product(t76, t75)
+            .sub_product(t85, t84)
+            .sub_product(t94, t93)
+            .sub_product(t103, t102)
+            .sub_product(t110, t109)
+            .sub_product(t115, t114);
+    let t119 = (t18 * t11)
+        .add_product(t55, t52)
+        .sub_product(t67, t63)
+        .sub_product(t78, t75)
+        .sub_product(t87, t84)
+        .sub_product(t96, t93)
+        .sub_product(t105, t102)
+        .sub_product(t112, t109)
+        .sub_product(t117, t114);
+    let t120 = t119 * t118;
+    let t121 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        (-(R::literal(1_000_000.0) * stop_gap * t8))
-            .sub_product(R::literal(1500.0) * stop_rate, t8),
+        (-(R::literal(1_000_000.0) * stop_gap * t7))
+            .sub_product(R::literal(1500.0) * stop_rate, t7),
     );
-    let t123 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t124 = t123 * cos_cylinder_phi;
+    let t122 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t123 = t122 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t125 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t126 = t124 + t125;
-    let t127 = t123 * sin_cylinder_phi;
-    let t128 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t129 = t128 - (R::literal(2.943) - t127);
-    let t130 = (-(t123 * t11)).sub_product(spring_damping_times_slide_rate, t11);
-    let t131 = -t124 - t125;
-    let t132 = -t128 - (R::literal(1.962) + t127);
-    let t133 = R::literal(0.1) * (post_omega * post_omega);
-    let t134 = t133 * cos_post_phi;
-    let t135 = t133 * sin_post_phi;
+    let t124 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t125 = t123 + t124;
+    let t126 = t122 * sin_cylinder_phi;
+    let t127 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t128 = t127 - (R::literal(2.943) - t126);
+    let t129 = (-(t122 * t10)).sub_product(spring_damping_times_slide_rate, t10);
+    let t130 = -t123 - t124;
+    let t131 = -t127 - (R::literal(1.962) + t126);
+    let t132 = R::literal(0.1) * (post_omega * post_omega);
+    let t133 = t132 * cos_post_phi;
+    let t134 = t132 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t136 = R::literal(0.06) * plate_omega_squared;
+    let t135 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t137 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t138 = t14 * t122;
-    let t139 = -t134 - t138;
-    let t140 = t15 * t122;
-    let t141 = t33 * t139;
-    let t142 = -t135 - R::literal(-9.81) + t140 - t141;
-    let t143 = (-t134.add_product(t136, cos_plate_phi) - t138)
-        .sub_product(t35, t139)
-        .sub_product(t41, t142);
-    let t144 = (-t135.add_product(t136, sin_plate_phi) - R::literal(9.81) + t140
-        - R::literal(-9.81) - t141)
-        .sub_product(t43, t142)
-        .sub_product(t48, t143);
-    let t145 = R::literal(3.333_333_333_333_333_5) * t126;
-    let t146 = (-t145)
+    let t136 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t137 = t13 * t121;
+    let t138 = -t133 - t137;
+    let t139 = t14 * t121;
+    let t140 = t32 * t138;
+    let t141 = -t134 - R::literal(-9.81) + t139 - t140;
+    let t142 = (-t133.add_product(t135, cos_plate_phi) - t137)
+        .sub_product(t34, t138)
+        .sub_product(t40, t141);
+    let t143 = (-t134.add_product(t135, sin_plate_phi) - R::literal(9.81) + t139
+        - R::literal(-9.81) - t140)
+        .sub_product(t42, t141)
+        .sub_product(t47, t142);
+    let t144 = R::literal(3.333_333_333_333_333_5) * t125;
+    let t145 = (-t144)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * cos_plate_phi)
                 .add_product(cylinder_omega_squared, cos_cylinder_phi),
         )
-        .sub_product(t22, t130)
-        .sub_product(t50, t143)
-        .sub_product(t60, t144);
-    let t147 = R::literal(3.333_333_333_333_333_5) * t129;
-    let t148 = (R::literal(-9.81)
+        .sub_product(t21, t129)
+        .sub_product(t49, t142)
+        .sub_product(t59, t143);
+    let t146 = R::literal(3.333_333_333_333_333_5) * t128;
+    let t147 = (R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t147)
-        .add_product(t23, t130)
-        .sub_product(t51, t143)
-        .sub_product(t62, t144)
-        .sub_product(t71, t146);
-    let t149 = (-(R::literal(-2_777.777_777_777_778) * t130))
-        .add_product(t73, t146)
-        .sub_product(t82, t148);
-    let t150 = (cylinder_omega
+        ) - t146)
+        .add_product(t22, t129)
+        .sub_product(t50, t142)
+        .sub_product(t61, t143)
+        .sub_product(t70, t145);
+    let t148 = (-(R::literal(-2_777.777_777_777_778) * t129))
+        .add_product(t72, t145)
+        .sub_product(t81, t147);
+    let t149 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -1110,163 +1109,163 @@ pub fn prepared_rate<R: Real>(
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t20, t126)
-        .add_product(t21, t129)
+        .sub_product(t19, t125)
+        .add_product(t20, t128)
+        .add_product(t23, t129)
         .add_product(t24, t130)
-        .add_product(t25, t131)
-        .sub_product(t26, t132)
-        .sub_product(t75, t146)
-        .sub_product(t84, t148);
-    let t151 = t150.sub_product(t91, t149);
-    let t152 = R::literal(5.0) * t131;
-    let t153 = (-t152)
-        .add_product(t137, cos_rod_phi)
-        .sub_product(t92, t149)
-        .sub_product(t100, t151);
-    let t154 = R::literal(5.0) * t132;
-    let t155 = (-t154)
-        .add_product(t137, sin_rod_phi)
-        .add_product(t93, t149)
-        .sub_product(t102, t151)
-        .sub_product(t109, t153);
-    let t156 = R::literal(1.428_571_428_571_428_6)
+        .sub_product(t25, t131)
+        .sub_product(t74, t145)
+        .sub_product(t83, t147);
+    let t150 = t149.sub_product(t90, t148);
+    let t151 = R::literal(5.0) * t130;
+    let t152 = (-t151)
+        .add_product(t136, cos_rod_phi)
+        .sub_product(t91, t148)
+        .sub_product(t99, t150);
+    let t153 = R::literal(5.0) * t131;
+    let t154 = (-t153)
+        .add_product(t136, sin_rod_phi)
+        .add_product(t92, t148)
+        .sub_product(t101, t150)
+        .sub_product(t108, t152);
+    let t155 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(contact_stiffness_times_contact_gap * t9 / between)
-                - contact_damping_times_contact_rate * t9 / between,
+            -(contact_stiffness_times_contact_gap * t8 / between)
+                - contact_damping_times_contact_rate * t8 / between,
         );
-    let t157 = (-t156)
-        .add_product(t13, plate_omega_squared)
-        .sub_product(t54, t143)
-        .sub_product(t65, t144)
-        .sub_product(t77, t146)
-        .sub_product(t86, t148)
-        .sub_product(t95, t149)
-        .sub_product(t104, t151)
-        .sub_product(t111, t153)
-        .sub_product(t116, t155);
-    let t158 = R::literal(1.428_571_428_571_428_6)
+    let t156 = (-t155)
+        .add_product(t12, plate_omega_squared)
+        .sub_product(t53, t142)
+        .sub_product(t64, t143)
+        .sub_product(t76, t145)
+        .sub_product(t85, t147)
+        .sub_product(t94, t148)
+        .sub_product(t103, t150)
+        .sub_product(t110, t152)
+        .sub_product(t115, t154);
+    let t157 = R::literal(1.428_571_428_571_428_6)
         * (R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(contact_damping_times_contact_rate * t10 / between),
+            -(contact_damping_times_contact_rate * t9 / between),
         )
             - (R::literal(6.867)
                 + R::select_less(
                     contact_closed,
                     R::literal(0.5),
                     R::literal(0.0),
-                    contact_stiffness_times_contact_gap * t10 / between,
+                    contact_stiffness_times_contact_gap * t9 / between,
                 )));
-    let t159 = (R::literal(-9.81).add_product(t12, plate_omega_squared) - t158)
-        .add_product(t56, t143)
-        .sub_product(t68, t144)
-        .sub_product(t79, t146)
-        .sub_product(t88, t148)
-        .sub_product(t97, t149)
-        .sub_product(t106, t151)
-        .sub_product(t113, t153)
-        .sub_product(t118, t155)
-        .sub_product(t121, t157)
+    let t158 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t157)
+        .add_product(t55, t142)
+        .sub_product(t67, t143)
+        .sub_product(t78, t145)
+        .sub_product(t87, t147)
+        .sub_product(t96, t148)
+        .sub_product(t105, t150)
+        .sub_product(t112, t152)
+        .sub_product(t117, t154)
+        .sub_product(t120, t156)
         * (R::literal(1.0)
-            / (R::literal(-0.833_333_333_333_333_4).sub_product(t19, t13)
+            / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
                 - R::literal(1.428_571_428_571_428_6))
-                .sub_product(t56, t55)
-                .sub_product(t68, t67)
-                .sub_product(t79, t78)
-                .sub_product(t88, t87)
-                .sub_product(t97, t96)
-                .sub_product(t106, t105)
-                .sub_product(t113, t112)
-                .sub_product(t118, t117)
-                .sub_product(t121, t120));
-    let t160 = (t157 * t119).sub_product(t121, t159);
-    let t161 = (t155 * t114).sub_product(t116, t160).sub_product(t118, t159);
-    let t162 = (t153 * t107)
-        .sub_product(t109, t161)
-        .sub_product(t111, t160)
-        .sub_product(t113, t159);
-    let t163 = (t151 * t98)
-        .sub_product(t100, t162)
-        .sub_product(t102, t161)
-        .sub_product(t104, t160)
-        .sub_product(t106, t159);
-    let t164 = (t149 * t89)
-        .sub_product(t91, t163)
-        .sub_product(t92, t162)
-        .add_product(t93, t161)
-        .sub_product(t95, t160)
-        .sub_product(t97, t159);
-    let t165 = (t148 * t80)
-        .sub_product(t82, t164)
-        .sub_product(t84, t163)
-        .sub_product(t86, t160)
-        .sub_product(t88, t159);
-    let t166 = (t146 * t69)
-        .sub_product(t71, t165)
-        .add_product(t73, t164)
-        .sub_product(t75, t163)
-        .sub_product(t77, t160)
-        .sub_product(t79, t159);
-    let t167 = (t144 * t58)
-        .sub_product(t60, t166)
-        .sub_product(t62, t165)
-        .sub_product(t65, t160)
-        .sub_product(t68, t159);
-    let t168 = (t143 * t45)
-        .sub_product(t48, t167)
-        .sub_product(t50, t166)
-        .sub_product(t51, t165)
-        .sub_product(t54, t160)
-        .add_product(t56, t159);
-    let t169 = (t142 * t39).sub_product(t41, t168).sub_product(t43, t167);
-    let t170 = (t139 * t31)
-        .sub_product(t33, t169)
-        .sub_product(t35, t168)
-        .sub_product(t33, t167);
-    let bobbin_v_y_dot = t158.sub_product(R::literal(1.428_571_428_571_428_6), t159);
-    let bobbin_v_x_dot = t156.sub_product(R::literal(1.428_571_428_571_428_6), t160);
-    let rod_omega_dot = (t27 * t162)
-        .sub_product(R::literal(4_166.666_666_666_667), t164)
-        .sub_product(t28, t161);
-    let rod_v_y_dot = t154.sub_product(t26, t163).sub_product(R::literal(5.0), t161);
-    let rod_v_x_dot = t152.add_product(t25, t163).sub_product(R::literal(5.0), t162);
-    let cylinder_omega_dot = (t130 * R::literal(2_777.777_777_777_778))
-        .sub_product(t22, t166)
-        .add_product(t23, t165)
-        .sub_product(R::literal(-2_777.777_777_777_778), t164)
-        .add_product(t24, t163);
-    let cylinder_v_y_dot = t147
+                .sub_product(t55, t54)
+                .sub_product(t67, t66)
+                .sub_product(t78, t77)
+                .sub_product(t87, t86)
+                .sub_product(t96, t95)
+                .sub_product(t105, t104)
+                .sub_product(t112, t111)
+                .sub_product(t117, t116)
+                .sub_product(t120, t119));
+    let t159 = (t156 * t118).sub_product(t120, t158);
+    let t160 = (t154 * t113).sub_product(t115, t159).sub_product(t117, t158);
+    let t161 = (t152 * t106)
+        .sub_product(t108, t160)
+        .sub_product(t110, t159)
+        .sub_product(t112, t158);
+    let t162 = (t150 * t97)
+        .sub_product(t99, t161)
+        .sub_product(t101, t160)
+        .sub_product(t103, t159)
+        .sub_product(t105, t158);
+    let t163 = (t148 * t88)
+        .sub_product(t90, t162)
+        .sub_product(t91, t161)
+        .add_product(t92, t160)
+        .sub_product(t94, t159)
+        .sub_product(t96, t158);
+    let t164 = (t147 * t79)
+        .sub_product(t81, t163)
+        .sub_product(t83, t162)
+        .sub_product(t85, t159)
+        .sub_product(t87, t158);
+    let t165 = (t145 * t68)
+        .sub_product(t70, t164)
+        .add_product(t72, t163)
+        .sub_product(t74, t162)
+        .sub_product(t76, t159)
+        .sub_product(t78, t158);
+    let t166 = (t143 * t57)
+        .sub_product(t59, t165)
+        .sub_product(t61, t164)
+        .sub_product(t64, t159)
+        .sub_product(t67, t158);
+    let t167 = (t142 * t44)
+        .sub_product(t47, t166)
+        .sub_product(t49, t165)
+        .sub_product(t50, t164)
+        .sub_product(t53, t159)
+        .add_product(t55, t158);
+    let t168 = (t141 * t38).sub_product(t40, t167).sub_product(t42, t166);
+    let t169 = (t138 * t30)
+        .sub_product(t32, t168)
+        .sub_product(t34, t167)
+        .sub_product(t32, t166);
+    let bobbin_v_y_dot = t157.sub_product(R::literal(1.428_571_428_571_428_6), t158);
+    let bobbin_v_x_dot = t155.sub_product(R::literal(1.428_571_428_571_428_6), t159);
+    let rod_omega_dot = (t26 * t161)
+        .sub_product(R::literal(4_166.666_666_666_667), t163)
+        .sub_product(t27, t160);
+    let rod_v_y_dot = t153.sub_product(t25, t162).sub_product(R::literal(5.0), t160);
+    let rod_v_x_dot = t151.add_product(t24, t162).sub_product(R::literal(5.0), t161);
+    let cylinder_omega_dot = (t129 * R::literal(2_777.777_777_777_778))
+        .sub_product(t21, t165)
+        .add_product(t22, t164)
+        .sub_product(R::literal(-2_777.777_777_777_778), t163)
+        .add_product(t23, t162);
+    let cylinder_v_y_dot = t146
+        .sub_product(R::literal(3.333_333_333_333_333_5), t164)
+        .add_product(t20, t162);
+    let cylinder_v_x_dot = t144
         .sub_product(R::literal(3.333_333_333_333_333_5), t165)
-        .add_product(t21, t163);
-    let cylinder_v_x_dot = t145
-        .sub_product(R::literal(3.333_333_333_333_333_5), t166)
-        .sub_product(t20, t163);
-    let plate_omega_dot = (t17 * t167)
-        .sub_product(t16, t168)
-        .sub_product(t16, t166)
-        .add_product(t17, t165)
-        .add_product(t18, t160)
-        .sub_product(t19, t159);
+        .sub_product(t19, t162);
+    let plate_omega_dot = (t16 * t166)
+        .sub_product(t15, t167)
+        .sub_product(t15, t165)
+        .add_product(t16, t164)
+        .add_product(t17, t159)
+        .sub_product(t18, t158);
     let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t166)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t164)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t158);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t165))
         .sub_product(R::literal(0.833_333_333_333_333_4), t167)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t165)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t159);
-    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t166))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t168)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t160);
-    let post_omega_dot = (t122 * R::literal(370.370_370_370_370_3))
-        .sub_product(t14, t170)
-        .add_product(t15, t169)
-        .sub_product(t14, t168)
-        .add_product(t15, t167);
+    let post_omega_dot = (t121 * R::literal(370.370_370_370_370_3))
+        .sub_product(t13, t169)
+        .add_product(t14, t168)
+        .sub_product(t13, t167)
+        .add_product(t14, t166);
     let post_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(1.25), t169)
-        .sub_product(R::literal(-1.25), t167);
-    let post_v_x_dot = (-(R::literal(-1.25) * t168)).sub_product(R::literal(1.25), t170);
+        .sub_product(R::literal(1.25), t168)
+        .sub_product(R::literal(-1.25), t166);
+    let post_v_x_dot = (-(R::literal(-1.25) * t167)).sub_product(R::literal(1.25), t169);
     [
         post_v_x,
         post_v_y,
@@ -1341,10 +1340,10 @@ pub fn forcing<R: Real>(
     bobbin_x, bobbin_y, _, _, post_omega, _, _, _, cylinder_v_x, cylinder_v_y,
     cylinder_omega, rod_v_x, rod_v_y, _, bobbin_v_x, bobbin_v_y, contact_closed,
     stop_closed] = *state;
-    let cos_post_phi = post_phi.cos();
-    let sin_post_phi = post_phi.sin();
-    let cos_cylinder_phi = cylinder_phi.cos();
-    let sin_cylinder_phi = cylinder_phi.sin();
+    let [(sin_post_phi, cos_post_phi), (sin_cylinder_phi, cos_cylinder_phi)] = R::sin_cos_each([
+        post_phi,
+        cylinder_phi,
+    ]);
     let stop_gap = (R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi);
     let t0 = (R::literal(0.044) * sin_post_phi)
@@ -1450,21 +1449,20 @@ pub fn prepared_rate_jacobian<R: Real>(
     rod_y, rod_phi, bobbin_x, bobbin_y, _, _, post_omega, _, _, plate_omega,
     cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x,
     bobbin_v_y, contact_closed, stop_closed] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
     let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
     let t7 = R::literal(0.06) * sin_rod_phi;
     let stop_gap = (R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi);
@@ -1499,21 +1497,21 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t20 = t11 + t10;
     let t21 = t9 - t8;
     let t22 = t8 - t9;
-    let t23 = t1 * R::literal(370.370_370_370_370_3);
-    let t24 = t0 * R::literal(370.370_370_370_370_3);
-    let t25 = t3 * R::literal(400.0);
-    let t26 = t2 * R::literal(400.0);
+    let t23 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t24 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t25 = R::literal(24.0) * sin_plate_phi;
+    let t26 = R::literal(24.0) * cos_plate_phi;
     let t27 = t20 * R::literal(400.0);
     let t28 = t22 * R::literal(400.0);
     let t29 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
     let t30 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t31 = t5 * R::literal(2_777.777_777_777_778);
-    let t32 = t4 * R::literal(2_777.777_777_777_778);
+    let t31 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t32 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
     let t33 = slide * R::literal(2_777.777_777_777_778);
     let t34 = sin_cylinder_phi * R::literal(5.0);
     let t35 = cos_cylinder_phi * R::literal(5.0);
-    let t36 = t7 * R::literal(4_166.666_666_666_667);
-    let t37 = t6 * R::literal(4_166.666_666_666_667);
+    let t36 = R::literal(250.0) * sin_rod_phi;
+    let t37 = R::literal(250.0) * cos_rod_phi;
     let t38 = t23 * t1;
     let t39 = R::literal(-1.25) - t38;
     let t40 = R::literal(1.0) / t39;
@@ -1568,7 +1566,7 @@ pub fn prepared_rate_jacobian<R: Real>(
             .sub_product(t69, t68);
     let t79 = t55.add_product(t32, t5).sub_product(t60, t58).sub_product(t71, t68);
     let t80 = t79 * t78;
-    let t81 = R::literal(-2_777.777_777_777_778) * t5;
+    let t81 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
     let t82 = t81 * t78;
     let t83 = (-t29).add_product(t33, t5);
     let t84 = t83 * t78;
@@ -1585,7 +1583,8 @@ pub fn prepared_rate_jacobian<R: Real>(
             .sub_product(t60, t55)
             .sub_product(t71, t70)
             .sub_product(t80, t79);
-    let t90 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t82, t79);
+    let t90 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t82, t79);
     let t91 = t90 * t89;
     let t92 = t30.sub_product(t33, t4).sub_product(t84, t79);
     let t93 = t92 * t89;
@@ -1607,8 +1606,8 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t105 = (t88 * t81).sub_product(t97, t90);
     let t106 = t105 * t98;
     let t107 = R::literal(1.0)
-        / (-(t29 * sin_cylinder_phi))
-            .sub_product(t30, cos_cylinder_phi)
+        / (-(t30 * cos_cylinder_phi))
+            .sub_product(t29, sin_cylinder_phi)
             .sub_product(t33, slide)
             .sub_product(t34, sin_cylinder_phi)
             .sub_product(t35, cos_cylinder_phi)
@@ -4413,461 +4412,471 @@ pub fn parameter_jacobian<R: Real>(
     let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
     rod_y, rod_phi, bobbin_x, bobbin_y, _, _, _, _, _, _, cylinder_v_x, cylinder_v_y,
     cylinder_omega, rod_v_x, rod_v_y, _, bobbin_v_x, bobbin_v_y, contact_closed, ..] = *state;
-    let t0 = R::literal(0.1) * post_phi.cos();
-    let t1 = R::literal(0.1) * post_phi.sin();
-    let cos_plate_phi = plate_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
+    let t0 = R::literal(0.1) * cos_post_phi;
+    let t1 = R::literal(0.1) * sin_post_phi;
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let t6 = R::literal(0.06) * rod_phi.cos();
-    let t7 = R::literal(0.06) * rod_phi.sin();
-    let t8 = bobbin_x - R::literal(0.328);
-    let t9 = bobbin_y - R::literal(0.058);
-    let between = (t8 * t8).add_product(t9, t9).sqrt();
+    let t6 = R::literal(0.06) * sin_rod_phi;
+    let t7 = bobbin_x - R::literal(0.328);
+    let t8 = bobbin_y - R::literal(0.058);
+    let between = (t7 * t7).add_product(t8, t8).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
-    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let contact_rate = (bobbin_v_x * t7).add_product(bobbin_v_y, t8) / between;
+    let t9 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t10)
+        .add_product(cylinder_omega, t9)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t11 = (R::literal(0.01) * sin_plate_phi)
+    let t10 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t12 = (R::literal(0.01) * cos_plate_phi)
+    let t11 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
-    let t13 = t1 * R::literal(370.370_370_370_370_3);
-    let t14 = t0 * R::literal(370.370_370_370_370_3);
-    let t15 = t3 * R::literal(400.0);
-    let t16 = t2 * R::literal(400.0);
+    let t12 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t13 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t14 = R::literal(24.0) * sin_plate_phi;
+    let t15 = R::literal(24.0) * cos_plate_phi;
+    let t16 = t10 * R::literal(400.0);
     let t17 = t11 * R::literal(400.0);
-    let t18 = t12 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = t5 * R::literal(2_777.777_777_777_778);
-    let t22 = t4 * R::literal(2_777.777_777_777_778);
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = t7 * R::literal(4_166.666_666_666_667);
-    let t27 = t6 * R::literal(4_166.666_666_666_667);
-    let t28 = t13 * t1;
-    let t29 = R::literal(-1.25) - t28;
-    let t30 = R::literal(1.0) / t29;
-    let t31 = t14 * t1;
-    let t32 = t31 * t30;
-    let t33 = R::literal(1.25) - t28;
-    let t34 = t33 * t30;
-    let t35 = t14 * t0;
-    let t36 = R::literal(-1.25) - t35;
-    let t37 = t32 * t31;
-    let t38 = R::literal(1.0) / (t36 - t37);
-    let t39 = (t13 * t0).sub_product(t34, t31);
-    let t40 = t39 * t38;
-    let t41 = R::literal(1.25) - t35 - t37;
-    let t42 = t41 * t38;
-    let t43 = t15 * t3;
-    let t44 = R::literal(1.0)
-        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
-            .sub_product(t34, t33)
-            .sub_product(t40, t39);
-    let t45 = t16 * t3;
-    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
-    let t47 = t46 * t44;
-    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
-    let t49 = t48 * t44;
-    let t50 = t45 * t44;
-    let t51 = t17 * t3;
-    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
-    let t53 = t52 * t44;
-    let t54 = t18 * t3;
-    let t55 = t54 * t44;
-    let t56 = t16 * t2;
-    let t57 = R::literal(1.0)
-        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
-            .sub_product(t42, t41)
-            .sub_product(t47, t46);
-    let t58 = (t15 * t2).sub_product(t49, t46);
-    let t59 = t58 * t57;
-    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
-    let t61 = t60 * t57;
-    let t62 = -(t17 * t2);
-    let t63 = t62.sub_product(t53, t46);
-    let t64 = t63 * t57;
-    let t65 = t18 * t2;
-    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
-    let t67 = t66 * t57;
-    let t68 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t43
+    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t22 = slide * R::literal(2_777.777_777_777_778);
+    let t23 = sin_cylinder_phi * R::literal(5.0);
+    let t24 = cos_cylinder_phi * R::literal(5.0);
+    let t25 = R::literal(250.0) * sin_rod_phi;
+    let t26 = R::literal(250.0) * cos_rod_phi;
+    let t27 = t12 * t1;
+    let t28 = R::literal(-1.25) - t27;
+    let t29 = R::literal(1.0) / t28;
+    let t30 = t13 * t1;
+    let t31 = t30 * t29;
+    let t32 = R::literal(1.25) - t27;
+    let t33 = t32 * t29;
+    let t34 = t13 * t0;
+    let t35 = R::literal(-1.25) - t34;
+    let t36 = t31 * t30;
+    let t37 = R::literal(1.0) / (t35 - t36);
+    let t38 = (t12 * t0).sub_product(t33, t30);
+    let t39 = t38 * t37;
+    let t40 = R::literal(1.25) - t34 - t36;
+    let t41 = t40 * t37;
+    let t42 = t14 * t3;
+    let t43 = R::literal(1.0)
+        / (t28 - R::literal(0.833_333_333_333_333_4) - t42)
+            .sub_product(t33, t32)
+            .sub_product(t39, t38);
+    let t44 = t15 * t3;
+    let t45 = (t30 + t44).sub_product(t31, t32).sub_product(t41, t38);
+    let t46 = t45 * t43;
+    let t47 = R::literal(0.833_333_333_333_333_4) - t42;
+    let t48 = t47 * t43;
+    let t49 = t44 * t43;
+    let t50 = t16 * t3;
+    let t51 = R::literal(0.833_333_333_333_333_4) + t50;
+    let t52 = t51 * t43;
+    let t53 = t17 * t3;
+    let t54 = t53 * t43;
+    let t55 = t15 * t2;
+    let t56 = R::literal(1.0)
+        / (t35 - R::literal(0.833_333_333_333_333_4) - t55 - t36)
+            .sub_product(t41, t40)
+            .sub_product(t46, t45);
+    let t57 = (t14 * t2).sub_product(t48, t45);
+    let t58 = t57 * t56;
+    let t59 = (R::literal(0.833_333_333_333_333_4) - t55).sub_product(t49, t45);
+    let t60 = t59 * t56;
+    let t61 = -(t16 * t2);
+    let t62 = t61.sub_product(t52, t45);
+    let t63 = t62 * t56;
+    let t64 = t17 * t2;
+    let t65 = (R::literal(0.833_333_333_333_333_4) + t64).add_product(t54, t45);
+    let t66 = t65 * t56;
+    let t67 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t42
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t49, t48)
-            .sub_product(t59, t58);
-    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
-    let t70 = t69 * t68;
-    let t71 = R::literal(-2_777.777_777_777_778) * t5;
-    let t72 = t71 * t68;
-    let t73 = (-t19).add_product(t23, t5);
-    let t74 = t73 * t68;
-    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
-        .sub_product(t53, t48)
-        .sub_product(t64, t58);
-    let t76 = t75 * t68;
-    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
-    let t78 = t77 * t68;
-    let t79 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t56
+            .sub_product(t20, t5)
+            .sub_product(t48, t47)
+            .sub_product(t58, t57);
+    let t68 = t44.add_product(t21, t5).sub_product(t49, t47).sub_product(t60, t57);
+    let t69 = t68 * t67;
+    let t70 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t71 = t70 * t67;
+    let t72 = (-t18).add_product(t22, t5);
+    let t73 = t72 * t67;
+    let t74 = (R::literal(-0.833_333_333_333_333_4) + t50)
+        .sub_product(t52, t47)
+        .sub_product(t63, t57);
+    let t75 = t74 * t67;
+    let t76 = (-t53).add_product(t54, t47).sub_product(t66, t57);
+    let t77 = t76 * t67;
+    let t78 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t55
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t50, t45)
-            .sub_product(t61, t60)
-            .sub_product(t70, t69);
-    let t80 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t72, t69);
-    let t81 = t80 * t79;
-    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
-    let t83 = t82 * t79;
-    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
-    let t85 = t84 * t79;
-    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
-        .add_product(t55, t45)
-        .sub_product(t67, t60)
-        .sub_product(t78, t69);
-    let t87 = t86 * t79;
-    let t88 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
-    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
-    let t90 = t89 * t88;
-    let t91 = t26 * t88;
-    let t92 = t27 * t88;
-    let t93 = (t76 * t71).sub_product(t85, t80);
-    let t94 = t93 * t88;
-    let t95 = (t78 * t71).sub_product(t87, t80);
-    let t96 = t95 * t88;
-    let t97 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi))
-            .sub_product(t20, cos_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t74, t73)
-            .sub_product(t83, t82)
-            .sub_product(t90, t89);
-    let t98 = t24.sub_product(t91, t89);
-    let t99 = t98 * t97;
-    let t100 = (-t25).add_product(t92, t89);
-    let t101 = t100 * t97;
-    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
-    let t103 = t102 * t97;
-    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
-    let t105 = t104 * t97;
-    let t106 = R::literal(1.0)
+            .sub_product(t21, t4)
+            .sub_product(t49, t44)
+            .sub_product(t60, t59)
+            .sub_product(t69, t68);
+    let t79 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t71, t68);
+    let t80 = t79 * t78;
+    let t81 = t19.sub_product(t22, t4).sub_product(t73, t68);
+    let t82 = t81 * t78;
+    let t83 = t61.sub_product(t52, t44).sub_product(t63, t59).sub_product(t75, t68);
+    let t84 = t83 * t78;
+    let t85 = (R::literal(-0.833_333_333_333_333_4) + t64)
+        .add_product(t54, t44)
+        .sub_product(t66, t59)
+        .sub_product(t77, t68);
+    let t86 = t85 * t78;
+    let t87 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t71, t70).sub_product(t80, t79);
+    let t88 = (-t22).add_product(t73, t70).sub_product(t82, t79);
+    let t89 = t88 * t87;
+    let t90 = t25 * t87;
+    let t91 = t26 * t87;
+    let t92 = (t75 * t70).sub_product(t84, t79);
+    let t93 = t92 * t87;
+    let t94 = (t77 * t70).sub_product(t86, t79);
+    let t95 = t94 * t87;
+    let t96 = R::literal(1.0)
+        / (-(t19 * cos_cylinder_phi))
+            .sub_product(t18, sin_cylinder_phi)
+            .sub_product(t22, slide)
+            .sub_product(t23, sin_cylinder_phi)
+            .sub_product(t24, cos_cylinder_phi)
+            .sub_product(t73, t72)
+            .sub_product(t82, t81)
+            .sub_product(t89, t88);
+    let t97 = t23.sub_product(t90, t88);
+    let t98 = t97 * t96;
+    let t99 = (-t24).add_product(t91, t88);
+    let t100 = t99 * t96;
+    let t101 = (-(t75 * t72)).sub_product(t84, t81).sub_product(t93, t88);
+    let t102 = t101 * t96;
+    let t103 = (-(t77 * t72)).sub_product(t86, t81).sub_product(t95, t88);
+    let t104 = t103 * t96;
+    let t105 = R::literal(1.0)
         / R::literal(-5.0)
-            .sub_product(t26, t7)
+            .sub_product(t25, t6)
+            .sub_product(t90, t25)
+            .sub_product(t98, t97);
+    let t106 = (t26 * t6).add_product(t91, t25).sub_product(t100, t97);
+    let t107 = t106 * t105;
+    let t108 = (-(t93 * t25)).sub_product(t102, t97);
+    let t109 = t108 * t105;
+    let t110 = (-(t95 * t25)).sub_product(t104, t97);
+    let t111 = t110 * t105;
+    let t112 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
             .sub_product(t91, t26)
-            .sub_product(t99, t98);
-    let t107 = (t27 * t7).add_product(t92, t26).sub_product(t101, t98);
-    let t108 = t107 * t106;
-    let t109 = (-(t94 * t26)).sub_product(t103, t98);
-    let t110 = t109 * t106;
-    let t111 = (-(t96 * t26)).sub_product(t105, t98);
-    let t112 = t111 * t106;
-    let t113 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, t6)
-            .sub_product(t92, t27)
-            .sub_product(t101, t100)
-            .sub_product(t108, t107);
-    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
-    let t115 = t114 * t113;
-    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
-    let t117 = t116 * t113;
-    let t118 = R::literal(1.0)
+            .sub_product(t100, t99)
+            .sub_product(t107, t106);
+    let t113 = (t93 * t26).sub_product(t102, t99).sub_product(t109, t106);
+    let t114 = t113 * t112;
+    let t115 = (t95 * t26).sub_product(t104, t99).sub_product(t111, t106);
+    let t116 = t115 * t112;
+    let t117 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t10)
+            - R::literal(1.428_571_428_571_428_6))
+            .sub_product(t52, t51)
+            .sub_product(t63, t62)
+            .sub_product(t75, t74)
+            .sub_product(t84, t83)
+            .sub_product(t93, t92)
+            .sub_product(t102, t101)
+            .sub_product(t109, t108)
+            .sub_product(t114, t113);
+    let t118 = (t17 * t10)
+        .add_product(t54, t51)
+        .sub_product(t66, t62)
+        .sub_product(t77, t74)
+        .sub_product(t86, t83)
+        .sub_product(t95, t92)
+        .sub_product(t104, t101)
+        .sub_product(t111, t108)
+        .sub_product(t116, t113);
+    let t119 = t118 * t117;
+    let t120 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
             - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t53, t52)
-            .sub_product(t64, t63)
-            .sub_product(t76, t75)
-            .sub_product(t85, t84)
-            .sub_product(t94, t93)
-            .sub_product(t103, t102)
-            .sub_product(t110, t109)
-            .sub_product(t115, t114);
-    let t119 = (t18 * t11)
-        .add_product(t55, t52)
-        .sub_product(t67, t63)
-        .sub_product(t78, t75)
-        .sub_product(t87, t84)
-        .sub_product(t96, t93)
-        .sub_product(t105, t102)
-        .sub_product(t112, t109)
-        .sub_product(t117, t114);
-    let t120 = t119 * t118;
-    let t121 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
-            - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t55, t54)
-            .sub_product(t67, t66)
-            .sub_product(t78, t77)
-            .sub_product(t87, t86)
-            .sub_product(t96, t95)
-            .sub_product(t105, t104)
-            .sub_product(t112, t111)
-            .sub_product(t117, t116)
-            .sub_product(t120, t119);
-    let t122 = slide - R::literal(0.116);
-    let t123 = t122 * cos_cylinder_phi;
-    let t124 = t122 * sin_cylinder_phi;
-    let t125 = t122 * t10;
-    let t126 = R::literal(3.333_333_333_333_333_5) * t123;
-    let t127 = (-t126).add_product(t21, t125);
-    let t128 = R::literal(3.333_333_333_333_333_5) * t124;
-    let t129 = (-t128).sub_product(t22, t125).sub_product(t70, t127);
-    let t130 = (R::literal(-2_777.777_777_777_778) * t125)
-        .add_product(t72, t127)
-        .sub_product(t81, t129);
-    let t131 = (t20 * t124)
-        .sub_product(t19, t123)
-        .sub_product(t23, t125)
-        .sub_product(t24, t123)
-        .add_product(t25, t124)
-        .sub_product(t74, t127)
-        .sub_product(t83, t129)
-        .sub_product(t90, t130);
-    let t132 = R::literal(5.0) * t123;
-    let t133 = t132.sub_product(t91, t130).sub_product(t99, t131);
-    let t134 = R::literal(5.0) * t124;
-    let t135 = t134
-        .add_product(t92, t130)
-        .sub_product(t101, t131)
-        .sub_product(t108, t133);
-    let t136 = (-(t76 * t127))
-        .sub_product(t85, t129)
-        .sub_product(t94, t130)
-        .sub_product(t103, t131)
-        .sub_product(t110, t133)
-        .sub_product(t115, t135);
-    let t137 = (-(t78 * t127))
-        .sub_product(t87, t129)
-        .sub_product(t96, t130)
-        .sub_product(t105, t131)
-        .sub_product(t112, t133)
-        .sub_product(t117, t135)
-        .sub_product(t120, t136) * t121;
-    let t138 = (t136 * t118).sub_product(t120, t137);
-    let t139 = (t135 * t113).sub_product(t115, t138).sub_product(t117, t137);
-    let t140 = (t133 * t106)
-        .sub_product(t108, t139)
-        .sub_product(t110, t138)
-        .sub_product(t112, t137);
-    let t141 = (t131 * t97)
-        .sub_product(t99, t140)
-        .sub_product(t101, t139)
-        .sub_product(t103, t138)
-        .sub_product(t105, t137);
-    let t142 = (t130 * t88)
-        .sub_product(t90, t141)
-        .sub_product(t91, t140)
-        .add_product(t92, t139)
-        .sub_product(t94, t138)
-        .sub_product(t96, t137);
-    let t143 = (t129 * t79)
-        .sub_product(t81, t142)
-        .sub_product(t83, t141)
-        .sub_product(t85, t138)
-        .sub_product(t87, t137);
-    let t144 = (t127 * t68)
-        .sub_product(t70, t143)
-        .add_product(t72, t142)
-        .sub_product(t74, t141)
-        .sub_product(t76, t138)
-        .sub_product(t78, t137);
-    let t145 = (-(t61 * t143))
-        .sub_product(t59, t144)
-        .sub_product(t64, t138)
-        .sub_product(t67, t137);
-    let t146 = (-(t49 * t144))
-        .sub_product(t47, t145)
-        .sub_product(t50, t143)
-        .sub_product(t53, t138)
-        .add_product(t55, t137);
-    let t147 = (-(t42 * t145)).sub_product(t40, t146);
-    let t148 = (-(t34 * t146)).sub_product(t32, t147).sub_product(t32, t145);
+            .sub_product(t54, t53)
+            .sub_product(t66, t65)
+            .sub_product(t77, t76)
+            .sub_product(t86, t85)
+            .sub_product(t95, t94)
+            .sub_product(t104, t103)
+            .sub_product(t111, t110)
+            .sub_product(t116, t115)
+            .sub_product(t119, t118);
+    let t121 = slide - R::literal(0.116);
+    let t122 = t121 * cos_cylinder_phi;
+    let t123 = t121 * sin_cylinder_phi;
+    let t124 = t121 * t9;
+    let t125 = R::literal(3.333_333_333_333_333_5) * t122;
+    let t126 = (-t125).add_product(t20, t124);
+    let t127 = R::literal(3.333_333_333_333_333_5) * t123;
+    let t128 = (-t127).sub_product(t21, t124).sub_product(t69, t126);
+    let t129 = (R::literal(-2_777.777_777_777_778) * t124)
+        .add_product(t71, t126)
+        .sub_product(t80, t128);
+    let t130 = (t19 * t123)
+        .sub_product(t18, t122)
+        .sub_product(t22, t124)
+        .sub_product(t23, t122)
+        .add_product(t24, t123)
+        .sub_product(t73, t126)
+        .sub_product(t82, t128)
+        .sub_product(t89, t129);
+    let t131 = R::literal(5.0) * t122;
+    let t132 = t131.sub_product(t90, t129).sub_product(t98, t130);
+    let t133 = R::literal(5.0) * t123;
+    let t134 = t133
+        .add_product(t91, t129)
+        .sub_product(t100, t130)
+        .sub_product(t107, t132);
+    let t135 = (-(t75 * t126))
+        .sub_product(t84, t128)
+        .sub_product(t93, t129)
+        .sub_product(t102, t130)
+        .sub_product(t109, t132)
+        .sub_product(t114, t134);
+    let t136 = (-(t77 * t126))
+        .sub_product(t86, t128)
+        .sub_product(t95, t129)
+        .sub_product(t104, t130)
+        .sub_product(t111, t132)
+        .sub_product(t116, t134)
+        .sub_product(t119, t135) * t120;
+    let t137 = (t135 * t117).sub_product(t119, t136);
+    let t138 = (t134 * t112).sub_product(t114, t137).sub_product(t116, t136);
+    let t139 = (t132 * t105)
+        .sub_product(t107, t138)
+        .sub_product(t109, t137)
+        .sub_product(t111, t136);
+    let t140 = (t130 * t96)
+        .sub_product(t98, t139)
+        .sub_product(t100, t138)
+        .sub_product(t102, t137)
+        .sub_product(t104, t136);
+    let t141 = (t129 * t87)
+        .sub_product(t89, t140)
+        .sub_product(t90, t139)
+        .add_product(t91, t138)
+        .sub_product(t93, t137)
+        .sub_product(t95, t136);
+    let t142 = (t128 * t78)
+        .sub_product(t80, t141)
+        .sub_product(t82, t140)
+        .sub_product(t84, t137)
+        .sub_product(t86, t136);
+    let t143 = (t126 * t67)
+        .sub_product(t69, t142)
+        .add_product(t71, t141)
+        .sub_product(t73, t140)
+        .sub_product(t75, t137)
+        .sub_product(t77, t136);
+    let t144 = (-(t60 * t142))
+        .sub_product(t58, t143)
+        .sub_product(t63, t137)
+        .sub_product(t66, t136);
+    let t145 = (-(t48 * t143))
+        .sub_product(t46, t144)
+        .sub_product(t49, t142)
+        .sub_product(t52, t137)
+        .add_product(t54, t136);
+    let t146 = (-(t41 * t144)).sub_product(t39, t145);
+    let t147 = (-(t33 * t145)).sub_product(t31, t146).sub_product(t31, t144);
     let bobbin_v_y_dot_by_spring_stiffness = -(R::literal(1.428_571_428_571_428_6)
-        * t137);
+        * t136);
     let bobbin_v_x_dot_by_spring_stiffness = -(R::literal(1.428_571_428_571_428_6)
-        * t138);
-    let rod_omega_dot_by_spring_stiffness = (t26 * t140)
-        .sub_product(R::literal(4_166.666_666_666_667), t142)
-        .sub_product(t27, t139);
-    let rod_v_y_dot_by_spring_stiffness = (-t134)
-        .sub_product(t25, t141)
+        * t137);
+    let rod_omega_dot_by_spring_stiffness = (t25 * t139)
+        .sub_product(R::literal(4_166.666_666_666_667), t141)
+        .sub_product(t26, t138);
+    let rod_v_y_dot_by_spring_stiffness = (-t133)
+        .sub_product(t24, t140)
+        .sub_product(R::literal(5.0), t138);
+    let rod_v_x_dot_by_spring_stiffness = (-t131)
+        .add_product(t23, t140)
         .sub_product(R::literal(5.0), t139);
-    let rod_v_x_dot_by_spring_stiffness = (-t132)
-        .add_product(t24, t141)
-        .sub_product(R::literal(5.0), t140);
-    let cylinder_omega_dot_by_spring_stiffness = (-(t125
+    let cylinder_omega_dot_by_spring_stiffness = (-(t124
         * R::literal(2_777.777_777_777_778)))
-        .sub_product(t21, t144)
-        .add_product(t22, t143)
-        .sub_product(R::literal(-2_777.777_777_777_778), t142)
-        .add_product(t23, t141);
-    let cylinder_v_y_dot_by_spring_stiffness = t128
+        .sub_product(t20, t143)
+        .add_product(t21, t142)
+        .sub_product(R::literal(-2_777.777_777_777_778), t141)
+        .add_product(t22, t140);
+    let cylinder_v_y_dot_by_spring_stiffness = t127
+        .sub_product(R::literal(3.333_333_333_333_333_5), t142)
+        .add_product(t19, t140);
+    let cylinder_v_x_dot_by_spring_stiffness = t125
         .sub_product(R::literal(3.333_333_333_333_333_5), t143)
-        .add_product(t20, t141);
-    let cylinder_v_x_dot_by_spring_stiffness = t126
-        .sub_product(R::literal(3.333_333_333_333_333_5), t144)
-        .sub_product(t19, t141);
-    let plate_omega_dot_by_spring_stiffness = (t16 * t145)
-        .sub_product(t15, t146)
-        .sub_product(t15, t144)
-        .add_product(t16, t143)
-        .add_product(t17, t138)
-        .sub_product(t18, t137);
+        .sub_product(t18, t140);
+    let plate_omega_dot_by_spring_stiffness = (t15 * t144)
+        .sub_product(t14, t145)
+        .sub_product(t14, t143)
+        .add_product(t15, t142)
+        .add_product(t16, t137)
+        .sub_product(t17, t136);
     let plate_v_y_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t142))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t144)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t136);
+    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
         * t143))
         .sub_product(R::literal(0.833_333_333_333_333_4), t145)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t137);
-    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t144))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t146)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t138);
-    let post_omega_dot_by_spring_stiffness = (t14 * t147)
-        .sub_product(t13, t148)
-        .sub_product(t13, t146)
-        .add_product(t14, t145);
-    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t145))
+    let post_omega_dot_by_spring_stiffness = (t13 * t146)
+        .sub_product(t12, t147)
+        .sub_product(t12, t145)
+        .add_product(t13, t144);
+    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t144))
+        .sub_product(R::literal(1.25), t146);
+    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t145))
         .sub_product(R::literal(1.25), t147);
-    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t146))
-        .sub_product(R::literal(1.25), t148);
     let slide_rate_times_cos_cylinder_phi = slide_rate * cos_cylinder_phi;
     let slide_rate_times_sin_cylinder_phi = slide_rate * sin_cylinder_phi;
-    let t149 = slide_rate * t10;
-    let t150 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_cos_cylinder_phi;
-    let t151 = (-t150).add_product(t21, t149);
-    let t152 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_sin_cylinder_phi;
-    let t153 = (-t152).sub_product(t22, t149).sub_product(t70, t151);
-    let t154 = (R::literal(-2_777.777_777_777_778) * t149)
-        .add_product(t72, t151)
-        .sub_product(t81, t153);
-    let t155 = (t20 * slide_rate_times_sin_cylinder_phi)
-        .sub_product(t19, slide_rate_times_cos_cylinder_phi)
-        .sub_product(t23, t149)
-        .sub_product(t24, slide_rate_times_cos_cylinder_phi)
-        .add_product(t25, slide_rate_times_sin_cylinder_phi)
-        .sub_product(t74, t151)
-        .sub_product(t83, t153)
-        .sub_product(t90, t154);
-    let t156 = R::literal(5.0) * slide_rate_times_cos_cylinder_phi;
-    let t157 = t156.sub_product(t91, t154).sub_product(t99, t155);
-    let t158 = R::literal(5.0) * slide_rate_times_sin_cylinder_phi;
-    let t159 = t158
-        .add_product(t92, t154)
-        .sub_product(t101, t155)
-        .sub_product(t108, t157);
-    let t160 = (-(t76 * t151))
-        .sub_product(t85, t153)
-        .sub_product(t94, t154)
-        .sub_product(t103, t155)
-        .sub_product(t110, t157)
-        .sub_product(t115, t159);
-    let t161 = (-(t78 * t151))
-        .sub_product(t87, t153)
-        .sub_product(t96, t154)
-        .sub_product(t105, t155)
-        .sub_product(t112, t157)
-        .sub_product(t117, t159)
-        .sub_product(t120, t160) * t121;
-    let t162 = (t160 * t118).sub_product(t120, t161);
-    let t163 = (t159 * t113).sub_product(t115, t162).sub_product(t117, t161);
-    let t164 = (t157 * t106)
-        .sub_product(t108, t163)
-        .sub_product(t110, t162)
-        .sub_product(t112, t161);
-    let t165 = (t155 * t97)
-        .sub_product(t99, t164)
-        .sub_product(t101, t163)
-        .sub_product(t103, t162)
-        .sub_product(t105, t161);
-    let t166 = (t154 * t88)
-        .sub_product(t90, t165)
-        .sub_product(t91, t164)
-        .add_product(t92, t163)
-        .sub_product(t94, t162)
-        .sub_product(t96, t161);
-    let t167 = (t153 * t79)
-        .sub_product(t81, t166)
-        .sub_product(t83, t165)
-        .sub_product(t85, t162)
-        .sub_product(t87, t161);
-    let t168 = (t151 * t68)
-        .sub_product(t70, t167)
-        .add_product(t72, t166)
-        .sub_product(t74, t165)
-        .sub_product(t76, t162)
-        .sub_product(t78, t161);
-    let t169 = (-(t61 * t167))
-        .sub_product(t59, t168)
-        .sub_product(t64, t162)
-        .sub_product(t67, t161);
-    let t170 = (-(t49 * t168))
-        .sub_product(t47, t169)
-        .sub_product(t50, t167)
-        .sub_product(t53, t162)
-        .add_product(t55, t161);
-    let t171 = (-(t42 * t169)).sub_product(t40, t170);
-    let t172 = (-(t34 * t170)).sub_product(t32, t171).sub_product(t32, t169);
-    let bobbin_v_y_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t161);
-    let bobbin_v_x_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t162);
-    let rod_omega_dot_by_spring_damping = (t26 * t164)
-        .sub_product(R::literal(4_166.666_666_666_667), t166)
-        .sub_product(t27, t163);
-    let rod_v_y_dot_by_spring_damping = (-t158)
-        .sub_product(t25, t165)
+    let t148 = slide_rate * t9;
+    let t149 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_cos_cylinder_phi;
+    let t150 = (-t149).add_product(t20, t148);
+    let t151 = R::literal(3.333_333_333_333_333_5) * slide_rate_times_sin_cylinder_phi;
+    let t152 = (-t151).sub_product(t21, t148).sub_product(t69, t150);
+    let t153 = (R::literal(-2_777.777_777_777_778) * t148)
+        .add_product(t71, t150)
+        .sub_product(t80, t152);
+    let t154 = (t19 * slide_rate_times_sin_cylinder_phi)
+        .sub_product(t18, slide_rate_times_cos_cylinder_phi)
+        .sub_product(t22, t148)
+        .sub_product(t23, slide_rate_times_cos_cylinder_phi)
+        .add_product(t24, slide_rate_times_sin_cylinder_phi)
+        .sub_product(t73, t150)
+        .sub_product(t82, t152)
+        .sub_product(t89, t153);
+    let t155 = R::literal(5.0) * slide_rate_times_cos_cylinder_phi;
+    let t156 = t155.sub_product(t90, t153).sub_product(t98, t154);
+    let t157 = R::literal(5.0) * slide_rate_times_sin_cylinder_phi;
+    let t158 = t157
+        .add_product(t91, t153)
+        .sub_product(t100, t154)
+        .sub_product(t107, t156);
+    let t159 = (-(t75 * t150))
+        .sub_product(t84, t152)
+        .sub_product(t93, t153)
+        .sub_product(t102, t154)
+        .sub_product(t109, t156)
+        .sub_product(t114, t158);
+    let t160 = (-(t77 * t150))
+        .sub_product(t86, t152)
+        .sub_product(t95, t153)
+        .sub_product(t104, t154)
+        .sub_product(t111, t156)
+        .sub_product(t116, t158)
+        .sub_product(t119, t159) * t120;
+    let t161 = (t159 * t117).sub_product(t119, t160);
+    let t162 = (t158 * t112).sub_product(t114, t161).sub_product(t116, t160);
+    let t163 = (t156 * t105)
+        .sub_product(t107, t162)
+        .sub_product(t109, t161)
+        .sub_product(t111, t160);
+    let t164 = (t154 * t96)
+        .sub_product(t98, t163)
+        .sub_product(t100, t162)
+        .sub_product(t102, t161)
+        .sub_product(t104, t160);
+    let t165 = (t153 * t87)
+        .sub_product(t89, t164)
+        .sub_product(t90, t163)
+        .add_product(t91, t162)
+        .sub_product(t93, t161)
+        .sub_product(t95, t160);
+    let t166 = (t152 * t78)
+        .sub_product(t80, t165)
+        .sub_product(t82, t164)
+        .sub_product(t84, t161)
+        .sub_product(t86, t160);
+    let t167 = (t150 * t67)
+        .sub_product(t69, t166)
+        .add_product(t71, t165)
+        .sub_product(t73, t164)
+        .sub_product(t75, t161)
+        .sub_product(t77, t160);
+    let t168 = (-(t60 * t166))
+        .sub_product(t58, t167)
+        .sub_product(t63, t161)
+        .sub_product(t66, t160);
+    let t169 = (-(t48 * t167))
+        .sub_product(t46, t168)
+        .sub_product(t49, t166)
+        .sub_product(t52, t161)
+        .add_product(t54, t160);
+    let t170 = (-(t41 * t168)).sub_product(t39, t169);
+    let t171 = (-(t33 * t169)).sub_product(t31, t170).sub_product(t31, t168);
+    let bobbin_v_y_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t160);
+    let bobbin_v_x_dot_by_spring_damping = -(R::literal(1.428_571_428_571_428_6) * t161);
+    let rod_omega_dot_by_spring_damping = (t25 * t163)
+        .sub_product(R::literal(4_166.666_666_666_667), t165)
+        .sub_product(t26, t162);
+    let rod_v_y_dot_by_spring_damping = (-t157)
+        .sub_product(t24, t164)
+        .sub_product(R::literal(5.0), t162);
+    let rod_v_x_dot_by_spring_damping = (-t155)
+        .add_product(t23, t164)
         .sub_product(R::literal(5.0), t163);
-    let rod_v_x_dot_by_spring_damping = (-t156)
-        .add_product(t24, t165)
-        .sub_product(R::literal(5.0), t164);
-    let cylinder_omega_dot_by_spring_damping = (-(t149
+    let cylinder_omega_dot_by_spring_damping = (-(t148
         * R::literal(2_777.777_777_777_778)))
-        .sub_product(t21, t168)
-        .add_product(t22, t167)
-        .sub_product(R::literal(-2_777.777_777_777_778), t166)
-        .add_product(t23, t165);
-    let cylinder_v_y_dot_by_spring_damping = t152
+        .sub_product(t20, t167)
+        .add_product(t21, t166)
+        .sub_product(R::literal(-2_777.777_777_777_778), t165)
+        .add_product(t22, t164);
+    let cylinder_v_y_dot_by_spring_damping = t151
+        .sub_product(R::literal(3.333_333_333_333_333_5), t166)
+        .add_product(t19, t164);
+    let cylinder_v_x_dot_by_spring_damping = t149
         .sub_product(R::literal(3.333_333_333_333_333_5), t167)
-        .add_product(t20, t165);
-    let cylinder_v_x_dot_by_spring_damping = t150
-        .sub_product(R::literal(3.333_333_333_333_333_5), t168)
-        .sub_product(t19, t165);
-    let plate_omega_dot_by_spring_damping = (t16 * t169)
-        .sub_product(t15, t170)
-        .sub_product(t15, t168)
-        .add_product(t16, t167)
-        .add_product(t17, t162)
-        .sub_product(t18, t161);
+        .sub_product(t18, t164);
+    let plate_omega_dot_by_spring_damping = (t15 * t168)
+        .sub_product(t14, t169)
+        .sub_product(t14, t167)
+        .add_product(t15, t166)
+        .add_product(t16, t161)
+        .sub_product(t17, t160);
     let plate_v_y_dot_by_spring_damping = (-(R::literal(-0.833_333_333_333_333_4)
+        * t166))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t168)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t160);
+    let plate_v_x_dot_by_spring_damping = (-(R::literal(-0.833_333_333_333_333_4)
         * t167))
         .sub_product(R::literal(0.833_333_333_333_333_4), t169)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t161);
-    let plate_v_x_dot_by_spring_damping = (-(R::literal(-0.833_333_333_333_333_4)
-        * t168))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t170)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t162);
-    let post_omega_dot_by_spring_damping = (t14 * t171)
-        .sub_product(t13, t172)
-        .sub_product(t13, t170)
-        .add_product(t14, t169);
-    let post_v_y_dot_by_spring_damping = (-(R::literal(-1.25) * t169))
+    let post_omega_dot_by_spring_damping = (t13 * t170)
+        .sub_product(t12, t171)
+        .sub_product(t12, t169)
+        .add_product(t13, t168);
+    let post_v_y_dot_by_spring_damping = (-(R::literal(-1.25) * t168))
+        .sub_product(R::literal(1.25), t170);
+    let post_v_x_dot_by_spring_damping = (-(R::literal(-1.25) * t169))
         .sub_product(R::literal(1.25), t171);
-    let post_v_x_dot_by_spring_damping = (-(R::literal(-1.25) * t170))
-        .sub_product(R::literal(1.25), t172);
+    let t172 = R::literal(1.428_571_428_571_428_6)
+        * R::select_less(
+            contact_closed,
+            R::literal(0.5),
+            R::literal(0.0),
+            -(contact_gap * t7 / between),
+        );
     let t173 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
@@ -4875,87 +4884,87 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(0.0),
             -(contact_gap * t8 / between),
         );
-    let t174 = R::literal(1.428_571_428_571_428_6)
+    let t174 = (-t173).add_product(t119, t172) * t120;
+    let t175 = (-(t172 * t117)).sub_product(t119, t174);
+    let t176 = (-(t116 * t174)).sub_product(t114, t175);
+    let t177 = (-(t109 * t175)).sub_product(t107, t176).sub_product(t111, t174);
+    let t178 = (-(t100 * t176))
+        .sub_product(t98, t177)
+        .sub_product(t102, t175)
+        .sub_product(t104, t174);
+    let t179 = (-(t90 * t177))
+        .sub_product(t89, t178)
+        .add_product(t91, t176)
+        .sub_product(t93, t175)
+        .sub_product(t95, t174);
+    let t180 = (-(t82 * t178))
+        .sub_product(t80, t179)
+        .sub_product(t84, t175)
+        .sub_product(t86, t174);
+    let t181 = (t71 * t179)
+        .sub_product(t69, t180)
+        .sub_product(t73, t178)
+        .sub_product(t75, t175)
+        .sub_product(t77, t174);
+    let t182 = (-(t60 * t180))
+        .sub_product(t58, t181)
+        .sub_product(t63, t175)
+        .sub_product(t66, t174);
+    let t183 = (-(t48 * t181))
+        .sub_product(t46, t182)
+        .sub_product(t49, t180)
+        .sub_product(t52, t175)
+        .add_product(t54, t174);
+    let t184 = (-(t41 * t182)).sub_product(t39, t183);
+    let t185 = (-(t33 * t183)).sub_product(t31, t184).sub_product(t31, t182);
+    let bobbin_v_y_dot_by_contact_stiffness = t173
+        .sub_product(R::literal(1.428_571_428_571_428_6), t174);
+    let bobbin_v_x_dot_by_contact_stiffness = t172
+        .sub_product(R::literal(1.428_571_428_571_428_6), t175);
+    let rod_omega_dot_by_contact_stiffness = (t25 * t177)
+        .sub_product(R::literal(4_166.666_666_666_667), t179)
+        .sub_product(t26, t176);
+    let rod_v_y_dot_by_contact_stiffness = (-(R::literal(5.0) * t176))
+        .sub_product(t24, t178);
+    let rod_v_x_dot_by_contact_stiffness = (-(R::literal(5.0) * t177))
+        .add_product(t23, t178);
+    let cylinder_omega_dot_by_contact_stiffness = (t21 * t180)
+        .sub_product(t20, t181)
+        .sub_product(R::literal(-2_777.777_777_777_778), t179)
+        .add_product(t22, t178);
+    let cylinder_v_y_dot_by_contact_stiffness = (t19 * t178)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t180);
+    let cylinder_v_x_dot_by_contact_stiffness = (-(t18 * t178))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t181);
+    let plate_omega_dot_by_contact_stiffness = (t15 * t182)
+        .sub_product(t14, t183)
+        .sub_product(t14, t181)
+        .add_product(t15, t180)
+        .add_product(t16, t175)
+        .sub_product(t17, t174);
+    let plate_v_y_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t180))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t182)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t174);
+    let plate_v_x_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t181))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t183)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t175);
+    let post_omega_dot_by_contact_stiffness = (t13 * t184)
+        .sub_product(t12, t185)
+        .sub_product(t12, t183)
+        .add_product(t13, t182);
+    let post_v_y_dot_by_contact_stiffness = (-(R::literal(-1.25) * t182))
+        .sub_product(R::literal(1.25), t184);
+    let post_v_x_dot_by_contact_stiffness = (-(R::literal(-1.25) * t183))
+        .sub_product(R::literal(1.25), t185);
+    let t186 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(contact_gap * t9 / between),
+            -(contact_rate * t7 / between),
         );
-    let t175 = (-t174).add_product(t120, t173) * t121;
-    let t176 = (-(t173 * t118)).sub_product(t120, t175);
-    let t177 = (-(t117 * t175)).sub_product(t115, t176);
-    let t178 = (-(t110 * t176)).sub_product(t108, t177).sub_product(t112, t175);
-    let t179 = (-(t101 * t177))
-        .sub_product(t99, t178)
-        .sub_product(t103, t176)
-        .sub_product(t105, t175);
-    let t180 = (-(t91 * t178))
-        .sub_product(t90, t179)
-        .add_product(t92, t177)
-        .sub_product(t94, t176)
-        .sub_product(t96, t175);
-    let t181 = (-(t83 * t179))
-        .sub_product(t81, t180)
-        .sub_product(t85, t176)
-        .sub_product(t87, t175);
-    let t182 = (t72 * t180)
-        .sub_product(t70, t181)
-        .sub_product(t74, t179)
-        .sub_product(t76, t176)
-        .sub_product(t78, t175);
-    let t183 = (-(t61 * t181))
-        .sub_product(t59, t182)
-        .sub_product(t64, t176)
-        .sub_product(t67, t175);
-    let t184 = (-(t49 * t182))
-        .sub_product(t47, t183)
-        .sub_product(t50, t181)
-        .sub_product(t53, t176)
-        .add_product(t55, t175);
-    let t185 = (-(t42 * t183)).sub_product(t40, t184);
-    let t186 = (-(t34 * t184)).sub_product(t32, t185).sub_product(t32, t183);
-    let bobbin_v_y_dot_by_contact_stiffness = t174
-        .sub_product(R::literal(1.428_571_428_571_428_6), t175);
-    let bobbin_v_x_dot_by_contact_stiffness = t173
-        .sub_product(R::literal(1.428_571_428_571_428_6), t176);
-    let rod_omega_dot_by_contact_stiffness = (t26 * t178)
-        .sub_product(R::literal(4_166.666_666_666_667), t180)
-        .sub_product(t27, t177);
-    let rod_v_y_dot_by_contact_stiffness = (-(R::literal(5.0) * t177))
-        .sub_product(t25, t179);
-    let rod_v_x_dot_by_contact_stiffness = (-(R::literal(5.0) * t178))
-        .add_product(t24, t179);
-    let cylinder_omega_dot_by_contact_stiffness = (t22 * t181)
-        .sub_product(t21, t182)
-        .sub_product(R::literal(-2_777.777_777_777_778), t180)
-        .add_product(t23, t179);
-    let cylinder_v_y_dot_by_contact_stiffness = (t20 * t179)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t181);
-    let cylinder_v_x_dot_by_contact_stiffness = (-(t19 * t179))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t182);
-    let plate_omega_dot_by_contact_stiffness = (t16 * t183)
-        .sub_product(t15, t184)
-        .sub_product(t15, t182)
-        .add_product(t16, t181)
-        .add_product(t17, t176)
-        .sub_product(t18, t175);
-    let plate_v_y_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t181))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t183)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t175);
-    let plate_v_x_dot_by_contact_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t182))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t184)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t176);
-    let post_omega_dot_by_contact_stiffness = (t14 * t185)
-        .sub_product(t13, t186)
-        .sub_product(t13, t184)
-        .add_product(t14, t183);
-    let post_v_y_dot_by_contact_stiffness = (-(R::literal(-1.25) * t183))
-        .sub_product(R::literal(1.25), t185);
-    let post_v_x_dot_by_contact_stiffness = (-(R::literal(-1.25) * t184))
-        .sub_product(R::literal(1.25), t186);
     let t187 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
@@ -4963,87 +4972,80 @@ pub fn parameter_jacobian<R: Real>(
             R::literal(0.0),
             -(contact_rate * t8 / between),
         );
-    let t188 = R::literal(1.428_571_428_571_428_6)
-        * R::select_less(
-            contact_closed,
-            R::literal(0.5),
-            R::literal(0.0),
-            -(contact_rate * t9 / between),
-        );
-    let t189 = (-t188).add_product(t120, t187) * t121;
-    let t190 = (-(t187 * t118)).sub_product(t120, t189);
-    let t191 = (-(t117 * t189)).sub_product(t115, t190);
-    let t192 = (-(t110 * t190)).sub_product(t108, t191).sub_product(t112, t189);
-    let t193 = (-(t101 * t191))
-        .sub_product(t99, t192)
-        .sub_product(t103, t190)
-        .sub_product(t105, t189);
-    let t194 = (-(t91 * t192))
-        .sub_product(t90, t193)
-        .add_product(t92, t191)
-        .sub_product(t94, t190)
-        .sub_product(t96, t189);
-    let t195 = (-(t83 * t193))
-        .sub_product(t81, t194)
-        .sub_product(t85, t190)
-        .sub_product(t87, t189);
-    let t196 = (t72 * t194)
-        .sub_product(t70, t195)
-        .sub_product(t74, t193)
-        .sub_product(t76, t190)
-        .sub_product(t78, t189);
-    let t197 = (-(t61 * t195))
-        .sub_product(t59, t196)
-        .sub_product(t64, t190)
-        .sub_product(t67, t189);
-    let t198 = (-(t49 * t196))
-        .sub_product(t47, t197)
-        .sub_product(t50, t195)
-        .sub_product(t53, t190)
-        .add_product(t55, t189);
-    let t199 = (-(t42 * t197)).sub_product(t40, t198);
-    let t200 = (-(t34 * t198)).sub_product(t32, t199).sub_product(t32, t197);
-    let bobbin_v_y_dot_by_contact_damping = t188
+    let t188 = (-t187).add_product(t119, t186) * t120;
+    let t189 = (-(t186 * t117)).sub_product(t119, t188);
+    let t190 = (-(t116 * t188)).sub_product(t114, t189);
+    let t191 = (-(t109 * t189)).sub_product(t107, t190).sub_product(t111, t188);
+    let t192 = (-(t100 * t190))
+        .sub_product(t98, t191)
+        .sub_product(t102, t189)
+        .sub_product(t104, t188);
+    let t193 = (-(t90 * t191))
+        .sub_product(t89, t192)
+        .add_product(t91, t190)
+        .sub_product(t93, t189)
+        .sub_product(t95, t188);
+    let t194 = (-(t82 * t192))
+        .sub_product(t80, t193)
+        .sub_product(t84, t189)
+        .sub_product(t86, t188);
+    let t195 = (t71 * t193)
+        .sub_product(t69, t194)
+        .sub_product(t73, t192)
+        .sub_product(t75, t189)
+        .sub_product(t77, t188);
+    let t196 = (-(t60 * t194))
+        .sub_product(t58, t195)
+        .sub_product(t63, t189)
+        .sub_product(t66, t188);
+    let t197 = (-(t48 * t195))
+        .sub_product(t46, t196)
+        .sub_product(t49, t194)
+        .sub_product(t52, t189)
+        .add_product(t54, t188);
+    let t198 = (-(t41 * t196)).sub_product(t39, t197);
+    let t199 = (-(t33 * t197)).sub_product(t31, t198).sub_product(t31, t196);
+    let bobbin_v_y_dot_by_contact_damping = t187
+        .sub_product(R::literal(1.428_571_428_571_428_6), t188);
+    let bobbin_v_x_dot_by_contact_damping = t186
         .sub_product(R::literal(1.428_571_428_571_428_6), t189);
-    let bobbin_v_x_dot_by_contact_damping = t187
-        .sub_product(R::literal(1.428_571_428_571_428_6), t190);
-    let rod_omega_dot_by_contact_damping = (t26 * t192)
-        .sub_product(R::literal(4_166.666_666_666_667), t194)
-        .sub_product(t27, t191);
-    let rod_v_y_dot_by_contact_damping = (-(R::literal(5.0) * t191))
-        .sub_product(t25, t193);
-    let rod_v_x_dot_by_contact_damping = (-(R::literal(5.0) * t192))
-        .add_product(t24, t193);
-    let cylinder_omega_dot_by_contact_damping = (t22 * t195)
-        .sub_product(t21, t196)
-        .sub_product(R::literal(-2_777.777_777_777_778), t194)
-        .add_product(t23, t193);
-    let cylinder_v_y_dot_by_contact_damping = (t20 * t193)
+    let rod_omega_dot_by_contact_damping = (t25 * t191)
+        .sub_product(R::literal(4_166.666_666_666_667), t193)
+        .sub_product(t26, t190);
+    let rod_v_y_dot_by_contact_damping = (-(R::literal(5.0) * t190))
+        .sub_product(t24, t192);
+    let rod_v_x_dot_by_contact_damping = (-(R::literal(5.0) * t191))
+        .add_product(t23, t192);
+    let cylinder_omega_dot_by_contact_damping = (t21 * t194)
+        .sub_product(t20, t195)
+        .sub_product(R::literal(-2_777.777_777_777_778), t193)
+        .add_product(t22, t192);
+    let cylinder_v_y_dot_by_contact_damping = (t19 * t192)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t194);
+    let cylinder_v_x_dot_by_contact_damping = (-(t18 * t192))
         .sub_product(R::literal(3.333_333_333_333_333_5), t195);
-    let cylinder_v_x_dot_by_contact_damping = (-(t19 * t193))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t196);
-    let plate_omega_dot_by_contact_damping = (t16 * t197)
-        .sub_product(t15, t198)
-        .sub_product(t15, t196)
-        .add_product(t16, t195)
-        .add_product(t17, t190)
-        .sub_product(t18, t189);
+    let plate_omega_dot_by_contact_damping = (t15 * t196)
+        .sub_product(t14, t197)
+        .sub_product(t14, t195)
+        .add_product(t15, t194)
+        .add_product(t16, t189)
+        .sub_product(t17, t188);
     let plate_v_y_dot_by_contact_damping = (-(R::literal(-0.833_333_333_333_333_4)
+        * t194))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t196)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t188);
+    let plate_v_x_dot_by_contact_damping = (-(R::literal(-0.833_333_333_333_333_4)
         * t195))
         .sub_product(R::literal(0.833_333_333_333_333_4), t197)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t189);
-    let plate_v_x_dot_by_contact_damping = (-(R::literal(-0.833_333_333_333_333_4)
-        * t196))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t198)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t190);
-    let post_omega_dot_by_contact_damping = (t14 * t199)
-        .sub_product(t13, t200)
-        .sub_product(t13, t198)
-        .add_product(t14, t197);
-    let post_v_y_dot_by_contact_damping = (-(R::literal(-1.25) * t197))
+    let post_omega_dot_by_contact_damping = (t13 * t198)
+        .sub_product(t12, t199)
+        .sub_product(t12, t197)
+        .add_product(t13, t196);
+    let post_v_y_dot_by_contact_damping = (-(R::literal(-1.25) * t196))
+        .sub_product(R::literal(1.25), t198);
+    let post_v_x_dot_by_contact_damping = (-(R::literal(-1.25) * t197))
         .sub_product(R::literal(1.25), t199);
-    let post_v_x_dot_by_contact_damping = (-(R::literal(-1.25) * t198))
-        .sub_product(R::literal(1.25), t200);
     [
         post_v_x_dot_by_spring_stiffness,
         post_v_x_dot_by_spring_damping,
@@ -5156,10 +5158,10 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     rod_y, _, bobbin_x, bobbin_y, _, _, post_omega, _, _, _, cylinder_v_x, cylinder_v_y,
     cylinder_omega, rod_v_x, rod_v_y, _, bobbin_v_x, bobbin_v_y, contact_closed,
     stop_closed] = *state;
-    let cos_post_phi = post_phi.cos();
-    let sin_post_phi = post_phi.sin();
-    let cos_cylinder_phi = cylinder_phi.cos();
-    let sin_cylinder_phi = cylinder_phi.sin();
+    let [(sin_post_phi, cos_post_phi), (sin_cylinder_phi, cos_cylinder_phi)] = R::sin_cos_each([
+        post_phi,
+        cylinder_phi,
+    ]);
     let stop_gap = (R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi);
     let stop_rate = post_omega
@@ -5216,14 +5218,18 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     rod_y, _, bobbin_x, bobbin_y, post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y,
     plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
     bobbin_v_x, bobbin_v_y, contact_closed, stop_closed] = *state;
-    let stop_gap = (R::literal(0.143) * post_phi.sin())
-        .sub_product(R::literal(0.044), post_phi.cos());
+    let [(sin_post_phi, cos_post_phi), (sin_cylinder_phi, cos_cylinder_phi)] = R::sin_cos_each([
+        post_phi,
+        cylinder_phi,
+    ]);
+    let stop_gap = (R::literal(0.143) * sin_post_phi)
+        .sub_product(R::literal(0.044), cos_post_phi);
     let t0 = bobbin_x - R::literal(0.328);
     let t1 = bobbin_y - R::literal(0.058);
     let between = (t0 * t0).add_product(t1, t1).sqrt();
     let contact_gap = between - R::literal(0.1);
-    let slide = ((rod_x - cylinder_x) * cylinder_phi.cos())
-        .add_product(rod_y - cylinder_y, cylinder_phi.sin());
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
+        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
     let t2 = slide - R::literal(0.116);
     Energy {
         kinetic: (R::literal(0.00012) * (rod_omega * rod_omega))
@@ -5285,286 +5291,285 @@ pub fn power_balance<R: Real>(
     rod_y, rod_phi, bobbin_x, bobbin_y, post_v_x, post_v_y, post_omega, plate_v_x,
     plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
     rod_omega, bobbin_v_x, bobbin_v_y, contact_closed, stop_closed] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
-    let t7 = R::literal(0.06) * sin_rod_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
     let stop_gap = (R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi);
-    let t8 = (R::literal(0.044) * sin_post_phi)
+    let t7 = (R::literal(0.044) * sin_post_phi)
         .add_product(R::literal(0.143), cos_post_phi);
-    let stop_rate = post_omega * t8;
-    let t9 = bobbin_x - R::literal(0.328);
-    let t10 = bobbin_y - R::literal(0.058);
-    let between = (t9 * t9).add_product(t10, t10).sqrt();
+    let stop_rate = post_omega * t7;
+    let t8 = bobbin_x - R::literal(0.328);
+    let t9 = bobbin_y - R::literal(0.058);
+    let between = (t8 * t8).add_product(t9, t9).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t9).add_product(bobbin_v_y, t10) / between;
-    let t11 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
+    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t11)
+        .add_product(cylinder_omega, t10)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t12 = (R::literal(0.01) * sin_plate_phi)
+    let t11 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t13 = (R::literal(0.01) * cos_plate_phi)
+    let t12 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
-    let t14 = t1 * R::literal(370.370_370_370_370_3);
-    let t15 = t0 * R::literal(370.370_370_370_370_3);
-    let t16 = t3 * R::literal(400.0);
-    let t17 = t2 * R::literal(400.0);
+    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = t11 * R::literal(400.0);
     let t18 = t12 * R::literal(400.0);
-    let t19 = t13 * R::literal(400.0);
-    let t20 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t22 = t5 * R::literal(2_777.777_777_777_778);
-    let t23 = t4 * R::literal(2_777.777_777_777_778);
-    let t24 = slide * R::literal(2_777.777_777_777_778);
-    let t25 = sin_cylinder_phi * R::literal(5.0);
-    let t26 = cos_cylinder_phi * R::literal(5.0);
-    let t27 = t7 * R::literal(4_166.666_666_666_667);
-    let t28 = t6 * R::literal(4_166.666_666_666_667);
-    let t29 = t14 * t1;
-    let t30 = R::literal(-1.25) - t29;
-    let t31 = R::literal(1.0) / t30;
-    let t32 = t15 * t1;
-    let t33 = t32 * t31;
-    let t34 = R::literal(1.25) - t29;
-    let t35 = t34 * t31;
-    let t36 = t15 * t0;
-    let t37 = R::literal(-1.25) - t36;
-    let t38 = t33 * t32;
-    let t39 = R::literal(1.0) / (t37 - t38);
-    let t40 = (t14 * t0).sub_product(t35, t32);
-    let t41 = t40 * t39;
-    let t42 = R::literal(1.25) - t36 - t38;
-    let t43 = t42 * t39;
-    let t44 = t16 * t3;
-    let t45 = R::literal(1.0)
-        / (t30 - R::literal(0.833_333_333_333_333_4) - t44)
-            .sub_product(t35, t34)
-            .sub_product(t41, t40);
-    let t46 = t17 * t3;
-    let t47 = (t32 + t46).sub_product(t33, t34).sub_product(t43, t40);
-    let t48 = t47 * t45;
-    let t49 = R::literal(0.833_333_333_333_333_4) - t44;
-    let t50 = t49 * t45;
-    let t51 = t46 * t45;
-    let t52 = t18 * t3;
-    let t53 = R::literal(0.833_333_333_333_333_4) + t52;
-    let t54 = t53 * t45;
-    let t55 = t19 * t3;
-    let t56 = t55 * t45;
-    let t57 = t17 * t2;
-    let t58 = R::literal(1.0)
-        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38)
-            .sub_product(t43, t42)
-            .sub_product(t48, t47);
-    let t59 = (t16 * t2).sub_product(t50, t47);
-    let t60 = t59 * t58;
-    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
-    let t62 = t61 * t58;
-    let t63 = -(t18 * t2);
-    let t64 = t63.sub_product(t54, t47);
-    let t65 = t64 * t58;
-    let t66 = t19 * t2;
-    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
-    let t68 = t67 * t58;
-    let t69 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t44
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
+    let t28 = t13 * t1;
+    let t29 = R::literal(-1.25) - t28;
+    let t30 = R::literal(1.0) / t29;
+    let t31 = t14 * t1;
+    let t32 = t31 * t30;
+    let t33 = R::literal(1.25) - t28;
+    let t34 = t33 * t30;
+    let t35 = t14 * t0;
+    let t36 = R::literal(-1.25) - t35;
+    let t37 = t32 * t31;
+    let t38 = R::literal(1.0) / (t36 - t37);
+    let t39 = (t13 * t0).sub_product(t34, t31);
+    let t40 = t39 * t38;
+    let t41 = R::literal(1.25) - t35 - t37;
+    let t42 = t41 * t38;
+    let t43 = t15 * t3;
+    let t44 = R::literal(1.0)
+        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
+            .sub_product(t34, t33)
+            .sub_product(t40, t39);
+    let t45 = t16 * t3;
+    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
+    let t47 = t46 * t44;
+    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
+    let t49 = t48 * t44;
+    let t50 = t45 * t44;
+    let t51 = t17 * t3;
+    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
+    let t53 = t52 * t44;
+    let t54 = t18 * t3;
+    let t55 = t54 * t44;
+    let t56 = t16 * t2;
+    let t57 = R::literal(1.0)
+        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
+            .sub_product(t42, t41)
+            .sub_product(t47, t46);
+    let t58 = (t15 * t2).sub_product(t49, t46);
+    let t59 = t58 * t57;
+    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
+    let t61 = t60 * t57;
+    let t62 = -(t17 * t2);
+    let t63 = t62.sub_product(t53, t46);
+    let t64 = t63 * t57;
+    let t65 = t18 * t2;
+    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
+    let t67 = t66 * t57;
+    let t68 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t43
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t5)
-            .sub_product(t50, t49)
-            .sub_product(t60, t59);
-    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
-    let t71 = t70 * t69;
-    let t72 = R::literal(-2_777.777_777_777_778) * t5;
-    let t73 = t72 * t69;
-    let t74 = (-t20).add_product(t24, t5);
-    let t75 = t74 * t69;
-    let t76 = (R::literal(-0.833_333_333_333_333_4) + t52)
-        .sub_product(t54, t49)
-        .sub_product(t65, t59);
-    let t77 = t76 * t69;
-    let t78 = (-t55).add_product(t56, t49).sub_product(t68, t59);
-    let t79 = t78 * t69;
-    let t80 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t57
+            .sub_product(t21, t5)
+            .sub_product(t49, t48)
+            .sub_product(t59, t58);
+    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
+    let t70 = t69 * t68;
+    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t72 = t71 * t68;
+    let t73 = (-t19).add_product(t23, t5);
+    let t74 = t73 * t68;
+    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
+        .sub_product(t53, t48)
+        .sub_product(t64, t58);
+    let t76 = t75 * t68;
+    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
+    let t78 = t77 * t68;
+    let t79 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t56
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t23, t4)
-            .sub_product(t51, t46)
-            .sub_product(t62, t61)
-            .sub_product(t71, t70);
-    let t81 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t73, t70);
-    let t82 = t81 * t80;
-    let t83 = t21.sub_product(t24, t4).sub_product(t75, t70);
-    let t84 = t83 * t80;
-    let t85 = t63.sub_product(t54, t46).sub_product(t65, t61).sub_product(t77, t70);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(-0.833_333_333_333_333_4) + t66)
-        .add_product(t56, t46)
-        .sub_product(t68, t61)
-        .sub_product(t79, t70);
-    let t88 = t87 * t80;
-    let t89 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t73, t72).sub_product(t82, t81);
-    let t90 = (-t24).add_product(t75, t72).sub_product(t84, t81);
-    let t91 = t90 * t89;
-    let t92 = t27 * t89;
-    let t93 = t28 * t89;
-    let t94 = (t77 * t72).sub_product(t86, t81);
-    let t95 = t94 * t89;
-    let t96 = (t79 * t72).sub_product(t88, t81);
-    let t97 = t96 * t89;
-    let t98 = R::literal(1.0)
-        / (-(t20 * sin_cylinder_phi))
-            .sub_product(t21, cos_cylinder_phi)
-            .sub_product(t24, slide)
-            .sub_product(t25, sin_cylinder_phi)
-            .sub_product(t26, cos_cylinder_phi)
-            .sub_product(t75, t74)
-            .sub_product(t84, t83)
-            .sub_product(t91, t90);
-    let t99 = t25.sub_product(t92, t90);
-    let t100 = t99 * t98;
-    let t101 = (-t26).add_product(t93, t90);
-    let t102 = t101 * t98;
-    let t103 = (-(t77 * t74)).sub_product(t86, t83).sub_product(t95, t90);
-    let t104 = t103 * t98;
-    let t105 = (-(t79 * t74)).sub_product(t88, t83).sub_product(t97, t90);
-    let t106 = t105 * t98;
-    let t107 = R::literal(1.0)
+            .sub_product(t22, t4)
+            .sub_product(t50, t45)
+            .sub_product(t61, t60)
+            .sub_product(t70, t69);
+    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t72, t69);
+    let t81 = t80 * t79;
+    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
+    let t83 = t82 * t79;
+    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
+    let t85 = t84 * t79;
+    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
+        .add_product(t55, t45)
+        .sub_product(t67, t60)
+        .sub_product(t78, t69);
+    let t87 = t86 * t79;
+    let t88 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
+    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
+    let t90 = t89 * t88;
+    let t91 = t26 * t88;
+    let t92 = t27 * t88;
+    let t93 = (t76 * t71).sub_product(t85, t80);
+    let t94 = t93 * t88;
+    let t95 = (t78 * t71).sub_product(t87, t80);
+    let t96 = t95 * t88;
+    let t97 = R::literal(1.0)
+        / (-(t20 * cos_cylinder_phi))
+            .sub_product(t19, sin_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t74, t73)
+            .sub_product(t83, t82)
+            .sub_product(t90, t89);
+    let t98 = t24.sub_product(t91, t89);
+    let t99 = t98 * t97;
+    let t100 = (-t25).add_product(t92, t89);
+    let t101 = t100 * t97;
+    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
+    let t103 = t102 * t97;
+    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
+    let t105 = t104 * t97;
+    let t106 = R::literal(1.0)
         / R::literal(-5.0)
-            .sub_product(t27, t7)
+            .sub_product(t26, t6)
+            .sub_product(t91, t26)
+            .sub_product(t99, t98);
+    let t107 = (t27 * t6).add_product(t92, t26).sub_product(t101, t98);
+    let t108 = t107 * t106;
+    let t109 = (-(t94 * t26)).sub_product(t103, t98);
+    let t110 = t109 * t106;
+    let t111 = (-(t96 * t26)).sub_product(t105, t98);
+    let t112 = t111 * t106;
+    let t113 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t27, R::literal(0.06) * cos_rod_phi)
             .sub_product(t92, t27)
-            .sub_product(t100, t99);
-    let t108 = (t28 * t7).add_product(t93, t27).sub_product(t102, t99);
-    let t109 = t108 * t107;
-    let t110 = (-(t95 * t27)).sub_product(t104, t99);
-    let t111 = t110 * t107;
-    let t112 = (-(t97 * t27)).sub_product(t106, t99);
-    let t113 = t112 * t107;
-    let t114 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t28, t6)
-            .sub_product(t93, t28)
-            .sub_product(t102, t101)
-            .sub_product(t109, t108);
-    let t115 = (t95 * t28).sub_product(t104, t101).sub_product(t111, t108);
-    let t116 = t115 * t114;
-    let t117 = (t97 * t28).sub_product(t106, t101).sub_product(t113, t108);
-    let t118 = t117 * t114;
-    let t119 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            .sub_product(t101, t100)
+            .sub_product(t108, t107);
+    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
+    let t115 = t114 * t113;
+    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
+    let t117 = t116 * t113;
+    let t118 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
             - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t54, t53)
-            .sub_product(t65, t64)
-            .sub_product(t77, t76)
-            .sub_product(t86, t85)
-            .sub_product(t95, t94)
-            .sub_product(t104, t103)
-            .sub_product(t111, t110)
-            .sub_product(t116, t115);
-    let t120 = (t19 * t12)
-        .add_product(t56, t53)
-        .sub_product(t68, t64)
-        .sub_product(t79, t76)
-        .sub_product(t88, t85)
-        .sub_product(t97, t94)
-        .sub_product(t106, t103)
-        .sub_product(t113, t110)
-        .sub_product(t118, t115);
-    let t121 = t120 * t119;
-    let t122 = R::literal(1_000_000.0) * stop_gap * t8;
-    let t123 = R::select_less(
+            .sub_product(t53, t52)
+            .sub_product(t64, t63)
+            .sub_product(t76, t75)
+            .sub_product(t85, t84)
+            .sub_product(t94, t93)
+            .sub_product(t103, t102)
+            .sub_product(t110, t109)
+            .sub_product(t115, t114);
+    let t119 = (t18 * t11)
+        .add_product(t55, t52)
+        .sub_product(t67, t63)
+        .sub_product(t78, t75)
+        .sub_product(t87, t84)
+        .sub_product(t96, t93)
+        .sub_product(t105, t102)
+        .sub_product(t112, t109)
+        .sub_product(t117, t114);
+    let t120 = t119 * t118;
+    let t121 = R::literal(1_000_000.0) * stop_gap * t7;
+    let t122 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        (-t122).sub_product(R::literal(1500.0) * stop_rate, t8),
+        (-t121).sub_product(R::literal(1500.0) * stop_rate, t7),
     );
-    let t124 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t125 = t124 * cos_cylinder_phi;
+    let t123 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t124 = t123 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t126 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t127 = t125 + t126;
-    let t128 = t124 * sin_cylinder_phi;
-    let t129 = R::literal(2.943) - t128;
-    let t130 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t131 = t130 - t129;
-    let t132 = t124 * t11;
-    let t133 = (-t132).sub_product(spring_damping_times_slide_rate, t11);
-    let t134 = -t125 - t126;
-    let t135 = R::literal(1.962) + t128;
-    let t136 = -t130 - t135;
-    let t137 = contact_stiffness_times_contact_gap * t9 / between;
-    let t138 = R::literal(6.867)
+    let t125 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t126 = t124 + t125;
+    let t127 = t123 * sin_cylinder_phi;
+    let t128 = R::literal(2.943) - t127;
+    let t129 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t130 = t129 - t128;
+    let t131 = t123 * t10;
+    let t132 = (-t131).sub_product(spring_damping_times_slide_rate, t10);
+    let t133 = -t124 - t125;
+    let t134 = R::literal(1.962) + t127;
+    let t135 = -t129 - t134;
+    let t136 = contact_stiffness_times_contact_gap * t8 / between;
+    let t137 = R::literal(6.867)
         + R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            contact_stiffness_times_contact_gap * t10 / between,
+            contact_stiffness_times_contact_gap * t9 / between,
         );
-    let t139 = R::literal(0.1) * (post_omega * post_omega);
-    let t140 = t139 * cos_post_phi;
-    let t141 = t139 * sin_post_phi;
+    let t138 = R::literal(0.1) * (post_omega * post_omega);
+    let t139 = t138 * cos_post_phi;
+    let t140 = t138 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t142 = R::literal(0.06) * plate_omega_squared;
+    let t141 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t143 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t144 = t14 * t123;
-    let t145 = -t140 - t144;
-    let t146 = t15 * t123;
-    let t147 = t33 * t145;
-    let t148 = -t141 - R::literal(-9.81) + t146 - t147;
-    let t149 = (-t140.add_product(t142, cos_plate_phi) - t144)
-        .sub_product(t35, t145)
-        .sub_product(t41, t148);
-    let t150 = (-t141.add_product(t142, sin_plate_phi) - R::literal(9.81) + t146
-        - R::literal(-9.81) - t147)
-        .sub_product(t43, t148)
-        .sub_product(t48, t149);
-    let t151 = R::literal(3.333_333_333_333_333_5) * t127;
-    let t152 = (-t151)
+    let t142 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t143 = t13 * t122;
+    let t144 = -t139 - t143;
+    let t145 = t14 * t122;
+    let t146 = t32 * t144;
+    let t147 = -t140 - R::literal(-9.81) + t145 - t146;
+    let t148 = (-t139.add_product(t141, cos_plate_phi) - t143)
+        .sub_product(t34, t144)
+        .sub_product(t40, t147);
+    let t149 = (-t140.add_product(t141, sin_plate_phi) - R::literal(9.81) + t145
+        - R::literal(-9.81) - t146)
+        .sub_product(t42, t147)
+        .sub_product(t47, t148);
+    let t150 = R::literal(3.333_333_333_333_333_5) * t126;
+    let t151 = (-t150)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * cos_plate_phi)
                 .add_product(cylinder_omega_squared, cos_cylinder_phi),
         )
-        .sub_product(t22, t133)
-        .sub_product(t50, t149)
-        .sub_product(t60, t150);
-    let t153 = R::literal(3.333_333_333_333_333_5) * t131;
-    let t154 = (R::literal(-9.81)
+        .sub_product(t21, t132)
+        .sub_product(t49, t148)
+        .sub_product(t59, t149);
+    let t152 = R::literal(3.333_333_333_333_333_5) * t130;
+    let t153 = (R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t153)
-        .add_product(t23, t133)
-        .sub_product(t51, t149)
-        .sub_product(t62, t150)
-        .sub_product(t71, t152);
-    let t155 = (-(R::literal(-2_777.777_777_777_778) * t133))
-        .add_product(t73, t152)
-        .sub_product(t82, t154);
-    let t156 = (cylinder_omega
+        ) - t152)
+        .add_product(t22, t132)
+        .sub_product(t50, t148)
+        .sub_product(t61, t149)
+        .sub_product(t70, t151);
+    let t154 = (-(R::literal(-2_777.777_777_777_778) * t132))
+        .add_product(t72, t151)
+        .sub_product(t81, t153);
+    let t155 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -5573,186 +5578,186 @@ pub fn power_balance<R: Real>(
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t20, t127)
-        .add_product(t21, t131)
+        .sub_product(t19, t126)
+        .add_product(t20, t130)
+        .add_product(t23, t132)
         .add_product(t24, t133)
-        .add_product(t25, t134)
-        .sub_product(t26, t136)
-        .sub_product(t75, t152)
-        .sub_product(t84, t154);
-    let t157 = t156.sub_product(t91, t155);
-    let t158 = R::literal(5.0) * t134;
-    let t159 = (-t158)
-        .add_product(t143, cos_rod_phi)
-        .sub_product(t92, t155)
-        .sub_product(t100, t157);
-    let t160 = R::literal(5.0) * t136;
-    let t161 = (-t160)
-        .add_product(t143, sin_rod_phi)
-        .add_product(t93, t155)
-        .sub_product(t102, t157)
-        .sub_product(t109, t159);
-    let t162 = R::literal(1.428_571_428_571_428_6)
+        .sub_product(t25, t135)
+        .sub_product(t74, t151)
+        .sub_product(t83, t153);
+    let t156 = t155.sub_product(t90, t154);
+    let t157 = R::literal(5.0) * t133;
+    let t158 = (-t157)
+        .add_product(t142, cos_rod_phi)
+        .sub_product(t91, t154)
+        .sub_product(t99, t156);
+    let t159 = R::literal(5.0) * t135;
+    let t160 = (-t159)
+        .add_product(t142, sin_rod_phi)
+        .add_product(t92, t154)
+        .sub_product(t101, t156)
+        .sub_product(t108, t158);
+    let t161 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -t137 - contact_damping_times_contact_rate * t9 / between,
+            -t136 - contact_damping_times_contact_rate * t8 / between,
         );
-    let t163 = (-t162)
-        .add_product(t13, plate_omega_squared)
-        .sub_product(t54, t149)
-        .sub_product(t65, t150)
-        .sub_product(t77, t152)
-        .sub_product(t86, t154)
-        .sub_product(t95, t155)
-        .sub_product(t104, t157)
-        .sub_product(t111, t159)
-        .sub_product(t116, t161);
-    let t164 = R::literal(1.428_571_428_571_428_6)
+    let t162 = (-t161)
+        .add_product(t12, plate_omega_squared)
+        .sub_product(t53, t148)
+        .sub_product(t64, t149)
+        .sub_product(t76, t151)
+        .sub_product(t85, t153)
+        .sub_product(t94, t154)
+        .sub_product(t103, t156)
+        .sub_product(t110, t158)
+        .sub_product(t115, t160);
+    let t163 = R::literal(1.428_571_428_571_428_6)
         * (R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(contact_damping_times_contact_rate * t10 / between),
-        ) - t138);
-    let t165 = (R::literal(-9.81).add_product(t12, plate_omega_squared) - t164)
-        .add_product(t56, t149)
-        .sub_product(t68, t150)
-        .sub_product(t79, t152)
-        .sub_product(t88, t154)
-        .sub_product(t97, t155)
-        .sub_product(t106, t157)
-        .sub_product(t113, t159)
-        .sub_product(t118, t161)
-        .sub_product(t121, t163)
+            -(contact_damping_times_contact_rate * t9 / between),
+        ) - t137);
+    let t164 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t163)
+        .add_product(t55, t148)
+        .sub_product(t67, t149)
+        .sub_product(t78, t151)
+        .sub_product(t87, t153)
+        .sub_product(t96, t154)
+        .sub_product(t105, t156)
+        .sub_product(t112, t158)
+        .sub_product(t117, t160)
+        .sub_product(t120, t162)
         * (R::literal(1.0)
-            / (R::literal(-0.833_333_333_333_333_4).sub_product(t19, t13)
+            / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
                 - R::literal(1.428_571_428_571_428_6))
-                .sub_product(t56, t55)
-                .sub_product(t68, t67)
-                .sub_product(t79, t78)
-                .sub_product(t88, t87)
-                .sub_product(t97, t96)
-                .sub_product(t106, t105)
-                .sub_product(t113, t112)
-                .sub_product(t118, t117)
-                .sub_product(t121, t120));
-    let t166 = (t163 * t119).sub_product(t121, t165);
-    let t167 = (t161 * t114).sub_product(t116, t166).sub_product(t118, t165);
-    let t168 = (t159 * t107)
-        .sub_product(t109, t167)
-        .sub_product(t111, t166)
-        .sub_product(t113, t165);
-    let t169 = (t157 * t98)
-        .sub_product(t100, t168)
-        .sub_product(t102, t167)
-        .sub_product(t104, t166)
-        .sub_product(t106, t165);
-    let t170 = (t155 * t89)
-        .sub_product(t91, t169)
-        .sub_product(t92, t168)
-        .add_product(t93, t167)
-        .sub_product(t95, t166)
-        .sub_product(t97, t165);
-    let t171 = (t154 * t80)
-        .sub_product(t82, t170)
-        .sub_product(t84, t169)
-        .sub_product(t86, t166)
-        .sub_product(t88, t165);
-    let t172 = (t152 * t69)
-        .sub_product(t71, t171)
-        .add_product(t73, t170)
-        .sub_product(t75, t169)
-        .sub_product(t77, t166)
-        .sub_product(t79, t165);
-    let t173 = (t150 * t58)
-        .sub_product(t60, t172)
-        .sub_product(t62, t171)
-        .sub_product(t65, t166)
-        .sub_product(t68, t165);
-    let t174 = (t149 * t45)
-        .sub_product(t48, t173)
-        .sub_product(t50, t172)
-        .sub_product(t51, t171)
-        .sub_product(t54, t166)
-        .add_product(t56, t165);
-    let t175 = (t148 * t39).sub_product(t41, t174).sub_product(t43, t173);
-    let t176 = (t145 * t31)
-        .sub_product(t33, t175)
-        .sub_product(t35, t174)
-        .sub_product(t33, t173);
-    let bobbin_v_y_dot = t164.sub_product(R::literal(1.428_571_428_571_428_6), t165);
-    let bobbin_v_x_dot = t162.sub_product(R::literal(1.428_571_428_571_428_6), t166);
-    let rod_omega_dot = (t27 * t168)
-        .sub_product(R::literal(4_166.666_666_666_667), t170)
-        .sub_product(t28, t167);
-    let rod_v_y_dot = t160.sub_product(t26, t169).sub_product(R::literal(5.0), t167);
-    let rod_v_x_dot = t158.add_product(t25, t169).sub_product(R::literal(5.0), t168);
-    let cylinder_omega_dot = (t133 * R::literal(2_777.777_777_777_778))
-        .sub_product(t22, t172)
-        .add_product(t23, t171)
-        .sub_product(R::literal(-2_777.777_777_777_778), t170)
-        .add_product(t24, t169);
-    let cylinder_v_y_dot = t153
+                .sub_product(t55, t54)
+                .sub_product(t67, t66)
+                .sub_product(t78, t77)
+                .sub_product(t87, t86)
+                .sub_product(t96, t95)
+                .sub_product(t105, t104)
+                .sub_product(t112, t111)
+                .sub_product(t117, t116)
+                .sub_product(t120, t119));
+    let t165 = (t162 * t118).sub_product(t120, t164);
+    let t166 = (t160 * t113).sub_product(t115, t165).sub_product(t117, t164);
+    let t167 = (t158 * t106)
+        .sub_product(t108, t166)
+        .sub_product(t110, t165)
+        .sub_product(t112, t164);
+    let t168 = (t156 * t97)
+        .sub_product(t99, t167)
+        .sub_product(t101, t166)
+        .sub_product(t103, t165)
+        .sub_product(t105, t164);
+    let t169 = (t154 * t88)
+        .sub_product(t90, t168)
+        .sub_product(t91, t167)
+        .add_product(t92, t166)
+        .sub_product(t94, t165)
+        .sub_product(t96, t164);
+    let t170 = (t153 * t79)
+        .sub_product(t81, t169)
+        .sub_product(t83, t168)
+        .sub_product(t85, t165)
+        .sub_product(t87, t164);
+    let t171 = (t151 * t68)
+        .sub_product(t70, t170)
+        .add_product(t72, t169)
+        .sub_product(t74, t168)
+        .sub_product(t76, t165)
+        .sub_product(t78, t164);
+    let t172 = (t149 * t57)
+        .sub_product(t59, t171)
+        .sub_product(t61, t170)
+        .sub_product(t64, t165)
+        .sub_product(t67, t164);
+    let t173 = (t148 * t44)
+        .sub_product(t47, t172)
+        .sub_product(t49, t171)
+        .sub_product(t50, t170)
+        .sub_product(t53, t165)
+        .add_product(t55, t164);
+    let t174 = (t147 * t38).sub_product(t40, t173).sub_product(t42, t172);
+    let t175 = (t144 * t30)
+        .sub_product(t32, t174)
+        .sub_product(t34, t173)
+        .sub_product(t32, t172);
+    let bobbin_v_y_dot = t163.sub_product(R::literal(1.428_571_428_571_428_6), t164);
+    let bobbin_v_x_dot = t161.sub_product(R::literal(1.428_571_428_571_428_6), t165);
+    let rod_omega_dot = (t26 * t167)
+        .sub_product(R::literal(4_166.666_666_666_667), t169)
+        .sub_product(t27, t166);
+    let rod_v_y_dot = t159.sub_product(t25, t168).sub_product(R::literal(5.0), t166);
+    let rod_v_x_dot = t157.add_product(t24, t168).sub_product(R::literal(5.0), t167);
+    let cylinder_omega_dot = (t132 * R::literal(2_777.777_777_777_778))
+        .sub_product(t21, t171)
+        .add_product(t22, t170)
+        .sub_product(R::literal(-2_777.777_777_777_778), t169)
+        .add_product(t23, t168);
+    let cylinder_v_y_dot = t152
+        .sub_product(R::literal(3.333_333_333_333_333_5), t170)
+        .add_product(t20, t168);
+    let cylinder_v_x_dot = t150
         .sub_product(R::literal(3.333_333_333_333_333_5), t171)
-        .add_product(t21, t169);
-    let cylinder_v_x_dot = t151
-        .sub_product(R::literal(3.333_333_333_333_333_5), t172)
-        .sub_product(t20, t169);
-    let plate_omega_dot = (t17 * t173)
-        .sub_product(t16, t174)
-        .sub_product(t16, t172)
-        .add_product(t17, t171)
-        .add_product(t18, t166)
-        .sub_product(t19, t165);
+        .sub_product(t19, t168);
+    let plate_omega_dot = (t16 * t172)
+        .sub_product(t15, t173)
+        .sub_product(t15, t171)
+        .add_product(t16, t170)
+        .add_product(t17, t165)
+        .sub_product(t18, t164);
     let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t172)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t170)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t164);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t171))
         .sub_product(R::literal(0.833_333_333_333_333_4), t173)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t171)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t165);
-    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t172))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t174)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t166);
-    let post_omega_dot = (t123 * R::literal(370.370_370_370_370_3))
-        .sub_product(t14, t176)
-        .add_product(t15, t175)
-        .sub_product(t14, t174)
-        .add_product(t15, t173);
+    let post_omega_dot = (t122 * R::literal(370.370_370_370_370_3))
+        .sub_product(t13, t175)
+        .add_product(t14, t174)
+        .sub_product(t13, t173)
+        .add_product(t14, t172);
     let post_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(1.25), t175)
-        .sub_product(R::literal(-1.25), t173);
-    let post_v_x_dot = (-(R::literal(-1.25) * t174)).sub_product(R::literal(1.25), t176);
-    let t177 = (R::literal(7.848) * post_v_y)
+        .sub_product(R::literal(1.25), t174)
+        .sub_product(R::literal(-1.25), t172);
+    let post_v_x_dot = (-(R::literal(-1.25) * t173)).sub_product(R::literal(1.25), t175);
+    let t176 = (R::literal(7.848) * post_v_y)
         .add_product(
-            R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), t122),
+            R::select_less(stop_closed, R::literal(0.5), R::literal(0.0), t121),
             post_omega,
         )
         .add_product(R::literal(11.772), plate_v_y)
-        .sub_product(t125, cylinder_v_x)
-        .add_product(t129, cylinder_v_y)
-        .add_product(t132, cylinder_omega)
-        .add_product(t125, rod_v_x)
-        .add_product(t135, rod_v_y)
+        .sub_product(t124, cylinder_v_x)
+        .add_product(t128, cylinder_v_y)
+        .add_product(t131, cylinder_omega)
+        .add_product(t124, rod_v_x)
+        .add_product(t134, rod_v_y)
         .add_product(
-            R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t137),
+            R::select_less(contact_closed, R::literal(0.5), R::literal(0.0), t136),
             bobbin_v_x,
         )
-        .add_product(t138, bobbin_v_y)
+        .add_product(t137, bobbin_v_y)
         .add_product(R::literal(0.8) * post_v_x, post_v_x_dot)
         .add_product(R::literal(0.8) * post_v_y, post_v_y_dot)
         .add_product(R::literal(0.0027) * post_omega, post_omega_dot)
         .add_product(R::literal(1.2) * plate_v_x, plate_v_x_dot)
         .add_product(R::literal(1.2) * plate_v_y, plate_v_y_dot)
         .add_product(R::literal(0.0025) * plate_omega, plate_omega_dot);
-    let t178 = (p.spring_damping * cylinder_omega * slide_rate * t11)
+    let t177 = (p.spring_damping * cylinder_omega * slide_rate * t10)
         .add_product(p.spring_damping * rod_v_x * slide_rate, cos_cylinder_phi)
         .add_product(p.spring_damping * rod_v_y * slide_rate, sin_cylinder_phi)
         + R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            p.contact_damping * bobbin_v_x * contact_rate * t9 / between
-                + p.contact_damping * bobbin_v_y * contact_rate * t10 / between,
+            p.contact_damping * bobbin_v_x * contact_rate * t8 / between
+                + p.contact_damping * bobbin_v_y * contact_rate * t9 / between,
         )
         + R::select_less(
             stop_closed,
@@ -5761,7 +5766,7 @@ pub fn power_balance<R: Real>(
             R::literal(1500.0) * (stop_rate * stop_rate),
         );
     PowerBalance {
-        stored_rate: t177
+        stored_rate: t176
             .add_product(R::literal(0.3) * cylinder_v_x, cylinder_v_x_dot)
             .add_product(R::literal(0.3) * cylinder_v_y, cylinder_v_y_dot)
             .add_product(R::literal(0.00036) * cylinder_omega, cylinder_omega_dot)
@@ -5771,7 +5776,7 @@ pub fn power_balance<R: Real>(
             .add_product(R::literal(0.7) * bobbin_v_x, bobbin_v_x_dot)
             .add_product(R::literal(0.7) * bobbin_v_y, bobbin_v_y_dot),
         supplied: R::literal(0.0),
-        dissipated: t178
+        dissipated: t177
             .sub_product(p.spring_damping * cylinder_v_x * slide_rate, cos_cylinder_phi)
             .sub_product(p.spring_damping * cylinder_v_y * slide_rate, sin_cylinder_phi),
     }
@@ -5788,8 +5793,7 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let post_omega = state[16];
     let bobbin_v_x = state[26];
     let bobbin_v_y = state[27];
-    let cos_post_phi = post_phi.cos();
-    let sin_post_phi = post_phi.sin();
+    let (sin_post_phi, cos_post_phi) = post_phi.sin_cos();
     let stop_gap = (R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi);
     let stop_rate = post_omega
@@ -5820,274 +5824,273 @@ pub fn guard_rates<R: Real>(
     rod_y, rod_phi, bobbin_x, bobbin_y, _, _, post_omega, _, _, plate_omega,
     cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x,
     bobbin_v_y, contact_closed, stop_closed] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
-    let t7 = R::literal(0.06) * sin_rod_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
     let stop_gap = (R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi);
-    let t8 = (R::literal(0.044) * sin_post_phi)
+    let t7 = (R::literal(0.044) * sin_post_phi)
         .add_product(R::literal(0.143), cos_post_phi);
-    let stop_rate = post_omega * t8;
-    let t9 = bobbin_x - R::literal(0.328);
-    let t10 = bobbin_y - R::literal(0.058);
-    let between = (t9 * t9).add_product(t10, t10).sqrt();
+    let stop_rate = post_omega * t7;
+    let t8 = bobbin_x - R::literal(0.328);
+    let t9 = bobbin_y - R::literal(0.058);
+    let between = (t8 * t8).add_product(t9, t9).sqrt();
     let contact_gap = between - R::literal(0.1);
     let rod_x_minus_cylinder_x = rod_x - cylinder_x;
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let contact_rate = (bobbin_v_x * t9).add_product(bobbin_v_y, t10) / between;
-    let t11 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let contact_rate = (bobbin_v_x * t8).add_product(bobbin_v_y, t9) / between;
+    let t10 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t11)
+        .add_product(cylinder_omega, t10)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
     let contact_stiffness_times_contact_gap = p.contact_stiffness * contact_gap;
     let contact_damping_times_contact_rate = p.contact_damping * contact_rate;
-    let t12 = (R::literal(0.01) * sin_plate_phi)
+    let t11 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t13 = (R::literal(0.01) * cos_plate_phi)
+    let t12 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
-    let t14 = t1 * R::literal(370.370_370_370_370_3);
-    let t15 = t0 * R::literal(370.370_370_370_370_3);
-    let t16 = t3 * R::literal(400.0);
-    let t17 = t2 * R::literal(400.0);
+    let t13 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t14 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t15 = R::literal(24.0) * sin_plate_phi;
+    let t16 = R::literal(24.0) * cos_plate_phi;
+    let t17 = t11 * R::literal(400.0);
     let t18 = t12 * R::literal(400.0);
-    let t19 = t13 * R::literal(400.0);
-    let t20 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t22 = t5 * R::literal(2_777.777_777_777_778);
-    let t23 = t4 * R::literal(2_777.777_777_777_778);
-    let t24 = slide * R::literal(2_777.777_777_777_778);
-    let t25 = sin_cylinder_phi * R::literal(5.0);
-    let t26 = cos_cylinder_phi * R::literal(5.0);
-    let t27 = t7 * R::literal(4_166.666_666_666_667);
-    let t28 = t6 * R::literal(4_166.666_666_666_667);
-    let t29 = t14 * t1;
-    let t30 = R::literal(-1.25) - t29;
-    let t31 = R::literal(1.0) / t30;
-    let t32 = t15 * t1;
-    let t33 = t32 * t31;
-    let t34 = R::literal(1.25) - t29;
-    let t35 = t34 * t31;
-    let t36 = t15 * t0;
-    let t37 = R::literal(-1.25) - t36;
-    let t38 = t33 * t32;
-    let t39 = R::literal(1.0) / (t37 - t38);
-    let t40 = (t14 * t0).sub_product(t35, t32);
-    let t41 = t40 * t39;
-    let t42 = R::literal(1.25) - t36 - t38;
-    let t43 = t42 * t39;
-    let t44 = t16 * t3;
-    let t45 = R::literal(1.0)
-        / (t30 - R::literal(0.833_333_333_333_333_4) - t44)
-            .sub_product(t35, t34)
-            .sub_product(t41, t40);
-    let t46 = t17 * t3;
-    let t47 = (t32 + t46).sub_product(t33, t34).sub_product(t43, t40);
-    let t48 = t47 * t45;
-    let t49 = R::literal(0.833_333_333_333_333_4) - t44;
-    let t50 = t49 * t45;
-    let t51 = t46 * t45;
-    let t52 = t18 * t3;
-    let t53 = R::literal(0.833_333_333_333_333_4) + t52;
-    let t54 = t53 * t45;
-    let t55 = t19 * t3;
-    let t56 = t55 * t45;
-    let t57 = t17 * t2;
-    let t58 = R::literal(1.0)
-        / (t37 - R::literal(0.833_333_333_333_333_4) - t57 - t38)
-            .sub_product(t43, t42)
-            .sub_product(t48, t47);
-    let t59 = (t16 * t2).sub_product(t50, t47);
-    let t60 = t59 * t58;
-    let t61 = (R::literal(0.833_333_333_333_333_4) - t57).sub_product(t51, t47);
-    let t62 = t61 * t58;
-    let t63 = -(t18 * t2);
-    let t64 = t63.sub_product(t54, t47);
-    let t65 = t64 * t58;
-    let t66 = t19 * t2;
-    let t67 = (R::literal(0.833_333_333_333_333_4) + t66).add_product(t56, t47);
-    let t68 = t67 * t58;
-    let t69 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t44
+    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t21 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t22 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t23 = slide * R::literal(2_777.777_777_777_778);
+    let t24 = sin_cylinder_phi * R::literal(5.0);
+    let t25 = cos_cylinder_phi * R::literal(5.0);
+    let t26 = R::literal(250.0) * sin_rod_phi;
+    let t27 = R::literal(250.0) * cos_rod_phi;
+    let t28 = t13 * t1;
+    let t29 = R::literal(-1.25) - t28;
+    let t30 = R::literal(1.0) / t29;
+    let t31 = t14 * t1;
+    let t32 = t31 * t30;
+    let t33 = R::literal(1.25) - t28;
+    let t34 = t33 * t30;
+    let t35 = t14 * t0;
+    let t36 = R::literal(-1.25) - t35;
+    let t37 = t32 * t31;
+    let t38 = R::literal(1.0) / (t36 - t37);
+    let t39 = (t13 * t0).sub_product(t34, t31);
+    let t40 = t39 * t38;
+    let t41 = R::literal(1.25) - t35 - t37;
+    let t42 = t41 * t38;
+    let t43 = t15 * t3;
+    let t44 = R::literal(1.0)
+        / (t29 - R::literal(0.833_333_333_333_333_4) - t43)
+            .sub_product(t34, t33)
+            .sub_product(t40, t39);
+    let t45 = t16 * t3;
+    let t46 = (t31 + t45).sub_product(t32, t33).sub_product(t42, t39);
+    let t47 = t46 * t44;
+    let t48 = R::literal(0.833_333_333_333_333_4) - t43;
+    let t49 = t48 * t44;
+    let t50 = t45 * t44;
+    let t51 = t17 * t3;
+    let t52 = R::literal(0.833_333_333_333_333_4) + t51;
+    let t53 = t52 * t44;
+    let t54 = t18 * t3;
+    let t55 = t54 * t44;
+    let t56 = t16 * t2;
+    let t57 = R::literal(1.0)
+        / (t36 - R::literal(0.833_333_333_333_333_4) - t56 - t37)
+            .sub_product(t42, t41)
+            .sub_product(t47, t46);
+    let t58 = (t15 * t2).sub_product(t49, t46);
+    let t59 = t58 * t57;
+    let t60 = (R::literal(0.833_333_333_333_333_4) - t56).sub_product(t50, t46);
+    let t61 = t60 * t57;
+    let t62 = -(t17 * t2);
+    let t63 = t62.sub_product(t53, t46);
+    let t64 = t63 * t57;
+    let t65 = t18 * t2;
+    let t66 = (R::literal(0.833_333_333_333_333_4) + t65).add_product(t55, t46);
+    let t67 = t66 * t57;
+    let t68 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t43
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t5)
-            .sub_product(t50, t49)
-            .sub_product(t60, t59);
-    let t70 = t46.add_product(t23, t5).sub_product(t51, t49).sub_product(t62, t59);
-    let t71 = t70 * t69;
-    let t72 = R::literal(-2_777.777_777_777_778) * t5;
-    let t73 = t72 * t69;
-    let t74 = (-t20).add_product(t24, t5);
-    let t75 = t74 * t69;
-    let t76 = (R::literal(-0.833_333_333_333_333_4) + t52)
-        .sub_product(t54, t49)
-        .sub_product(t65, t59);
-    let t77 = t76 * t69;
-    let t78 = (-t55).add_product(t56, t49).sub_product(t68, t59);
-    let t79 = t78 * t69;
-    let t80 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t57
+            .sub_product(t21, t5)
+            .sub_product(t49, t48)
+            .sub_product(t59, t58);
+    let t69 = t45.add_product(t22, t5).sub_product(t50, t48).sub_product(t61, t58);
+    let t70 = t69 * t68;
+    let t71 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t72 = t71 * t68;
+    let t73 = (-t19).add_product(t23, t5);
+    let t74 = t73 * t68;
+    let t75 = (R::literal(-0.833_333_333_333_333_4) + t51)
+        .sub_product(t53, t48)
+        .sub_product(t64, t58);
+    let t76 = t75 * t68;
+    let t77 = (-t54).add_product(t55, t48).sub_product(t67, t58);
+    let t78 = t77 * t68;
+    let t79 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t56
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t23, t4)
-            .sub_product(t51, t46)
-            .sub_product(t62, t61)
-            .sub_product(t71, t70);
-    let t81 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t73, t70);
-    let t82 = t81 * t80;
-    let t83 = t21.sub_product(t24, t4).sub_product(t75, t70);
-    let t84 = t83 * t80;
-    let t85 = t63.sub_product(t54, t46).sub_product(t65, t61).sub_product(t77, t70);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(-0.833_333_333_333_333_4) + t66)
-        .add_product(t56, t46)
-        .sub_product(t68, t61)
-        .sub_product(t79, t70);
-    let t88 = t87 * t80;
-    let t89 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t73, t72).sub_product(t82, t81);
-    let t90 = (-t24).add_product(t75, t72).sub_product(t84, t81);
-    let t91 = t90 * t89;
-    let t92 = t27 * t89;
-    let t93 = t28 * t89;
-    let t94 = (t77 * t72).sub_product(t86, t81);
-    let t95 = t94 * t89;
-    let t96 = (t79 * t72).sub_product(t88, t81);
-    let t97 = t96 * t89;
-    let t98 = R::literal(1.0)
-        / (-(t20 * sin_cylinder_phi))
-            .sub_product(t21, cos_cylinder_phi)
-            .sub_product(t24, slide)
-            .sub_product(t25, sin_cylinder_phi)
-            .sub_product(t26, cos_cylinder_phi)
-            .sub_product(t75, t74)
-            .sub_product(t84, t83)
-            .sub_product(t91, t90);
-    let t99 = t25.sub_product(t92, t90);
-    let t100 = t99 * t98;
-    let t101 = (-t26).add_product(t93, t90);
-    let t102 = t101 * t98;
-    let t103 = (-(t77 * t74)).sub_product(t86, t83).sub_product(t95, t90);
-    let t104 = t103 * t98;
-    let t105 = (-(t79 * t74)).sub_product(t88, t83).sub_product(t97, t90);
-    let t106 = t105 * t98;
-    let t107 = R::literal(1.0)
+            .sub_product(t22, t4)
+            .sub_product(t50, t45)
+            .sub_product(t61, t60)
+            .sub_product(t70, t69);
+    let t80 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t72, t69);
+    let t81 = t80 * t79;
+    let t82 = t20.sub_product(t23, t4).sub_product(t74, t69);
+    let t83 = t82 * t79;
+    let t84 = t62.sub_product(t53, t45).sub_product(t64, t60).sub_product(t76, t69);
+    let t85 = t84 * t79;
+    let t86 = (R::literal(-0.833_333_333_333_333_4) + t65)
+        .add_product(t55, t45)
+        .sub_product(t67, t60)
+        .sub_product(t78, t69);
+    let t87 = t86 * t79;
+    let t88 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t72, t71).sub_product(t81, t80);
+    let t89 = (-t23).add_product(t74, t71).sub_product(t83, t80);
+    let t90 = t89 * t88;
+    let t91 = t26 * t88;
+    let t92 = t27 * t88;
+    let t93 = (t76 * t71).sub_product(t85, t80);
+    let t94 = t93 * t88;
+    let t95 = (t78 * t71).sub_product(t87, t80);
+    let t96 = t95 * t88;
+    let t97 = R::literal(1.0)
+        / (-(t20 * cos_cylinder_phi))
+            .sub_product(t19, sin_cylinder_phi)
+            .sub_product(t23, slide)
+            .sub_product(t24, sin_cylinder_phi)
+            .sub_product(t25, cos_cylinder_phi)
+            .sub_product(t74, t73)
+            .sub_product(t83, t82)
+            .sub_product(t90, t89);
+    let t98 = t24.sub_product(t91, t89);
+    let t99 = t98 * t97;
+    let t100 = (-t25).add_product(t92, t89);
+    let t101 = t100 * t97;
+    let t102 = (-(t76 * t73)).sub_product(t85, t82).sub_product(t94, t89);
+    let t103 = t102 * t97;
+    let t104 = (-(t78 * t73)).sub_product(t87, t82).sub_product(t96, t89);
+    let t105 = t104 * t97;
+    let t106 = R::literal(1.0)
         / R::literal(-5.0)
-            .sub_product(t27, t7)
+            .sub_product(t26, t6)
+            .sub_product(t91, t26)
+            .sub_product(t99, t98);
+    let t107 = (t27 * t6).add_product(t92, t26).sub_product(t101, t98);
+    let t108 = t107 * t106;
+    let t109 = (-(t94 * t26)).sub_product(t103, t98);
+    let t110 = t109 * t106;
+    let t111 = (-(t96 * t26)).sub_product(t105, t98);
+    let t112 = t111 * t106;
+    let t113 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t27, R::literal(0.06) * cos_rod_phi)
             .sub_product(t92, t27)
-            .sub_product(t100, t99);
-    let t108 = (t28 * t7).add_product(t93, t27).sub_product(t102, t99);
-    let t109 = t108 * t107;
-    let t110 = (-(t95 * t27)).sub_product(t104, t99);
-    let t111 = t110 * t107;
-    let t112 = (-(t97 * t27)).sub_product(t106, t99);
-    let t113 = t112 * t107;
-    let t114 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t28, t6)
-            .sub_product(t93, t28)
-            .sub_product(t102, t101)
-            .sub_product(t109, t108);
-    let t115 = (t95 * t28).sub_product(t104, t101).sub_product(t111, t108);
-    let t116 = t115 * t114;
-    let t117 = (t97 * t28).sub_product(t106, t101).sub_product(t113, t108);
-    let t118 = t117 * t114;
-    let t119 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
+            .sub_product(t101, t100)
+            .sub_product(t108, t107);
+    let t114 = (t94 * t27).sub_product(t103, t100).sub_product(t110, t107);
+    let t115 = t114 * t113;
+    let t116 = (t96 * t27).sub_product(t105, t100).sub_product(t112, t107);
+    let t117 = t116 * t113;
+    let t118 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t11)
             - R::literal(1.428_571_428_571_428_6))
-            .sub_product(t54, t53)
-            .sub_product(t65, t64)
-            .sub_product(t77, t76)
-            .sub_product(t86, t85)
-            .sub_product(t95, t94)
-            .sub_product(t104, t103)
-            .sub_product(t111, t110)
-            .sub_product(t116, t115);
-    let t120 = (t19 * t12)
-        .add_product(t56, t53)
-        .sub_product(t68, t64)
-        .sub_product(t79, t76)
-        .sub_product(t88, t85)
-        .sub_product(t97, t94)
-        .sub_product(t106, t103)
-        .sub_product(t113, t110)
-        .sub_product(t118, t115);
-    let t121 = t120 * t119;
-    let t122 = R::select_less(
+            .sub_product(t53, t52)
+            .sub_product(t64, t63)
+            .sub_product(t76, t75)
+            .sub_product(t85, t84)
+            .sub_product(t94, t93)
+            .sub_product(t103, t102)
+            .sub_product(t110, t109)
+            .sub_product(t115, t114);
+    let t119 = (t18 * t11)
+        .add_product(t55, t52)
+        .sub_product(t67, t63)
+        .sub_product(t78, t75)
+        .sub_product(t87, t84)
+        .sub_product(t96, t93)
+        .sub_product(t105, t102)
+        .sub_product(t112, t109)
+        .sub_product(t117, t114);
+    let t120 = t119 * t118;
+    let t121 = R::select_less(
         stop_closed,
         R::literal(0.5),
         R::literal(0.0),
-        (-(R::literal(1_000_000.0) * stop_gap * t8))
-            .sub_product(R::literal(1500.0) * stop_rate, t8),
+        (-(R::literal(1_000_000.0) * stop_gap * t7))
+            .sub_product(R::literal(1500.0) * stop_rate, t7),
     );
-    let t123 = p.spring_stiffness * (slide - R::literal(0.116));
-    let t124 = t123 * cos_cylinder_phi;
+    let t122 = p.spring_stiffness * (slide - R::literal(0.116));
+    let t123 = t122 * cos_cylinder_phi;
     let spring_damping_times_slide_rate = p.spring_damping * slide_rate;
-    let t125 = spring_damping_times_slide_rate * cos_cylinder_phi;
-    let t126 = t124 + t125;
-    let t127 = t123 * sin_cylinder_phi;
-    let t128 = spring_damping_times_slide_rate * sin_cylinder_phi;
-    let t129 = t128 - (R::literal(2.943) - t127);
-    let t130 = (-(t123 * t11)).sub_product(spring_damping_times_slide_rate, t11);
-    let t131 = -t124 - t125;
-    let t132 = -t128 - (R::literal(1.962) + t127);
+    let t124 = spring_damping_times_slide_rate * cos_cylinder_phi;
+    let t125 = t123 + t124;
+    let t126 = t122 * sin_cylinder_phi;
+    let t127 = spring_damping_times_slide_rate * sin_cylinder_phi;
+    let t128 = t127 - (R::literal(2.943) - t126);
+    let t129 = (-(t122 * t10)).sub_product(spring_damping_times_slide_rate, t10);
+    let t130 = -t123 - t124;
+    let t131 = -t127 - (R::literal(1.962) + t126);
+    let t132 = contact_damping_times_contact_rate * t8;
     let t133 = contact_damping_times_contact_rate * t9;
-    let t134 = contact_damping_times_contact_rate * t10;
-    let t135 = R::literal(0.1) * (post_omega * post_omega);
-    let t136 = t135 * cos_post_phi;
-    let t137 = t135 * sin_post_phi;
+    let t134 = R::literal(0.1) * (post_omega * post_omega);
+    let t135 = t134 * cos_post_phi;
+    let t136 = t134 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t138 = R::literal(0.06) * plate_omega_squared;
+    let t137 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t139 = R::literal(0.06) * (rod_omega * rod_omega);
-    let t140 = t14 * t122;
-    let t141 = -t136 - t140;
-    let t142 = t15 * t122;
-    let t143 = t33 * t141;
-    let t144 = -t137 - R::literal(-9.81) + t142 - t143;
-    let t145 = (-t136.add_product(t138, cos_plate_phi) - t140)
-        .sub_product(t35, t141)
-        .sub_product(t41, t144);
-    let t146 = (-t137.add_product(t138, sin_plate_phi) - R::literal(9.81) + t142
-        - R::literal(-9.81) - t143)
-        .sub_product(t43, t144)
-        .sub_product(t48, t145);
-    let t147 = (-(R::literal(0.06)
+    let t138 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t139 = t13 * t121;
+    let t140 = -t135 - t139;
+    let t141 = t14 * t121;
+    let t142 = t32 * t140;
+    let t143 = -t136 - R::literal(-9.81) + t141 - t142;
+    let t144 = (-t135.add_product(t137, cos_plate_phi) - t139)
+        .sub_product(t34, t140)
+        .sub_product(t40, t143);
+    let t145 = (-t136.add_product(t137, sin_plate_phi) - R::literal(9.81) + t141
+        - R::literal(-9.81) - t142)
+        .sub_product(t42, t143)
+        .sub_product(t47, t144);
+    let t146 = (-(R::literal(0.06)
         * (plate_omega_squared * cos_plate_phi)
             .add_product(cylinder_omega_squared, cos_cylinder_phi)))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t126)
-        .sub_product(t22, t130)
-        .sub_product(t50, t145)
-        .sub_product(t60, t146);
-    let t148 = R::literal(-9.81)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t125)
+        .sub_product(t21, t129)
+        .sub_product(t49, t144)
+        .sub_product(t59, t145);
+    let t147 = R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
         )
-        .sub_product(R::literal(3.333_333_333_333_333_5), t129)
-        .add_product(t23, t130)
-        .sub_product(t51, t145)
-        .sub_product(t62, t146)
-        .sub_product(t71, t147);
-    let t149 = (-(R::literal(-2_777.777_777_777_778) * t130))
-        .add_product(t73, t147)
-        .sub_product(t82, t148);
-    let t150 = (cylinder_omega
+        .sub_product(R::literal(3.333_333_333_333_333_5), t128)
+        .add_product(t22, t129)
+        .sub_product(t50, t144)
+        .sub_product(t61, t145)
+        .sub_product(t70, t146);
+    let t148 = (-(R::literal(-2_777.777_777_777_778) * t129))
+        .add_product(t72, t146)
+        .sub_product(t81, t147);
+    let t149 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -6096,149 +6099,149 @@ pub fn guard_rates<R: Real>(
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t20, t126)
-        .add_product(t21, t129)
+        .sub_product(t19, t125)
+        .add_product(t20, t128)
+        .add_product(t23, t129)
         .add_product(t24, t130)
-        .add_product(t25, t131)
-        .sub_product(t26, t132)
-        .sub_product(t75, t147)
-        .sub_product(t84, t148);
-    let t151 = t150.sub_product(t91, t149);
-    let t152 = (t139 * cos_rod_phi)
+        .sub_product(t25, t131)
+        .sub_product(t74, t146)
+        .sub_product(t83, t147);
+    let t150 = t149.sub_product(t90, t148);
+    let t151 = (t138 * cos_rod_phi)
+        .sub_product(R::literal(5.0), t130)
+        .sub_product(t91, t148)
+        .sub_product(t99, t150);
+    let t152 = (t138 * sin_rod_phi)
         .sub_product(R::literal(5.0), t131)
-        .sub_product(t92, t149)
-        .sub_product(t100, t151);
-    let t153 = (t139 * sin_rod_phi)
-        .sub_product(R::literal(5.0), t132)
-        .add_product(t93, t149)
-        .sub_product(t102, t151)
-        .sub_product(t109, t152);
-    let t154 = R::literal(1.428_571_428_571_428_6)
+        .add_product(t92, t148)
+        .sub_product(t101, t150)
+        .sub_product(t108, t151);
+    let t153 = R::literal(1.428_571_428_571_428_6)
         * R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(contact_stiffness_times_contact_gap * t9 / between) - t133 / between,
+            -(contact_stiffness_times_contact_gap * t8 / between) - t132 / between,
         );
-    let t155 = (-t154)
-        .add_product(t13, plate_omega_squared)
-        .sub_product(t54, t145)
-        .sub_product(t65, t146)
-        .sub_product(t77, t147)
-        .sub_product(t86, t148)
-        .sub_product(t95, t149)
-        .sub_product(t104, t151)
-        .sub_product(t111, t152)
-        .sub_product(t116, t153);
-    let t156 = R::literal(1.428_571_428_571_428_6)
+    let t154 = (-t153)
+        .add_product(t12, plate_omega_squared)
+        .sub_product(t53, t144)
+        .sub_product(t64, t145)
+        .sub_product(t76, t146)
+        .sub_product(t85, t147)
+        .sub_product(t94, t148)
+        .sub_product(t103, t150)
+        .sub_product(t110, t151)
+        .sub_product(t115, t152);
+    let t155 = R::literal(1.428_571_428_571_428_6)
         * (R::select_less(
             contact_closed,
             R::literal(0.5),
             R::literal(0.0),
-            -(t134 / between),
+            -(t133 / between),
         )
             - (R::literal(6.867)
                 + R::select_less(
                     contact_closed,
                     R::literal(0.5),
                     R::literal(0.0),
-                    contact_stiffness_times_contact_gap * t10 / between,
+                    contact_stiffness_times_contact_gap * t9 / between,
                 )));
-    let t157 = (R::literal(-9.81).add_product(t12, plate_omega_squared) - t156)
-        .add_product(t56, t145)
-        .sub_product(t68, t146)
-        .sub_product(t79, t147)
-        .sub_product(t88, t148)
-        .sub_product(t97, t149)
-        .sub_product(t106, t151)
-        .sub_product(t113, t152)
-        .sub_product(t118, t153)
-        .sub_product(t121, t155)
+    let t156 = (R::literal(-9.81).add_product(t11, plate_omega_squared) - t155)
+        .add_product(t55, t144)
+        .sub_product(t67, t145)
+        .sub_product(t78, t146)
+        .sub_product(t87, t147)
+        .sub_product(t96, t148)
+        .sub_product(t105, t150)
+        .sub_product(t112, t151)
+        .sub_product(t117, t152)
+        .sub_product(t120, t154)
         * (R::literal(1.0)
-            / (R::literal(-0.833_333_333_333_333_4).sub_product(t19, t13)
+            / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t12)
                 - R::literal(1.428_571_428_571_428_6))
-                .sub_product(t56, t55)
-                .sub_product(t68, t67)
-                .sub_product(t79, t78)
-                .sub_product(t88, t87)
-                .sub_product(t97, t96)
-                .sub_product(t106, t105)
-                .sub_product(t113, t112)
-                .sub_product(t118, t117)
-                .sub_product(t121, t120));
-    let t158 = (t155 * t119).sub_product(t121, t157);
-    let t159 = (t153 * t114).sub_product(t116, t158).sub_product(t118, t157);
-    let t160 = (t152 * t107)
-        .sub_product(t109, t159)
-        .sub_product(t111, t158)
-        .sub_product(t113, t157);
-    let t161 = (t151 * t98)
-        .sub_product(t100, t160)
-        .sub_product(t102, t159)
-        .sub_product(t104, t158)
-        .sub_product(t106, t157);
-    let t162 = (t149 * t89)
-        .sub_product(t91, t161)
-        .sub_product(t92, t160)
-        .add_product(t93, t159)
-        .sub_product(t95, t158)
-        .sub_product(t97, t157);
-    let t163 = (t148 * t80)
-        .sub_product(t82, t162)
-        .sub_product(t84, t161)
-        .sub_product(t86, t158)
-        .sub_product(t88, t157);
-    let t164 = (t147 * t69)
-        .sub_product(t71, t163)
-        .add_product(t73, t162)
-        .sub_product(t75, t161)
-        .sub_product(t77, t158)
-        .sub_product(t79, t157);
-    let t165 = (t146 * t58)
-        .sub_product(t60, t164)
-        .sub_product(t62, t163)
-        .sub_product(t65, t158)
-        .sub_product(t68, t157);
-    let t166 = (t145 * t45)
-        .sub_product(t48, t165)
-        .sub_product(t50, t164)
-        .sub_product(t51, t163)
-        .sub_product(t54, t158)
-        .add_product(t56, t157);
-    let t167 = (t144 * t39).sub_product(t41, t166).sub_product(t43, t165);
-    let bobbin_v_y_dot = t156.sub_product(R::literal(1.428_571_428_571_428_6), t157);
-    let bobbin_v_x_dot = t154.sub_product(R::literal(1.428_571_428_571_428_6), t158);
-    let post_omega_dot = (t122 * R::literal(370.370_370_370_370_3))
+                .sub_product(t55, t54)
+                .sub_product(t67, t66)
+                .sub_product(t78, t77)
+                .sub_product(t87, t86)
+                .sub_product(t96, t95)
+                .sub_product(t105, t104)
+                .sub_product(t112, t111)
+                .sub_product(t117, t116)
+                .sub_product(t120, t119));
+    let t157 = (t154 * t118).sub_product(t120, t156);
+    let t158 = (t152 * t113).sub_product(t115, t157).sub_product(t117, t156);
+    let t159 = (t151 * t106)
+        .sub_product(t108, t158)
+        .sub_product(t110, t157)
+        .sub_product(t112, t156);
+    let t160 = (t150 * t97)
+        .sub_product(t99, t159)
+        .sub_product(t101, t158)
+        .sub_product(t103, t157)
+        .sub_product(t105, t156);
+    let t161 = (t148 * t88)
+        .sub_product(t90, t160)
+        .sub_product(t91, t159)
+        .add_product(t92, t158)
+        .sub_product(t94, t157)
+        .sub_product(t96, t156);
+    let t162 = (t147 * t79)
+        .sub_product(t81, t161)
+        .sub_product(t83, t160)
+        .sub_product(t85, t157)
+        .sub_product(t87, t156);
+    let t163 = (t146 * t68)
+        .sub_product(t70, t162)
+        .add_product(t72, t161)
+        .sub_product(t74, t160)
+        .sub_product(t76, t157)
+        .sub_product(t78, t156);
+    let t164 = (t145 * t57)
+        .sub_product(t59, t163)
+        .sub_product(t61, t162)
+        .sub_product(t64, t157)
+        .sub_product(t67, t156);
+    let t165 = (t144 * t44)
+        .sub_product(t47, t164)
+        .sub_product(t49, t163)
+        .sub_product(t50, t162)
+        .sub_product(t53, t157)
+        .add_product(t55, t156);
+    let t166 = (t143 * t38).sub_product(t40, t165).sub_product(t42, t164);
+    let bobbin_v_y_dot = t155.sub_product(R::literal(1.428_571_428_571_428_6), t156);
+    let bobbin_v_x_dot = t153.sub_product(R::literal(1.428_571_428_571_428_6), t157);
+    let post_omega_dot = (t121 * R::literal(370.370_370_370_370_3))
         .sub_product(
-            t14,
-            (t141 * t31)
-                .sub_product(t33, t167)
-                .sub_product(t35, t166)
-                .sub_product(t33, t165),
+            t13,
+            (t140 * t30)
+                .sub_product(t32, t166)
+                .sub_product(t34, t165)
+                .sub_product(t32, t164),
         )
-        .add_product(t15, t167)
-        .sub_product(t14, t166)
-        .add_product(t15, t165);
+        .add_product(t14, t166)
+        .sub_product(t13, t165)
+        .add_product(t14, t164);
     let between_squared = between * between;
-    let contact_touches_guard_rate = (t9 / between * bobbin_v_x)
-        .add_product(t10 / between, bobbin_v_y);
-    let contact_opens_guard_rate = ((t133 / between_squared
-        - p.contact_damping * bobbin_v_x / between - p.contact_stiffness * t9 / between)
+    let contact_touches_guard_rate = (t8 / between * bobbin_v_x)
+        .add_product(t9 / between, bobbin_v_y);
+    let contact_opens_guard_rate = ((t132 / between_squared
+        - p.contact_damping * bobbin_v_x / between - p.contact_stiffness * t8 / between)
         * bobbin_v_x)
         .add_product(
-            t134 / between_squared - p.contact_damping * bobbin_v_y / between
-                - p.contact_stiffness * t10 / between,
+            t133 / between_squared - p.contact_damping * bobbin_v_y / between
+                - p.contact_stiffness * t9 / between,
             bobbin_v_y,
         )
-        .sub_product(p.contact_damping * t9 / between, bobbin_v_x_dot)
-        .sub_product(p.contact_damping * t10 / between, bobbin_v_y_dot);
+        .sub_product(p.contact_damping * t8 / between, bobbin_v_x_dot)
+        .sub_product(p.contact_damping * t9 / between, bobbin_v_y_dot);
     let stop_opens_guard_rate = ((R::literal(214.5) * post_omega * sin_post_phi)
         .sub_product(R::literal(143_000.0), cos_post_phi)
         .sub_product(R::literal(44000.0), sin_post_phi)
         .sub_product(R::literal(66.0) * post_omega, cos_post_phi) * post_omega)
         .add_product(
-            (-(R::literal(214.5) * cos_post_phi))
-                .sub_product(R::literal(66.0), sin_post_phi),
+            (-(R::literal(66.0) * sin_post_phi))
+                .sub_product(R::literal(214.5), cos_post_phi),
             post_omega_dot,
         );
     [
@@ -6272,26 +6275,29 @@ pub fn constraint_values<R: Real>(
 ) -> [R; CONSTRAINTS] {
     let [post_x, post_y, post_phi, plate_x, plate_y, plate_phi, cylinder_x, cylinder_y,
     cylinder_phi, rod_x, rod_y, rod_phi, bobbin_x, bobbin_y, ..] = *state;
-    let t0 = R::literal(0.1) * post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
+    let t0 = R::literal(0.1) * cos_post_phi;
     let post_start_x = post_x - t0;
-    let t1 = R::literal(0.1) * post_phi.sin();
+    let t1 = R::literal(0.1) * sin_post_phi;
     let post_start_y = post_y - t1;
     let post_end_x = post_x + t0;
     let post_end_y = post_y + t1;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
     let plate_start_x = plate_x - t2;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
     let plate_start_y = plate_y - t3;
     let plate_end_x = plate_x + t2;
     let plate_end_y = plate_y + t3;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let cylinder_start_x = cylinder_x.sub_product(R::literal(0.06), cos_cylinder_phi);
-    let sin_cylinder_phi = cylinder_phi.sin();
     let cylinder_start_y = cylinder_y.sub_product(R::literal(0.06), sin_cylinder_phi);
-    let rod_end_x = rod_x.add_product(R::literal(0.06), rod_phi.cos());
-    let rod_end_y = rod_y.add_product(R::literal(0.06), rod_phi.sin());
+    let rod_end_x = rod_x.add_product(R::literal(0.06), cos_rod_phi);
+    let rod_end_y = rod_y.add_product(R::literal(0.06), sin_rod_phi);
     let axle_x = plate_x
         .add_product(R::literal(0.1), sin_plate_phi)
         .sub_product(R::literal(0.01), cos_plate_phi);
@@ -6337,16 +6343,19 @@ pub fn constraint_rates<R: Real>(
     rod_y, rod_phi, _, _, post_v_x, post_v_y, post_omega, plate_v_x, plate_v_y,
     plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
     bobbin_v_x, bobbin_v_y, ..] = *state;
-    let cos_plate_phi = plate_phi.cos();
-    let sin_plate_phi = plate_phi.sin();
-    let cos_cylinder_phi = cylinder_phi.cos();
-    let sin_cylinder_phi = cylinder_phi.sin();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
         .add_product(rod_y - cylinder_y, sin_cylinder_phi);
     let t0 = R::literal(0.1) * post_omega;
-    let t1 = t0 * post_phi.sin();
+    let t1 = t0 * sin_post_phi;
     let pin_o_x_rate = post_v_x + t1;
-    let t2 = t0 * post_phi.cos();
+    let t2 = t0 * cos_post_phi;
     let pin_o_y_rate = post_v_y - t2;
     let t3 = R::literal(0.06) * plate_omega;
     let t4 = t3 * sin_plate_phi;
@@ -6363,8 +6372,8 @@ pub fn constraint_rates<R: Real>(
         .sub_product(cylinder_omega, slide)
         .sub_product(rod_v_x, sin_cylinder_phi);
     let t7 = R::literal(0.06) * rod_omega;
-    let pin_e_x_rate = rod_v_x.sub_product(t7, rod_phi.sin());
-    let pin_e_y_rate = rod_v_y.add_product(t7, rod_phi.cos());
+    let pin_e_x_rate = rod_v_x.sub_product(t7, sin_rod_phi);
+    let pin_e_y_rate = rod_v_y.add_product(t7, cos_rod_phi);
     let axle_a_x_rate = (bobbin_v_x - plate_v_x)
         .sub_product(
             plate_omega,
@@ -6404,15 +6413,18 @@ pub fn constraint_matrix<R: Real>(
 ) -> [R; 37] {
     let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
     rod_y, rod_phi, ..] = *state;
-    let t0 = R::literal(0.1) * post_phi.sin();
-    let cos_plate_phi = plate_phi.cos();
-    let sin_plate_phi = plate_phi.sin();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
+    let t0 = R::literal(0.1) * sin_post_phi;
     let t1 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
-    let sin_cylinder_phi = cylinder_phi.sin();
     let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
         .add_product(rod_y - cylinder_y, sin_cylinder_phi);
-    let t2 = -(R::literal(0.1) * post_phi.cos());
+    let t2 = -(R::literal(0.1) * cos_post_phi);
     let t3 = -(R::literal(0.06) * cos_plate_phi);
     [
         R::literal(1.0),
@@ -6443,9 +6455,9 @@ pub fn constraint_matrix<R: Real>(
         -sin_cylinder_phi,
         cos_cylinder_phi,
         R::literal(1.0),
-        -(R::literal(0.06) * rod_phi.sin()),
+        -(R::literal(0.06) * sin_rod_phi),
         R::literal(1.0),
-        R::literal(0.06) * rod_phi.cos(),
+        R::literal(0.06) * cos_rod_phi,
         R::literal(-1.0),
         -(R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi),
         R::literal(1.0),

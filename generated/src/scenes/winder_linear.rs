@@ -39,8 +39,8 @@
 //   mass_matrix              10
 //   forcing                  36
 //   rate_jacobian            16
-//   parameter_jacobian      181
-//   time_derivative          51
+//   parameter_jacobian      202
+//   time_derivative          60
 //   outputs                  43
 //   energy                   31
 //   power_balance            59
@@ -427,16 +427,18 @@ pub fn prepared_rate<R: Real>(
     let [holder_x, holder_v] = *state;
     let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(c.package_speed, time).cos(),
-        );
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(c.package_speed, time),
+    ]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
-        .sub_product(c.t1, t0.sin());
+    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
+        .sub_product(c.t1, t1);
     let layer_compression_rate = shape_rate - holder_v;
     let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
         - (p.holder_stiffness * holder_x)
@@ -478,16 +480,18 @@ pub fn forcing<R: Real>(
     let package_speed = p.winding_speed / p.holder_package_radius;
     let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(package_speed, time).cos(),
-        );
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
     let holder_x_forcing = force.add_product(p.layer_viscosity, layer_compression_rate)
         - (p.holder_stiffness * holder_x)
@@ -523,7 +527,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 181 operations.
+/// 202 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -533,82 +537,80 @@ pub fn parameter_jacobian<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = (p.holder_package_radius * p.holder_package_radius)
-        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
-    let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t2 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0)
-        + t2 / p.holder_holder_arm;
-    let t3 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let t4 = t3.cos();
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let cos_drum_speed_times_time = drum_speed_times_time.cos();
+    let t1 = p.force_phase + drum_speed_times_time;
+    let t2 = p.package_phase.add_product(package_speed, time);
+    let [(t3, t4), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t5, t6),
+    (t7, t8)] = R::sin_cos_each([t0, drum_speed_times_time, t1, t2]);
+    let t9 = (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let t10 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let t11 = p.holder_link_mass * p.holder_link_arm;
+    let holder_mass = p.holder_bobbin_mass.add_product(t10 * p.holder_yarn_density, t9)
+        + t11 / p.holder_holder_arm;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t4);
-    let t5 = p.force_phase + drum_speed_times_time;
-    let t6 = t5.cos();
-    let t7 = p.package_phase.add_product(package_speed, time);
-    let t8 = t7.cos();
     let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
-    let t9 = t3.sin();
-    let t10 = R::literal(2.0) * p.ovality;
-    let t11 = t10 * drum_speed;
-    let sin_drum_speed_times_time = drum_speed_times_time.sin();
-    let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(t11, t9);
+    let t12 = R::literal(2.0) * p.ovality;
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(t12 * drum_speed, t3);
     let layer_compression_rate = shape_rate - holder_v;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
         - (p.holder_stiffness * holder_x)
             .sub_product(p.layer_stiffness, layer_compression)) * inverse_holder_mass;
-    let t12 = t5.sin();
-    let t13 = t7.sin();
-    let t14 = t10 / p.drum_radius;
-    let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t15 = R::literal(4.0) * p.ovality;
-    let t16 = eccentricity_times_drum_speed / p.drum_radius;
-    let t17 = t16 * time;
-    let holder_v_dot_by_winding_speed = (p.layer_stiffness
-        * (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time))
-            .sub_product(t14 * time, t9))
-        .add_product(
-            p.layer_viscosity,
-            (-(t15 * drum_speed / p.drum_radius * time * t4))
-                .sub_product(t14, t9)
-                .sub_product(t17, cos_drum_speed_times_time)
-                .sub_product(eccentricity_over_drum_radius, sin_drum_speed_times_time),
+    let t13 = R::literal(4.0) * p.winding_speed * p.ovality;
+    let t14 = R::literal(2.0) * p.drum_radius * p.ovality;
+    let t15 = t14 * p.holder_package_radius;
+    let winding_speed_times_eccentricity = p.winding_speed * p.eccentricity;
+    let drum_radius_times_force_amplitude = p.drum_radius * p.force_amplitude;
+    let drum_radius_times_eccentricity = p.drum_radius * p.eccentricity;
+    let t16 = drum_radius_times_eccentricity * p.holder_package_radius;
+    let drum_radius_squared = p.drum_radius * p.drum_radius;
+    let t17 = (-(t15 * p.layer_stiffness * time * t3))
+        .sub_product(t13 * p.holder_package_radius * p.layer_viscosity * time, t4)
+        .sub_product(t15 * p.layer_viscosity, t3)
+        .sub_product(
+            winding_speed_times_eccentricity * p.holder_package_radius
+                * p.layer_viscosity * time,
+            cos_drum_speed_times_time,
         )
-        .sub_product(p.force_amplitude / p.drum_radius * time, t12)
-        .sub_product(p.package_force / p.holder_package_radius * time, t13)
-        * inverse_holder_mass;
-    let t18 = t11 / p.drum_radius;
-    let drum_speed_squared = drum_speed * drum_speed;
-    let holder_v_dot_by_drum_radius = (p.force_amplitude * drum_speed / p.drum_radius
-        * time * t12)
-        .add_product(
-            p.layer_stiffness,
-            (t17 * sin_drum_speed_times_time).add_product(t18 * time, t9),
+        .sub_product(
+            drum_radius_times_force_amplitude * p.holder_package_radius * time,
+            t5,
         )
-        .add_product(
-            p.layer_viscosity,
-            (t18 * t9)
-                .add_product(t15 * drum_speed_squared / p.drum_radius * time, t4)
-                .add_product(
-                    p.eccentricity * drum_speed_squared / p.drum_radius * time,
-                    cos_drum_speed_times_time,
-                )
-                .add_product(t16, sin_drum_speed_times_time),
-        ) * inverse_holder_mass;
+        .sub_product(t16 * p.layer_stiffness * time, sin_drum_speed_times_time)
+        .sub_product(p.package_force * drum_radius_squared * time, t7)
+        .sub_product(t16 * p.layer_viscosity, sin_drum_speed_times_time);
+    let holder_v_dot_by_winding_speed = R::literal(1.0)
+        / (drum_radius_squared * p.holder_package_radius) * t17 * inverse_holder_mass;
+    let holder_v_dot_by_drum_radius = drum_speed / drum_radius_squared
+        * (t14 * p.layer_stiffness * time * t3)
+            .add_product(t14 * p.layer_viscosity, t3)
+            .add_product(t13 * p.layer_viscosity * time, t4)
+            .add_product(
+                winding_speed_times_eccentricity * p.layer_viscosity * time,
+                cos_drum_speed_times_time,
+            )
+            .add_product(drum_radius_times_force_amplitude * time, t5)
+            .add_product(
+                drum_radius_times_eccentricity * p.layer_stiffness * time,
+                sin_drum_speed_times_time,
+            )
+            .add_product(
+                drum_radius_times_eccentricity * p.layer_viscosity,
+                sin_drum_speed_times_time,
+            ) * inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * inverse_holder_mass;
-    let holder_v_dot_by_force_phase = -(p.force_amplitude * t12 * inverse_holder_mass);
+    let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * inverse_holder_mass;
-    let holder_v_dot_by_package_phase = -(p.package_force * t13 * inverse_holder_mass);
+    let holder_v_dot_by_package_phase = -(p.package_force * t7 * inverse_holder_mass);
     let holder_v_dot_by_ovality = (p.layer_stiffness * t4)
-        .sub_product(R::literal(2.0) * p.layer_viscosity * drum_speed, t9)
+        .sub_product(R::literal(2.0) * p.layer_viscosity * drum_speed, t3)
         * inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(t10 * p.layer_viscosity * drum_speed * t4))
-        .sub_product(p.ovality * p.layer_stiffness, t9) * inverse_holder_mass;
+    let holder_v_dot_by_ovality_phase = (-(p.ovality * p.layer_stiffness * t3))
+        .sub_product(t12 * p.layer_viscosity * drum_speed, t4) * inverse_holder_mass;
     let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
         .sub_product(p.layer_viscosity * drum_speed, sin_drum_speed_times_time)
         * inverse_holder_mass;
@@ -617,11 +619,11 @@ pub fn parameter_jacobian<R: Real>(
         * holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_link_arm = -(p.holder_link_mass / p.holder_holder_arm
         * holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_holder_arm = t2
+    let holder_v_dot_by_holder_holder_arm = t11
         / (p.holder_holder_arm * p.holder_holder_arm) * holder_v_dot
         * inverse_holder_mass;
     let holder_v_dot_by_holder_package_radius = (p.package_force * package_speed
-        / p.holder_package_radius * time * t13)
+        / p.holder_package_radius * time * t7)
         .sub_product(
             R::literal(core::f64::consts::TAU) * p.holder_package_radius
                 * p.holder_package_width * p.holder_yarn_density,
@@ -631,12 +633,16 @@ pub fn parameter_jacobian<R: Real>(
         * p.holder_bobbin_radius * p.holder_package_width * p.holder_yarn_density
         * holder_v_dot * inverse_holder_mass;
     let holder_v_dot_by_holder_package_width = -(R::literal(core::f64::consts::PI)
-        * p.holder_yarn_density * t0 * holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_yarn_density = -(t1 * t0 * holder_v_dot
+        * p.holder_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
+    let holder_v_dot_by_holder_yarn_density = -(t10 * t9 * holder_v_dot
         * inverse_holder_mass);
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
     let holder_v_dot_by_layer_stiffness = layer_compression * inverse_holder_mass;
-    let holder_v_dot_by_layer_viscosity = layer_compression_rate * inverse_holder_mass;
+    let holder_v_dot_by_layer_viscosity = R::literal(1.0) / p.drum_radius
+        * (-(p.drum_radius * holder_v))
+            .sub_product(R::literal(2.0) * p.winding_speed * p.ovality, t3)
+            .sub_product(winding_speed_times_eccentricity, sin_drum_speed_times_time)
+        * inverse_holder_mass;
     [
         holder_v_dot_by_winding_speed,
         holder_v_dot_by_drum_radius,
@@ -663,7 +669,7 @@ pub fn parameter_jacobian<R: Real>(
 
 /// Partial derivative of `y'` with respect to time.
 ///
-/// 51 operations.
+/// 60 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(
     time: R,
@@ -672,6 +678,15 @@ pub fn time_derivative<R: Real>(
 ) -> [R; STATES] {
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let drum_speed_times_time = drum_speed * time;
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t3, _),
+    (t4, _)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -680,25 +695,26 @@ pub fn time_derivative<R: Real>(
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let drum_speed_times_time = drum_speed * time;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
-    let drum_speed_squared = drum_speed * drum_speed;
-    let holder_v_dot_by_time = (p.layer_stiffness * shape_rate)
-        .add_product(
-            p.layer_viscosity,
-            (-(p.eccentricity * drum_speed_squared * drum_speed_times_time.cos()))
-                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t0.cos()),
+    let t5 = (-(R::literal(2.0) * p.drum_radius * p.ovality * p.holder_package_radius
+        * p.layer_stiffness * t1))
+        .sub_product(
+            R::literal(4.0) * p.winding_speed * p.ovality * p.holder_package_radius
+                * p.layer_viscosity,
+            t2,
         )
         .sub_product(
-            p.force_amplitude * drum_speed,
-            (p.force_phase + drum_speed_times_time).sin(),
+            p.winding_speed * p.eccentricity * p.holder_package_radius
+                * p.layer_viscosity,
+            cos_drum_speed_times_time,
         )
+        .sub_product(p.drum_radius * p.force_amplitude * p.holder_package_radius, t3)
         .sub_product(
-            p.package_force * package_speed,
-            p.package_phase.add_product(package_speed, time).sin(),
-        ) * (R::literal(1.0) / holder_mass);
+            p.drum_radius * p.eccentricity * p.holder_package_radius * p.layer_stiffness,
+            sin_drum_speed_times_time,
+        )
+        .sub_product(p.package_force * (p.drum_radius * p.drum_radius), t4);
+    let holder_v_dot_by_time = drum_speed / (p.drum_radius * p.holder_package_radius)
+        * t5 * (R::literal(1.0) / holder_mass);
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
@@ -710,6 +726,15 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let drum_speed_times_time = drum_speed * time;
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -718,18 +743,11 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let drum_speed_times_time = drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(package_speed, time).cos(),
-        );
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
     Outputs {
         deflection: holder_x,
@@ -748,6 +766,10 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
 pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let [(_, t0), (_, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
+        drum_speed * time,
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -756,11 +778,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * (drum_speed * time).cos())
-        .add_product(
-            p.ovality,
-            p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time).cos(),
-        );
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let layer_compression = shape - holder_x;
     Energy {
         kinetic: R::literal(0.5) * holder_mass * (holder_v * holder_v),
@@ -785,6 +803,15 @@ pub fn power_balance<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let drum_speed_times_time = drum_speed * time;
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -793,29 +820,22 @@ pub fn power_balance<R: Real>(
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let drum_speed_times_time = drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(package_speed, time).cos(),
-        );
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
-    let t1 = p.layer_stiffness * layer_compression;
-    let t2 = (-t1).add_product(p.holder_stiffness, holder_x);
+    let t5 = p.layer_stiffness * layer_compression;
+    let t6 = (-t5).add_product(p.holder_stiffness, holder_x);
     let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
-        - t2) * (R::literal(1.0) / holder_mass);
-    let t3 = t1 * shape_rate;
+        - t6) * (R::literal(1.0) / holder_mass);
+    let t7 = t5 * shape_rate;
     PowerBalance {
-        stored_rate: t3
-            .add_product(t2, holder_v)
+        stored_rate: t7
+            .add_product(t6, holder_v)
             .add_product(holder_mass * holder_v, holder_v_dot),
-        supplied: t3.add_product(holder_v, force),
+        supplied: t7.add_product(holder_v, force),
         dissipated: -(p.layer_viscosity * holder_v * layer_compression_rate),
     }
 }
@@ -967,9 +987,13 @@ pub const SWITCHES: usize = 0;
 /// 50 operations.
 #[must_use]
 pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
+    let [(sin_ovality_phase, cos_ovality_phase), (sin_force_phase, cos_force_phase),
+    (sin_package_phase, cos_package_phase)] = R::sin_cos_each([
+        p.ovality_phase,
+        p.force_phase,
+        p.package_phase,
+    ]);
     let winding_speed_over_drum_radius = p.winding_speed / p.drum_radius;
-    let cos_ovality_phase = p.ovality_phase.cos();
-    let sin_ovality_phase = p.ovality_phase.sin();
     let t0 = R::literal(2.0) * p.ovality * winding_speed_over_drum_radius;
     let t1 = R::literal(1.0)
         / (p
@@ -984,19 +1008,19 @@ pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
         R::literal(0.0),
         winding_speed_over_drum_radius,
         (p.eccentricity * p.layer_stiffness)
-            .add_product(p.force_phase.cos(), p.force_amplitude) * t1,
+            .add_product(cos_force_phase, p.force_amplitude) * t1,
         (-(p.eccentricity * winding_speed_over_drum_radius * p.layer_viscosity))
-            .sub_product(p.force_phase.sin(), p.force_amplitude) * t1,
+            .sub_product(sin_force_phase, p.force_amplitude) * t1,
         R::literal(0.0),
         p.winding_speed / p.holder_package_radius,
-        p.package_phase.cos() * p.package_force * t1,
-        -(p.package_phase.sin() * p.package_force * t1),
+        cos_package_phase * p.package_force * t1,
+        -(sin_package_phase * p.package_force * t1),
         R::literal(0.0),
         R::literal(2.0) * winding_speed_over_drum_radius,
         (cos_ovality_phase * p.ovality * p.layer_stiffness)
             .sub_product(sin_ovality_phase * t0, p.layer_viscosity) * t1,
-        (-(cos_ovality_phase * t0 * p.layer_viscosity))
-            .sub_product(sin_ovality_phase * p.ovality, p.layer_stiffness) * t1,
+        (-(sin_ovality_phase * p.ovality * p.layer_stiffness))
+            .sub_product(cos_ovality_phase * t0, p.layer_viscosity) * t1,
     ]
 }
 

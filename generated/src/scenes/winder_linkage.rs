@@ -75,22 +75,22 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                   1010
+//   rate                   1006
 //   mass_matrix               0
 //   forcing                  51
-//   rate_jacobian          7667
-//   parameter_jacobian     2224
+//   rate_jacobian          7665
+//   parameter_jacobian     2220
 //   time_derivative           0
-//   outputs                 804
+//   outputs                 800
 //   energy                   72
-//   power_balance          1103
+//   power_balance          1099
 //   constraint_values        62
-//   constraint_rates         84
+//   constraint_rates         89
 //   constraint_matrix        48
 // With constants of the parameters, prepared once a run:
 //   prepare                   5
-//   prepared_rate          1005
-//   prepared_rate_jacobian 7662
+//   prepared_rate          1001
+//   prepared_rate_jacobian 7660
 
 use crate::{
     Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
@@ -996,7 +996,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `q''` of `M q'' = f + G^T lambda` with `g'' = 0`, `h`; in the units of the states per second.
 ///
-/// 1010 operations.
+/// 1006 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
@@ -1005,7 +1005,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 1005 operations.
+/// 1001 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -1019,22 +1019,20 @@ pub fn prepared_rate<R: Real>(
     post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
     cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega,
     drum_v_x, drum_v_y, drum_omega] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
-    let t7 = R::literal(0.06) * sin_rod_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_x_minus_drum_x_squared = bobbin_x_minus_drum_x * bobbin_x_minus_drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
@@ -1044,362 +1042,359 @@ pub fn prepared_rate<R: Real>(
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t8)
+        .add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t9 = (R::literal(0.044) * sin_post_phi)
+    let t8 = (R::literal(0.044) * sin_post_phi)
         .add_product(R::literal(0.143), cos_post_phi);
-    let t10 = (R::literal(0.01) * sin_plate_phi)
+    let t9 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t11 = (R::literal(0.01) * cos_plate_phi)
+    let t10 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t12 = t1 * R::literal(370.370_370_370_370_3);
-    let t13 = t0 * R::literal(370.370_370_370_370_3);
-    let t14 = t9 * R::literal(370.370_370_370_370_3);
-    let t15 = t3 * R::literal(400.0);
-    let t16 = t2 * R::literal(400.0);
+    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t13 = t8 * R::literal(370.370_370_370_370_3);
+    let t14 = R::literal(24.0) * sin_plate_phi;
+    let t15 = R::literal(24.0) * cos_plate_phi;
+    let t16 = t9 * R::literal(400.0);
     let t17 = t10 * R::literal(400.0);
-    let t18 = t11 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = t5 * R::literal(2_777.777_777_777_778);
-    let t22 = t4 * R::literal(2_777.777_777_777_778);
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = t7 * R::literal(4_166.666_666_666_667);
-    let t27 = t6 * R::literal(4_166.666_666_666_667);
-    let t28 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
-    let t29 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
-    let t30 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t31 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
-    let t32 = t12 * t1;
-    let t33 = R::literal(-1.25) - t32;
-    let t34 = R::literal(1.0) / t33;
-    let t35 = t13 * t1;
-    let t36 = t35 * t34;
-    let t37 = R::literal(1.25) - t32;
-    let t38 = t37 * t34;
-    let t39 = t14 * t1;
-    let t40 = t39 * t34;
-    let t41 = t13 * t0;
-    let t42 = R::literal(-1.25) - t41;
-    let t43 = t36 * t35;
-    let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = (t12 * t0).sub_product(t38, t35);
-    let t46 = t45 * t44;
-    let t47 = R::literal(1.25) - t41 - t43;
-    let t48 = t47 * t44;
-    let t49 = (t14 * t0).add_product(t40, t35);
-    let t50 = t49 * t44;
-    let t51 = t15 * t3;
-    let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
-            .sub_product(t38, t37)
-            .sub_product(t46, t45);
-    let t53 = t16 * t3;
-    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
-    let t55 = t54 * t52;
-    let t56 = R::literal(0.833_333_333_333_333_4) - t51;
-    let t57 = t56 * t52;
-    let t58 = t53 * t52;
-    let t59 = t17 * t3;
-    let t60 = R::literal(0.833_333_333_333_333_4) + t59;
-    let t61 = t60 * t52;
-    let t62 = t18 * t3;
-    let t63 = t62 * t52;
-    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
-    let t65 = t64 * t52;
-    let t66 = t16 * t2;
-    let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
-            .sub_product(t48, t47)
-            .sub_product(t55, t54);
-    let t68 = (t15 * t2).sub_product(t57, t54);
-    let t69 = t68 * t67;
-    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
-    let t71 = t70 * t67;
-    let t72 = -(t17 * t2);
-    let t73 = t72.sub_product(t61, t54);
-    let t74 = t73 * t67;
-    let t75 = t18 * t2;
-    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
-    let t77 = t76 * t67;
-    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
-    let t79 = t78 * t67;
-    let t80 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t51
+    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t22 = slide * R::literal(2_777.777_777_777_778);
+    let t23 = sin_cylinder_phi * R::literal(5.0);
+    let t24 = cos_cylinder_phi * R::literal(5.0);
+    let t25 = R::literal(250.0) * sin_rod_phi;
+    let t26 = R::literal(250.0) * cos_rod_phi;
+    let t27 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
+    let t28 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
+    let t29 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
+    let t30 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t31 = t11 * t1;
+    let t32 = R::literal(-1.25) - t31;
+    let t33 = R::literal(1.0) / t32;
+    let t34 = t12 * t1;
+    let t35 = t34 * t33;
+    let t36 = R::literal(1.25) - t31;
+    let t37 = t36 * t33;
+    let t38 = t13 * t1;
+    let t39 = t38 * t33;
+    let t40 = t12 * t0;
+    let t41 = R::literal(-1.25) - t40;
+    let t42 = t35 * t34;
+    let t43 = R::literal(1.0) / (t41 - t42);
+    let t44 = (t11 * t0).sub_product(t37, t34);
+    let t45 = t44 * t43;
+    let t46 = R::literal(1.25) - t40 - t42;
+    let t47 = t46 * t43;
+    let t48 = (t13 * t0).add_product(t39, t34);
+    let t49 = t48 * t43;
+    let t50 = t14 * t3;
+    let t51 = R::literal(1.0)
+        / (t32 - R::literal(0.833_333_333_333_333_4) - t50)
+            .sub_product(t37, t36)
+            .sub_product(t45, t44);
+    let t52 = t15 * t3;
+    let t53 = (t34 + t52).sub_product(t35, t36).sub_product(t47, t44);
+    let t54 = t53 * t51;
+    let t55 = R::literal(0.833_333_333_333_333_4) - t50;
+    let t56 = t55 * t51;
+    let t57 = t52 * t51;
+    let t58 = t16 * t3;
+    let t59 = R::literal(0.833_333_333_333_333_4) + t58;
+    let t60 = t59 * t51;
+    let t61 = t17 * t3;
+    let t62 = t61 * t51;
+    let t63 = (-t38).add_product(t39, t36).sub_product(t49, t44);
+    let t64 = t63 * t51;
+    let t65 = t15 * t2;
+    let t66 = R::literal(1.0)
+        / (t41 - R::literal(0.833_333_333_333_333_4) - t65 - t42)
+            .sub_product(t47, t46)
+            .sub_product(t54, t53);
+    let t67 = (t14 * t2).sub_product(t56, t53);
+    let t68 = t67 * t66;
+    let t69 = (R::literal(0.833_333_333_333_333_4) - t65).sub_product(t57, t53);
+    let t70 = t69 * t66;
+    let t71 = -(t16 * t2);
+    let t72 = t71.sub_product(t60, t53);
+    let t73 = t72 * t66;
+    let t74 = t17 * t2;
+    let t75 = (R::literal(0.833_333_333_333_333_4) + t74).add_product(t62, t53);
+    let t76 = t75 * t66;
+    let t77 = t48.sub_product(t49, t46).sub_product(t64, t53);
+    let t78 = t77 * t66;
+    let t79 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t50
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t57, t56)
-            .sub_product(t69, t68);
-    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
-    let t82 = t81 * t80;
-    let t83 = R::literal(-2_777.777_777_777_778) * t5;
-    let t84 = t83 * t80;
-    let t85 = (-t19).add_product(t23, t5);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
-        .sub_product(t61, t56)
-        .sub_product(t74, t68);
-    let t88 = t87 * t80;
-    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
-    let t90 = t89 * t80;
-    let t91 = (-(t65 * t56)).sub_product(t79, t68);
-    let t92 = t91 * t80;
-    let t93 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t66
+            .sub_product(t20, t5)
+            .sub_product(t56, t55)
+            .sub_product(t68, t67);
+    let t80 = t52.add_product(t21, t5).sub_product(t57, t55).sub_product(t70, t67);
+    let t81 = t80 * t79;
+    let t82 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t83 = t82 * t79;
+    let t84 = (-t18).add_product(t22, t5);
+    let t85 = t84 * t79;
+    let t86 = (R::literal(-0.833_333_333_333_333_4) + t58)
+        .sub_product(t60, t55)
+        .sub_product(t73, t67);
+    let t87 = t86 * t79;
+    let t88 = (-t61).add_product(t62, t55).sub_product(t76, t67);
+    let t89 = t88 * t79;
+    let t90 = (-(t64 * t55)).sub_product(t78, t67);
+    let t91 = t90 * t79;
+    let t92 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t65
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t58, t53)
-            .sub_product(t71, t70)
-            .sub_product(t82, t81);
-    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
-    let t95 = t94 * t93;
-    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
-    let t97 = t96 * t93;
-    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
-    let t99 = t98 * t93;
-    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
-        .add_product(t63, t53)
-        .sub_product(t77, t70)
-        .sub_product(t90, t81);
-    let t101 = t100 * t93;
-    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
-    let t103 = t102 * t93;
-    let t104 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
-    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
-    let t106 = t105 * t104;
-    let t107 = t26 * t104;
-    let t108 = t27 * t104;
-    let t109 = (t88 * t83).sub_product(t99, t94);
-    let t110 = t109 * t104;
-    let t111 = (t90 * t83).sub_product(t101, t94);
-    let t112 = t111 * t104;
-    let t113 = (t92 * t83).sub_product(t103, t94);
-    let t114 = t113 * t104;
-    let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi))
-            .sub_product(t20, cos_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t86, t85)
-            .sub_product(t97, t96)
-            .sub_product(t106, t105);
-    let t116 = t24.sub_product(t107, t105);
-    let t117 = t116 * t115;
-    let t118 = (-t25).add_product(t108, t105);
-    let t119 = t118 * t115;
-    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
-    let t121 = t120 * t115;
-    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
-    let t123 = t122 * t115;
-    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
-    let t125 = t124 * t115;
-    let t126 = R::literal(1.0)
+            .sub_product(t21, t4)
+            .sub_product(t57, t52)
+            .sub_product(t70, t69)
+            .sub_product(t81, t80);
+    let t93 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t83, t80);
+    let t94 = t93 * t92;
+    let t95 = t19.sub_product(t22, t4).sub_product(t85, t80);
+    let t96 = t95 * t92;
+    let t97 = t71.sub_product(t60, t52).sub_product(t73, t69).sub_product(t87, t80);
+    let t98 = t97 * t92;
+    let t99 = (R::literal(-0.833_333_333_333_333_4) + t74)
+        .add_product(t62, t52)
+        .sub_product(t76, t69)
+        .sub_product(t89, t80);
+    let t100 = t99 * t92;
+    let t101 = (-(t64 * t52)).sub_product(t78, t69).sub_product(t91, t80);
+    let t102 = t101 * t92;
+    let t103 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t83, t82).sub_product(t94, t93);
+    let t104 = (-t22).add_product(t85, t82).sub_product(t96, t93);
+    let t105 = t104 * t103;
+    let t106 = t25 * t103;
+    let t107 = t26 * t103;
+    let t108 = (t87 * t82).sub_product(t98, t93);
+    let t109 = t108 * t103;
+    let t110 = (t89 * t82).sub_product(t100, t93);
+    let t111 = t110 * t103;
+    let t112 = (t91 * t82).sub_product(t102, t93);
+    let t113 = t112 * t103;
+    let t114 = R::literal(1.0)
+        / (-(t19 * cos_cylinder_phi))
+            .sub_product(t18, sin_cylinder_phi)
+            .sub_product(t22, slide)
+            .sub_product(t23, sin_cylinder_phi)
+            .sub_product(t24, cos_cylinder_phi)
+            .sub_product(t85, t84)
+            .sub_product(t96, t95)
+            .sub_product(t105, t104);
+    let t115 = t23.sub_product(t106, t104);
+    let t116 = t115 * t114;
+    let t117 = (-t24).add_product(t107, t104);
+    let t118 = t117 * t114;
+    let t119 = (-(t87 * t84)).sub_product(t98, t95).sub_product(t109, t104);
+    let t120 = t119 * t114;
+    let t121 = (-(t89 * t84)).sub_product(t100, t95).sub_product(t111, t104);
+    let t122 = t121 * t114;
+    let t123 = (-(t91 * t84)).sub_product(t102, t95).sub_product(t113, t104);
+    let t124 = t123 * t114;
+    let t125 = R::literal(1.0)
         / R::literal(-5.0)
-            .sub_product(t26, t7)
+            .sub_product(t25, t6)
+            .sub_product(t106, t25)
+            .sub_product(t116, t115);
+    let t126 = (t26 * t6).add_product(t107, t25).sub_product(t118, t115);
+    let t127 = t126 * t125;
+    let t128 = (-(t109 * t25)).sub_product(t120, t115);
+    let t129 = t128 * t125;
+    let t130 = (-(t111 * t25)).sub_product(t122, t115);
+    let t131 = t130 * t125;
+    let t132 = (-(t113 * t25)).sub_product(t124, t115);
+    let t133 = t132 * t125;
+    let t134 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
             .sub_product(t107, t26)
-            .sub_product(t117, t116);
-    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
-    let t128 = t127 * t126;
-    let t129 = (-(t110 * t26)).sub_product(t121, t116);
-    let t130 = t129 * t126;
-    let t131 = (-(t112 * t26)).sub_product(t123, t116);
-    let t132 = t131 * t126;
-    let t133 = (-(t114 * t26)).sub_product(t125, t116);
-    let t134 = t133 * t126;
-    let t135 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, t6)
-            .sub_product(t108, t27)
-            .sub_product(t119, t118)
-            .sub_product(t128, t127);
-    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
-    let t137 = t136 * t135;
-    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
-    let t139 = t138 * t135;
-    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
-    let t141 = t140 * t135;
-    let t142 = R::literal(1.0)
+            .sub_product(t118, t117)
+            .sub_product(t127, t126);
+    let t135 = (t109 * t26).sub_product(t120, t117).sub_product(t129, t126);
+    let t136 = t135 * t134;
+    let t137 = (t111 * t26).sub_product(t122, t117).sub_product(t131, t126);
+    let t138 = t137 * t134;
+    let t139 = (t113 * t26).sub_product(t124, t117).sub_product(t133, t126);
+    let t140 = t139 * t134;
+    let t141 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
+            - c.inverse_bobbin_mass)
+            .sub_product(t60, t59)
+            .sub_product(t73, t72)
+            .sub_product(t87, t86)
+            .sub_product(t98, t97)
+            .sub_product(t109, t108)
+            .sub_product(t120, t119)
+            .sub_product(t129, t128)
+            .sub_product(t136, t135);
+    let t142 = (t17 * t9)
+        .add_product(t62, t59)
+        .sub_product(t76, t72)
+        .sub_product(t89, t86)
+        .sub_product(t100, t97)
+        .sub_product(t111, t108)
+        .sub_product(t122, t119)
+        .sub_product(t131, t128)
+        .sub_product(t138, t135);
+    let t143 = t142 * t141;
+    let t144 = t27 * t141;
+    let t145 = (-(t64 * t59))
+        .sub_product(t78, t72)
+        .sub_product(t91, t86)
+        .sub_product(t102, t97)
+        .sub_product(t113, t108)
+        .sub_product(t124, t119)
+        .sub_product(t133, t128)
+        .sub_product(t140, t135);
+    let t146 = t145 * t141;
+    let t147 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
             - c.inverse_bobbin_mass)
-            .sub_product(t61, t60)
-            .sub_product(t74, t73)
-            .sub_product(t88, t87)
-            .sub_product(t99, t98)
-            .sub_product(t110, t109)
-            .sub_product(t121, t120)
-            .sub_product(t130, t129)
-            .sub_product(t137, t136);
-    let t143 = (t18 * t10)
-        .add_product(t63, t60)
-        .sub_product(t77, t73)
-        .sub_product(t90, t87)
-        .sub_product(t101, t98)
-        .sub_product(t112, t109)
-        .sub_product(t123, t120)
-        .sub_product(t132, t129)
-        .sub_product(t139, t136);
-    let t144 = t143 * t142;
-    let t145 = t28 * t142;
-    let t146 = (-(t65 * t60))
-        .sub_product(t79, t73)
-        .sub_product(t92, t87)
-        .sub_product(t103, t98)
-        .sub_product(t114, t109)
-        .sub_product(t125, t120)
-        .sub_product(t134, t129)
-        .sub_product(t141, t136);
-    let t147 = t146 * t142;
-    let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
-            - c.inverse_bobbin_mass)
-            .sub_product(t63, t62)
-            .sub_product(t77, t76)
-            .sub_product(t90, t89)
-            .sub_product(t101, t100)
-            .sub_product(t112, t111)
-            .sub_product(t123, t122)
-            .sub_product(t132, t131)
-            .sub_product(t139, t138)
-            .sub_product(t144, t143);
-    let t149 = (-t29).add_product(t145, t143);
-    let t150 = t149 * t148;
-    let t151 = (t65 * t62)
-        .sub_product(t79, t76)
-        .sub_product(t92, t89)
-        .sub_product(t103, t100)
-        .sub_product(t114, t111)
-        .sub_product(t125, t122)
-        .sub_product(t134, t131)
-        .sub_product(t141, t138)
-        .sub_product(t147, t143);
-    let t152 = t151 * t148;
-    let t153 = t30 * R::literal(-1.5);
-    let t154 = t31 * R::literal(-1.5);
-    let t155 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between))
-            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
-            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t145, t28)
-            .sub_product(t150, t149)
-            .sub_product(t153, t30)
-            .sub_product(t154, t31);
-    let t156 = (t147 * t28).sub_product(t152, t149);
-    let t157 = t156 * t155;
-    let t158 = R::literal(1.0)
-        / (-(t14 * t9))
-            .sub_product(t40, t39)
-            .sub_product(t50, t49)
-            .sub_product(t65, t64)
-            .sub_product(t79, t78)
-            .sub_product(t92, t91)
-            .sub_product(t103, t102)
-            .sub_product(t114, t113)
-            .sub_product(t125, t124)
-            .sub_product(t134, t133)
-            .sub_product(t141, t140)
-            .sub_product(t147, t146)
-            .sub_product(t152, t151)
-            .sub_product(t157, t156);
-    let t159 = R::literal(50.0) * slide_rate;
-    let t160 = t159 * cos_cylinder_phi;
-    let t161 = p.spring_stiffness * (slide - p.spring_free_length);
-    let t162 = t161 * cos_cylinder_phi;
-    let t163 = t160 + t162;
-    let t164 = t161 * sin_cylinder_phi;
-    let t165 = t159 * sin_cylinder_phi;
-    let t166 = t165 - (R::literal(2.943) - t164);
-    let t167 = (-(t161 * t8)).sub_product(t159, t8);
-    let t168 = -t160 - t162;
-    let t169 = -t165 - (R::literal(1.962) + t164);
-    let t170 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t171 = p.winding_force * bobbin_x_minus_drum_x / between - c.t0;
+            .sub_product(t62, t61)
+            .sub_product(t76, t75)
+            .sub_product(t89, t88)
+            .sub_product(t100, t99)
+            .sub_product(t111, t110)
+            .sub_product(t122, t121)
+            .sub_product(t131, t130)
+            .sub_product(t138, t137)
+            .sub_product(t143, t142);
+    let t148 = (-t28).add_product(t144, t142);
+    let t149 = t148 * t147;
+    let t150 = (t64 * t61)
+        .sub_product(t78, t75)
+        .sub_product(t91, t88)
+        .sub_product(t102, t99)
+        .sub_product(t113, t110)
+        .sub_product(t124, t121)
+        .sub_product(t133, t130)
+        .sub_product(t140, t137)
+        .sub_product(t146, t142);
+    let t151 = t150 * t147;
+    let t152 = t29 * bobbin_x_minus_drum_x_over_between;
+    let t153 = t30 * bobbin_y_minus_drum_y_over_between;
+    let t154 = R::literal(1.0)
+        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
+            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t152 - t153)
+            .sub_product(t144, t27)
+            .sub_product(t149, t148) + t152 + t153);
+    let t155 = (t146 * t27).sub_product(t151, t148);
+    let t156 = t155 * t154;
+    let t157 = R::literal(1.0)
+        / (-(t13 * t8))
+            .sub_product(t39, t38)
+            .sub_product(t49, t48)
+            .sub_product(t64, t63)
+            .sub_product(t78, t77)
+            .sub_product(t91, t90)
+            .sub_product(t102, t101)
+            .sub_product(t113, t112)
+            .sub_product(t124, t123)
+            .sub_product(t133, t132)
+            .sub_product(t140, t139)
+            .sub_product(t146, t145)
+            .sub_product(t151, t150)
+            .sub_product(t156, t155);
+    let t158 = R::literal(50.0) * slide_rate;
+    let t159 = t158 * cos_cylinder_phi;
+    let t160 = p.spring_stiffness * (slide - p.spring_free_length);
+    let t161 = t160 * cos_cylinder_phi;
+    let t162 = t159 + t161;
+    let t163 = t160 * sin_cylinder_phi;
+    let t164 = t158 * sin_cylinder_phi;
+    let t165 = t164 - (R::literal(2.943) - t163);
+    let t166 = (-(t160 * t7)).sub_product(t158, t7);
+    let t167 = -t159 - t161;
+    let t168 = -t164 - (R::literal(1.962) + t163);
+    let t169 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t170 = p.winding_force * bobbin_x_minus_drum_x / between - c.t0;
     let post_omega_squared = post_omega * post_omega;
-    let t172 = R::literal(0.1) * post_omega_squared;
-    let t173 = t172 * cos_post_phi;
-    let t174 = t172 * sin_post_phi;
+    let t171 = R::literal(0.1) * post_omega_squared;
+    let t172 = t171 * cos_post_phi;
+    let t173 = t171 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t175 = R::literal(0.06) * plate_omega_squared;
+    let t174 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t176 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t175 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t177 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t176 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t178 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t177 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t179 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t180 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t178 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t179 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t181 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t180 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t182 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t181 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t183 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t182 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t184 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t185 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t179 + t180 - t177 - t178 - drum_v_x_over_between))
+    let t183 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t184 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t178 + t179 - t176 - t177 - drum_v_x_over_between))
         .add_product(
             bobbin_v_y,
-            bobbin_v_y_over_between + t183 + t184 - t181 - t182 - drum_v_y_over_between,
+            bobbin_v_y_over_between + t182 + t183 - t180 - t181 - drum_v_y_over_between,
         )
         .add_product(
             drum_v_x,
-            t177 + t178 + drum_v_x_over_between - bobbin_v_x_over_between - t179 - t180,
+            t176 + t177 + drum_v_x_over_between - bobbin_v_x_over_between - t178 - t179,
         )
         .add_product(
             drum_v_y,
-            t181 + t182 + drum_v_y_over_between - bobbin_v_y_over_between - t183 - t184,
+            t180 + t181 + drum_v_y_over_between - bobbin_v_y_over_between - t182 - t183,
         );
-    let t186 = t36 * t173;
-    let t187 = -t174 - R::literal(-9.81) + t186;
-    let t188 = t15 * c.bobbin_radius_times_winding_force;
-    let t189 = (t188 - t173.add_product(t175, cos_plate_phi))
-        .add_product(t38, t173)
-        .sub_product(t46, t187);
-    let t190 = t16 * c.bobbin_radius_times_winding_force;
-    let t191 = (-t174.add_product(t175, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t190 + t186)
-        .sub_product(t48, t187)
-        .sub_product(t55, t189);
-    let t192 = R::literal(3.333_333_333_333_333_5) * t163;
-    let t193 = (t188
+    let t185 = t35 * t172;
+    let t186 = -t173 - R::literal(-9.81) + t185;
+    let t187 = t14 * c.bobbin_radius_times_winding_force;
+    let t188 = (t187 - t172.add_product(t174, cos_plate_phi))
+        .add_product(t37, t172)
+        .sub_product(t45, t186);
+    let t189 = t15 * c.bobbin_radius_times_winding_force;
+    let t190 = (-t173.add_product(t174, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t189 + t185)
+        .sub_product(t47, t186)
+        .sub_product(t54, t188);
+    let t191 = R::literal(3.333_333_333_333_333_5) * t162;
+    let t192 = (t187
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * cos_plate_phi)
                 .add_product(cylinder_omega_squared, cos_cylinder_phi),
-        ) - t192)
-        .sub_product(t21, t167)
-        .sub_product(t57, t189)
-        .sub_product(t69, t191);
-    let t194 = R::literal(3.333_333_333_333_333_5) * t166;
-    let t195 = (R::literal(-9.81)
+        ) - t191)
+        .sub_product(t20, t166)
+        .sub_product(t56, t188)
+        .sub_product(t68, t190);
+    let t193 = R::literal(3.333_333_333_333_333_5) * t165;
+    let t194 = (R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t190 - t194)
-        .add_product(t22, t167)
-        .sub_product(t58, t189)
-        .sub_product(t71, t191)
-        .sub_product(t82, t193);
-    let t196 = (-(R::literal(-2_777.777_777_777_778) * t167))
-        .add_product(t84, t193)
-        .sub_product(t95, t195);
-    let t197 = (cylinder_omega
+        ) - t189 - t193)
+        .add_product(t21, t166)
+        .sub_product(t57, t188)
+        .sub_product(t70, t190)
+        .sub_product(t81, t192);
+    let t195 = (-(R::literal(-2_777.777_777_777_778) * t166))
+        .add_product(t83, t192)
+        .sub_product(t94, t194);
+    let t196 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -1408,189 +1403,198 @@ pub fn prepared_rate<R: Real>(
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t19, t163)
-        .add_product(t20, t166)
+        .sub_product(t18, t162)
+        .add_product(t19, t165)
+        .add_product(t22, t166)
         .add_product(t23, t167)
-        .add_product(t24, t168)
-        .sub_product(t25, t169)
-        .sub_product(t86, t193)
-        .sub_product(t97, t195);
-    let t198 = t197.sub_product(t106, t196);
-    let t199 = R::literal(5.0) * t168;
-    let t200 = (-t199)
-        .add_product(t176, cos_rod_phi)
-        .sub_product(t107, t196)
-        .sub_product(t117, t198);
-    let t201 = R::literal(5.0) * t169;
-    let t202 = (-t201)
-        .add_product(t176, sin_rod_phi)
-        .add_product(t108, t196)
-        .sub_product(t119, t198)
-        .sub_product(t128, t200);
-    let t203 = c.inverse_bobbin_mass * t170;
-    let t204 = ((t11 * plate_omega_squared)
-        .sub_product(t17, c.bobbin_radius_times_winding_force) + t203)
-        .sub_product(t61, t189)
-        .sub_product(t74, t191)
-        .sub_product(t88, t193)
-        .sub_product(t99, t195)
-        .sub_product(t110, t196)
-        .sub_product(t121, t198)
-        .sub_product(t130, t200)
-        .sub_product(t137, t202);
-    let t205 = c.inverse_bobbin_mass * t171;
-    let t206 = (R::literal(-9.81)
-        .add_product(t10, plate_omega_squared)
-        .add_product(t18, c.bobbin_radius_times_winding_force) - t205)
-        .add_product(t63, t189)
-        .sub_product(t77, t191)
-        .sub_product(t90, t193)
-        .sub_product(t101, t195)
-        .sub_product(t112, t196)
-        .sub_product(t123, t198)
-        .sub_product(t132, t200)
-        .sub_product(t139, t202)
-        .sub_product(t144, t204);
-    let t207 = (-t185)
-        .add_product(t28, t170)
-        .sub_product(t29, t171)
-        .add_product(t31, R::literal(-14.715))
-        .add_product(t145, t204)
-        .sub_product(t150, t206)
-        .sub_product(t154, R::literal(9.809_999_999_999_999));
-    let t208 = ((R::literal(0.143) * sin_post_phi)
+        .sub_product(t24, t168)
+        .sub_product(t85, t192)
+        .sub_product(t96, t194);
+    let t197 = t196.sub_product(t105, t195);
+    let t198 = R::literal(5.0) * t167;
+    let t199 = (-t198)
+        .add_product(t175, cos_rod_phi)
+        .sub_product(t106, t195)
+        .sub_product(t116, t197);
+    let t200 = R::literal(5.0) * t168;
+    let t201 = (-t200)
+        .add_product(t175, sin_rod_phi)
+        .add_product(t107, t195)
+        .sub_product(t118, t197)
+        .sub_product(t127, t199);
+    let t202 = c.inverse_bobbin_mass * t169;
+    let t203 = ((t10 * plate_omega_squared)
+        .sub_product(t16, c.bobbin_radius_times_winding_force) + t202)
+        .sub_product(t60, t188)
+        .sub_product(t73, t190)
+        .sub_product(t87, t192)
+        .sub_product(t98, t194)
+        .sub_product(t109, t195)
+        .sub_product(t120, t197)
+        .sub_product(t129, t199)
+        .sub_product(t136, t201);
+    let t204 = c.inverse_bobbin_mass * t170;
+    let t205 = (R::literal(-9.81)
+        .add_product(t9, plate_omega_squared)
+        .add_product(t17, c.bobbin_radius_times_winding_force) - t204)
+        .add_product(t62, t188)
+        .sub_product(t76, t190)
+        .sub_product(t89, t192)
+        .sub_product(t100, t194)
+        .sub_product(t111, t195)
+        .sub_product(t122, t197)
+        .sub_product(t131, t199)
+        .sub_product(t138, t201)
+        .sub_product(t143, t203);
+    let t206 = (-t184)
+        .add_product(t27, t169)
+        .sub_product(t28, t170)
+        .add_product(
+            R::literal(-9.809_999_999_999_999),
+            bobbin_y_minus_drum_y_over_between,
+        )
+        .add_product(t144, t203)
+        .sub_product(t149, t205)
+        .add_product(
+            bobbin_y_minus_drum_y_over_between,
+            R::literal(9.809_999_999_999_999),
+        );
+    let t207 = ((R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t40, t173)
-        .sub_product(t50, t187)
-        .sub_product(t65, t189)
-        .sub_product(t79, t191)
-        .sub_product(t92, t193)
-        .sub_product(t103, t195)
-        .sub_product(t114, t196)
-        .sub_product(t125, t198)
-        .sub_product(t134, t200)
-        .sub_product(t141, t202)
-        .sub_product(t147, t204)
-        .sub_product(t152, t206)
-        .sub_product(t157, t207) * t158;
-    let t209 = (t207 * t155).sub_product(t157, t208);
-    let axle_b_x = t153 * t209;
-    let t210 = (t206 * t148).sub_product(t150, t209).sub_product(t152, t208);
-    let t211 = (t204 * t142)
-        .sub_product(t144, t210)
-        .add_product(t145, t209)
-        .sub_product(t147, t208);
-    let t212 = (t202 * t135)
-        .sub_product(t137, t211)
-        .sub_product(t139, t210)
-        .sub_product(t141, t208);
-    let t213 = (t200 * t126)
-        .sub_product(t128, t212)
-        .sub_product(t130, t211)
-        .sub_product(t132, t210)
-        .sub_product(t134, t208);
-    let t214 = (t198 * t115)
-        .sub_product(t117, t213)
-        .sub_product(t119, t212)
-        .sub_product(t121, t211)
-        .sub_product(t123, t210)
-        .sub_product(t125, t208);
-    let t215 = (t196 * t104)
-        .sub_product(t106, t214)
-        .sub_product(t107, t213)
-        .add_product(t108, t212)
-        .sub_product(t110, t211)
-        .sub_product(t112, t210)
-        .sub_product(t114, t208);
-    let t216 = (t195 * t93)
-        .sub_product(t95, t215)
-        .sub_product(t97, t214)
-        .sub_product(t99, t211)
-        .sub_product(t101, t210)
-        .sub_product(t103, t208);
-    let t217 = (t193 * t80)
-        .sub_product(t82, t216)
-        .add_product(t84, t215)
-        .sub_product(t86, t214)
-        .sub_product(t88, t211)
-        .sub_product(t90, t210)
-        .sub_product(t92, t208);
-    let t218 = (t191 * t67)
-        .sub_product(t69, t217)
-        .sub_product(t71, t216)
-        .sub_product(t74, t211)
-        .sub_product(t77, t210)
-        .sub_product(t79, t208);
-    let t219 = (t189 * t52)
-        .sub_product(t55, t218)
-        .sub_product(t57, t217)
-        .sub_product(t58, t216)
-        .sub_product(t61, t211)
-        .add_product(t63, t210)
-        .sub_product(t65, t208);
-    let t220 = (t187 * t44)
-        .sub_product(t46, t219)
-        .sub_product(t48, t218)
-        .sub_product(t50, t208);
-    let t221 = (-(t173 * t34))
-        .sub_product(t36, t220)
-        .sub_product(t38, t219)
-        .sub_product(t36, t218)
-        .add_product(t40, t208);
+        .sub_product(t39, t172)
+        .sub_product(t49, t186)
+        .sub_product(t64, t188)
+        .sub_product(t78, t190)
+        .sub_product(t91, t192)
+        .sub_product(t102, t194)
+        .sub_product(t113, t195)
+        .sub_product(t124, t197)
+        .sub_product(t133, t199)
+        .sub_product(t140, t201)
+        .sub_product(t146, t203)
+        .sub_product(t151, t205)
+        .sub_product(t156, t206) * t157;
+    let t208 = (t206 * t154).sub_product(t156, t207);
+    let t209 = (t205 * t147).sub_product(t149, t208).sub_product(t151, t207);
+    let t210 = (t203 * t141)
+        .sub_product(t143, t209)
+        .add_product(t144, t208)
+        .sub_product(t146, t207);
+    let t211 = (t201 * t134)
+        .sub_product(t136, t210)
+        .sub_product(t138, t209)
+        .sub_product(t140, t207);
+    let t212 = (t199 * t125)
+        .sub_product(t127, t211)
+        .sub_product(t129, t210)
+        .sub_product(t131, t209)
+        .sub_product(t133, t207);
+    let t213 = (t197 * t114)
+        .sub_product(t116, t212)
+        .sub_product(t118, t211)
+        .sub_product(t120, t210)
+        .sub_product(t122, t209)
+        .sub_product(t124, t207);
+    let t214 = (t195 * t103)
+        .sub_product(t105, t213)
+        .sub_product(t106, t212)
+        .add_product(t107, t211)
+        .sub_product(t109, t210)
+        .sub_product(t111, t209)
+        .sub_product(t113, t207);
+    let t215 = (t194 * t92)
+        .sub_product(t94, t214)
+        .sub_product(t96, t213)
+        .sub_product(t98, t210)
+        .sub_product(t100, t209)
+        .sub_product(t102, t207);
+    let t216 = (t192 * t79)
+        .sub_product(t81, t215)
+        .add_product(t83, t214)
+        .sub_product(t85, t213)
+        .sub_product(t87, t210)
+        .sub_product(t89, t209)
+        .sub_product(t91, t207);
+    let t217 = (t190 * t66)
+        .sub_product(t68, t216)
+        .sub_product(t70, t215)
+        .sub_product(t73, t210)
+        .sub_product(t76, t209)
+        .sub_product(t78, t207);
+    let t218 = (t188 * t51)
+        .sub_product(t54, t217)
+        .sub_product(t56, t216)
+        .sub_product(t57, t215)
+        .sub_product(t60, t210)
+        .add_product(t62, t209)
+        .sub_product(t64, t207);
+    let t219 = (t186 * t43)
+        .sub_product(t45, t218)
+        .sub_product(t47, t217)
+        .sub_product(t49, t207);
+    let t220 = (-(t172 * t33))
+        .sub_product(t35, t219)
+        .sub_product(t37, t218)
+        .sub_product(t35, t217)
+        .add_product(t39, t207);
     let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
         .sub_product(
             R::literal(0.666_666_666_666_666_6),
-            R::literal(-14.714_999_999_999_998).sub_product(t154, t209),
+            R::literal(-14.714_999_999_999_998)
+                .add_product(bobbin_y_minus_drum_y_over_between, t208),
         )
-        .add_product(t31, t209);
-    let drum_v_x_dot = (t30 * t209)
-        .add_product(R::literal(0.666_666_666_666_666_6), axle_b_x);
-    let bobbin_v_y_dot = t205
+        .add_product(t30, t208);
+    let drum_v_x_dot = (t29 * t208)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t208,
+        );
+    let bobbin_v_y_dot = t204
+        .sub_product(c.inverse_bobbin_mass, t209)
+        .sub_product(t28, t208);
+    let bobbin_v_x_dot = (-t202)
         .sub_product(c.inverse_bobbin_mass, t210)
-        .sub_product(t29, t209);
-    let bobbin_v_x_dot = (-t203)
-        .sub_product(c.inverse_bobbin_mass, t211)
-        .sub_product(t28, t209);
-    let rod_omega_dot = (t26 * t213)
-        .sub_product(R::literal(4_166.666_666_666_667), t215)
-        .sub_product(t27, t212);
-    let rod_v_y_dot = t201.sub_product(t25, t214).sub_product(R::literal(5.0), t212);
-    let rod_v_x_dot = t199.add_product(t24, t214).sub_product(R::literal(5.0), t213);
-    let cylinder_omega_dot = (t167 * R::literal(2_777.777_777_777_778))
-        .sub_product(t21, t217)
-        .add_product(t22, t216)
-        .sub_product(R::literal(-2_777.777_777_777_778), t215)
-        .add_product(t23, t214);
-    let cylinder_v_y_dot = t194
+        .sub_product(t27, t208);
+    let rod_omega_dot = (t25 * t212)
+        .sub_product(R::literal(4_166.666_666_666_667), t214)
+        .sub_product(t26, t211);
+    let rod_v_y_dot = t200.sub_product(t24, t213).sub_product(R::literal(5.0), t211);
+    let rod_v_x_dot = t198.add_product(t23, t213).sub_product(R::literal(5.0), t212);
+    let cylinder_omega_dot = (t166 * R::literal(2_777.777_777_777_778))
+        .sub_product(t20, t216)
+        .add_product(t21, t215)
+        .sub_product(R::literal(-2_777.777_777_777_778), t214)
+        .add_product(t22, t213);
+    let cylinder_v_y_dot = t193
+        .sub_product(R::literal(3.333_333_333_333_333_5), t215)
+        .add_product(t19, t213);
+    let cylinder_v_x_dot = t191
         .sub_product(R::literal(3.333_333_333_333_333_5), t216)
-        .add_product(t20, t214);
-    let cylinder_v_x_dot = t192
-        .sub_product(R::literal(3.333_333_333_333_333_5), t217)
-        .sub_product(t19, t214);
+        .sub_product(t18, t213);
     let plate_omega_dot = c
         .t1
-        .sub_product(t15, t219)
-        .add_product(t16, t218)
-        .sub_product(t15, t217)
-        .add_product(t16, t216)
-        .add_product(t17, t211)
-        .sub_product(t18, t210);
+        .sub_product(t14, t218)
+        .add_product(t15, t217)
+        .sub_product(t14, t216)
+        .add_product(t15, t215)
+        .add_product(t16, t210)
+        .sub_product(t17, t209);
     let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t217)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t215)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t209);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t216))
         .sub_product(R::literal(0.833_333_333_333_333_4), t218)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t216)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t210);
-    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t217))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t219)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t211);
-    let post_omega_dot = (t13 * t220)
-        .sub_product(t12, t221)
-        .sub_product(t12, t219)
-        .add_product(t13, t218)
-        .sub_product(t14, t208);
+    let post_omega_dot = (t12 * t219)
+        .sub_product(t11, t220)
+        .sub_product(t11, t218)
+        .add_product(t12, t217)
+        .sub_product(t13, t207);
     let post_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(1.25), t220)
-        .sub_product(R::literal(-1.25), t218);
-    let post_v_x_dot = (-(R::literal(-1.25) * t219)).sub_product(R::literal(1.25), t221);
+        .sub_product(R::literal(1.25), t219)
+        .sub_product(R::literal(-1.25), t217);
+    let post_v_x_dot = (-(R::literal(-1.25) * t218)).sub_product(R::literal(1.25), t220);
     [
         post_v_x,
         post_v_y,
@@ -1674,8 +1678,7 @@ pub fn forcing<R: Real>(
     let [_, _, _, _, _, _, cylinder_x, cylinder_y, cylinder_phi, rod_x, rod_y, _,
     bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, _, _, _, _, cylinder_v_x,
     cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, ..] = *state;
-    let cos_cylinder_phi = cylinder_phi.cos();
-    let sin_cylinder_phi = cylinder_phi.sin();
+    let (sin_cylinder_phi, cos_cylinder_phi) = cylinder_phi.sin_cos();
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
     let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
@@ -1729,7 +1732,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 7667 operations.
+/// 7665 operations.
 #[must_use]
 #[inline]
 pub fn rate_jacobian<R: Real>(
@@ -1742,7 +1745,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// As `rate_jacobian`, with the constants of the parameters from `prepare`.
 ///
-/// 7662 operations.
+/// 7660 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(
     _time: R,
@@ -1754,21 +1757,20 @@ pub fn prepared_rate_jacobian<R: Real>(
     rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, post_omega, _, _,
     plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
     bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
     let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
     let t7 = R::literal(0.06) * sin_rod_phi;
     let t8 = R::literal(0.01) * cos_plate_phi;
     let t9 = R::literal(0.1) * sin_plate_phi;
@@ -1798,22 +1800,22 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t18 = t8 - t9;
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t19 = t1 * R::literal(370.370_370_370_370_3);
-    let t20 = t0 * R::literal(370.370_370_370_370_3);
+    let t19 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t20 = R::literal(37.037_037_037_037_03) * cos_post_phi;
     let t21 = t15 * R::literal(370.370_370_370_370_3);
-    let t22 = t3 * R::literal(400.0);
-    let t23 = t2 * R::literal(400.0);
+    let t22 = R::literal(24.0) * sin_plate_phi;
+    let t23 = R::literal(24.0) * cos_plate_phi;
     let t24 = t16 * R::literal(400.0);
     let t25 = t18 * R::literal(400.0);
     let t26 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
     let t27 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t28 = t5 * R::literal(2_777.777_777_777_778);
-    let t29 = t4 * R::literal(2_777.777_777_777_778);
+    let t28 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t29 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
     let t30 = slide * R::literal(2_777.777_777_777_778);
     let t31 = sin_cylinder_phi * R::literal(5.0);
     let t32 = cos_cylinder_phi * R::literal(5.0);
-    let t33 = t7 * R::literal(4_166.666_666_666_667);
-    let t34 = t6 * R::literal(4_166.666_666_666_667);
+    let t33 = R::literal(250.0) * sin_rod_phi;
+    let t34 = R::literal(250.0) * cos_rod_phi;
     let t35 = bobbin_x_minus_drum_x_over_between * c.inverse_bobbin_mass;
     let t36 = bobbin_y_minus_drum_y_over_between * c.inverse_bobbin_mass;
     let t37 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
@@ -1880,7 +1882,7 @@ pub fn prepared_rate_jacobian<R: Real>(
             .sub_product(t76, t75);
     let t88 = t60.add_product(t29, t5).sub_product(t65, t63).sub_product(t78, t75);
     let t89 = t88 * t87;
-    let t90 = R::literal(-2_777.777_777_777_778) * t5;
+    let t90 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
     let t91 = t90 * t87;
     let t92 = (-t26).add_product(t30, t5);
     let t93 = t92 * t87;
@@ -1899,7 +1901,8 @@ pub fn prepared_rate_jacobian<R: Real>(
             .sub_product(t65, t60)
             .sub_product(t78, t77)
             .sub_product(t89, t88);
-    let t101 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t91, t88);
+    let t101 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t91, t88);
     let t102 = t101 * t100;
     let t103 = t27.sub_product(t30, t4).sub_product(t93, t88);
     let t104 = t103 * t100;
@@ -1927,8 +1930,8 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t120 = (t99 * t90).sub_product(t110, t101);
     let t121 = t120 * t111;
     let t122 = R::literal(1.0)
-        / (-(t26 * sin_cylinder_phi))
-            .sub_product(t27, cos_cylinder_phi)
+        / (-(t27 * cos_cylinder_phi))
+            .sub_product(t26, sin_cylinder_phi)
             .sub_product(t30, slide)
             .sub_product(t31, sin_cylinder_phi)
             .sub_product(t32, cos_cylinder_phi)
@@ -2025,17 +2028,13 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t148, t145)
         .sub_product(t154, t150);
     let t159 = t158 * t155;
-    let t160 = t37 * R::literal(-1.5);
-    let t161 = t38 * R::literal(-1.5);
+    let t160 = t37 * bobbin_x_minus_drum_x_over_between;
+    let t161 = t38 * bobbin_y_minus_drum_y_over_between;
     let t162 = R::literal(1.0)
-        / (-(t35 * bobbin_x_minus_drum_x_over_between))
-            .sub_product(t36, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t37, bobbin_x_minus_drum_x_over_between)
-            .sub_product(t38, bobbin_y_minus_drum_y_over_between)
+        / (((-(t36 * bobbin_y_minus_drum_y_over_between))
+            .sub_product(t35, bobbin_x_minus_drum_x_over_between) - t160 - t161)
             .sub_product(t152, t35)
-            .sub_product(t157, t156)
-            .sub_product(t160, t37)
-            .sub_product(t161, t38);
+            .sub_product(t157, t156) + t160 + t161);
     let t163 = (t154 * t35).sub_product(t159, t156);
     let t164 = t163 * t162;
     let t165 = R::literal(1.0)
@@ -2096,7 +2095,8 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t198 = t197 * cos_rod_phi;
     let t199 = t197 * sin_rod_phi;
     let t200 = t18 * plate_omega_squared;
-    let between_squared_times_between = between * between * between;
+    let between_squared = between * between;
+    let between_squared_times_between = between_squared * between;
     let t201 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
     let t202 = bobbin_v_y * bobbin_x_minus_drum_x;
@@ -2208,10 +2208,16 @@ pub fn prepared_rate_jacobian<R: Real>(
     let t234 = (-t211)
         .add_product(t35, t178)
         .sub_product(t36, t180)
-        .add_product(t38, R::literal(-14.715))
+        .add_product(
+            R::literal(-9.809_999_999_999_999),
+            bobbin_y_minus_drum_y_over_between,
+        )
         .add_product(t152, t231)
         .sub_product(t157, t233)
-        .sub_product(t161, R::literal(9.809_999_999_999_999));
+        .add_product(
+            bobbin_y_minus_drum_y_over_between,
+            R::literal(9.809_999_999_999_999),
+        );
     let t235 = ((t213 - t212) * post_omega_squared)
         .sub_product(t47, t182)
         .sub_product(t57, t215)
@@ -2227,7 +2233,6 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t159, t233)
         .sub_product(t164, t234) * t165;
     let t236 = (t234 * t162).sub_product(t164, t235);
-    let axle_b_x = t160 * t236;
     let t237 = (t233 * t155).sub_product(t157, t236).sub_product(t159, t235);
     let t238 = (t231 * t149)
         .sub_product(t151, t237)
@@ -2293,11 +2298,15 @@ pub fn prepared_rate_jacobian<R: Real>(
     let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
         .sub_product(
             R::literal(0.666_666_666_666_666_6),
-            R::literal(-14.714_999_999_999_998).sub_product(t161, t236),
+            R::literal(-14.714_999_999_999_998)
+                .add_product(bobbin_y_minus_drum_y_over_between, t236),
         )
         .add_product(t38, t236);
     let drum_v_x_dot = (t37 * t236)
-        .add_product(R::literal(0.666_666_666_666_666_6), axle_b_x);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t236,
+        );
     let bobbin_v_y_dot = t232
         .sub_product(c.inverse_bobbin_mass, t237)
         .sub_product(t36, t236);
@@ -2450,9 +2459,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t274)
         .add_product(t47, t264);
     let drum_v_y_dot_by_post_phi = (t38 * t265)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t265);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t265,
+        );
     let drum_v_x_dot_by_post_phi = (t37 * t265)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t265);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t265,
+        );
     let bobbin_v_y_dot_by_post_phi = (-(t36 * t265))
         .sub_product(c.inverse_bobbin_mass, t266);
     let bobbin_v_x_dot_by_post_phi = (-(t35 * t265))
@@ -2602,9 +2617,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t301)
         .add_product(t47, t291);
     let drum_v_y_dot_by_plate_phi = (t38 * t292)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t292);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t292,
+        );
     let drum_v_x_dot_by_plate_phi = (t37 * t292)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t292);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t292,
+        );
     let bobbin_v_y_dot_by_plate_phi = (-(t36 * t292))
         .sub_product(c.inverse_bobbin_mass, t293);
     let bobbin_v_x_dot_by_plate_phi = (-(t35 * t292))
@@ -2764,9 +2785,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t344)
         .add_product(t47, t334);
     let drum_v_y_dot_by_cylinder_x = (t38 * t335)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t335);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t335,
+        );
     let drum_v_x_dot_by_cylinder_x = (t37 * t335)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t335);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t335,
+        );
     let bobbin_v_y_dot_by_cylinder_x = (-(t36 * t335))
         .sub_product(c.inverse_bobbin_mass, t336);
     let bobbin_v_x_dot_by_cylinder_x = (-(t35 * t335))
@@ -2929,9 +2956,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t384)
         .add_product(t47, t374);
     let drum_v_y_dot_by_cylinder_y = (t38 * t375)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t375);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t375,
+        );
     let drum_v_x_dot_by_cylinder_y = (t37 * t375)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t375);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t375,
+        );
     let bobbin_v_y_dot_by_cylinder_y = (-(t36 * t375))
         .sub_product(c.inverse_bobbin_mass, t376);
     let bobbin_v_x_dot_by_cylinder_y = (-(t35 * t375))
@@ -3117,9 +3150,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t422)
         .add_product(t47, t412);
     let drum_v_y_dot_by_cylinder_phi = (t38 * t413)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t413);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t413,
+        );
     let drum_v_x_dot_by_cylinder_phi = (t37 * t413)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t413);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t413,
+        );
     let bobbin_v_y_dot_by_cylinder_phi = (-(t36 * t413))
         .sub_product(c.inverse_bobbin_mass, t414);
     let bobbin_v_x_dot_by_cylinder_phi = (-(t35 * t413))
@@ -3270,9 +3309,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t450)
         .add_product(t47, t440);
     let drum_v_y_dot_by_rod_x = (t38 * t441)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t441);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t441,
+        );
     let drum_v_x_dot_by_rod_x = (t37 * t441)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t441);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t441,
+        );
     let bobbin_v_y_dot_by_rod_x = (-(t36 * t441))
         .sub_product(c.inverse_bobbin_mass, t442);
     let bobbin_v_x_dot_by_rod_x = (-(t35 * t441))
@@ -3423,9 +3468,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t478)
         .add_product(t47, t468);
     let drum_v_y_dot_by_rod_y = (t38 * t469)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t469);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t469,
+        );
     let drum_v_x_dot_by_rod_y = (t37 * t469)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t469);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t469,
+        );
     let bobbin_v_y_dot_by_rod_y = (-(t36 * t469))
         .sub_product(c.inverse_bobbin_mass, t470);
     let bobbin_v_x_dot_by_rod_y = (-(t35 * t469))
@@ -3558,9 +3609,15 @@ pub fn prepared_rate_jacobian<R: Real>(
         .sub_product(t43, t500)
         .add_product(t47, t490);
     let drum_v_y_dot_by_rod_phi = (t38 * t491)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t491);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t491,
+        );
     let drum_v_x_dot_by_rod_phi = (t37 * t491)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t491);
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t491,
+        );
     let bobbin_v_y_dot_by_rod_phi = (-(t36 * t491))
         .sub_product(c.inverse_bobbin_mass, t492);
     let bobbin_v_x_dot_by_rod_phi = (-(t35 * t491))
@@ -3601,1176 +3658,1220 @@ pub fn prepared_rate_jacobian<R: Real>(
     let post_v_x_dot_by_rod_phi = (-(R::literal(-1.25) * t501))
         .sub_product(R::literal(1.25), t503);
     let t504 = t179 * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t505 = p.winding_force * bobbin_x_minus_drum_x_squared
-        / between_squared_times_between;
     let winding_force_over_between = p.winding_force / between;
-    let t506 = R::literal(3.0) * bobbin_v_x;
-    let t507 = t506 * bobbin_x_minus_drum_x;
-    let t508 = t507 / between_squared_times_between;
-    let t509 = between.powi(5);
-    let t510 = bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
-    let t511 = R::literal(3.0) * drum_v_x;
-    let t512 = t511 * t510 / t509;
-    let t513 = R::literal(3.0) * drum_v_y;
-    let t514 = t513 * bobbin_y_minus_drum_y;
-    let t515 = t514 * bobbin_x_minus_drum_x_squared / t509;
-    let t516 = bobbin_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t517 = t506 * t510 / t509;
-    let t518 = R::literal(3.0) * bobbin_v_y;
-    let t519 = t518 * bobbin_y_minus_drum_y;
-    let t520 = t519 * bobbin_x_minus_drum_x_squared / t509;
-    let t521 = t511 * bobbin_x_minus_drum_x;
-    let t522 = t521 / between_squared_times_between;
-    let t523 = drum_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t524 = t517 + t520 + t522 + t523 - t508 - t512 - t515 - t516;
-    let t525 = t511 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t509;
-    let t526 = t513 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t509;
-    let t527 = bobbin_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t528 = t202 / between_squared_times_between;
-    let t529 = t506 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t509;
-    let t530 = t518 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t509;
-    let t531 = drum_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t532 = drum_v_y_times_bobbin_x_minus_drum_x / between_squared_times_between;
-    let t533 = t529 + t530 + t531 + t532 - t525 - t526 - t527 - t528;
-    let t534 = t508 + t512 + t515 + t516 - t517 - t520 - t522 - t523;
-    let t535 = t525 + t526 + t527 + t528 - t529 - t530 - t531 - t532;
-    let t536 = bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t505 = R::literal(3.0) * bobbin_v_x;
+    let t506 = t505 * bobbin_x_minus_drum_x;
+    let t507 = t506 / between_squared_times_between;
+    let t508 = between.powi(5);
+    let t509 = bobbin_x_minus_drum_x_squared * bobbin_x_minus_drum_x;
+    let t510 = R::literal(3.0) * drum_v_x;
+    let t511 = t510 * t509 / t508;
+    let t512 = R::literal(3.0) * drum_v_y;
+    let t513 = t512 * bobbin_y_minus_drum_y;
+    let t514 = t513 * bobbin_x_minus_drum_x_squared / t508;
+    let t515 = bobbin_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t516 = t505 * t509 / t508;
+    let t517 = R::literal(3.0) * bobbin_v_y;
+    let t518 = t517 * bobbin_y_minus_drum_y;
+    let t519 = t518 * bobbin_x_minus_drum_x_squared / t508;
+    let t520 = t510 * bobbin_x_minus_drum_x;
+    let t521 = t520 / between_squared_times_between;
+    let t522 = drum_v_y * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t523 = t516 + t519 + t521 + t522 - t507 - t511 - t514 - t515;
+    let t524 = t510 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t508;
+    let t525 = t512 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t508;
+    let t526 = bobbin_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t527 = t202 / between_squared_times_between;
+    let t528 = t505 * bobbin_y_minus_drum_y * bobbin_x_minus_drum_x_squared / t508;
+    let t529 = t517 * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y_squared / t508;
+    let t530 = drum_v_x * bobbin_y_minus_drum_y / between_squared_times_between;
+    let t531 = drum_v_y_times_bobbin_x_minus_drum_x / between_squared_times_between;
+    let t532 = t528 + t529 + t530 + t531 - t524 - t525 - t526 - t527;
+    let t533 = t507 + t511 + t514 + t515 - t516 - t519 - t521 - t522;
+    let t534 = t524 + t525 + t526 + t527 - t528 - t529 - t530 - t531;
     let inverse_between = R::literal(1.0) / between;
-    let t537 = inverse_between - t536;
-    let t538 = t537 * t236;
-    let t539 = t504 - t538;
-    let t540 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t535 = inverse_between
+        - bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t536 = t535 * t236;
+    let t537 = t504 - t536;
+    let t538 = bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t541 = t540 * t236;
-    let t542 = winding_force_over_between - t505 + t541;
-    let t543 = t540 * bobbin_v_y_dot;
-    let t544 = t536 - inverse_between;
-    let t545 = t544 * t236;
-    let t546 = t540 * drum_v_y_dot;
-    let t547 = c.inverse_bobbin_mass * t539;
-    let t548 = c.inverse_bobbin_mass * t542;
-    let t549 = (-t548).add_product(t151, t547);
-    let t550 = R::literal(0.666_666_666_666_666_6) * t545;
-    let t551 = R::literal(0.666_666_666_666_666_6) * t541;
-    let t552 = -t551;
-    let t553 = t38 * t541;
-    let t554 = t161 * t551;
-    let t555 = ((((-(bobbin_v_x * t524)
-        .add_product(bobbin_v_y, t533)
-        .add_product(drum_v_x, t534)
-        .add_product(drum_v_y, t535))
-        .sub_product(t537, bobbin_v_x_dot) + t543)
-        .sub_product(t544, drum_v_x_dot) - t546)
-        .sub_product(t35, t539)
-        .sub_product(t36, t542)
-        .sub_product(t37, t545) - t553)
-        .sub_product(t152, t547)
-        .sub_product(t157, t549)
-        .sub_product(t160, t550) - t554;
-    let t556 = t551 * R::literal(-1.5);
-    let t557 = (t154 * t547).sub_product(t159, t549).sub_product(t164, t555) * t165;
-    let t558 = (t555 * t162).sub_product(t164, t557);
-    let t559 = (t549 * t155).sub_product(t157, t558).sub_product(t159, t557);
-    let t560 = (-(t547 * t149))
-        .sub_product(t151, t559)
-        .add_product(t152, t558)
-        .sub_product(t154, t557);
-    let t561 = (-(t146 * t559)).sub_product(t144, t560).sub_product(t148, t557);
-    let t562 = (-(t137 * t560))
-        .sub_product(t135, t561)
-        .sub_product(t139, t559)
-        .sub_product(t141, t557);
-    let t563 = (-(t126 * t561))
-        .sub_product(t124, t562)
-        .sub_product(t128, t560)
-        .sub_product(t130, t559)
-        .sub_product(t132, t557);
-    let t564 = (-(t114 * t562))
-        .sub_product(t113, t563)
-        .add_product(t115, t561)
-        .sub_product(t117, t560)
-        .sub_product(t119, t559)
-        .sub_product(t121, t557);
-    let t565 = (-(t104 * t563))
-        .sub_product(t102, t564)
-        .sub_product(t106, t560)
-        .sub_product(t108, t559)
-        .sub_product(t110, t557);
-    let t566 = (t91 * t564)
-        .sub_product(t89, t565)
-        .sub_product(t93, t563)
-        .sub_product(t95, t560)
-        .sub_product(t97, t559)
-        .sub_product(t99, t557);
-    let t567 = (-(t78 * t565))
-        .sub_product(t76, t566)
-        .sub_product(t81, t560)
-        .sub_product(t84, t559)
-        .sub_product(t86, t557);
-    let t568 = (-(t64 * t566))
-        .sub_product(t62, t567)
-        .sub_product(t65, t565)
-        .sub_product(t68, t560)
-        .add_product(t70, t559)
-        .sub_product(t72, t557);
-    let t569 = (-(t55 * t567)).sub_product(t53, t568).sub_product(t57, t557);
-    let t570 = (-(t45 * t568))
-        .sub_product(t43, t569)
-        .sub_product(t43, t567)
-        .add_product(t47, t557);
-    let drum_v_y_dot_by_bobbin_x = t552
-        .sub_product(R::literal(0.666_666_666_666_666_6), t556.sub_product(t161, t558))
-        .add_product(t38, t558);
-    let drum_v_x_dot_by_bobbin_x = (-t550)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (t550 * R::literal(-1.5)).sub_product(t160, t558),
-        )
-        .add_product(t37, t558);
-    let bobbin_v_y_dot_by_bobbin_x = t548
-        .sub_product(c.inverse_bobbin_mass, t559)
-        .sub_product(t36, t558);
-    let bobbin_v_x_dot_by_bobbin_x = t547
-        .sub_product(c.inverse_bobbin_mass, t560)
-        .sub_product(t35, t558);
-    let rod_omega_dot_by_bobbin_x = (t33 * t562)
-        .sub_product(R::literal(4_166.666_666_666_667), t564)
-        .sub_product(t34, t561);
-    let rod_v_y_dot_by_bobbin_x = (-(R::literal(5.0) * t561)).sub_product(t32, t563);
-    let rod_v_x_dot_by_bobbin_x = (-(R::literal(5.0) * t562)).add_product(t31, t563);
-    let cylinder_omega_dot_by_bobbin_x = (t29 * t565)
-        .sub_product(t28, t566)
-        .sub_product(R::literal(-2_777.777_777_777_778), t564)
-        .add_product(t30, t563);
-    let cylinder_v_y_dot_by_bobbin_x = (t27 * t563)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t565);
-    let cylinder_v_x_dot_by_bobbin_x = (-(t26 * t563))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t566);
-    let plate_omega_dot_by_bobbin_x = (t23 * t567)
-        .sub_product(t22, t568)
-        .sub_product(t22, t566)
-        .add_product(t23, t565)
-        .add_product(t24, t560)
-        .sub_product(t25, t559);
-    let plate_v_y_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t565))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t567)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t559);
-    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t566))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t568)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t560);
-    let post_omega_dot_by_bobbin_x = (t20 * t569)
-        .sub_product(t19, t570)
-        .sub_product(t19, t568)
-        .add_product(t20, t567)
-        .sub_product(t21, t557);
-    let post_v_y_dot_by_bobbin_x = (-(R::literal(-1.25) * t567))
-        .sub_product(R::literal(1.25), t569);
-    let post_v_x_dot_by_bobbin_x = (-(R::literal(-1.25) * t568))
-        .sub_product(R::literal(1.25), t570);
-    let t571 = p.winding_force * bobbin_y_minus_drum_y_squared
+    let t539 = t538 * t236;
+    let t540 = winding_force_over_between
+        - p.winding_force * bobbin_x_minus_drum_x_squared / between_squared_times_between
+        + t539;
+    let t541 = t538 * bobbin_v_y_dot;
+    let bobbin_x_plus_between_minus_drum_x = bobbin_x + between - drum_x;
+    let bobbin_x_minus_drum_x_minus_between = bobbin_x_minus_drum_x - between;
+    let t542 = bobbin_x_plus_between_minus_drum_x * bobbin_x_minus_drum_x_minus_between
         / between_squared_times_between;
-    let t572 = -t504;
-    let t573 = t519 / between_squared_times_between;
-    let t574 = t521 * bobbin_y_minus_drum_y_squared / t509;
-    let t575 = bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
-    let t576 = t513 * t575 / t509;
-    let t577 = t206 / between_squared_times_between;
-    let t578 = t507 * bobbin_y_minus_drum_y_squared / t509;
-    let t579 = t518 * t575 / t509;
-    let t580 = t514 / between_squared_times_between;
-    let t581 = drum_v_x_times_bobbin_x_minus_drum_x / between_squared_times_between;
-    let t582 = t578 + t579 + t580 + t581 - t573 - t574 - t576 - t577;
-    let t583 = t573 + t574 + t576 + t577 - t578 - t579 - t580 - t581;
-    let t584 = t571 - winding_force_over_between + t541;
-    let t585 = t540 * bobbin_v_x_dot;
-    let t586 = bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t587 = inverse_between - t586;
-    let t588 = t587 * t236;
-    let t589 = t572 - t588;
-    let t590 = t540 * drum_v_x_dot;
-    let t591 = t586 - inverse_between;
-    let t592 = t591 * t236;
-    let t593 = c.inverse_bobbin_mass * t584;
-    let t594 = c.inverse_bobbin_mass * t589;
-    let t595 = (-t594).add_product(t151, t593);
-    let t596 = R::literal(0.666_666_666_666_666_6) * t592;
-    let t597 = t37 * t541;
-    let t598 = t160 * t551;
-    let t599 = ((((t585
-        - (bobbin_v_x * t533)
-            .add_product(bobbin_v_y, t582)
-            .add_product(drum_v_x, t535)
-            .add_product(drum_v_y, t583))
-        .sub_product(t587, bobbin_v_y_dot) - t590)
-        .sub_product(t591, drum_v_y_dot)
-        .sub_product(t35, t584)
-        .sub_product(t36, t589) - t597)
-        .sub_product(t38, t592)
-        .sub_product(t152, t593)
-        .sub_product(t157, t595) - t598)
-        .sub_product(t161, t596);
-    let t600 = (t154 * t593).sub_product(t159, t595).sub_product(t164, t599) * t165;
-    let t601 = (t599 * t162).sub_product(t164, t600);
-    let t602 = (t595 * t155).sub_product(t157, t601).sub_product(t159, t600);
-    let t603 = (-(t593 * t149))
-        .sub_product(t151, t602)
-        .add_product(t152, t601)
-        .sub_product(t154, t600);
-    let t604 = (-(t146 * t602)).sub_product(t144, t603).sub_product(t148, t600);
-    let t605 = (-(t137 * t603))
-        .sub_product(t135, t604)
-        .sub_product(t139, t602)
-        .sub_product(t141, t600);
-    let t606 = (-(t126 * t604))
-        .sub_product(t124, t605)
-        .sub_product(t128, t603)
-        .sub_product(t130, t602)
-        .sub_product(t132, t600);
-    let t607 = (-(t114 * t605))
-        .sub_product(t113, t606)
-        .add_product(t115, t604)
-        .sub_product(t117, t603)
-        .sub_product(t119, t602)
-        .sub_product(t121, t600);
-    let t608 = (-(t104 * t606))
-        .sub_product(t102, t607)
-        .sub_product(t106, t603)
-        .sub_product(t108, t602)
-        .sub_product(t110, t600);
-    let t609 = (t91 * t607)
-        .sub_product(t89, t608)
-        .sub_product(t93, t606)
-        .sub_product(t95, t603)
-        .sub_product(t97, t602)
-        .sub_product(t99, t600);
-    let t610 = (-(t78 * t608))
-        .sub_product(t76, t609)
-        .sub_product(t81, t603)
-        .sub_product(t84, t602)
-        .sub_product(t86, t600);
-    let t611 = (-(t64 * t609))
-        .sub_product(t62, t610)
-        .sub_product(t65, t608)
-        .sub_product(t68, t603)
-        .add_product(t70, t602)
-        .sub_product(t72, t600);
-    let t612 = (-(t55 * t610)).sub_product(t53, t611).sub_product(t57, t600);
-    let t613 = (-(t45 * t611))
-        .sub_product(t43, t612)
-        .sub_product(t43, t610)
-        .add_product(t47, t600);
-    let drum_v_y_dot_by_bobbin_y = (-t596)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (t596 * R::literal(-1.5)).sub_product(t161, t601),
-        )
-        .add_product(t38, t601);
-    let drum_v_x_dot_by_bobbin_y = t552
-        .sub_product(R::literal(0.666_666_666_666_666_6), t556.sub_product(t160, t601))
-        .add_product(t37, t601);
-    let bobbin_v_y_dot_by_bobbin_y = t594
-        .sub_product(c.inverse_bobbin_mass, t602)
-        .sub_product(t36, t601);
-    let bobbin_v_x_dot_by_bobbin_y = t593
-        .sub_product(c.inverse_bobbin_mass, t603)
-        .sub_product(t35, t601);
-    let rod_omega_dot_by_bobbin_y = (t33 * t605)
-        .sub_product(R::literal(4_166.666_666_666_667), t607)
-        .sub_product(t34, t604);
-    let rod_v_y_dot_by_bobbin_y = (-(R::literal(5.0) * t604)).sub_product(t32, t606);
-    let rod_v_x_dot_by_bobbin_y = (-(R::literal(5.0) * t605)).add_product(t31, t606);
-    let cylinder_omega_dot_by_bobbin_y = (t29 * t608)
-        .sub_product(t28, t609)
-        .sub_product(R::literal(-2_777.777_777_777_778), t607)
-        .add_product(t30, t606);
-    let cylinder_v_y_dot_by_bobbin_y = (t27 * t606)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t608);
-    let cylinder_v_x_dot_by_bobbin_y = (-(t26 * t606))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t609);
-    let plate_omega_dot_by_bobbin_y = (t23 * t610)
-        .sub_product(t22, t611)
-        .sub_product(t22, t609)
-        .add_product(t23, t608)
-        .add_product(t24, t603)
-        .sub_product(t25, t602);
-    let plate_v_y_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t608))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t610)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t602);
-    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t609))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t611)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t603);
-    let post_omega_dot_by_bobbin_y = (t20 * t612)
-        .sub_product(t19, t613)
-        .sub_product(t19, t611)
-        .add_product(t20, t610)
-        .sub_product(t21, t600);
-    let post_v_y_dot_by_bobbin_y = (-(R::literal(-1.25) * t610))
-        .sub_product(R::literal(1.25), t612);
-    let post_v_x_dot_by_bobbin_y = (-(R::literal(-1.25) * t611))
-        .sub_product(R::literal(1.25), t613);
-    let t614 = t572 - t545;
-    let t615 = t505 - winding_force_over_between - t541;
-    let t616 = c.inverse_bobbin_mass * t614;
-    let t617 = c.inverse_bobbin_mass * t615;
-    let t618 = (-t617).add_product(t151, t616);
-    let t619 = R::literal(0.666_666_666_666_666_6) * t538;
-    let t620 = ((((-(bobbin_v_y * t535)
-        .add_product(bobbin_v_x, t534)
-        .add_product(drum_v_x, t524)
-        .add_product(drum_v_y, t533))
-        .sub_product(t544, bobbin_v_x_dot) - t543)
-        .sub_product(t537, drum_v_x_dot) + t546)
-        .sub_product(t35, t614)
-        .sub_product(t36, t615)
-        .sub_product(t37, t538) + t553)
-        .sub_product(t152, t616)
-        .sub_product(t157, t618)
-        .sub_product(t160, t619) + t554;
-    let t621 = -t556;
-    let t622 = (t154 * t616).sub_product(t159, t618).sub_product(t164, t620) * t165;
-    let t623 = (t620 * t162).sub_product(t164, t622);
-    let t624 = (t618 * t155).sub_product(t157, t623).sub_product(t159, t622);
-    let t625 = (-(t616 * t149))
-        .sub_product(t151, t624)
-        .add_product(t152, t623)
-        .sub_product(t154, t622);
-    let t626 = (-(t146 * t624)).sub_product(t144, t625).sub_product(t148, t622);
-    let t627 = (-(t137 * t625))
-        .sub_product(t135, t626)
-        .sub_product(t139, t624)
-        .sub_product(t141, t622);
-    let t628 = (-(t126 * t626))
-        .sub_product(t124, t627)
-        .sub_product(t128, t625)
-        .sub_product(t130, t624)
-        .sub_product(t132, t622);
-    let t629 = (-(t114 * t627))
-        .sub_product(t113, t628)
-        .add_product(t115, t626)
-        .sub_product(t117, t625)
-        .sub_product(t119, t624)
-        .sub_product(t121, t622);
-    let t630 = (-(t104 * t628))
-        .sub_product(t102, t629)
-        .sub_product(t106, t625)
-        .sub_product(t108, t624)
-        .sub_product(t110, t622);
-    let t631 = (t91 * t629)
-        .sub_product(t89, t630)
-        .sub_product(t93, t628)
-        .sub_product(t95, t625)
-        .sub_product(t97, t624)
-        .sub_product(t99, t622);
-    let t632 = (-(t78 * t630))
-        .sub_product(t76, t631)
-        .sub_product(t81, t625)
-        .sub_product(t84, t624)
-        .sub_product(t86, t622);
-    let t633 = (-(t64 * t631))
-        .sub_product(t62, t632)
-        .sub_product(t65, t630)
-        .sub_product(t68, t625)
-        .add_product(t70, t624)
-        .sub_product(t72, t622);
-    let t634 = (-(t55 * t632)).sub_product(t53, t633).sub_product(t57, t622);
-    let t635 = (-(t45 * t633))
-        .sub_product(t43, t634)
-        .sub_product(t43, t632)
-        .add_product(t47, t622);
-    let drum_v_y_dot_by_drum_x = t551
-        .sub_product(R::literal(0.666_666_666_666_666_6), t621.sub_product(t161, t623))
-        .add_product(t38, t623);
-    let drum_v_x_dot_by_drum_x = (-t619)
-        .sub_product(
-            R::literal(0.666_666_666_666_666_6),
-            (t619 * R::literal(-1.5)).sub_product(t160, t623),
-        )
-        .add_product(t37, t623);
-    let bobbin_v_y_dot_by_drum_x = t617
-        .sub_product(c.inverse_bobbin_mass, t624)
-        .sub_product(t36, t623);
-    let bobbin_v_x_dot_by_drum_x = t616
-        .sub_product(c.inverse_bobbin_mass, t625)
-        .sub_product(t35, t623);
-    let rod_omega_dot_by_drum_x = (t33 * t627)
-        .sub_product(R::literal(4_166.666_666_666_667), t629)
-        .sub_product(t34, t626);
-    let rod_v_y_dot_by_drum_x = (-(R::literal(5.0) * t626)).sub_product(t32, t628);
-    let rod_v_x_dot_by_drum_x = (-(R::literal(5.0) * t627)).add_product(t31, t628);
-    let cylinder_omega_dot_by_drum_x = (t29 * t630)
-        .sub_product(t28, t631)
-        .sub_product(R::literal(-2_777.777_777_777_778), t629)
-        .add_product(t30, t628);
-    let cylinder_v_y_dot_by_drum_x = (t27 * t628)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t630);
-    let cylinder_v_x_dot_by_drum_x = (-(t26 * t628))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t631);
-    let plate_omega_dot_by_drum_x = (t23 * t632)
-        .sub_product(t22, t633)
-        .sub_product(t22, t631)
-        .add_product(t23, t630)
-        .add_product(t24, t625)
-        .sub_product(t25, t624);
-    let plate_v_y_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t630))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t632)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t624);
-    let plate_v_x_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t631))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t633)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t625);
-    let post_omega_dot_by_drum_x = (t20 * t634)
-        .sub_product(t19, t635)
-        .sub_product(t19, t633)
-        .add_product(t20, t632)
-        .sub_product(t21, t622);
-    let post_v_y_dot_by_drum_x = (-(R::literal(-1.25) * t632))
-        .sub_product(R::literal(1.25), t634);
-    let post_v_x_dot_by_drum_x = (-(R::literal(-1.25) * t633))
-        .sub_product(R::literal(1.25), t635);
-    let t636 = winding_force_over_between - t571 - t541;
-    let t637 = t504 - t592;
-    let t638 = c.inverse_bobbin_mass * t636;
-    let t639 = c.inverse_bobbin_mass * t637;
-    let t640 = (-t639).add_product(t151, t638);
-    let t641 = R::literal(0.666_666_666_666_666_6) * t588;
-    let t642 = ((((-(bobbin_v_x * t535)
-        .add_product(bobbin_v_y, t583)
+    let t543 = t542 * t236;
+    let t544 = t538 * drum_v_y_dot;
+    let t545 = c.inverse_bobbin_mass * t537;
+    let t546 = c.inverse_bobbin_mass * t540;
+    let t547 = (-t546).add_product(t151, t545);
+    let t548 = R::literal(0.666_666_666_666_666_6) * t543;
+    let t549 = R::literal(0.666_666_666_666_666_6) * t539;
+    let t550 = -t549;
+    let t551 = t38 * t539;
+    let t552 = bobbin_y_minus_drum_y_over_between * t549;
+    let t553 = ((((-(bobbin_v_x * t523)
+        .add_product(bobbin_v_y, t532)
         .add_product(drum_v_x, t533)
-        .add_product(drum_v_y, t582) - t585)
-        .sub_product(t591, bobbin_v_y_dot) + t590)
-        .sub_product(t587, drum_v_y_dot)
-        .sub_product(t35, t636)
-        .sub_product(t36, t637) + t597)
-        .sub_product(t38, t588)
-        .sub_product(t152, t638)
-        .sub_product(t157, t640) + t598)
-        .sub_product(t161, t641);
-    let t643 = (t154 * t638).sub_product(t159, t640).sub_product(t164, t642) * t165;
-    let t644 = (t642 * t162).sub_product(t164, t643);
-    let t645 = (t640 * t155).sub_product(t157, t644).sub_product(t159, t643);
-    let t646 = (-(t638 * t149))
-        .sub_product(t151, t645)
-        .add_product(t152, t644)
-        .sub_product(t154, t643);
-    let t647 = (-(t146 * t645)).sub_product(t144, t646).sub_product(t148, t643);
-    let t648 = (-(t137 * t646))
-        .sub_product(t135, t647)
-        .sub_product(t139, t645)
-        .sub_product(t141, t643);
-    let t649 = (-(t126 * t647))
-        .sub_product(t124, t648)
-        .sub_product(t128, t646)
-        .sub_product(t130, t645)
-        .sub_product(t132, t643);
-    let t650 = (-(t114 * t648))
-        .sub_product(t113, t649)
-        .add_product(t115, t647)
-        .sub_product(t117, t646)
-        .sub_product(t119, t645)
-        .sub_product(t121, t643);
-    let t651 = (-(t104 * t649))
-        .sub_product(t102, t650)
-        .sub_product(t106, t646)
-        .sub_product(t108, t645)
-        .sub_product(t110, t643);
-    let t652 = (t91 * t650)
-        .sub_product(t89, t651)
-        .sub_product(t93, t649)
-        .sub_product(t95, t646)
-        .sub_product(t97, t645)
-        .sub_product(t99, t643);
-    let t653 = (-(t78 * t651))
-        .sub_product(t76, t652)
-        .sub_product(t81, t646)
-        .sub_product(t84, t645)
-        .sub_product(t86, t643);
-    let t654 = (-(t64 * t652))
-        .sub_product(t62, t653)
-        .sub_product(t65, t651)
-        .sub_product(t68, t646)
-        .add_product(t70, t645)
-        .sub_product(t72, t643);
-    let t655 = (-(t55 * t653)).sub_product(t53, t654).sub_product(t57, t643);
-    let t656 = (-(t45 * t654))
-        .sub_product(t43, t655)
-        .sub_product(t43, t653)
-        .add_product(t47, t643);
-    let drum_v_y_dot_by_drum_y = (-t641)
+        .add_product(drum_v_y, t534))
+        .sub_product(t535, bobbin_v_x_dot) + t541)
+        .sub_product(t542, drum_v_x_dot) - t544)
+        .sub_product(t35, t537)
+        .sub_product(t36, t540)
+        .sub_product(t37, t543) - t551)
+        .sub_product(t152, t545)
+        .sub_product(t157, t547)
+        .add_product(bobbin_x_minus_drum_x_over_between, t548) + t552;
+    let t554 = (t154 * t545).sub_product(t159, t547).sub_product(t164, t553) * t165;
+    let t555 = (t553 * t162).sub_product(t164, t554);
+    let t556 = (t547 * t155).sub_product(t157, t555).sub_product(t159, t554);
+    let t557 = (-(t545 * t149))
+        .sub_product(t151, t556)
+        .add_product(t152, t555)
+        .sub_product(t154, t554);
+    let t558 = (-(t146 * t556)).sub_product(t144, t557).sub_product(t148, t554);
+    let t559 = (-(t137 * t557))
+        .sub_product(t135, t558)
+        .sub_product(t139, t556)
+        .sub_product(t141, t554);
+    let t560 = (-(t126 * t558))
+        .sub_product(t124, t559)
+        .sub_product(t128, t557)
+        .sub_product(t130, t556)
+        .sub_product(t132, t554);
+    let t561 = (-(t114 * t559))
+        .sub_product(t113, t560)
+        .add_product(t115, t558)
+        .sub_product(t117, t557)
+        .sub_product(t119, t556)
+        .sub_product(t121, t554);
+    let t562 = (-(t104 * t560))
+        .sub_product(t102, t561)
+        .sub_product(t106, t557)
+        .sub_product(t108, t556)
+        .sub_product(t110, t554);
+    let t563 = (t91 * t561)
+        .sub_product(t89, t562)
+        .sub_product(t93, t560)
+        .sub_product(t95, t557)
+        .sub_product(t97, t556)
+        .sub_product(t99, t554);
+    let t564 = (-(t78 * t562))
+        .sub_product(t76, t563)
+        .sub_product(t81, t557)
+        .sub_product(t84, t556)
+        .sub_product(t86, t554);
+    let t565 = (-(t64 * t563))
+        .sub_product(t62, t564)
+        .sub_product(t65, t562)
+        .sub_product(t68, t557)
+        .add_product(t70, t556)
+        .sub_product(t72, t554);
+    let t566 = (-(t55 * t564)).sub_product(t53, t565).sub_product(t57, t554);
+    let t567 = (-(t45 * t565))
+        .sub_product(t43, t566)
+        .sub_product(t43, t564)
+        .add_product(t47, t554);
+    let drum_v_y_dot_by_bobbin_x = t550
         .sub_product(
             R::literal(0.666_666_666_666_666_6),
-            (t641 * R::literal(-1.5)).sub_product(t161, t644),
+            (-t539).add_product(bobbin_y_minus_drum_y_over_between, t555),
         )
-        .add_product(t38, t644);
-    let drum_v_x_dot_by_drum_y = t551
-        .sub_product(R::literal(0.666_666_666_666_666_6), t621.sub_product(t160, t644))
-        .add_product(t37, t644);
-    let bobbin_v_y_dot_by_drum_y = t639
-        .sub_product(c.inverse_bobbin_mass, t645)
-        .sub_product(t36, t644);
-    let bobbin_v_x_dot_by_drum_y = t638
-        .sub_product(c.inverse_bobbin_mass, t646)
-        .sub_product(t35, t644);
-    let rod_omega_dot_by_drum_y = (t33 * t648)
-        .sub_product(R::literal(4_166.666_666_666_667), t650)
-        .sub_product(t34, t647);
-    let rod_v_y_dot_by_drum_y = (-(R::literal(5.0) * t647)).sub_product(t32, t649);
-    let rod_v_x_dot_by_drum_y = (-(R::literal(5.0) * t648)).add_product(t31, t649);
-    let cylinder_omega_dot_by_drum_y = (t29 * t651)
-        .sub_product(t28, t652)
-        .sub_product(R::literal(-2_777.777_777_777_778), t650)
-        .add_product(t30, t649);
-    let cylinder_v_y_dot_by_drum_y = (t27 * t649)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t651);
-    let cylinder_v_x_dot_by_drum_y = (-(t26 * t649))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t652);
-    let plate_omega_dot_by_drum_y = (t23 * t653)
-        .sub_product(t22, t654)
-        .sub_product(t22, t652)
-        .add_product(t23, t651)
-        .add_product(t24, t646)
-        .sub_product(t25, t645);
-    let plate_v_y_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t651))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t653)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t645);
-    let plate_v_x_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t652))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t654)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t646);
-    let post_omega_dot_by_drum_y = (t20 * t655)
-        .sub_product(t19, t656)
-        .sub_product(t19, t654)
-        .add_product(t20, t653)
-        .sub_product(t21, t643);
-    let post_v_y_dot_by_drum_y = (-(R::literal(-1.25) * t653))
-        .sub_product(R::literal(1.25), t655);
-    let post_v_x_dot_by_drum_y = (-(R::literal(-1.25) * t654))
-        .sub_product(R::literal(1.25), t656);
-    let t657 = R::literal(0.2) * post_omega;
-    let t658 = t657 * cos_post_phi;
-    let t659 = (-(t657 * sin_post_phi)).add_product(t43, t658);
-    let t660 = (-t658).add_product(t45, t658).sub_product(t53, t659);
-    let t661 = t659.sub_product(t55, t659).sub_product(t62, t660);
-    let t662 = (-(t64 * t660)).sub_product(t76, t661);
-    let t663 = (-(t65 * t660)).sub_product(t78, t661).sub_product(t89, t662);
-    let t664 = (t91 * t662).sub_product(t102, t663);
-    let t665 = (-(t93 * t662)).sub_product(t104, t663).sub_product(t113, t664);
-    let t666 = (-(t114 * t664)).sub_product(t124, t665);
-    let t667 = (t115 * t664).sub_product(t126, t665).sub_product(t135, t666);
-    let t668 = (-(t68 * t660))
-        .sub_product(t81, t661)
-        .sub_product(t95, t662)
-        .sub_product(t106, t663)
-        .sub_product(t117, t664)
-        .sub_product(t128, t665)
-        .sub_product(t137, t666)
-        .sub_product(t144, t667);
-    let t669 = (t70 * t660)
-        .sub_product(t84, t661)
-        .sub_product(t97, t662)
-        .sub_product(t108, t663)
-        .sub_product(t119, t664)
-        .sub_product(t130, t665)
-        .sub_product(t139, t666)
-        .sub_product(t146, t667)
-        .sub_product(t151, t668);
-    let t670 = (t152 * t668).sub_product(t157, t669);
-    let t671 = (post_omega
+        .add_product(t38, t555);
+    let drum_v_x_dot_by_bobbin_x = (-t548)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (-t543).add_product(bobbin_x_minus_drum_x_over_between, t555),
+        )
+        .add_product(t37, t555);
+    let bobbin_v_y_dot_by_bobbin_x = t546
+        .sub_product(c.inverse_bobbin_mass, t556)
+        .sub_product(t36, t555);
+    let bobbin_v_x_dot_by_bobbin_x = t545
+        .sub_product(c.inverse_bobbin_mass, t557)
+        .sub_product(t35, t555);
+    let rod_omega_dot_by_bobbin_x = (t33 * t559)
+        .sub_product(R::literal(4_166.666_666_666_667), t561)
+        .sub_product(t34, t558);
+    let rod_v_y_dot_by_bobbin_x = (-(R::literal(5.0) * t558)).sub_product(t32, t560);
+    let rod_v_x_dot_by_bobbin_x = (-(R::literal(5.0) * t559)).add_product(t31, t560);
+    let cylinder_omega_dot_by_bobbin_x = (t29 * t562)
+        .sub_product(t28, t563)
+        .sub_product(R::literal(-2_777.777_777_777_778), t561)
+        .add_product(t30, t560);
+    let cylinder_v_y_dot_by_bobbin_x = (t27 * t560)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t562);
+    let cylinder_v_x_dot_by_bobbin_x = (-(t26 * t560))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t563);
+    let plate_omega_dot_by_bobbin_x = (t23 * t564)
+        .sub_product(t22, t565)
+        .sub_product(t22, t563)
+        .add_product(t23, t562)
+        .add_product(t24, t557)
+        .sub_product(t25, t556);
+    let plate_v_y_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t562))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t564)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t556);
+    let plate_v_x_dot_by_bobbin_x = (-(R::literal(-0.833_333_333_333_333_4) * t563))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t565)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t557);
+    let post_omega_dot_by_bobbin_x = (t20 * t566)
+        .sub_product(t19, t567)
+        .sub_product(t19, t565)
+        .add_product(t20, t564)
+        .sub_product(t21, t554);
+    let post_v_y_dot_by_bobbin_x = (-(R::literal(-1.25) * t564))
+        .sub_product(R::literal(1.25), t566);
+    let post_v_x_dot_by_bobbin_x = (-(R::literal(-1.25) * t565))
+        .sub_product(R::literal(1.25), t567);
+    let bobbin_y_plus_between_minus_drum_y = bobbin_y + between - drum_y;
+    let bobbin_y_minus_drum_y_minus_between = bobbin_y_minus_drum_y - between;
+    let t568 = -t504;
+    let t569 = t518 / between_squared_times_between;
+    let t570 = t520 * bobbin_y_minus_drum_y_squared / t508;
+    let t571 = bobbin_y_minus_drum_y_squared * bobbin_y_minus_drum_y;
+    let t572 = t512 * t571 / t508;
+    let t573 = t206 / between_squared_times_between;
+    let t574 = t506 * bobbin_y_minus_drum_y_squared / t508;
+    let t575 = t517 * t571 / t508;
+    let t576 = t513 / between_squared_times_between;
+    let t577 = drum_v_x_times_bobbin_x_minus_drum_x / between_squared_times_between;
+    let t578 = t574 + t575 + t576 + t577 - t569 - t570 - t572 - t573;
+    let t579 = t569 + t570 + t572 + t573 - t574 - t575 - t576 - t577;
+    let t580 = p.winding_force * bobbin_y_plus_between_minus_drum_y
+        * bobbin_y_minus_drum_y_minus_between / between_squared_times_between + t539;
+    let t581 = t538 * bobbin_v_x_dot;
+    let t582 = inverse_between
+        - bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t583 = t582 * t236;
+    let t584 = t568 - t583;
+    let t585 = t538 * drum_v_x_dot;
+    let t586 = bobbin_y_plus_between_minus_drum_y * bobbin_y_minus_drum_y_minus_between
+        / between_squared_times_between;
+    let t587 = t586 * t236;
+    let t588 = c.inverse_bobbin_mass * t580;
+    let t589 = c.inverse_bobbin_mass * t584;
+    let t590 = (-t589).add_product(t151, t588);
+    let t591 = R::literal(0.666_666_666_666_666_6) * t587;
+    let t592 = t37 * t539;
+    let t593 = bobbin_x_minus_drum_x_over_between * t549;
+    let t594 = ((((t581
+        - (bobbin_v_x * t532)
+            .add_product(bobbin_v_y, t578)
+            .add_product(drum_v_x, t534)
+            .add_product(drum_v_y, t579))
+        .sub_product(t582, bobbin_v_y_dot) - t585)
+        .sub_product(t586, drum_v_y_dot)
+        .sub_product(t35, t580)
+        .sub_product(t36, t584) - t592)
+        .sub_product(t38, t587)
+        .sub_product(t152, t588)
+        .sub_product(t157, t590) + t593)
+        .add_product(bobbin_y_minus_drum_y_over_between, t591);
+    let t595 = (t154 * t588).sub_product(t159, t590).sub_product(t164, t594) * t165;
+    let t596 = (t594 * t162).sub_product(t164, t595);
+    let t597 = (t590 * t155).sub_product(t157, t596).sub_product(t159, t595);
+    let t598 = (-(t588 * t149))
+        .sub_product(t151, t597)
+        .add_product(t152, t596)
+        .sub_product(t154, t595);
+    let t599 = (-(t146 * t597)).sub_product(t144, t598).sub_product(t148, t595);
+    let t600 = (-(t137 * t598))
+        .sub_product(t135, t599)
+        .sub_product(t139, t597)
+        .sub_product(t141, t595);
+    let t601 = (-(t126 * t599))
+        .sub_product(t124, t600)
+        .sub_product(t128, t598)
+        .sub_product(t130, t597)
+        .sub_product(t132, t595);
+    let t602 = (-(t114 * t600))
+        .sub_product(t113, t601)
+        .add_product(t115, t599)
+        .sub_product(t117, t598)
+        .sub_product(t119, t597)
+        .sub_product(t121, t595);
+    let t603 = (-(t104 * t601))
+        .sub_product(t102, t602)
+        .sub_product(t106, t598)
+        .sub_product(t108, t597)
+        .sub_product(t110, t595);
+    let t604 = (t91 * t602)
+        .sub_product(t89, t603)
+        .sub_product(t93, t601)
+        .sub_product(t95, t598)
+        .sub_product(t97, t597)
+        .sub_product(t99, t595);
+    let t605 = (-(t78 * t603))
+        .sub_product(t76, t604)
+        .sub_product(t81, t598)
+        .sub_product(t84, t597)
+        .sub_product(t86, t595);
+    let t606 = (-(t64 * t604))
+        .sub_product(t62, t605)
+        .sub_product(t65, t603)
+        .sub_product(t68, t598)
+        .add_product(t70, t597)
+        .sub_product(t72, t595);
+    let t607 = (-(t55 * t605)).sub_product(t53, t606).sub_product(t57, t595);
+    let t608 = (-(t45 * t606))
+        .sub_product(t43, t607)
+        .sub_product(t43, t605)
+        .add_product(t47, t595);
+    let drum_v_y_dot_by_bobbin_y = (-t591)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (-t587).add_product(bobbin_y_minus_drum_y_over_between, t596),
+        )
+        .add_product(t38, t596);
+    let drum_v_x_dot_by_bobbin_y = t550
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (-t539).add_product(bobbin_x_minus_drum_x_over_between, t596),
+        )
+        .add_product(t37, t596);
+    let bobbin_v_y_dot_by_bobbin_y = t589
+        .sub_product(c.inverse_bobbin_mass, t597)
+        .sub_product(t36, t596);
+    let bobbin_v_x_dot_by_bobbin_y = t588
+        .sub_product(c.inverse_bobbin_mass, t598)
+        .sub_product(t35, t596);
+    let rod_omega_dot_by_bobbin_y = (t33 * t600)
+        .sub_product(R::literal(4_166.666_666_666_667), t602)
+        .sub_product(t34, t599);
+    let rod_v_y_dot_by_bobbin_y = (-(R::literal(5.0) * t599)).sub_product(t32, t601);
+    let rod_v_x_dot_by_bobbin_y = (-(R::literal(5.0) * t600)).add_product(t31, t601);
+    let cylinder_omega_dot_by_bobbin_y = (t29 * t603)
+        .sub_product(t28, t604)
+        .sub_product(R::literal(-2_777.777_777_777_778), t602)
+        .add_product(t30, t601);
+    let cylinder_v_y_dot_by_bobbin_y = (t27 * t601)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t603);
+    let cylinder_v_x_dot_by_bobbin_y = (-(t26 * t601))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t604);
+    let plate_omega_dot_by_bobbin_y = (t23 * t605)
+        .sub_product(t22, t606)
+        .sub_product(t22, t604)
+        .add_product(t23, t603)
+        .add_product(t24, t598)
+        .sub_product(t25, t597);
+    let plate_v_y_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t603))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t605)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t597);
+    let plate_v_x_dot_by_bobbin_y = (-(R::literal(-0.833_333_333_333_333_4) * t604))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t606)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t598);
+    let post_omega_dot_by_bobbin_y = (t20 * t607)
+        .sub_product(t19, t608)
+        .sub_product(t19, t606)
+        .add_product(t20, t605)
+        .sub_product(t21, t595);
+    let post_v_y_dot_by_bobbin_y = (-(R::literal(-1.25) * t605))
+        .sub_product(R::literal(1.25), t607);
+    let post_v_x_dot_by_bobbin_y = (-(R::literal(-1.25) * t606))
+        .sub_product(R::literal(1.25), t608);
+    let t609 = t568 - t543;
+    let t610 = p.winding_force * bobbin_x_plus_between_minus_drum_x
+        * bobbin_x_minus_drum_x_minus_between / between_squared_times_between - t539;
+    let t611 = c.inverse_bobbin_mass * t609;
+    let t612 = c.inverse_bobbin_mass * t610;
+    let t613 = (-t612).add_product(t151, t611);
+    let t614 = R::literal(0.666_666_666_666_666_6) * t536;
+    let t615 = ((((-(bobbin_v_y * t534)
+        .add_product(bobbin_v_x, t533)
+        .add_product(drum_v_x, t523)
+        .add_product(drum_v_y, t532))
+        .sub_product(t542, bobbin_v_x_dot) - t541)
+        .sub_product(t535, drum_v_x_dot) + t544)
+        .sub_product(t35, t609)
+        .sub_product(t36, t610)
+        .sub_product(t37, t536) + t551)
+        .sub_product(t152, t611)
+        .sub_product(t157, t613)
+        .add_product(bobbin_x_minus_drum_x_over_between, t614) - t552;
+    let t616 = (t154 * t611).sub_product(t159, t613).sub_product(t164, t615) * t165;
+    let t617 = (t615 * t162).sub_product(t164, t616);
+    let t618 = (t613 * t155).sub_product(t157, t617).sub_product(t159, t616);
+    let t619 = (-(t611 * t149))
+        .sub_product(t151, t618)
+        .add_product(t152, t617)
+        .sub_product(t154, t616);
+    let t620 = (-(t146 * t618)).sub_product(t144, t619).sub_product(t148, t616);
+    let t621 = (-(t137 * t619))
+        .sub_product(t135, t620)
+        .sub_product(t139, t618)
+        .sub_product(t141, t616);
+    let t622 = (-(t126 * t620))
+        .sub_product(t124, t621)
+        .sub_product(t128, t619)
+        .sub_product(t130, t618)
+        .sub_product(t132, t616);
+    let t623 = (-(t114 * t621))
+        .sub_product(t113, t622)
+        .add_product(t115, t620)
+        .sub_product(t117, t619)
+        .sub_product(t119, t618)
+        .sub_product(t121, t616);
+    let t624 = (-(t104 * t622))
+        .sub_product(t102, t623)
+        .sub_product(t106, t619)
+        .sub_product(t108, t618)
+        .sub_product(t110, t616);
+    let t625 = (t91 * t623)
+        .sub_product(t89, t624)
+        .sub_product(t93, t622)
+        .sub_product(t95, t619)
+        .sub_product(t97, t618)
+        .sub_product(t99, t616);
+    let t626 = (-(t78 * t624))
+        .sub_product(t76, t625)
+        .sub_product(t81, t619)
+        .sub_product(t84, t618)
+        .sub_product(t86, t616);
+    let t627 = (-(t64 * t625))
+        .sub_product(t62, t626)
+        .sub_product(t65, t624)
+        .sub_product(t68, t619)
+        .add_product(t70, t618)
+        .sub_product(t72, t616);
+    let t628 = (-(t55 * t626)).sub_product(t53, t627).sub_product(t57, t616);
+    let t629 = (-(t45 * t627))
+        .sub_product(t43, t628)
+        .sub_product(t43, t626)
+        .add_product(t47, t616);
+    let drum_v_y_dot_by_drum_x = t549
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            t539.add_product(bobbin_y_minus_drum_y_over_between, t617),
+        )
+        .add_product(t38, t617);
+    let drum_v_x_dot_by_drum_x = (-t614)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (-t536).add_product(bobbin_x_minus_drum_x_over_between, t617),
+        )
+        .add_product(t37, t617);
+    let bobbin_v_y_dot_by_drum_x = t612
+        .sub_product(c.inverse_bobbin_mass, t618)
+        .sub_product(t36, t617);
+    let bobbin_v_x_dot_by_drum_x = t611
+        .sub_product(c.inverse_bobbin_mass, t619)
+        .sub_product(t35, t617);
+    let rod_omega_dot_by_drum_x = (t33 * t621)
+        .sub_product(R::literal(4_166.666_666_666_667), t623)
+        .sub_product(t34, t620);
+    let rod_v_y_dot_by_drum_x = (-(R::literal(5.0) * t620)).sub_product(t32, t622);
+    let rod_v_x_dot_by_drum_x = (-(R::literal(5.0) * t621)).add_product(t31, t622);
+    let cylinder_omega_dot_by_drum_x = (t29 * t624)
+        .sub_product(t28, t625)
+        .sub_product(R::literal(-2_777.777_777_777_778), t623)
+        .add_product(t30, t622);
+    let cylinder_v_y_dot_by_drum_x = (t27 * t622)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t624);
+    let cylinder_v_x_dot_by_drum_x = (-(t26 * t622))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t625);
+    let plate_omega_dot_by_drum_x = (t23 * t626)
+        .sub_product(t22, t627)
+        .sub_product(t22, t625)
+        .add_product(t23, t624)
+        .add_product(t24, t619)
+        .sub_product(t25, t618);
+    let plate_v_y_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t624))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t626)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t618);
+    let plate_v_x_dot_by_drum_x = (-(R::literal(-0.833_333_333_333_333_4) * t625))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t627)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t619);
+    let post_omega_dot_by_drum_x = (t20 * t628)
+        .sub_product(t19, t629)
+        .sub_product(t19, t627)
+        .add_product(t20, t626)
+        .sub_product(t21, t616);
+    let post_v_y_dot_by_drum_x = (-(R::literal(-1.25) * t626))
+        .sub_product(R::literal(1.25), t628);
+    let post_v_x_dot_by_drum_x = (-(R::literal(-1.25) * t627))
+        .sub_product(R::literal(1.25), t629);
+    let t630 = winding_force_over_between
+        - p.winding_force * bobbin_y_minus_drum_y_squared / between_squared_times_between
+        - t539;
+    let t631 = t504 - t587;
+    let t632 = c.inverse_bobbin_mass * t630;
+    let t633 = c.inverse_bobbin_mass * t631;
+    let t634 = (-t633).add_product(t151, t632);
+    let t635 = R::literal(0.666_666_666_666_666_6) * t583;
+    let t636 = ((((-(bobbin_v_x * t534)
+        .add_product(bobbin_v_y, t579)
+        .add_product(drum_v_x, t532)
+        .add_product(drum_v_y, t578) - t581)
+        .sub_product(t586, bobbin_v_y_dot) + t585)
+        .sub_product(t582, drum_v_y_dot)
+        .sub_product(t35, t630)
+        .sub_product(t36, t631) + t592)
+        .sub_product(t38, t583)
+        .sub_product(t152, t632)
+        .sub_product(t157, t634) - t593)
+        .add_product(bobbin_y_minus_drum_y_over_between, t635);
+    let t637 = (t154 * t632).sub_product(t159, t634).sub_product(t164, t636) * t165;
+    let t638 = (t636 * t162).sub_product(t164, t637);
+    let t639 = (t634 * t155).sub_product(t157, t638).sub_product(t159, t637);
+    let t640 = (-(t632 * t149))
+        .sub_product(t151, t639)
+        .add_product(t152, t638)
+        .sub_product(t154, t637);
+    let t641 = (-(t146 * t639)).sub_product(t144, t640).sub_product(t148, t637);
+    let t642 = (-(t137 * t640))
+        .sub_product(t135, t641)
+        .sub_product(t139, t639)
+        .sub_product(t141, t637);
+    let t643 = (-(t126 * t641))
+        .sub_product(t124, t642)
+        .sub_product(t128, t640)
+        .sub_product(t130, t639)
+        .sub_product(t132, t637);
+    let t644 = (-(t114 * t642))
+        .sub_product(t113, t643)
+        .add_product(t115, t641)
+        .sub_product(t117, t640)
+        .sub_product(t119, t639)
+        .sub_product(t121, t637);
+    let t645 = (-(t104 * t643))
+        .sub_product(t102, t644)
+        .sub_product(t106, t640)
+        .sub_product(t108, t639)
+        .sub_product(t110, t637);
+    let t646 = (t91 * t644)
+        .sub_product(t89, t645)
+        .sub_product(t93, t643)
+        .sub_product(t95, t640)
+        .sub_product(t97, t639)
+        .sub_product(t99, t637);
+    let t647 = (-(t78 * t645))
+        .sub_product(t76, t646)
+        .sub_product(t81, t640)
+        .sub_product(t84, t639)
+        .sub_product(t86, t637);
+    let t648 = (-(t64 * t646))
+        .sub_product(t62, t647)
+        .sub_product(t65, t645)
+        .sub_product(t68, t640)
+        .add_product(t70, t639)
+        .sub_product(t72, t637);
+    let t649 = (-(t55 * t647)).sub_product(t53, t648).sub_product(t57, t637);
+    let t650 = (-(t45 * t648))
+        .sub_product(t43, t649)
+        .sub_product(t43, t647)
+        .add_product(t47, t637);
+    let drum_v_y_dot_by_drum_y = (-t635)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            (-t583).add_product(bobbin_y_minus_drum_y_over_between, t638),
+        )
+        .add_product(t38, t638);
+    let drum_v_x_dot_by_drum_y = t549
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            t539.add_product(bobbin_x_minus_drum_x_over_between, t638),
+        )
+        .add_product(t37, t638);
+    let bobbin_v_y_dot_by_drum_y = t633
+        .sub_product(c.inverse_bobbin_mass, t639)
+        .sub_product(t36, t638);
+    let bobbin_v_x_dot_by_drum_y = t632
+        .sub_product(c.inverse_bobbin_mass, t640)
+        .sub_product(t35, t638);
+    let rod_omega_dot_by_drum_y = (t33 * t642)
+        .sub_product(R::literal(4_166.666_666_666_667), t644)
+        .sub_product(t34, t641);
+    let rod_v_y_dot_by_drum_y = (-(R::literal(5.0) * t641)).sub_product(t32, t643);
+    let rod_v_x_dot_by_drum_y = (-(R::literal(5.0) * t642)).add_product(t31, t643);
+    let cylinder_omega_dot_by_drum_y = (t29 * t645)
+        .sub_product(t28, t646)
+        .sub_product(R::literal(-2_777.777_777_777_778), t644)
+        .add_product(t30, t643);
+    let cylinder_v_y_dot_by_drum_y = (t27 * t643)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t645);
+    let cylinder_v_x_dot_by_drum_y = (-(t26 * t643))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t646);
+    let plate_omega_dot_by_drum_y = (t23 * t647)
+        .sub_product(t22, t648)
+        .sub_product(t22, t646)
+        .add_product(t23, t645)
+        .add_product(t24, t640)
+        .sub_product(t25, t639);
+    let plate_v_y_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t645))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t647)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t639);
+    let plate_v_x_dot_by_drum_y = (-(R::literal(-0.833_333_333_333_333_4) * t646))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t648)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t640);
+    let post_omega_dot_by_drum_y = (t20 * t649)
+        .sub_product(t19, t650)
+        .sub_product(t19, t648)
+        .add_product(t20, t647)
+        .sub_product(t21, t637);
+    let post_v_y_dot_by_drum_y = (-(R::literal(-1.25) * t647))
+        .sub_product(R::literal(1.25), t649);
+    let post_v_x_dot_by_drum_y = (-(R::literal(-1.25) * t648))
+        .sub_product(R::literal(1.25), t650);
+    let t651 = R::literal(0.2) * post_omega;
+    let t652 = t651 * cos_post_phi;
+    let t653 = (-(t651 * sin_post_phi)).add_product(t43, t652);
+    let t654 = (-t652).add_product(t45, t652).sub_product(t53, t653);
+    let t655 = t653.sub_product(t55, t653).sub_product(t62, t654);
+    let t656 = (-(t64 * t654)).sub_product(t76, t655);
+    let t657 = (-(t65 * t654)).sub_product(t78, t655).sub_product(t89, t656);
+    let t658 = (t91 * t656).sub_product(t102, t657);
+    let t659 = (-(t93 * t656)).sub_product(t104, t657).sub_product(t113, t658);
+    let t660 = (-(t114 * t658)).sub_product(t124, t659);
+    let t661 = (t115 * t658).sub_product(t126, t659).sub_product(t135, t660);
+    let t662 = (-(t68 * t654))
+        .sub_product(t81, t655)
+        .sub_product(t95, t656)
+        .sub_product(t106, t657)
+        .sub_product(t117, t658)
+        .sub_product(t128, t659)
+        .sub_product(t137, t660)
+        .sub_product(t144, t661);
+    let t663 = (t70 * t654)
+        .sub_product(t84, t655)
+        .sub_product(t97, t656)
+        .sub_product(t108, t657)
+        .sub_product(t119, t658)
+        .sub_product(t130, t659)
+        .sub_product(t139, t660)
+        .sub_product(t146, t661)
+        .sub_product(t151, t662);
+    let t664 = (t152 * t662).sub_product(t157, t663);
+    let t665 = (post_omega
         * (R::literal(0.286) * sin_post_phi)
             .sub_product(R::literal(0.088), cos_post_phi))
-        .sub_product(t47, t658)
-        .sub_product(t57, t659)
-        .sub_product(t72, t660)
-        .sub_product(t86, t661)
-        .sub_product(t99, t662)
-        .sub_product(t110, t663)
-        .sub_product(t121, t664)
-        .sub_product(t132, t665)
-        .sub_product(t141, t666)
-        .sub_product(t148, t667)
-        .sub_product(t154, t668)
-        .sub_product(t159, t669)
-        .sub_product(t164, t670) * t165;
-    let t672 = (t670 * t162).sub_product(t164, t671);
-    let t673 = (t669 * t155).sub_product(t157, t672).sub_product(t159, t671);
-    let t674 = (t668 * t149)
-        .sub_product(t151, t673)
-        .add_product(t152, t672)
-        .sub_product(t154, t671);
-    let t675 = (t667 * t142)
-        .sub_product(t144, t674)
-        .sub_product(t146, t673)
-        .sub_product(t148, t671);
-    let t676 = (t666 * t133)
-        .sub_product(t135, t675)
-        .sub_product(t137, t674)
-        .sub_product(t139, t673)
-        .sub_product(t141, t671);
-    let t677 = (t665 * t122)
-        .sub_product(t124, t676)
-        .sub_product(t126, t675)
-        .sub_product(t128, t674)
-        .sub_product(t130, t673)
-        .sub_product(t132, t671);
-    let t678 = (t664 * t111)
-        .sub_product(t113, t677)
-        .sub_product(t114, t676)
-        .add_product(t115, t675)
-        .sub_product(t117, t674)
-        .sub_product(t119, t673)
-        .sub_product(t121, t671);
-    let t679 = (t663 * t100)
-        .sub_product(t102, t678)
-        .sub_product(t104, t677)
-        .sub_product(t106, t674)
-        .sub_product(t108, t673)
-        .sub_product(t110, t671);
-    let t680 = (t662 * t87)
-        .sub_product(t89, t679)
-        .add_product(t91, t678)
-        .sub_product(t93, t677)
-        .sub_product(t95, t674)
-        .sub_product(t97, t673)
-        .sub_product(t99, t671);
-    let t681 = (t661 * t74)
-        .sub_product(t76, t680)
-        .sub_product(t78, t679)
-        .sub_product(t81, t674)
-        .sub_product(t84, t673)
-        .sub_product(t86, t671);
-    let t682 = (t660 * t59)
-        .sub_product(t62, t681)
-        .sub_product(t64, t680)
-        .sub_product(t65, t679)
-        .sub_product(t68, t674)
-        .add_product(t70, t673)
-        .sub_product(t72, t671);
-    let t683 = (t659 * t51)
-        .sub_product(t53, t682)
-        .sub_product(t55, t681)
-        .sub_product(t57, t671);
-    let t684 = (-(t658 * t41))
-        .sub_product(t43, t683)
-        .sub_product(t45, t682)
-        .sub_product(t43, t681)
-        .add_product(t47, t671);
-    let drum_v_y_dot_by_post_omega = (t38 * t672)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t672);
-    let drum_v_x_dot_by_post_omega = (t37 * t672)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t672);
-    let bobbin_v_y_dot_by_post_omega = (-(t36 * t672))
-        .sub_product(c.inverse_bobbin_mass, t673);
-    let bobbin_v_x_dot_by_post_omega = (-(t35 * t672))
-        .sub_product(c.inverse_bobbin_mass, t674);
-    let rod_omega_dot_by_post_omega = (t33 * t676)
-        .sub_product(R::literal(4_166.666_666_666_667), t678)
-        .sub_product(t34, t675);
-    let rod_v_y_dot_by_post_omega = (-(R::literal(5.0) * t675)).sub_product(t32, t677);
-    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t676)).add_product(t31, t677);
-    let cylinder_omega_dot_by_post_omega = (t29 * t679)
-        .sub_product(t28, t680)
-        .sub_product(R::literal(-2_777.777_777_777_778), t678)
-        .add_product(t30, t677);
-    let cylinder_v_y_dot_by_post_omega = (t27 * t677)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t679);
-    let cylinder_v_x_dot_by_post_omega = (-(t26 * t677))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t680);
-    let plate_omega_dot_by_post_omega = (t23 * t681)
-        .sub_product(t22, t682)
-        .sub_product(t22, t680)
-        .add_product(t23, t679)
-        .add_product(t24, t674)
-        .sub_product(t25, t673);
-    let plate_v_y_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t679))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t681)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t673);
-    let plate_v_x_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t680))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t682)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t674);
-    let post_omega_dot_by_post_omega = (t20 * t683)
-        .sub_product(t19, t684)
-        .sub_product(t19, t682)
-        .add_product(t20, t681)
-        .sub_product(t21, t671);
-    let post_v_y_dot_by_post_omega = (-(R::literal(-1.25) * t681))
-        .sub_product(R::literal(1.25), t683);
-    let post_v_x_dot_by_post_omega = (-(R::literal(-1.25) * t682))
-        .sub_product(R::literal(1.25), t684);
-    let t685 = R::literal(0.12) * plate_omega;
-    let t686 = t685 * cos_plate_phi;
-    let t687 = t685 * sin_plate_phi;
-    let t688 = (-t687).add_product(t62, t686);
-    let t689 = (-t686).add_product(t64, t686).sub_product(t76, t688);
-    let t690 = (-t687)
-        .add_product(t65, t686)
-        .sub_product(t78, t688)
-        .sub_product(t89, t689);
-    let t691 = (t91 * t689).sub_product(t102, t690);
-    let t692 = (-(t93 * t689)).sub_product(t104, t690).sub_product(t113, t691);
-    let t693 = (-(t114 * t691)).sub_product(t124, t692);
-    let t694 = (t115 * t691).sub_product(t126, t692).sub_product(t135, t693);
-    let t695 = (plate_omega
+        .sub_product(t47, t652)
+        .sub_product(t57, t653)
+        .sub_product(t72, t654)
+        .sub_product(t86, t655)
+        .sub_product(t99, t656)
+        .sub_product(t110, t657)
+        .sub_product(t121, t658)
+        .sub_product(t132, t659)
+        .sub_product(t141, t660)
+        .sub_product(t148, t661)
+        .sub_product(t154, t662)
+        .sub_product(t159, t663)
+        .sub_product(t164, t664) * t165;
+    let t666 = (t664 * t162).sub_product(t164, t665);
+    let t667 = (t663 * t155).sub_product(t157, t666).sub_product(t159, t665);
+    let t668 = (t662 * t149)
+        .sub_product(t151, t667)
+        .add_product(t152, t666)
+        .sub_product(t154, t665);
+    let t669 = (t661 * t142)
+        .sub_product(t144, t668)
+        .sub_product(t146, t667)
+        .sub_product(t148, t665);
+    let t670 = (t660 * t133)
+        .sub_product(t135, t669)
+        .sub_product(t137, t668)
+        .sub_product(t139, t667)
+        .sub_product(t141, t665);
+    let t671 = (t659 * t122)
+        .sub_product(t124, t670)
+        .sub_product(t126, t669)
+        .sub_product(t128, t668)
+        .sub_product(t130, t667)
+        .sub_product(t132, t665);
+    let t672 = (t658 * t111)
+        .sub_product(t113, t671)
+        .sub_product(t114, t670)
+        .add_product(t115, t669)
+        .sub_product(t117, t668)
+        .sub_product(t119, t667)
+        .sub_product(t121, t665);
+    let t673 = (t657 * t100)
+        .sub_product(t102, t672)
+        .sub_product(t104, t671)
+        .sub_product(t106, t668)
+        .sub_product(t108, t667)
+        .sub_product(t110, t665);
+    let t674 = (t656 * t87)
+        .sub_product(t89, t673)
+        .add_product(t91, t672)
+        .sub_product(t93, t671)
+        .sub_product(t95, t668)
+        .sub_product(t97, t667)
+        .sub_product(t99, t665);
+    let t675 = (t655 * t74)
+        .sub_product(t76, t674)
+        .sub_product(t78, t673)
+        .sub_product(t81, t668)
+        .sub_product(t84, t667)
+        .sub_product(t86, t665);
+    let t676 = (t654 * t59)
+        .sub_product(t62, t675)
+        .sub_product(t64, t674)
+        .sub_product(t65, t673)
+        .sub_product(t68, t668)
+        .add_product(t70, t667)
+        .sub_product(t72, t665);
+    let t677 = (t653 * t51)
+        .sub_product(t53, t676)
+        .sub_product(t55, t675)
+        .sub_product(t57, t665);
+    let t678 = (-(t652 * t41))
+        .sub_product(t43, t677)
+        .sub_product(t45, t676)
+        .sub_product(t43, t675)
+        .add_product(t47, t665);
+    let drum_v_y_dot_by_post_omega = (t38 * t666)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t666,
+        );
+    let drum_v_x_dot_by_post_omega = (t37 * t666)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t666,
+        );
+    let bobbin_v_y_dot_by_post_omega = (-(t36 * t666))
+        .sub_product(c.inverse_bobbin_mass, t667);
+    let bobbin_v_x_dot_by_post_omega = (-(t35 * t666))
+        .sub_product(c.inverse_bobbin_mass, t668);
+    let rod_omega_dot_by_post_omega = (t33 * t670)
+        .sub_product(R::literal(4_166.666_666_666_667), t672)
+        .sub_product(t34, t669);
+    let rod_v_y_dot_by_post_omega = (-(R::literal(5.0) * t669)).sub_product(t32, t671);
+    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t670)).add_product(t31, t671);
+    let cylinder_omega_dot_by_post_omega = (t29 * t673)
+        .sub_product(t28, t674)
+        .sub_product(R::literal(-2_777.777_777_777_778), t672)
+        .add_product(t30, t671);
+    let cylinder_v_y_dot_by_post_omega = (t27 * t671)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t673);
+    let cylinder_v_x_dot_by_post_omega = (-(t26 * t671))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t674);
+    let plate_omega_dot_by_post_omega = (t23 * t675)
+        .sub_product(t22, t676)
+        .sub_product(t22, t674)
+        .add_product(t23, t673)
+        .add_product(t24, t668)
+        .sub_product(t25, t667);
+    let plate_v_y_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t673))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t675)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t667);
+    let plate_v_x_dot_by_post_omega = (-(R::literal(-0.833_333_333_333_333_4) * t674))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t676)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t668);
+    let post_omega_dot_by_post_omega = (t20 * t677)
+        .sub_product(t19, t678)
+        .sub_product(t19, t676)
+        .add_product(t20, t675)
+        .sub_product(t21, t665);
+    let post_v_y_dot_by_post_omega = (-(R::literal(-1.25) * t675))
+        .sub_product(R::literal(1.25), t677);
+    let post_v_x_dot_by_post_omega = (-(R::literal(-1.25) * t676))
+        .sub_product(R::literal(1.25), t678);
+    let t679 = R::literal(0.12) * plate_omega;
+    let t680 = t679 * cos_plate_phi;
+    let t681 = t679 * sin_plate_phi;
+    let t682 = (-t681).add_product(t62, t680);
+    let t683 = (-t680).add_product(t64, t680).sub_product(t76, t682);
+    let t684 = (-t681)
+        .add_product(t65, t680)
+        .sub_product(t78, t682)
+        .sub_product(t89, t683);
+    let t685 = (t91 * t683).sub_product(t102, t684);
+    let t686 = (-(t93 * t683)).sub_product(t104, t684).sub_product(t113, t685);
+    let t687 = (-(t114 * t685)).sub_product(t124, t686);
+    let t688 = (t115 * t685).sub_product(t126, t686).sub_product(t135, t687);
+    let t689 = (plate_omega
         * (R::literal(0.02) * cos_plate_phi).sub_product(R::literal(0.2), sin_plate_phi))
-        .add_product(t68, t686)
-        .sub_product(t81, t688)
-        .sub_product(t95, t689)
-        .sub_product(t106, t690)
-        .sub_product(t117, t691)
-        .sub_product(t128, t692)
-        .sub_product(t137, t693)
-        .sub_product(t144, t694);
-    let t696 = (plate_omega
+        .add_product(t68, t680)
+        .sub_product(t81, t682)
+        .sub_product(t95, t683)
+        .sub_product(t106, t684)
+        .sub_product(t117, t685)
+        .sub_product(t128, t686)
+        .sub_product(t137, t687)
+        .sub_product(t144, t688);
+    let t690 = (plate_omega
         * (R::literal(0.02) * sin_plate_phi).add_product(R::literal(0.2), cos_plate_phi))
-        .sub_product(t70, t686)
-        .sub_product(t84, t688)
-        .sub_product(t97, t689)
-        .sub_product(t108, t690)
-        .sub_product(t119, t691)
-        .sub_product(t130, t692)
-        .sub_product(t139, t693)
+        .sub_product(t70, t680)
+        .sub_product(t84, t682)
+        .sub_product(t97, t683)
+        .sub_product(t108, t684)
+        .sub_product(t119, t685)
+        .sub_product(t130, t686)
+        .sub_product(t139, t687)
+        .sub_product(t146, t688)
+        .sub_product(t151, t689);
+    let t691 = (t152 * t689).sub_product(t157, t690);
+    let t692 = (t72 * t680)
+        .sub_product(t86, t682)
+        .sub_product(t99, t683)
+        .sub_product(t110, t684)
+        .sub_product(t121, t685)
+        .sub_product(t132, t686)
+        .sub_product(t141, t687)
+        .sub_product(t148, t688)
+        .sub_product(t154, t689)
+        .sub_product(t159, t690)
+        .sub_product(t164, t691) * t165;
+    let t693 = (t691 * t162).sub_product(t164, t692);
+    let t694 = (t690 * t155).sub_product(t157, t693).sub_product(t159, t692);
+    let t695 = (t689 * t149)
+        .sub_product(t151, t694)
+        .add_product(t152, t693)
+        .sub_product(t154, t692);
+    let t696 = (t688 * t142)
+        .sub_product(t144, t695)
         .sub_product(t146, t694)
-        .sub_product(t151, t695);
-    let t697 = (t152 * t695).sub_product(t157, t696);
-    let t698 = (t72 * t686)
-        .sub_product(t86, t688)
-        .sub_product(t99, t689)
-        .sub_product(t110, t690)
-        .sub_product(t121, t691)
-        .sub_product(t132, t692)
-        .sub_product(t141, t693)
-        .sub_product(t148, t694)
-        .sub_product(t154, t695)
-        .sub_product(t159, t696)
-        .sub_product(t164, t697) * t165;
-    let t699 = (t697 * t162).sub_product(t164, t698);
-    let t700 = (t696 * t155).sub_product(t157, t699).sub_product(t159, t698);
-    let t701 = (t695 * t149)
-        .sub_product(t151, t700)
-        .add_product(t152, t699)
-        .sub_product(t154, t698);
-    let t702 = (t694 * t142)
-        .sub_product(t144, t701)
-        .sub_product(t146, t700)
-        .sub_product(t148, t698);
-    let t703 = (t693 * t133)
-        .sub_product(t135, t702)
-        .sub_product(t137, t701)
-        .sub_product(t139, t700)
-        .sub_product(t141, t698);
-    let t704 = (t692 * t122)
-        .sub_product(t124, t703)
-        .sub_product(t126, t702)
-        .sub_product(t128, t701)
-        .sub_product(t130, t700)
-        .sub_product(t132, t698);
-    let t705 = (t691 * t111)
-        .sub_product(t113, t704)
-        .sub_product(t114, t703)
-        .add_product(t115, t702)
-        .sub_product(t117, t701)
-        .sub_product(t119, t700)
-        .sub_product(t121, t698);
-    let t706 = (t690 * t100)
-        .sub_product(t102, t705)
-        .sub_product(t104, t704)
-        .sub_product(t106, t701)
-        .sub_product(t108, t700)
-        .sub_product(t110, t698);
-    let t707 = (t689 * t87)
-        .sub_product(t89, t706)
-        .add_product(t91, t705)
-        .sub_product(t93, t704)
-        .sub_product(t95, t701)
-        .sub_product(t97, t700)
-        .sub_product(t99, t698);
-    let t708 = (t688 * t74)
-        .sub_product(t76, t707)
-        .sub_product(t78, t706)
-        .sub_product(t81, t701)
-        .sub_product(t84, t700)
-        .sub_product(t86, t698);
-    let t709 = (-(t686 * t59))
-        .sub_product(t62, t708)
-        .sub_product(t64, t707)
-        .sub_product(t65, t706)
-        .sub_product(t68, t701)
-        .add_product(t70, t700)
-        .sub_product(t72, t698);
-    let t710 = (-(t55 * t708)).sub_product(t53, t709).sub_product(t57, t698);
-    let t711 = (-(t45 * t709))
-        .sub_product(t43, t710)
-        .sub_product(t43, t708)
-        .add_product(t47, t698);
-    let drum_v_y_dot_by_plate_omega = (t38 * t699)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t699);
-    let drum_v_x_dot_by_plate_omega = (t37 * t699)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t699);
-    let bobbin_v_y_dot_by_plate_omega = (-(t36 * t699))
-        .sub_product(c.inverse_bobbin_mass, t700);
-    let bobbin_v_x_dot_by_plate_omega = (-(t35 * t699))
-        .sub_product(c.inverse_bobbin_mass, t701);
-    let rod_omega_dot_by_plate_omega = (t33 * t703)
-        .sub_product(R::literal(4_166.666_666_666_667), t705)
-        .sub_product(t34, t702);
-    let rod_v_y_dot_by_plate_omega = (-(R::literal(5.0) * t702)).sub_product(t32, t704);
-    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t703)).add_product(t31, t704);
-    let cylinder_omega_dot_by_plate_omega = (t29 * t706)
-        .sub_product(t28, t707)
-        .sub_product(R::literal(-2_777.777_777_777_778), t705)
-        .add_product(t30, t704);
-    let cylinder_v_y_dot_by_plate_omega = (t27 * t704)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t706);
-    let cylinder_v_x_dot_by_plate_omega = (-(t26 * t704))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t707);
-    let plate_omega_dot_by_plate_omega = (t23 * t708)
-        .sub_product(t22, t709)
-        .sub_product(t22, t707)
-        .add_product(t23, t706)
-        .add_product(t24, t701)
-        .sub_product(t25, t700);
-    let plate_v_y_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t706))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t708)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t700);
-    let plate_v_x_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t707))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t709)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t701);
-    let post_omega_dot_by_plate_omega = (t20 * t710)
-        .sub_product(t19, t711)
-        .sub_product(t19, t709)
-        .add_product(t20, t708)
-        .sub_product(t21, t698);
-    let post_v_y_dot_by_plate_omega = (-(R::literal(-1.25) * t708))
-        .sub_product(R::literal(1.25), t710);
-    let post_v_x_dot_by_plate_omega = (-(R::literal(-1.25) * t709))
-        .sub_product(R::literal(1.25), t711);
-    let t712 = R::literal(50.0) * (cos_cylinder_phi * cos_cylinder_phi);
-    let t713 = R::literal(50.0) * sin_cylinder_phi * cos_cylinder_phi;
-    let t714 = R::literal(50.0) * t14;
-    let t715 = t714 * cos_cylinder_phi;
-    let t716 = R::literal(2.0) * cylinder_omega;
-    let t717 = t716 * cos_cylinder_phi;
-    let t718 = R::literal(3.333_333_333_333_333_5) * t712;
-    let t719 = t28 * t715;
-    let t720 = t718 - t719;
-    let t721 = R::literal(3.333_333_333_333_333_5) * t713;
-    let t722 = -t721;
-    let t723 = t29 * t715;
-    let t724 = (t721 + t723).sub_product(t89, t720);
-    let t725 = R::literal(-2_777.777_777_777_778) * t715;
-    let t726 = (-t725).add_product(t91, t720).sub_product(t102, t724);
-    let t727 = t26 * t712;
-    let t728 = t27 * t713;
-    let t729 = t30 * t715;
-    let t730 = t31 * t712;
-    let t731 = t32 * t713;
-    let t732 = (t727 - t717 - t728 + t729 + t730 - t731)
-        .sub_product(t93, t720)
-        .sub_product(t104, t724)
-        .sub_product(t113, t726);
-    let t733 = R::literal(5.0) * t712;
-    let t734 = (-t733).sub_product(t114, t726).sub_product(t124, t732);
-    let t735 = R::literal(5.0) * t713;
-    let t736 = -t735;
-    let t737 = (-t735)
-        .add_product(t115, t726)
-        .sub_product(t126, t732)
-        .sub_product(t135, t734);
-    let t738 = (-(t95 * t720))
-        .sub_product(t106, t724)
-        .sub_product(t117, t726)
-        .sub_product(t128, t732)
-        .sub_product(t137, t734)
-        .sub_product(t144, t737);
-    let t739 = (-(t97 * t720))
-        .sub_product(t108, t724)
-        .sub_product(t119, t726)
-        .sub_product(t130, t732)
-        .sub_product(t139, t734)
-        .sub_product(t146, t737)
-        .sub_product(t151, t738);
-    let t740 = (t152 * t738).sub_product(t157, t739);
-    let t741 = t715 * R::literal(2_777.777_777_777_778);
-    let t742 = (-(t99 * t720))
-        .sub_product(t110, t724)
-        .sub_product(t121, t726)
-        .sub_product(t132, t732)
-        .sub_product(t141, t734)
-        .sub_product(t148, t737)
-        .sub_product(t154, t738)
-        .sub_product(t159, t739)
-        .sub_product(t164, t740) * t165;
-    let t743 = (t740 * t162).sub_product(t164, t742);
-    let t744 = (t739 * t155).sub_product(t157, t743).sub_product(t159, t742);
-    let t745 = (t738 * t149)
-        .sub_product(t151, t744)
-        .add_product(t152, t743)
-        .sub_product(t154, t742);
-    let t746 = (t737 * t142)
-        .sub_product(t144, t745)
-        .sub_product(t146, t744)
-        .sub_product(t148, t742);
-    let t747 = (t734 * t133)
-        .sub_product(t135, t746)
-        .sub_product(t137, t745)
-        .sub_product(t139, t744)
-        .sub_product(t141, t742);
-    let t748 = (t732 * t122)
-        .sub_product(t124, t747)
-        .sub_product(t126, t746)
-        .sub_product(t128, t745)
-        .sub_product(t130, t744)
-        .sub_product(t132, t742);
-    let t749 = (t726 * t111)
-        .sub_product(t113, t748)
-        .sub_product(t114, t747)
-        .add_product(t115, t746)
-        .sub_product(t117, t745)
-        .sub_product(t119, t744)
-        .sub_product(t121, t742);
-    let t750 = (t724 * t100)
-        .sub_product(t102, t749)
-        .sub_product(t104, t748)
-        .sub_product(t106, t745)
-        .sub_product(t108, t744)
-        .sub_product(t110, t742);
-    let t751 = (t720 * t87)
-        .sub_product(t89, t750)
-        .add_product(t91, t749)
-        .sub_product(t93, t748)
-        .sub_product(t95, t745)
-        .sub_product(t97, t744)
-        .sub_product(t99, t742);
-    let t752 = (-(t78 * t750))
-        .sub_product(t76, t751)
-        .sub_product(t81, t745)
-        .sub_product(t84, t744)
-        .sub_product(t86, t742);
-    let t753 = (-(t64 * t751))
-        .sub_product(t62, t752)
-        .sub_product(t65, t750)
-        .sub_product(t68, t745)
-        .add_product(t70, t744)
-        .sub_product(t72, t742);
-    let t754 = (-(t55 * t752)).sub_product(t53, t753).sub_product(t57, t742);
-    let t755 = (-(t45 * t753))
-        .sub_product(t43, t754)
-        .sub_product(t43, t752)
-        .add_product(t47, t742);
-    let drum_v_y_dot_by_cylinder_v_x = (t38 * t743)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t743);
-    let drum_v_x_dot_by_cylinder_v_x = (t37 * t743)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t743);
-    let bobbin_v_y_dot_by_cylinder_v_x = (-(t36 * t743))
-        .sub_product(c.inverse_bobbin_mass, t744);
-    let bobbin_v_x_dot_by_cylinder_v_x = (-(t35 * t743))
-        .sub_product(c.inverse_bobbin_mass, t745);
-    let rod_omega_dot_by_cylinder_v_x = (t33 * t747)
-        .sub_product(R::literal(4_166.666_666_666_667), t749)
-        .sub_product(t34, t746);
-    let rod_v_y_dot_by_cylinder_v_x = t735
-        .sub_product(t32, t748)
-        .sub_product(R::literal(5.0), t746);
-    let rod_v_x_dot_by_cylinder_v_x = t733
-        .add_product(t31, t748)
-        .sub_product(R::literal(5.0), t747);
-    let cylinder_omega_dot_by_cylinder_v_x = t741
-        .sub_product(t28, t751)
-        .add_product(t29, t750)
-        .sub_product(R::literal(-2_777.777_777_777_778), t749)
-        .add_product(t30, t748);
-    let cylinder_v_y_dot_by_cylinder_v_x = t722
-        .sub_product(R::literal(3.333_333_333_333_333_5), t750)
-        .add_product(t27, t748);
-    let cylinder_v_x_dot_by_cylinder_v_x = (-t718)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t751)
-        .sub_product(t26, t748);
-    let plate_omega_dot_by_cylinder_v_x = (t23 * t752)
-        .sub_product(t22, t753)
-        .sub_product(t22, t751)
-        .add_product(t23, t750)
-        .add_product(t24, t745)
-        .sub_product(t25, t744);
-    let plate_v_y_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t750))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t752)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t744);
-    let plate_v_x_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t751))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t753)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t745);
-    let post_omega_dot_by_cylinder_v_x = (t20 * t754)
-        .sub_product(t19, t755)
-        .sub_product(t19, t753)
-        .add_product(t20, t752)
-        .sub_product(t21, t742);
-    let post_v_y_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t752))
-        .sub_product(R::literal(1.25), t754);
-    let post_v_x_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t753))
-        .sub_product(R::literal(1.25), t755);
-    let t756 = R::literal(50.0) * (sin_cylinder_phi * sin_cylinder_phi);
-    let t757 = t714 * sin_cylinder_phi;
-    let t758 = t716 * sin_cylinder_phi;
-    let t759 = t28 * t757;
-    let t760 = t721 - t759;
-    let t761 = R::literal(3.333_333_333_333_333_5) * t756;
-    let t762 = -t761;
-    let t763 = t29 * t757;
-    let t764 = (t761 + t763).sub_product(t89, t760);
-    let t765 = R::literal(-2_777.777_777_777_778) * t757;
-    let t766 = (-t765).add_product(t91, t760).sub_product(t102, t764);
-    let t767 = t26 * t713;
-    let t768 = t27 * t756;
-    let t769 = t30 * t757;
-    let t770 = t31 * t713;
-    let t771 = t32 * t756;
-    let t772 = (t767 - t758 - t768 + t769 + t770 - t771)
-        .sub_product(t93, t760)
-        .sub_product(t104, t764)
-        .sub_product(t113, t766);
-    let t773 = t736.sub_product(t114, t766).sub_product(t124, t772);
-    let t774 = R::literal(5.0) * t756;
-    let t775 = (-t774)
-        .add_product(t115, t766)
-        .sub_product(t126, t772)
-        .sub_product(t135, t773);
-    let t776 = (-(t95 * t760))
-        .sub_product(t106, t764)
-        .sub_product(t117, t766)
-        .sub_product(t128, t772)
-        .sub_product(t137, t773)
-        .sub_product(t144, t775);
-    let t777 = (-(t97 * t760))
-        .sub_product(t108, t764)
-        .sub_product(t119, t766)
-        .sub_product(t130, t772)
-        .sub_product(t139, t773)
-        .sub_product(t146, t775)
-        .sub_product(t151, t776);
-    let t778 = (t152 * t776).sub_product(t157, t777);
-    let t779 = t757 * R::literal(2_777.777_777_777_778);
-    let t780 = (-(t99 * t760))
-        .sub_product(t110, t764)
-        .sub_product(t121, t766)
-        .sub_product(t132, t772)
-        .sub_product(t141, t773)
-        .sub_product(t148, t775)
-        .sub_product(t154, t776)
-        .sub_product(t159, t777)
-        .sub_product(t164, t778) * t165;
-    let t781 = (t778 * t162).sub_product(t164, t780);
-    let t782 = (t777 * t155).sub_product(t157, t781).sub_product(t159, t780);
-    let t783 = (t776 * t149)
-        .sub_product(t151, t782)
-        .add_product(t152, t781)
-        .sub_product(t154, t780);
-    let t784 = (t775 * t142)
-        .sub_product(t144, t783)
-        .sub_product(t146, t782)
-        .sub_product(t148, t780);
-    let t785 = (t773 * t133)
-        .sub_product(t135, t784)
-        .sub_product(t137, t783)
-        .sub_product(t139, t782)
-        .sub_product(t141, t780);
-    let t786 = (t772 * t122)
-        .sub_product(t124, t785)
-        .sub_product(t126, t784)
-        .sub_product(t128, t783)
-        .sub_product(t130, t782)
-        .sub_product(t132, t780);
-    let t787 = (t766 * t111)
-        .sub_product(t113, t786)
-        .sub_product(t114, t785)
-        .add_product(t115, t784)
-        .sub_product(t117, t783)
-        .sub_product(t119, t782)
-        .sub_product(t121, t780);
-    let t788 = (t764 * t100)
-        .sub_product(t102, t787)
-        .sub_product(t104, t786)
-        .sub_product(t106, t783)
-        .sub_product(t108, t782)
-        .sub_product(t110, t780);
-    let t789 = (t760 * t87)
-        .sub_product(t89, t788)
-        .add_product(t91, t787)
-        .sub_product(t93, t786)
-        .sub_product(t95, t783)
-        .sub_product(t97, t782)
-        .sub_product(t99, t780);
-    let t790 = (-(t78 * t788))
-        .sub_product(t76, t789)
-        .sub_product(t81, t783)
-        .sub_product(t84, t782)
-        .sub_product(t86, t780);
-    let t791 = (-(t64 * t789))
-        .sub_product(t62, t790)
-        .sub_product(t65, t788)
-        .sub_product(t68, t783)
-        .add_product(t70, t782)
-        .sub_product(t72, t780);
-    let t792 = (-(t55 * t790)).sub_product(t53, t791).sub_product(t57, t780);
-    let t793 = (-(t45 * t791))
-        .sub_product(t43, t792)
-        .sub_product(t43, t790)
-        .add_product(t47, t780);
-    let drum_v_y_dot_by_cylinder_v_y = (t38 * t781)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t781);
-    let drum_v_x_dot_by_cylinder_v_y = (t37 * t781)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t781);
-    let bobbin_v_y_dot_by_cylinder_v_y = (-(t36 * t781))
-        .sub_product(c.inverse_bobbin_mass, t782);
-    let bobbin_v_x_dot_by_cylinder_v_y = (-(t35 * t781))
-        .sub_product(c.inverse_bobbin_mass, t783);
-    let rod_omega_dot_by_cylinder_v_y = (t33 * t785)
-        .sub_product(R::literal(4_166.666_666_666_667), t787)
-        .sub_product(t34, t784);
-    let rod_v_y_dot_by_cylinder_v_y = t774
-        .sub_product(t32, t786)
-        .sub_product(R::literal(5.0), t784);
-    let rod_v_x_dot_by_cylinder_v_y = t735
-        .add_product(t31, t786)
-        .sub_product(R::literal(5.0), t785);
-    let cylinder_omega_dot_by_cylinder_v_y = t779
-        .sub_product(t28, t789)
-        .add_product(t29, t788)
-        .sub_product(R::literal(-2_777.777_777_777_778), t787)
-        .add_product(t30, t786);
-    let cylinder_v_y_dot_by_cylinder_v_y = t762
-        .sub_product(R::literal(3.333_333_333_333_333_5), t788)
-        .add_product(t27, t786);
-    let cylinder_v_x_dot_by_cylinder_v_y = t722
-        .sub_product(R::literal(3.333_333_333_333_333_5), t789)
-        .sub_product(t26, t786);
-    let plate_omega_dot_by_cylinder_v_y = (t23 * t790)
-        .sub_product(t22, t791)
-        .sub_product(t22, t789)
-        .add_product(t23, t788)
-        .add_product(t24, t783)
-        .sub_product(t25, t782);
-    let plate_v_y_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t788))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t790)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t782);
-    let plate_v_x_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t789))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t791)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t783);
-    let post_omega_dot_by_cylinder_v_y = (t20 * t792)
-        .sub_product(t19, t793)
-        .sub_product(t19, t791)
-        .add_product(t20, t790)
-        .sub_product(t21, t780);
-    let post_v_y_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t790))
-        .sub_product(R::literal(1.25), t792);
-    let post_v_x_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t791))
-        .sub_product(R::literal(1.25), t793);
-    let t794 = R::literal(50.0) * t391;
-    let t795 = R::literal(0.12) * cylinder_omega;
-    let t796 = R::literal(3.333_333_333_333_333_5) * t715;
-    let t797 = (-t796).sub_product(t795, cos_cylinder_phi).add_product(t28, t794);
-    let t798 = R::literal(3.333_333_333_333_333_5) * t757;
-    let t799 = (-t798)
-        .sub_product(t795, sin_cylinder_phi)
-        .sub_product(t29, t794)
-        .sub_product(t89, t797);
-    let t800 = (R::literal(-2_777.777_777_777_778) * t794)
-        .add_product(t91, t797)
-        .sub_product(t102, t799);
-    let t801 = (-(t26 * t715))
+        .sub_product(t148, t692);
+    let t697 = (t687 * t133)
+        .sub_product(t135, t696)
+        .sub_product(t137, t695)
+        .sub_product(t139, t694)
+        .sub_product(t141, t692);
+    let t698 = (t686 * t122)
+        .sub_product(t124, t697)
+        .sub_product(t126, t696)
+        .sub_product(t128, t695)
+        .sub_product(t130, t694)
+        .sub_product(t132, t692);
+    let t699 = (t685 * t111)
+        .sub_product(t113, t698)
+        .sub_product(t114, t697)
+        .add_product(t115, t696)
+        .sub_product(t117, t695)
+        .sub_product(t119, t694)
+        .sub_product(t121, t692);
+    let t700 = (t684 * t100)
+        .sub_product(t102, t699)
+        .sub_product(t104, t698)
+        .sub_product(t106, t695)
+        .sub_product(t108, t694)
+        .sub_product(t110, t692);
+    let t701 = (t683 * t87)
+        .sub_product(t89, t700)
+        .add_product(t91, t699)
+        .sub_product(t93, t698)
+        .sub_product(t95, t695)
+        .sub_product(t97, t694)
+        .sub_product(t99, t692);
+    let t702 = (t682 * t74)
+        .sub_product(t76, t701)
+        .sub_product(t78, t700)
+        .sub_product(t81, t695)
+        .sub_product(t84, t694)
+        .sub_product(t86, t692);
+    let t703 = (-(t680 * t59))
+        .sub_product(t62, t702)
+        .sub_product(t64, t701)
+        .sub_product(t65, t700)
+        .sub_product(t68, t695)
+        .add_product(t70, t694)
+        .sub_product(t72, t692);
+    let t704 = (-(t55 * t702)).sub_product(t53, t703).sub_product(t57, t692);
+    let t705 = (-(t45 * t703))
+        .sub_product(t43, t704)
+        .sub_product(t43, t702)
+        .add_product(t47, t692);
+    let drum_v_y_dot_by_plate_omega = (t38 * t693)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t693,
+        );
+    let drum_v_x_dot_by_plate_omega = (t37 * t693)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t693,
+        );
+    let bobbin_v_y_dot_by_plate_omega = (-(t36 * t693))
+        .sub_product(c.inverse_bobbin_mass, t694);
+    let bobbin_v_x_dot_by_plate_omega = (-(t35 * t693))
+        .sub_product(c.inverse_bobbin_mass, t695);
+    let rod_omega_dot_by_plate_omega = (t33 * t697)
+        .sub_product(R::literal(4_166.666_666_666_667), t699)
+        .sub_product(t34, t696);
+    let rod_v_y_dot_by_plate_omega = (-(R::literal(5.0) * t696)).sub_product(t32, t698);
+    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t697)).add_product(t31, t698);
+    let cylinder_omega_dot_by_plate_omega = (t29 * t700)
+        .sub_product(t28, t701)
+        .sub_product(R::literal(-2_777.777_777_777_778), t699)
+        .add_product(t30, t698);
+    let cylinder_v_y_dot_by_plate_omega = (t27 * t698)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t700);
+    let cylinder_v_x_dot_by_plate_omega = (-(t26 * t698))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t701);
+    let plate_omega_dot_by_plate_omega = (t23 * t702)
+        .sub_product(t22, t703)
+        .sub_product(t22, t701)
+        .add_product(t23, t700)
+        .add_product(t24, t695)
+        .sub_product(t25, t694);
+    let plate_v_y_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t700))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t702)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t694);
+    let plate_v_x_dot_by_plate_omega = (-(R::literal(-0.833_333_333_333_333_4) * t701))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t703)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t695);
+    let post_omega_dot_by_plate_omega = (t20 * t704)
+        .sub_product(t19, t705)
+        .sub_product(t19, t703)
+        .add_product(t20, t702)
+        .sub_product(t21, t692);
+    let post_v_y_dot_by_plate_omega = (-(R::literal(-1.25) * t702))
+        .sub_product(R::literal(1.25), t704);
+    let post_v_x_dot_by_plate_omega = (-(R::literal(-1.25) * t703))
+        .sub_product(R::literal(1.25), t705);
+    let cos_cylinder_phi_squared = cos_cylinder_phi * cos_cylinder_phi;
+    let t706 = R::literal(50.0) * cos_cylinder_phi_squared;
+    let t707 = R::literal(50.0) * sin_cylinder_phi * cos_cylinder_phi;
+    let t708 = R::literal(50.0) * t14;
+    let t709 = t708 * cos_cylinder_phi;
+    let t710 = R::literal(2.0) * cylinder_omega;
+    let t711 = t710 * cos_cylinder_phi;
+    let t712 = R::literal(166.666_666_666_666_69) * cos_cylinder_phi_squared;
+    let t713 = t28 * t709;
+    let t714 = t712 - t713;
+    let t715 = R::literal(3.333_333_333_333_333_5) * t707;
+    let t716 = -t715;
+    let t717 = t29 * t709;
+    let t718 = (t715 + t717).sub_product(t89, t714);
+    let t719 = R::literal(-2_777.777_777_777_778) * t709;
+    let t720 = (-t719).add_product(t91, t714).sub_product(t102, t718);
+    let t721 = t26 * t706;
+    let t722 = t27 * t707;
+    let t723 = t30 * t709;
+    let t724 = t31 * t706;
+    let t725 = t32 * t707;
+    let t726 = (t721 - t711 - t722 + t723 + t724 - t725)
+        .sub_product(t93, t714)
+        .sub_product(t104, t718)
+        .sub_product(t113, t720);
+    let t727 = R::literal(250.0) * cos_cylinder_phi_squared;
+    let t728 = (-t727).sub_product(t114, t720).sub_product(t124, t726);
+    let t729 = R::literal(5.0) * t707;
+    let t730 = -t729;
+    let t731 = (-t729)
+        .add_product(t115, t720)
+        .sub_product(t126, t726)
+        .sub_product(t135, t728);
+    let t732 = (-(t95 * t714))
+        .sub_product(t106, t718)
+        .sub_product(t117, t720)
+        .sub_product(t128, t726)
+        .sub_product(t137, t728)
+        .sub_product(t144, t731);
+    let t733 = (-(t97 * t714))
+        .sub_product(t108, t718)
+        .sub_product(t119, t720)
+        .sub_product(t130, t726)
+        .sub_product(t139, t728)
+        .sub_product(t146, t731)
+        .sub_product(t151, t732);
+    let t734 = (t152 * t732).sub_product(t157, t733);
+    let t735 = t709 * R::literal(2_777.777_777_777_778);
+    let t736 = (-(t99 * t714))
+        .sub_product(t110, t718)
+        .sub_product(t121, t720)
+        .sub_product(t132, t726)
+        .sub_product(t141, t728)
+        .sub_product(t148, t731)
+        .sub_product(t154, t732)
+        .sub_product(t159, t733)
+        .sub_product(t164, t734) * t165;
+    let t737 = (t734 * t162).sub_product(t164, t736);
+    let t738 = (t733 * t155).sub_product(t157, t737).sub_product(t159, t736);
+    let t739 = (t732 * t149)
+        .sub_product(t151, t738)
+        .add_product(t152, t737)
+        .sub_product(t154, t736);
+    let t740 = (t731 * t142)
+        .sub_product(t144, t739)
+        .sub_product(t146, t738)
+        .sub_product(t148, t736);
+    let t741 = (t728 * t133)
+        .sub_product(t135, t740)
+        .sub_product(t137, t739)
+        .sub_product(t139, t738)
+        .sub_product(t141, t736);
+    let t742 = (t726 * t122)
+        .sub_product(t124, t741)
+        .sub_product(t126, t740)
+        .sub_product(t128, t739)
+        .sub_product(t130, t738)
+        .sub_product(t132, t736);
+    let t743 = (t720 * t111)
+        .sub_product(t113, t742)
+        .sub_product(t114, t741)
+        .add_product(t115, t740)
+        .sub_product(t117, t739)
+        .sub_product(t119, t738)
+        .sub_product(t121, t736);
+    let t744 = (t718 * t100)
+        .sub_product(t102, t743)
+        .sub_product(t104, t742)
+        .sub_product(t106, t739)
+        .sub_product(t108, t738)
+        .sub_product(t110, t736);
+    let t745 = (t714 * t87)
+        .sub_product(t89, t744)
+        .add_product(t91, t743)
+        .sub_product(t93, t742)
+        .sub_product(t95, t739)
+        .sub_product(t97, t738)
+        .sub_product(t99, t736);
+    let t746 = (-(t78 * t744))
+        .sub_product(t76, t745)
+        .sub_product(t81, t739)
+        .sub_product(t84, t738)
+        .sub_product(t86, t736);
+    let t747 = (-(t64 * t745))
+        .sub_product(t62, t746)
+        .sub_product(t65, t744)
+        .sub_product(t68, t739)
+        .add_product(t70, t738)
+        .sub_product(t72, t736);
+    let t748 = (-(t55 * t746)).sub_product(t53, t747).sub_product(t57, t736);
+    let t749 = (-(t45 * t747))
+        .sub_product(t43, t748)
+        .sub_product(t43, t746)
+        .add_product(t47, t736);
+    let drum_v_y_dot_by_cylinder_v_x = (t38 * t737)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t737,
+        );
+    let drum_v_x_dot_by_cylinder_v_x = (t37 * t737)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t737,
+        );
+    let bobbin_v_y_dot_by_cylinder_v_x = (-(t36 * t737))
+        .sub_product(c.inverse_bobbin_mass, t738);
+    let bobbin_v_x_dot_by_cylinder_v_x = (-(t35 * t737))
+        .sub_product(c.inverse_bobbin_mass, t739);
+    let rod_omega_dot_by_cylinder_v_x = (t33 * t741)
+        .sub_product(R::literal(4_166.666_666_666_667), t743)
+        .sub_product(t34, t740);
+    let rod_v_y_dot_by_cylinder_v_x = t729
+        .sub_product(t32, t742)
+        .sub_product(R::literal(5.0), t740);
+    let rod_v_x_dot_by_cylinder_v_x = t727
+        .add_product(t31, t742)
+        .sub_product(R::literal(5.0), t741);
+    let cylinder_omega_dot_by_cylinder_v_x = t735
+        .sub_product(t28, t745)
+        .add_product(t29, t744)
+        .sub_product(R::literal(-2_777.777_777_777_778), t743)
+        .add_product(t30, t742);
+    let cylinder_v_y_dot_by_cylinder_v_x = t716
+        .sub_product(R::literal(3.333_333_333_333_333_5), t744)
+        .add_product(t27, t742);
+    let cylinder_v_x_dot_by_cylinder_v_x = (-t712)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t745)
+        .sub_product(t26, t742);
+    let plate_omega_dot_by_cylinder_v_x = (t23 * t746)
+        .sub_product(t22, t747)
+        .sub_product(t22, t745)
+        .add_product(t23, t744)
+        .add_product(t24, t739)
+        .sub_product(t25, t738);
+    let plate_v_y_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t744))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t746)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t738);
+    let plate_v_x_dot_by_cylinder_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t745))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t747)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t739);
+    let post_omega_dot_by_cylinder_v_x = (t20 * t748)
+        .sub_product(t19, t749)
+        .sub_product(t19, t747)
+        .add_product(t20, t746)
+        .sub_product(t21, t736);
+    let post_v_y_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t746))
+        .sub_product(R::literal(1.25), t748);
+    let post_v_x_dot_by_cylinder_v_x = (-(R::literal(-1.25) * t747))
+        .sub_product(R::literal(1.25), t749);
+    let sin_cylinder_phi_squared = sin_cylinder_phi * sin_cylinder_phi;
+    let t750 = R::literal(50.0) * sin_cylinder_phi_squared;
+    let t751 = t708 * sin_cylinder_phi;
+    let t752 = t710 * sin_cylinder_phi;
+    let t753 = t28 * t751;
+    let t754 = t715 - t753;
+    let t755 = R::literal(166.666_666_666_666_69) * sin_cylinder_phi_squared;
+    let t756 = -t755;
+    let t757 = t29 * t751;
+    let t758 = (t755 + t757).sub_product(t89, t754);
+    let t759 = R::literal(-2_777.777_777_777_778) * t751;
+    let t760 = (-t759).add_product(t91, t754).sub_product(t102, t758);
+    let t761 = t26 * t707;
+    let t762 = t27 * t750;
+    let t763 = t30 * t751;
+    let t764 = t31 * t707;
+    let t765 = t32 * t750;
+    let t766 = (t761 - t752 - t762 + t763 + t764 - t765)
+        .sub_product(t93, t754)
+        .sub_product(t104, t758)
+        .sub_product(t113, t760);
+    let t767 = t730.sub_product(t114, t760).sub_product(t124, t766);
+    let t768 = R::literal(250.0) * sin_cylinder_phi_squared;
+    let t769 = (-t768)
+        .add_product(t115, t760)
+        .sub_product(t126, t766)
+        .sub_product(t135, t767);
+    let t770 = (-(t95 * t754))
+        .sub_product(t106, t758)
+        .sub_product(t117, t760)
+        .sub_product(t128, t766)
+        .sub_product(t137, t767)
+        .sub_product(t144, t769);
+    let t771 = (-(t97 * t754))
+        .sub_product(t108, t758)
+        .sub_product(t119, t760)
+        .sub_product(t130, t766)
+        .sub_product(t139, t767)
+        .sub_product(t146, t769)
+        .sub_product(t151, t770);
+    let t772 = (t152 * t770).sub_product(t157, t771);
+    let t773 = t751 * R::literal(2_777.777_777_777_778);
+    let t774 = (-(t99 * t754))
+        .sub_product(t110, t758)
+        .sub_product(t121, t760)
+        .sub_product(t132, t766)
+        .sub_product(t141, t767)
+        .sub_product(t148, t769)
+        .sub_product(t154, t770)
+        .sub_product(t159, t771)
+        .sub_product(t164, t772) * t165;
+    let t775 = (t772 * t162).sub_product(t164, t774);
+    let t776 = (t771 * t155).sub_product(t157, t775).sub_product(t159, t774);
+    let t777 = (t770 * t149)
+        .sub_product(t151, t776)
+        .add_product(t152, t775)
+        .sub_product(t154, t774);
+    let t778 = (t769 * t142)
+        .sub_product(t144, t777)
+        .sub_product(t146, t776)
+        .sub_product(t148, t774);
+    let t779 = (t767 * t133)
+        .sub_product(t135, t778)
+        .sub_product(t137, t777)
+        .sub_product(t139, t776)
+        .sub_product(t141, t774);
+    let t780 = (t766 * t122)
+        .sub_product(t124, t779)
+        .sub_product(t126, t778)
+        .sub_product(t128, t777)
+        .sub_product(t130, t776)
+        .sub_product(t132, t774);
+    let t781 = (t760 * t111)
+        .sub_product(t113, t780)
+        .sub_product(t114, t779)
+        .add_product(t115, t778)
+        .sub_product(t117, t777)
+        .sub_product(t119, t776)
+        .sub_product(t121, t774);
+    let t782 = (t758 * t100)
+        .sub_product(t102, t781)
+        .sub_product(t104, t780)
+        .sub_product(t106, t777)
+        .sub_product(t108, t776)
+        .sub_product(t110, t774);
+    let t783 = (t754 * t87)
+        .sub_product(t89, t782)
+        .add_product(t91, t781)
+        .sub_product(t93, t780)
+        .sub_product(t95, t777)
+        .sub_product(t97, t776)
+        .sub_product(t99, t774);
+    let t784 = (-(t78 * t782))
+        .sub_product(t76, t783)
+        .sub_product(t81, t777)
+        .sub_product(t84, t776)
+        .sub_product(t86, t774);
+    let t785 = (-(t64 * t783))
+        .sub_product(t62, t784)
+        .sub_product(t65, t782)
+        .sub_product(t68, t777)
+        .add_product(t70, t776)
+        .sub_product(t72, t774);
+    let t786 = (-(t55 * t784)).sub_product(t53, t785).sub_product(t57, t774);
+    let t787 = (-(t45 * t785))
+        .sub_product(t43, t786)
+        .sub_product(t43, t784)
+        .add_product(t47, t774);
+    let drum_v_y_dot_by_cylinder_v_y = (t38 * t775)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t775,
+        );
+    let drum_v_x_dot_by_cylinder_v_y = (t37 * t775)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t775,
+        );
+    let bobbin_v_y_dot_by_cylinder_v_y = (-(t36 * t775))
+        .sub_product(c.inverse_bobbin_mass, t776);
+    let bobbin_v_x_dot_by_cylinder_v_y = (-(t35 * t775))
+        .sub_product(c.inverse_bobbin_mass, t777);
+    let rod_omega_dot_by_cylinder_v_y = (t33 * t779)
+        .sub_product(R::literal(4_166.666_666_666_667), t781)
+        .sub_product(t34, t778);
+    let rod_v_y_dot_by_cylinder_v_y = t768
+        .sub_product(t32, t780)
+        .sub_product(R::literal(5.0), t778);
+    let rod_v_x_dot_by_cylinder_v_y = t729
+        .add_product(t31, t780)
+        .sub_product(R::literal(5.0), t779);
+    let cylinder_omega_dot_by_cylinder_v_y = t773
+        .sub_product(t28, t783)
+        .add_product(t29, t782)
+        .sub_product(R::literal(-2_777.777_777_777_778), t781)
+        .add_product(t30, t780);
+    let cylinder_v_y_dot_by_cylinder_v_y = t756
+        .sub_product(R::literal(3.333_333_333_333_333_5), t782)
+        .add_product(t27, t780);
+    let cylinder_v_x_dot_by_cylinder_v_y = t716
+        .sub_product(R::literal(3.333_333_333_333_333_5), t783)
+        .sub_product(t26, t780);
+    let plate_omega_dot_by_cylinder_v_y = (t23 * t784)
+        .sub_product(t22, t785)
+        .sub_product(t22, t783)
+        .add_product(t23, t782)
+        .add_product(t24, t777)
+        .sub_product(t25, t776);
+    let plate_v_y_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t782))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t784)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t776);
+    let plate_v_x_dot_by_cylinder_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t783))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t785)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t777);
+    let post_omega_dot_by_cylinder_v_y = (t20 * t786)
+        .sub_product(t19, t787)
+        .sub_product(t19, t785)
+        .add_product(t20, t784)
+        .sub_product(t21, t774);
+    let post_v_y_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t784))
+        .sub_product(R::literal(1.25), t786);
+    let post_v_x_dot_by_cylinder_v_y = (-(R::literal(-1.25) * t785))
+        .sub_product(R::literal(1.25), t787);
+    let t788 = R::literal(50.0) * t391;
+    let t789 = R::literal(0.12) * cylinder_omega;
+    let t790 = R::literal(3.333_333_333_333_333_5) * t709;
+    let t791 = (-t790).sub_product(t789, cos_cylinder_phi).add_product(t28, t788);
+    let t792 = R::literal(3.333_333_333_333_333_5) * t751;
+    let t793 = (-t792)
+        .sub_product(t789, sin_cylinder_phi)
+        .sub_product(t29, t788)
+        .sub_product(t89, t791);
+    let t794 = (R::literal(-138_888.888_888_888_9) * t391)
+        .add_product(t91, t791)
+        .sub_product(t102, t793);
+    let t795 = (-(t26 * t709))
         .add_product(
             R::literal(2.0),
             ((t195 + t196)
@@ -4779,916 +4880,964 @@ pub fn prepared_rate_jacobian<R: Real>(
                 .sub_product(cylinder_v_x, cos_cylinder_phi)
                 .sub_product(cylinder_v_y, sin_cylinder_phi),
         )
-        .add_product(t27, t757)
-        .sub_product(t30, t794)
-        .sub_product(t31, t715)
-        .add_product(t32, t757)
-        .sub_product(t93, t797)
-        .sub_product(t104, t799)
-        .sub_product(t113, t800);
-    let t802 = R::literal(5.0) * t715;
-    let t803 = t802.sub_product(t114, t800).sub_product(t124, t801);
-    let t804 = R::literal(5.0) * t757;
-    let t805 = t804
-        .add_product(t115, t800)
-        .sub_product(t126, t801)
-        .sub_product(t135, t803);
-    let t806 = (-(t95 * t797))
-        .sub_product(t106, t799)
-        .sub_product(t117, t800)
-        .sub_product(t128, t801)
-        .sub_product(t137, t803)
-        .sub_product(t144, t805);
-    let t807 = (-(t97 * t797))
-        .sub_product(t108, t799)
-        .sub_product(t119, t800)
-        .sub_product(t130, t801)
-        .sub_product(t139, t803)
+        .add_product(t27, t751)
+        .sub_product(t30, t788)
+        .sub_product(t31, t709)
+        .add_product(t32, t751)
+        .sub_product(t93, t791)
+        .sub_product(t104, t793)
+        .sub_product(t113, t794);
+    let t796 = R::literal(5.0) * t709;
+    let t797 = t796.sub_product(t114, t794).sub_product(t124, t795);
+    let t798 = R::literal(5.0) * t751;
+    let t799 = t798
+        .add_product(t115, t794)
+        .sub_product(t126, t795)
+        .sub_product(t135, t797);
+    let t800 = (-(t95 * t791))
+        .sub_product(t106, t793)
+        .sub_product(t117, t794)
+        .sub_product(t128, t795)
+        .sub_product(t137, t797)
+        .sub_product(t144, t799);
+    let t801 = (-(t97 * t791))
+        .sub_product(t108, t793)
+        .sub_product(t119, t794)
+        .sub_product(t130, t795)
+        .sub_product(t139, t797)
+        .sub_product(t146, t799)
+        .sub_product(t151, t800);
+    let t802 = (t152 * t800).sub_product(t157, t801);
+    let t803 = (-(t99 * t791))
+        .sub_product(t110, t793)
+        .sub_product(t121, t794)
+        .sub_product(t132, t795)
+        .sub_product(t141, t797)
+        .sub_product(t148, t799)
+        .sub_product(t154, t800)
+        .sub_product(t159, t801)
+        .sub_product(t164, t802) * t165;
+    let t804 = (t802 * t162).sub_product(t164, t803);
+    let t805 = (t801 * t155).sub_product(t157, t804).sub_product(t159, t803);
+    let t806 = (t800 * t149)
+        .sub_product(t151, t805)
+        .add_product(t152, t804)
+        .sub_product(t154, t803);
+    let t807 = (t799 * t142)
+        .sub_product(t144, t806)
         .sub_product(t146, t805)
-        .sub_product(t151, t806);
-    let t808 = (t152 * t806).sub_product(t157, t807);
-    let t809 = (-(t99 * t797))
-        .sub_product(t110, t799)
-        .sub_product(t121, t800)
-        .sub_product(t132, t801)
-        .sub_product(t141, t803)
-        .sub_product(t148, t805)
-        .sub_product(t154, t806)
-        .sub_product(t159, t807)
-        .sub_product(t164, t808) * t165;
-    let t810 = (t808 * t162).sub_product(t164, t809);
-    let t811 = (t807 * t155).sub_product(t157, t810).sub_product(t159, t809);
-    let t812 = (t806 * t149)
-        .sub_product(t151, t811)
-        .add_product(t152, t810)
-        .sub_product(t154, t809);
-    let t813 = (t805 * t142)
-        .sub_product(t144, t812)
-        .sub_product(t146, t811)
-        .sub_product(t148, t809);
-    let t814 = (t803 * t133)
-        .sub_product(t135, t813)
-        .sub_product(t137, t812)
-        .sub_product(t139, t811)
-        .sub_product(t141, t809);
-    let t815 = (t801 * t122)
-        .sub_product(t124, t814)
-        .sub_product(t126, t813)
-        .sub_product(t128, t812)
-        .sub_product(t130, t811)
-        .sub_product(t132, t809);
-    let t816 = (t800 * t111)
-        .sub_product(t113, t815)
-        .sub_product(t114, t814)
-        .add_product(t115, t813)
-        .sub_product(t117, t812)
-        .sub_product(t119, t811)
-        .sub_product(t121, t809);
-    let t817 = (t799 * t100)
-        .sub_product(t102, t816)
-        .sub_product(t104, t815)
-        .sub_product(t106, t812)
-        .sub_product(t108, t811)
-        .sub_product(t110, t809);
-    let t818 = (t797 * t87)
-        .sub_product(t89, t817)
-        .add_product(t91, t816)
-        .sub_product(t93, t815)
-        .sub_product(t95, t812)
-        .sub_product(t97, t811)
-        .sub_product(t99, t809);
-    let t819 = (-(t78 * t817))
-        .sub_product(t76, t818)
-        .sub_product(t81, t812)
-        .sub_product(t84, t811)
-        .sub_product(t86, t809);
-    let t820 = (-(t64 * t818))
-        .sub_product(t62, t819)
-        .sub_product(t65, t817)
-        .sub_product(t68, t812)
-        .add_product(t70, t811)
-        .sub_product(t72, t809);
-    let t821 = (-(t55 * t819)).sub_product(t53, t820).sub_product(t57, t809);
-    let t822 = (-(t45 * t820))
-        .sub_product(t43, t821)
-        .sub_product(t43, t819)
-        .add_product(t47, t809);
-    let drum_v_y_dot_by_cylinder_omega = (t38 * t810)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t810);
-    let drum_v_x_dot_by_cylinder_omega = (t37 * t810)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t810);
-    let bobbin_v_y_dot_by_cylinder_omega = (-(t36 * t810))
-        .sub_product(c.inverse_bobbin_mass, t811);
-    let bobbin_v_x_dot_by_cylinder_omega = (-(t35 * t810))
-        .sub_product(c.inverse_bobbin_mass, t812);
-    let rod_omega_dot_by_cylinder_omega = (t33 * t814)
-        .sub_product(R::literal(4_166.666_666_666_667), t816)
-        .sub_product(t34, t813);
-    let rod_v_y_dot_by_cylinder_omega = (-t804)
-        .sub_product(t32, t815)
-        .sub_product(R::literal(5.0), t813);
-    let rod_v_x_dot_by_cylinder_omega = (-t802)
-        .add_product(t31, t815)
-        .sub_product(R::literal(5.0), t814);
-    let cylinder_omega_dot_by_cylinder_omega = (-(t794
-        * R::literal(2_777.777_777_777_778)))
-        .sub_product(t28, t818)
-        .add_product(t29, t817)
-        .sub_product(R::literal(-2_777.777_777_777_778), t816)
-        .add_product(t30, t815);
-    let cylinder_v_y_dot_by_cylinder_omega = t798
-        .sub_product(R::literal(3.333_333_333_333_333_5), t817)
-        .add_product(t27, t815);
-    let cylinder_v_x_dot_by_cylinder_omega = t796
-        .sub_product(R::literal(3.333_333_333_333_333_5), t818)
-        .sub_product(t26, t815);
-    let plate_omega_dot_by_cylinder_omega = (t23 * t819)
-        .sub_product(t22, t820)
-        .sub_product(t22, t818)
-        .add_product(t23, t817)
-        .add_product(t24, t812)
-        .sub_product(t25, t811);
+        .sub_product(t148, t803);
+    let t808 = (t797 * t133)
+        .sub_product(t135, t807)
+        .sub_product(t137, t806)
+        .sub_product(t139, t805)
+        .sub_product(t141, t803);
+    let t809 = (t795 * t122)
+        .sub_product(t124, t808)
+        .sub_product(t126, t807)
+        .sub_product(t128, t806)
+        .sub_product(t130, t805)
+        .sub_product(t132, t803);
+    let t810 = (t794 * t111)
+        .sub_product(t113, t809)
+        .sub_product(t114, t808)
+        .add_product(t115, t807)
+        .sub_product(t117, t806)
+        .sub_product(t119, t805)
+        .sub_product(t121, t803);
+    let t811 = (t793 * t100)
+        .sub_product(t102, t810)
+        .sub_product(t104, t809)
+        .sub_product(t106, t806)
+        .sub_product(t108, t805)
+        .sub_product(t110, t803);
+    let t812 = (t791 * t87)
+        .sub_product(t89, t811)
+        .add_product(t91, t810)
+        .sub_product(t93, t809)
+        .sub_product(t95, t806)
+        .sub_product(t97, t805)
+        .sub_product(t99, t803);
+    let t813 = (-(t78 * t811))
+        .sub_product(t76, t812)
+        .sub_product(t81, t806)
+        .sub_product(t84, t805)
+        .sub_product(t86, t803);
+    let t814 = (-(t64 * t812))
+        .sub_product(t62, t813)
+        .sub_product(t65, t811)
+        .sub_product(t68, t806)
+        .add_product(t70, t805)
+        .sub_product(t72, t803);
+    let t815 = (-(t55 * t813)).sub_product(t53, t814).sub_product(t57, t803);
+    let t816 = (-(t45 * t814))
+        .sub_product(t43, t815)
+        .sub_product(t43, t813)
+        .add_product(t47, t803);
+    let drum_v_y_dot_by_cylinder_omega = (t38 * t804)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t804,
+        );
+    let drum_v_x_dot_by_cylinder_omega = (t37 * t804)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t804,
+        );
+    let bobbin_v_y_dot_by_cylinder_omega = (-(t36 * t804))
+        .sub_product(c.inverse_bobbin_mass, t805);
+    let bobbin_v_x_dot_by_cylinder_omega = (-(t35 * t804))
+        .sub_product(c.inverse_bobbin_mass, t806);
+    let rod_omega_dot_by_cylinder_omega = (t33 * t808)
+        .sub_product(R::literal(4_166.666_666_666_667), t810)
+        .sub_product(t34, t807);
+    let rod_v_y_dot_by_cylinder_omega = (-t798)
+        .sub_product(t32, t809)
+        .sub_product(R::literal(5.0), t807);
+    let rod_v_x_dot_by_cylinder_omega = (-t796)
+        .add_product(t31, t809)
+        .sub_product(R::literal(5.0), t808);
+    let cylinder_omega_dot_by_cylinder_omega = (-(R::literal(138_888.888_888_888_9)
+        * t391))
+        .sub_product(t28, t812)
+        .add_product(t29, t811)
+        .sub_product(R::literal(-2_777.777_777_777_778), t810)
+        .add_product(t30, t809);
+    let cylinder_v_y_dot_by_cylinder_omega = t792
+        .sub_product(R::literal(3.333_333_333_333_333_5), t811)
+        .add_product(t27, t809);
+    let cylinder_v_x_dot_by_cylinder_omega = t790
+        .sub_product(R::literal(3.333_333_333_333_333_5), t812)
+        .sub_product(t26, t809);
+    let plate_omega_dot_by_cylinder_omega = (t23 * t813)
+        .sub_product(t22, t814)
+        .sub_product(t22, t812)
+        .add_product(t23, t811)
+        .add_product(t24, t806)
+        .sub_product(t25, t805);
     let plate_v_y_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
-        * t817))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t819)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t811);
+        * t811))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t813)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t805);
     let plate_v_x_dot_by_cylinder_omega = (-(R::literal(-0.833_333_333_333_333_4)
-        * t818))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t820)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t812);
-    let post_omega_dot_by_cylinder_omega = (t20 * t821)
-        .sub_product(t19, t822)
-        .sub_product(t19, t820)
-        .add_product(t20, t819)
-        .sub_product(t21, t809);
-    let post_v_y_dot_by_cylinder_omega = (-(R::literal(-1.25) * t819))
-        .sub_product(R::literal(1.25), t821);
-    let post_v_x_dot_by_cylinder_omega = (-(R::literal(-1.25) * t820))
-        .sub_product(R::literal(1.25), t822);
-    let t823 = t719 - t718;
-    let t824 = (t722 - t723).sub_product(t89, t823);
-    let t825 = t725.add_product(t91, t823).sub_product(t102, t824);
-    let t826 = (t717 - t727 + t728 - t729 - t730 + t731)
-        .sub_product(t93, t823)
-        .sub_product(t104, t824)
-        .sub_product(t113, t825);
-    let t827 = t733.sub_product(t114, t825).sub_product(t124, t826);
-    let t828 = t735
-        .add_product(t115, t825)
-        .sub_product(t126, t826)
-        .sub_product(t135, t827);
-    let t829 = (-(t95 * t823))
-        .sub_product(t106, t824)
-        .sub_product(t117, t825)
-        .sub_product(t128, t826)
-        .sub_product(t137, t827)
-        .sub_product(t144, t828);
-    let t830 = (-(t97 * t823))
-        .sub_product(t108, t824)
-        .sub_product(t119, t825)
-        .sub_product(t130, t826)
-        .sub_product(t139, t827)
+        * t812))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t814)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t806);
+    let post_omega_dot_by_cylinder_omega = (t20 * t815)
+        .sub_product(t19, t816)
+        .sub_product(t19, t814)
+        .add_product(t20, t813)
+        .sub_product(t21, t803);
+    let post_v_y_dot_by_cylinder_omega = (-(R::literal(-1.25) * t813))
+        .sub_product(R::literal(1.25), t815);
+    let post_v_x_dot_by_cylinder_omega = (-(R::literal(-1.25) * t814))
+        .sub_product(R::literal(1.25), t816);
+    let t817 = t713 - t712;
+    let t818 = (t716 - t717).sub_product(t89, t817);
+    let t819 = t719.add_product(t91, t817).sub_product(t102, t818);
+    let t820 = (t711 - t721 + t722 - t723 - t724 + t725)
+        .sub_product(t93, t817)
+        .sub_product(t104, t818)
+        .sub_product(t113, t819);
+    let t821 = t727.sub_product(t114, t819).sub_product(t124, t820);
+    let t822 = t729
+        .add_product(t115, t819)
+        .sub_product(t126, t820)
+        .sub_product(t135, t821);
+    let t823 = (-(t95 * t817))
+        .sub_product(t106, t818)
+        .sub_product(t117, t819)
+        .sub_product(t128, t820)
+        .sub_product(t137, t821)
+        .sub_product(t144, t822);
+    let t824 = (-(t97 * t817))
+        .sub_product(t108, t818)
+        .sub_product(t119, t819)
+        .sub_product(t130, t820)
+        .sub_product(t139, t821)
+        .sub_product(t146, t822)
+        .sub_product(t151, t823);
+    let t825 = (t152 * t823).sub_product(t157, t824);
+    let t826 = (-(t99 * t817))
+        .sub_product(t110, t818)
+        .sub_product(t121, t819)
+        .sub_product(t132, t820)
+        .sub_product(t141, t821)
+        .sub_product(t148, t822)
+        .sub_product(t154, t823)
+        .sub_product(t159, t824)
+        .sub_product(t164, t825) * t165;
+    let t827 = (t825 * t162).sub_product(t164, t826);
+    let t828 = (t824 * t155).sub_product(t157, t827).sub_product(t159, t826);
+    let t829 = (t823 * t149)
+        .sub_product(t151, t828)
+        .add_product(t152, t827)
+        .sub_product(t154, t826);
+    let t830 = (t822 * t142)
+        .sub_product(t144, t829)
         .sub_product(t146, t828)
-        .sub_product(t151, t829);
-    let t831 = (t152 * t829).sub_product(t157, t830);
-    let t832 = (-(t99 * t823))
-        .sub_product(t110, t824)
-        .sub_product(t121, t825)
-        .sub_product(t132, t826)
-        .sub_product(t141, t827)
-        .sub_product(t148, t828)
-        .sub_product(t154, t829)
-        .sub_product(t159, t830)
-        .sub_product(t164, t831) * t165;
-    let t833 = (t831 * t162).sub_product(t164, t832);
-    let t834 = (t830 * t155).sub_product(t157, t833).sub_product(t159, t832);
-    let t835 = (t829 * t149)
-        .sub_product(t151, t834)
-        .add_product(t152, t833)
-        .sub_product(t154, t832);
-    let t836 = (t828 * t142)
-        .sub_product(t144, t835)
-        .sub_product(t146, t834)
-        .sub_product(t148, t832);
-    let t837 = (t827 * t133)
-        .sub_product(t135, t836)
-        .sub_product(t137, t835)
-        .sub_product(t139, t834)
-        .sub_product(t141, t832);
-    let t838 = (t826 * t122)
-        .sub_product(t124, t837)
-        .sub_product(t126, t836)
-        .sub_product(t128, t835)
-        .sub_product(t130, t834)
-        .sub_product(t132, t832);
-    let t839 = (t825 * t111)
-        .sub_product(t113, t838)
-        .sub_product(t114, t837)
-        .add_product(t115, t836)
-        .sub_product(t117, t835)
-        .sub_product(t119, t834)
-        .sub_product(t121, t832);
-    let t840 = (t824 * t100)
-        .sub_product(t102, t839)
-        .sub_product(t104, t838)
-        .sub_product(t106, t835)
-        .sub_product(t108, t834)
-        .sub_product(t110, t832);
-    let t841 = (t823 * t87)
-        .sub_product(t89, t840)
-        .add_product(t91, t839)
-        .sub_product(t93, t838)
-        .sub_product(t95, t835)
-        .sub_product(t97, t834)
-        .sub_product(t99, t832);
-    let t842 = (-(t78 * t840))
-        .sub_product(t76, t841)
-        .sub_product(t81, t835)
-        .sub_product(t84, t834)
-        .sub_product(t86, t832);
-    let t843 = (-(t64 * t841))
-        .sub_product(t62, t842)
-        .sub_product(t65, t840)
-        .sub_product(t68, t835)
-        .add_product(t70, t834)
-        .sub_product(t72, t832);
-    let t844 = (-(t55 * t842)).sub_product(t53, t843).sub_product(t57, t832);
-    let t845 = (-(t45 * t843))
-        .sub_product(t43, t844)
-        .sub_product(t43, t842)
-        .add_product(t47, t832);
-    let drum_v_y_dot_by_rod_v_x = (t38 * t833)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t833);
-    let drum_v_x_dot_by_rod_v_x = (t37 * t833)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t833);
-    let bobbin_v_y_dot_by_rod_v_x = (-(t36 * t833))
-        .sub_product(c.inverse_bobbin_mass, t834);
-    let bobbin_v_x_dot_by_rod_v_x = (-(t35 * t833))
-        .sub_product(c.inverse_bobbin_mass, t835);
-    let rod_omega_dot_by_rod_v_x = (t33 * t837)
-        .sub_product(R::literal(4_166.666_666_666_667), t839)
-        .sub_product(t34, t836);
-    let rod_v_y_dot_by_rod_v_x = t736
-        .sub_product(t32, t838)
-        .sub_product(R::literal(5.0), t836);
-    let rod_v_x_dot_by_rod_v_x = (-t733)
-        .add_product(t31, t838)
-        .sub_product(R::literal(5.0), t837);
-    let cylinder_omega_dot_by_rod_v_x = (-t741)
-        .sub_product(t28, t841)
-        .add_product(t29, t840)
-        .sub_product(R::literal(-2_777.777_777_777_778), t839)
-        .add_product(t30, t838);
-    let cylinder_v_y_dot_by_rod_v_x = t721
-        .sub_product(R::literal(3.333_333_333_333_333_5), t840)
-        .add_product(t27, t838);
-    let cylinder_v_x_dot_by_rod_v_x = t718
-        .sub_product(R::literal(3.333_333_333_333_333_5), t841)
-        .sub_product(t26, t838);
-    let plate_omega_dot_by_rod_v_x = (t23 * t842)
-        .sub_product(t22, t843)
-        .sub_product(t22, t841)
-        .add_product(t23, t840)
-        .add_product(t24, t835)
-        .sub_product(t25, t834);
-    let plate_v_y_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t840))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t842)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t834);
-    let plate_v_x_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t841))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t843)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t835);
-    let post_omega_dot_by_rod_v_x = (t20 * t844)
-        .sub_product(t19, t845)
-        .sub_product(t19, t843)
-        .add_product(t20, t842)
-        .sub_product(t21, t832);
-    let post_v_y_dot_by_rod_v_x = (-(R::literal(-1.25) * t842))
-        .sub_product(R::literal(1.25), t844);
-    let post_v_x_dot_by_rod_v_x = (-(R::literal(-1.25) * t843))
-        .sub_product(R::literal(1.25), t845);
-    let t846 = t759 - t721;
-    let t847 = (t762 - t763).sub_product(t89, t846);
-    let t848 = t765.add_product(t91, t846).sub_product(t102, t847);
-    let t849 = (t758 - t767 + t768 - t769 - t770 + t771)
-        .sub_product(t93, t846)
-        .sub_product(t104, t847)
-        .sub_product(t113, t848);
-    let t850 = t735.sub_product(t114, t848).sub_product(t124, t849);
-    let t851 = t774
-        .add_product(t115, t848)
-        .sub_product(t126, t849)
-        .sub_product(t135, t850);
-    let t852 = (-(t95 * t846))
-        .sub_product(t106, t847)
-        .sub_product(t117, t848)
-        .sub_product(t128, t849)
-        .sub_product(t137, t850)
-        .sub_product(t144, t851);
-    let t853 = (-(t97 * t846))
-        .sub_product(t108, t847)
-        .sub_product(t119, t848)
-        .sub_product(t130, t849)
-        .sub_product(t139, t850)
+        .sub_product(t148, t826);
+    let t831 = (t821 * t133)
+        .sub_product(t135, t830)
+        .sub_product(t137, t829)
+        .sub_product(t139, t828)
+        .sub_product(t141, t826);
+    let t832 = (t820 * t122)
+        .sub_product(t124, t831)
+        .sub_product(t126, t830)
+        .sub_product(t128, t829)
+        .sub_product(t130, t828)
+        .sub_product(t132, t826);
+    let t833 = (t819 * t111)
+        .sub_product(t113, t832)
+        .sub_product(t114, t831)
+        .add_product(t115, t830)
+        .sub_product(t117, t829)
+        .sub_product(t119, t828)
+        .sub_product(t121, t826);
+    let t834 = (t818 * t100)
+        .sub_product(t102, t833)
+        .sub_product(t104, t832)
+        .sub_product(t106, t829)
+        .sub_product(t108, t828)
+        .sub_product(t110, t826);
+    let t835 = (t817 * t87)
+        .sub_product(t89, t834)
+        .add_product(t91, t833)
+        .sub_product(t93, t832)
+        .sub_product(t95, t829)
+        .sub_product(t97, t828)
+        .sub_product(t99, t826);
+    let t836 = (-(t78 * t834))
+        .sub_product(t76, t835)
+        .sub_product(t81, t829)
+        .sub_product(t84, t828)
+        .sub_product(t86, t826);
+    let t837 = (-(t64 * t835))
+        .sub_product(t62, t836)
+        .sub_product(t65, t834)
+        .sub_product(t68, t829)
+        .add_product(t70, t828)
+        .sub_product(t72, t826);
+    let t838 = (-(t55 * t836)).sub_product(t53, t837).sub_product(t57, t826);
+    let t839 = (-(t45 * t837))
+        .sub_product(t43, t838)
+        .sub_product(t43, t836)
+        .add_product(t47, t826);
+    let drum_v_y_dot_by_rod_v_x = (t38 * t827)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t827,
+        );
+    let drum_v_x_dot_by_rod_v_x = (t37 * t827)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t827,
+        );
+    let bobbin_v_y_dot_by_rod_v_x = (-(t36 * t827))
+        .sub_product(c.inverse_bobbin_mass, t828);
+    let bobbin_v_x_dot_by_rod_v_x = (-(t35 * t827))
+        .sub_product(c.inverse_bobbin_mass, t829);
+    let rod_omega_dot_by_rod_v_x = (t33 * t831)
+        .sub_product(R::literal(4_166.666_666_666_667), t833)
+        .sub_product(t34, t830);
+    let rod_v_y_dot_by_rod_v_x = t730
+        .sub_product(t32, t832)
+        .sub_product(R::literal(5.0), t830);
+    let rod_v_x_dot_by_rod_v_x = (-t727)
+        .add_product(t31, t832)
+        .sub_product(R::literal(5.0), t831);
+    let cylinder_omega_dot_by_rod_v_x = (-t735)
+        .sub_product(t28, t835)
+        .add_product(t29, t834)
+        .sub_product(R::literal(-2_777.777_777_777_778), t833)
+        .add_product(t30, t832);
+    let cylinder_v_y_dot_by_rod_v_x = t715
+        .sub_product(R::literal(3.333_333_333_333_333_5), t834)
+        .add_product(t27, t832);
+    let cylinder_v_x_dot_by_rod_v_x = t712
+        .sub_product(R::literal(3.333_333_333_333_333_5), t835)
+        .sub_product(t26, t832);
+    let plate_omega_dot_by_rod_v_x = (t23 * t836)
+        .sub_product(t22, t837)
+        .sub_product(t22, t835)
+        .add_product(t23, t834)
+        .add_product(t24, t829)
+        .sub_product(t25, t828);
+    let plate_v_y_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t834))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t836)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t828);
+    let plate_v_x_dot_by_rod_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t835))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t837)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t829);
+    let post_omega_dot_by_rod_v_x = (t20 * t838)
+        .sub_product(t19, t839)
+        .sub_product(t19, t837)
+        .add_product(t20, t836)
+        .sub_product(t21, t826);
+    let post_v_y_dot_by_rod_v_x = (-(R::literal(-1.25) * t836))
+        .sub_product(R::literal(1.25), t838);
+    let post_v_x_dot_by_rod_v_x = (-(R::literal(-1.25) * t837))
+        .sub_product(R::literal(1.25), t839);
+    let t840 = t753 - t715;
+    let t841 = (t756 - t757).sub_product(t89, t840);
+    let t842 = t759.add_product(t91, t840).sub_product(t102, t841);
+    let t843 = (t752 - t761 + t762 - t763 - t764 + t765)
+        .sub_product(t93, t840)
+        .sub_product(t104, t841)
+        .sub_product(t113, t842);
+    let t844 = t729.sub_product(t114, t842).sub_product(t124, t843);
+    let t845 = t768
+        .add_product(t115, t842)
+        .sub_product(t126, t843)
+        .sub_product(t135, t844);
+    let t846 = (-(t95 * t840))
+        .sub_product(t106, t841)
+        .sub_product(t117, t842)
+        .sub_product(t128, t843)
+        .sub_product(t137, t844)
+        .sub_product(t144, t845);
+    let t847 = (-(t97 * t840))
+        .sub_product(t108, t841)
+        .sub_product(t119, t842)
+        .sub_product(t130, t843)
+        .sub_product(t139, t844)
+        .sub_product(t146, t845)
+        .sub_product(t151, t846);
+    let t848 = (t152 * t846).sub_product(t157, t847);
+    let t849 = (-(t99 * t840))
+        .sub_product(t110, t841)
+        .sub_product(t121, t842)
+        .sub_product(t132, t843)
+        .sub_product(t141, t844)
+        .sub_product(t148, t845)
+        .sub_product(t154, t846)
+        .sub_product(t159, t847)
+        .sub_product(t164, t848) * t165;
+    let t850 = (t848 * t162).sub_product(t164, t849);
+    let t851 = (t847 * t155).sub_product(t157, t850).sub_product(t159, t849);
+    let t852 = (t846 * t149)
+        .sub_product(t151, t851)
+        .add_product(t152, t850)
+        .sub_product(t154, t849);
+    let t853 = (t845 * t142)
+        .sub_product(t144, t852)
         .sub_product(t146, t851)
-        .sub_product(t151, t852);
-    let t854 = (t152 * t852).sub_product(t157, t853);
-    let t855 = (-(t99 * t846))
-        .sub_product(t110, t847)
-        .sub_product(t121, t848)
-        .sub_product(t132, t849)
-        .sub_product(t141, t850)
-        .sub_product(t148, t851)
-        .sub_product(t154, t852)
-        .sub_product(t159, t853)
-        .sub_product(t164, t854) * t165;
-    let t856 = (t854 * t162).sub_product(t164, t855);
-    let t857 = (t853 * t155).sub_product(t157, t856).sub_product(t159, t855);
-    let t858 = (t852 * t149)
-        .sub_product(t151, t857)
-        .add_product(t152, t856)
-        .sub_product(t154, t855);
-    let t859 = (t851 * t142)
-        .sub_product(t144, t858)
-        .sub_product(t146, t857)
-        .sub_product(t148, t855);
-    let t860 = (t850 * t133)
-        .sub_product(t135, t859)
-        .sub_product(t137, t858)
-        .sub_product(t139, t857)
-        .sub_product(t141, t855);
-    let t861 = (t849 * t122)
-        .sub_product(t124, t860)
-        .sub_product(t126, t859)
-        .sub_product(t128, t858)
-        .sub_product(t130, t857)
-        .sub_product(t132, t855);
-    let t862 = (t848 * t111)
-        .sub_product(t113, t861)
-        .sub_product(t114, t860)
-        .add_product(t115, t859)
-        .sub_product(t117, t858)
-        .sub_product(t119, t857)
-        .sub_product(t121, t855);
-    let t863 = (t847 * t100)
-        .sub_product(t102, t862)
-        .sub_product(t104, t861)
-        .sub_product(t106, t858)
-        .sub_product(t108, t857)
-        .sub_product(t110, t855);
-    let t864 = (t846 * t87)
-        .sub_product(t89, t863)
-        .add_product(t91, t862)
-        .sub_product(t93, t861)
-        .sub_product(t95, t858)
-        .sub_product(t97, t857)
-        .sub_product(t99, t855);
-    let t865 = (-(t78 * t863))
-        .sub_product(t76, t864)
-        .sub_product(t81, t858)
-        .sub_product(t84, t857)
-        .sub_product(t86, t855);
-    let t866 = (-(t64 * t864))
-        .sub_product(t62, t865)
-        .sub_product(t65, t863)
-        .sub_product(t68, t858)
-        .add_product(t70, t857)
-        .sub_product(t72, t855);
-    let t867 = (-(t55 * t865)).sub_product(t53, t866).sub_product(t57, t855);
-    let t868 = (-(t45 * t866))
-        .sub_product(t43, t867)
-        .sub_product(t43, t865)
-        .add_product(t47, t855);
-    let drum_v_y_dot_by_rod_v_y = (t38 * t856)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t856);
-    let drum_v_x_dot_by_rod_v_y = (t37 * t856)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t856);
-    let bobbin_v_y_dot_by_rod_v_y = (-(t36 * t856))
-        .sub_product(c.inverse_bobbin_mass, t857);
-    let bobbin_v_x_dot_by_rod_v_y = (-(t35 * t856))
-        .sub_product(c.inverse_bobbin_mass, t858);
-    let rod_omega_dot_by_rod_v_y = (t33 * t860)
-        .sub_product(R::literal(4_166.666_666_666_667), t862)
-        .sub_product(t34, t859);
-    let rod_v_y_dot_by_rod_v_y = (-t774)
-        .sub_product(t32, t861)
-        .sub_product(R::literal(5.0), t859);
-    let rod_v_x_dot_by_rod_v_y = (-t735)
-        .add_product(t31, t861)
-        .sub_product(R::literal(5.0), t860);
-    let cylinder_omega_dot_by_rod_v_y = (-t779)
-        .sub_product(t28, t864)
-        .add_product(t29, t863)
-        .sub_product(R::literal(-2_777.777_777_777_778), t862)
-        .add_product(t30, t861);
-    let cylinder_v_y_dot_by_rod_v_y = t761
-        .sub_product(R::literal(3.333_333_333_333_333_5), t863)
-        .add_product(t27, t861);
-    let cylinder_v_x_dot_by_rod_v_y = t721
-        .sub_product(R::literal(3.333_333_333_333_333_5), t864)
-        .sub_product(t26, t861);
-    let plate_omega_dot_by_rod_v_y = (t23 * t865)
-        .sub_product(t22, t866)
-        .sub_product(t22, t864)
-        .add_product(t23, t863)
-        .add_product(t24, t858)
-        .sub_product(t25, t857);
-    let plate_v_y_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t863))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t865)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t857);
-    let plate_v_x_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t864))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t866)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t858);
-    let post_omega_dot_by_rod_v_y = (t20 * t867)
-        .sub_product(t19, t868)
-        .sub_product(t19, t866)
-        .add_product(t20, t865)
-        .sub_product(t21, t855);
-    let post_v_y_dot_by_rod_v_y = (-(R::literal(-1.25) * t865))
-        .sub_product(R::literal(1.25), t867);
-    let post_v_x_dot_by_rod_v_y = (-(R::literal(-1.25) * t866))
-        .sub_product(R::literal(1.25), t868);
-    let t869 = R::literal(0.12) * rod_omega;
-    let t870 = t869 * cos_rod_phi;
-    let t871 = (t869 * sin_rod_phi).sub_product(t135, t870);
-    let t872 = (-(t137 * t870)).sub_product(t144, t871);
-    let t873 = (-(t139 * t870)).sub_product(t146, t871).sub_product(t151, t872);
-    let t874 = (t152 * t872).sub_product(t157, t873);
-    let t875 = (-(t141 * t870))
-        .sub_product(t148, t871)
-        .sub_product(t154, t872)
-        .sub_product(t159, t873)
-        .sub_product(t164, t874) * t165;
-    let t876 = (t874 * t162).sub_product(t164, t875);
-    let t877 = (t873 * t155).sub_product(t157, t876).sub_product(t159, t875);
-    let t878 = (t872 * t149)
-        .sub_product(t151, t877)
-        .add_product(t152, t876)
-        .sub_product(t154, t875);
-    let t879 = (t871 * t142)
-        .sub_product(t144, t878)
-        .sub_product(t146, t877)
-        .sub_product(t148, t875);
-    let t880 = (t870 * t133)
-        .sub_product(t135, t879)
-        .sub_product(t137, t878)
-        .sub_product(t139, t877)
-        .sub_product(t141, t875);
-    let t881 = (-(t126 * t879))
-        .sub_product(t124, t880)
-        .sub_product(t128, t878)
-        .sub_product(t130, t877)
-        .sub_product(t132, t875);
-    let t882 = (-(t114 * t880))
-        .sub_product(t113, t881)
-        .add_product(t115, t879)
-        .sub_product(t117, t878)
-        .sub_product(t119, t877)
-        .sub_product(t121, t875);
-    let t883 = (-(t104 * t881))
-        .sub_product(t102, t882)
-        .sub_product(t106, t878)
-        .sub_product(t108, t877)
-        .sub_product(t110, t875);
-    let t884 = (t91 * t882)
-        .sub_product(t89, t883)
-        .sub_product(t93, t881)
-        .sub_product(t95, t878)
-        .sub_product(t97, t877)
-        .sub_product(t99, t875);
-    let t885 = (-(t78 * t883))
-        .sub_product(t76, t884)
-        .sub_product(t81, t878)
-        .sub_product(t84, t877)
-        .sub_product(t86, t875);
-    let t886 = (-(t64 * t884))
-        .sub_product(t62, t885)
-        .sub_product(t65, t883)
-        .sub_product(t68, t878)
-        .add_product(t70, t877)
-        .sub_product(t72, t875);
-    let t887 = (-(t55 * t885)).sub_product(t53, t886).sub_product(t57, t875);
-    let t888 = (-(t45 * t886))
-        .sub_product(t43, t887)
-        .sub_product(t43, t885)
-        .add_product(t47, t875);
-    let drum_v_y_dot_by_rod_omega = (t38 * t876)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t876);
-    let drum_v_x_dot_by_rod_omega = (t37 * t876)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t876);
-    let bobbin_v_y_dot_by_rod_omega = (-(t36 * t876))
-        .sub_product(c.inverse_bobbin_mass, t877);
-    let bobbin_v_x_dot_by_rod_omega = (-(t35 * t876))
-        .sub_product(c.inverse_bobbin_mass, t878);
-    let rod_omega_dot_by_rod_omega = (t33 * t880)
-        .sub_product(R::literal(4_166.666_666_666_667), t882)
-        .sub_product(t34, t879);
-    let rod_v_y_dot_by_rod_omega = (-(R::literal(5.0) * t879)).sub_product(t32, t881);
-    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t880)).add_product(t31, t881);
-    let cylinder_omega_dot_by_rod_omega = (t29 * t883)
-        .sub_product(t28, t884)
-        .sub_product(R::literal(-2_777.777_777_777_778), t882)
-        .add_product(t30, t881);
-    let cylinder_v_y_dot_by_rod_omega = (t27 * t881)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t883);
-    let cylinder_v_x_dot_by_rod_omega = (-(t26 * t881))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t884);
-    let plate_omega_dot_by_rod_omega = (t23 * t885)
-        .sub_product(t22, t886)
-        .sub_product(t22, t884)
-        .add_product(t23, t883)
-        .add_product(t24, t878)
-        .sub_product(t25, t877);
-    let plate_v_y_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t883))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t885)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t877);
-    let plate_v_x_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t884))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t886)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t878);
-    let post_omega_dot_by_rod_omega = (t20 * t887)
-        .sub_product(t19, t888)
-        .sub_product(t19, t886)
-        .add_product(t20, t885)
-        .sub_product(t21, t875);
-    let post_v_y_dot_by_rod_omega = (-(R::literal(-1.25) * t885))
-        .sub_product(R::literal(1.25), t887);
-    let post_v_x_dot_by_rod_omega = (-(R::literal(-1.25) * t886))
-        .sub_product(R::literal(1.25), t888);
-    let t889 = R::literal(2.0) * bobbin_v_y * bobbin_x_minus_drum_x
-        * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t890 = R::literal(2.0) * drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
-        / between_squared_times_between;
-    let t891 = drum_v_x_over_between
-        - ((t890.add_product(bobbin_v_x, t537) + bobbin_v_x_over_between)
-            .add_product(drum_v_x, t544) + t204 - t889 - t201);
-    let t892 = t164 * t891 * t165;
-    let t893 = (t891 * t162).add_product(t164, t892);
-    let t894 = (t159 * t892).sub_product(t157, t893);
-    let t895 = (t152 * t893).sub_product(t151, t894).add_product(t154, t892);
-    let t896 = (-(t146 * t894)).sub_product(t144, t895).add_product(t148, t892);
-    let t897 = (-(t137 * t895))
-        .sub_product(t135, t896)
-        .sub_product(t139, t894)
-        .add_product(t141, t892);
-    let t898 = (-(t126 * t896))
-        .sub_product(t124, t897)
-        .sub_product(t128, t895)
-        .sub_product(t130, t894)
-        .add_product(t132, t892);
-    let t899 = (-(t114 * t897))
+        .sub_product(t148, t849);
+    let t854 = (t844 * t133)
+        .sub_product(t135, t853)
+        .sub_product(t137, t852)
+        .sub_product(t139, t851)
+        .sub_product(t141, t849);
+    let t855 = (t843 * t122)
+        .sub_product(t124, t854)
+        .sub_product(t126, t853)
+        .sub_product(t128, t852)
+        .sub_product(t130, t851)
+        .sub_product(t132, t849);
+    let t856 = (t842 * t111)
+        .sub_product(t113, t855)
+        .sub_product(t114, t854)
+        .add_product(t115, t853)
+        .sub_product(t117, t852)
+        .sub_product(t119, t851)
+        .sub_product(t121, t849);
+    let t857 = (t841 * t100)
+        .sub_product(t102, t856)
+        .sub_product(t104, t855)
+        .sub_product(t106, t852)
+        .sub_product(t108, t851)
+        .sub_product(t110, t849);
+    let t858 = (t840 * t87)
+        .sub_product(t89, t857)
+        .add_product(t91, t856)
+        .sub_product(t93, t855)
+        .sub_product(t95, t852)
+        .sub_product(t97, t851)
+        .sub_product(t99, t849);
+    let t859 = (-(t78 * t857))
+        .sub_product(t76, t858)
+        .sub_product(t81, t852)
+        .sub_product(t84, t851)
+        .sub_product(t86, t849);
+    let t860 = (-(t64 * t858))
+        .sub_product(t62, t859)
+        .sub_product(t65, t857)
+        .sub_product(t68, t852)
+        .add_product(t70, t851)
+        .sub_product(t72, t849);
+    let t861 = (-(t55 * t859)).sub_product(t53, t860).sub_product(t57, t849);
+    let t862 = (-(t45 * t860))
+        .sub_product(t43, t861)
+        .sub_product(t43, t859)
+        .add_product(t47, t849);
+    let drum_v_y_dot_by_rod_v_y = (t38 * t850)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t850,
+        );
+    let drum_v_x_dot_by_rod_v_y = (t37 * t850)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t850,
+        );
+    let bobbin_v_y_dot_by_rod_v_y = (-(t36 * t850))
+        .sub_product(c.inverse_bobbin_mass, t851);
+    let bobbin_v_x_dot_by_rod_v_y = (-(t35 * t850))
+        .sub_product(c.inverse_bobbin_mass, t852);
+    let rod_omega_dot_by_rod_v_y = (t33 * t854)
+        .sub_product(R::literal(4_166.666_666_666_667), t856)
+        .sub_product(t34, t853);
+    let rod_v_y_dot_by_rod_v_y = (-t768)
+        .sub_product(t32, t855)
+        .sub_product(R::literal(5.0), t853);
+    let rod_v_x_dot_by_rod_v_y = (-t729)
+        .add_product(t31, t855)
+        .sub_product(R::literal(5.0), t854);
+    let cylinder_omega_dot_by_rod_v_y = (-t773)
+        .sub_product(t28, t858)
+        .add_product(t29, t857)
+        .sub_product(R::literal(-2_777.777_777_777_778), t856)
+        .add_product(t30, t855);
+    let cylinder_v_y_dot_by_rod_v_y = t755
+        .sub_product(R::literal(3.333_333_333_333_333_5), t857)
+        .add_product(t27, t855);
+    let cylinder_v_x_dot_by_rod_v_y = t715
+        .sub_product(R::literal(3.333_333_333_333_333_5), t858)
+        .sub_product(t26, t855);
+    let plate_omega_dot_by_rod_v_y = (t23 * t859)
+        .sub_product(t22, t860)
+        .sub_product(t22, t858)
+        .add_product(t23, t857)
+        .add_product(t24, t852)
+        .sub_product(t25, t851);
+    let plate_v_y_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t857))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t859)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t851);
+    let plate_v_x_dot_by_rod_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t858))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t860)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t852);
+    let post_omega_dot_by_rod_v_y = (t20 * t861)
+        .sub_product(t19, t862)
+        .sub_product(t19, t860)
+        .add_product(t20, t859)
+        .sub_product(t21, t849);
+    let post_v_y_dot_by_rod_v_y = (-(R::literal(-1.25) * t859))
+        .sub_product(R::literal(1.25), t861);
+    let post_v_x_dot_by_rod_v_y = (-(R::literal(-1.25) * t860))
+        .sub_product(R::literal(1.25), t862);
+    let t863 = R::literal(0.12) * rod_omega;
+    let t864 = t863 * cos_rod_phi;
+    let t865 = (t863 * sin_rod_phi).sub_product(t135, t864);
+    let t866 = (-(t137 * t864)).sub_product(t144, t865);
+    let t867 = (-(t139 * t864)).sub_product(t146, t865).sub_product(t151, t866);
+    let t868 = (t152 * t866).sub_product(t157, t867);
+    let t869 = (-(t141 * t864))
+        .sub_product(t148, t865)
+        .sub_product(t154, t866)
+        .sub_product(t159, t867)
+        .sub_product(t164, t868) * t165;
+    let t870 = (t868 * t162).sub_product(t164, t869);
+    let t871 = (t867 * t155).sub_product(t157, t870).sub_product(t159, t869);
+    let t872 = (t866 * t149)
+        .sub_product(t151, t871)
+        .add_product(t152, t870)
+        .sub_product(t154, t869);
+    let t873 = (t865 * t142)
+        .sub_product(t144, t872)
+        .sub_product(t146, t871)
+        .sub_product(t148, t869);
+    let t874 = (t864 * t133)
+        .sub_product(t135, t873)
+        .sub_product(t137, t872)
+        .sub_product(t139, t871)
+        .sub_product(t141, t869);
+    let t875 = (-(t126 * t873))
+        .sub_product(t124, t874)
+        .sub_product(t128, t872)
+        .sub_product(t130, t871)
+        .sub_product(t132, t869);
+    let t876 = (-(t114 * t874))
+        .sub_product(t113, t875)
+        .add_product(t115, t873)
+        .sub_product(t117, t872)
+        .sub_product(t119, t871)
+        .sub_product(t121, t869);
+    let t877 = (-(t104 * t875))
+        .sub_product(t102, t876)
+        .sub_product(t106, t872)
+        .sub_product(t108, t871)
+        .sub_product(t110, t869);
+    let t878 = (t91 * t876)
+        .sub_product(t89, t877)
+        .sub_product(t93, t875)
+        .sub_product(t95, t872)
+        .sub_product(t97, t871)
+        .sub_product(t99, t869);
+    let t879 = (-(t78 * t877))
+        .sub_product(t76, t878)
+        .sub_product(t81, t872)
+        .sub_product(t84, t871)
+        .sub_product(t86, t869);
+    let t880 = (-(t64 * t878))
+        .sub_product(t62, t879)
+        .sub_product(t65, t877)
+        .sub_product(t68, t872)
+        .add_product(t70, t871)
+        .sub_product(t72, t869);
+    let t881 = (-(t55 * t879)).sub_product(t53, t880).sub_product(t57, t869);
+    let t882 = (-(t45 * t880))
+        .sub_product(t43, t881)
+        .sub_product(t43, t879)
+        .add_product(t47, t869);
+    let drum_v_y_dot_by_rod_omega = (t38 * t870)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t870,
+        );
+    let drum_v_x_dot_by_rod_omega = (t37 * t870)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t870,
+        );
+    let bobbin_v_y_dot_by_rod_omega = (-(t36 * t870))
+        .sub_product(c.inverse_bobbin_mass, t871);
+    let bobbin_v_x_dot_by_rod_omega = (-(t35 * t870))
+        .sub_product(c.inverse_bobbin_mass, t872);
+    let rod_omega_dot_by_rod_omega = (t33 * t874)
+        .sub_product(R::literal(4_166.666_666_666_667), t876)
+        .sub_product(t34, t873);
+    let rod_v_y_dot_by_rod_omega = (-(R::literal(5.0) * t873)).sub_product(t32, t875);
+    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t874)).add_product(t31, t875);
+    let cylinder_omega_dot_by_rod_omega = (t29 * t877)
+        .sub_product(t28, t878)
+        .sub_product(R::literal(-2_777.777_777_777_778), t876)
+        .add_product(t30, t875);
+    let cylinder_v_y_dot_by_rod_omega = (t27 * t875)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t877);
+    let cylinder_v_x_dot_by_rod_omega = (-(t26 * t875))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t878);
+    let plate_omega_dot_by_rod_omega = (t23 * t879)
+        .sub_product(t22, t880)
+        .sub_product(t22, t878)
+        .add_product(t23, t877)
+        .add_product(t24, t872)
+        .sub_product(t25, t871);
+    let plate_v_y_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t877))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t879)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t871);
+    let plate_v_x_dot_by_rod_omega = (-(R::literal(-0.833_333_333_333_333_4) * t878))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t880)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t872);
+    let post_omega_dot_by_rod_omega = (t20 * t881)
+        .sub_product(t19, t882)
+        .sub_product(t19, t880)
+        .add_product(t20, t879)
+        .sub_product(t21, t869);
+    let post_v_y_dot_by_rod_omega = (-(R::literal(-1.25) * t879))
+        .sub_product(R::literal(1.25), t881);
+    let post_v_x_dot_by_rod_omega = (-(R::literal(-1.25) * t880))
+        .sub_product(R::literal(1.25), t882);
+    let t883 = R::literal(2.0) * bobbin_x * drum_x;
+    let bobbin_x_times_bobbin_y = bobbin_x * bobbin_y;
+    let bobbin_x_times_drum_y = bobbin_x * drum_y;
+    let bobbin_y_times_drum_x = bobbin_y * drum_x;
+    let drum_x_times_drum_y = drum_x * drum_y;
+    let bobbin_x_squared = bobbin_x * bobbin_x;
+    let drum_x_squared = drum_x * drum_x;
+    let t884 = R::literal(2.0)
+        * (bobbin_x_times_bobbin_y * bobbin_v_y)
+            .add_product(t883, drum_v_x)
+            .add_product(bobbin_x_times_drum_y, drum_v_y)
+            .add_product(bobbin_y_times_drum_x, drum_v_y)
+            .add_product(drum_x_times_drum_y, bobbin_v_y)
+            .add_product(bobbin_v_x, bobbin_x_squared)
+            .add_product(bobbin_v_x, drum_x_squared)
+            .add_product(drum_v_x, between_squared)
+            .sub_product(t883, bobbin_v_x)
+            .sub_product(bobbin_x_times_bobbin_y, drum_v_y)
+            .sub_product(bobbin_x_times_drum_y, bobbin_v_y)
+            .sub_product(bobbin_y_times_drum_x, bobbin_v_y)
+            .sub_product(drum_x_times_drum_y, drum_v_y)
+            .sub_product(bobbin_v_x, between_squared)
+            .sub_product(drum_v_x, bobbin_x_squared)
+            .sub_product(drum_v_x, drum_x_squared) / between_squared_times_between;
+    let t885 = t884 * t162;
+    let t886 = t164 * t884 * t165;
+    let t887 = t164 * t886;
+    let t888 = t885 + t887;
+    let t889 = t159 * t886;
+    let t890 = t889.sub_product(t157, t888);
+    let t891 = t154 * t886;
+    let t892 = (t152 * t888).sub_product(t151, t890) + t891;
+    let t893 = t148 * t886;
+    let t894 = (-(t146 * t890)).sub_product(t144, t892) + t893;
+    let t895 = t141 * t886;
+    let t896 = (-(t137 * t892)).sub_product(t135, t894).sub_product(t139, t890) + t895;
+    let t897 = t132 * t886;
+    let t898 = (-(t126 * t894))
+        .sub_product(t124, t896)
+        .sub_product(t128, t892)
+        .sub_product(t130, t890) + t897;
+    let t899 = t121 * t886;
+    let t900 = (-(t114 * t896))
         .sub_product(t113, t898)
-        .add_product(t115, t896)
-        .sub_product(t117, t895)
-        .sub_product(t119, t894)
-        .add_product(t121, t892);
-    let t900 = (-(t104 * t898))
-        .sub_product(t102, t899)
-        .sub_product(t106, t895)
-        .sub_product(t108, t894)
-        .add_product(t110, t892);
-    let t901 = (t91 * t899)
-        .sub_product(t89, t900)
+        .add_product(t115, t894)
+        .sub_product(t117, t892)
+        .sub_product(t119, t890) + t899;
+    let t901 = t110 * t886;
+    let t902 = (-(t104 * t898))
+        .sub_product(t102, t900)
+        .sub_product(t106, t892)
+        .sub_product(t108, t890) + t901;
+    let t903 = t99 * t886;
+    let t904 = (t91 * t900)
+        .sub_product(t89, t902)
         .sub_product(t93, t898)
-        .sub_product(t95, t895)
-        .sub_product(t97, t894)
-        .add_product(t99, t892);
-    let t902 = (-(t78 * t900))
-        .sub_product(t76, t901)
-        .sub_product(t81, t895)
-        .sub_product(t84, t894)
-        .add_product(t86, t892);
-    let t903 = (-(t64 * t901))
-        .sub_product(t62, t902)
-        .sub_product(t65, t900)
-        .sub_product(t68, t895)
-        .add_product(t70, t894)
-        .add_product(t72, t892);
-    let t904 = (-(t55 * t902)).sub_product(t53, t903).add_product(t57, t892);
-    let t905 = (-(t45 * t903))
-        .sub_product(t43, t904)
-        .sub_product(t43, t902)
-        .sub_product(t47, t892);
-    let drum_v_y_dot_by_bobbin_v_x = (t38 * t893)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t893);
-    let drum_v_x_dot_by_bobbin_v_x = (t37 * t893)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t893);
-    let bobbin_v_y_dot_by_bobbin_v_x = (-(t36 * t893))
-        .sub_product(c.inverse_bobbin_mass, t894);
-    let bobbin_v_x_dot_by_bobbin_v_x = (-(t35 * t893))
-        .sub_product(c.inverse_bobbin_mass, t895);
-    let rod_omega_dot_by_bobbin_v_x = (t33 * t897)
-        .sub_product(R::literal(4_166.666_666_666_667), t899)
-        .sub_product(t34, t896);
-    let rod_v_y_dot_by_bobbin_v_x = (-(R::literal(5.0) * t896)).sub_product(t32, t898);
-    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t897)).add_product(t31, t898);
-    let cylinder_omega_dot_by_bobbin_v_x = (t29 * t900)
-        .sub_product(t28, t901)
-        .sub_product(R::literal(-2_777.777_777_777_778), t899)
+        .sub_product(t95, t892)
+        .sub_product(t97, t890) + t903;
+    let t905 = t86 * t886;
+    let t906 = (-(t78 * t902))
+        .sub_product(t76, t904)
+        .sub_product(t81, t892)
+        .sub_product(t84, t890) + t905;
+    let t907 = t72 * t886;
+    let t908 = (-(t64 * t904))
+        .sub_product(t62, t906)
+        .sub_product(t65, t902)
+        .sub_product(t68, t892)
+        .add_product(t70, t890) + t907;
+    let t909 = t57 * t886;
+    let t910 = (-(t55 * t906)).sub_product(t53, t908) + t909;
+    let t911 = t47 * t886;
+    let t912 = (-(t45 * t908)).sub_product(t43, t910).sub_product(t43, t906) - t911;
+    let drum_v_y_dot_by_bobbin_v_x = (t38 * t888)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t888,
+        );
+    let drum_v_x_dot_by_bobbin_v_x = (t37 * t888)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t888,
+        );
+    let bobbin_v_y_dot_by_bobbin_v_x = (-(t36 * t888))
+        .sub_product(c.inverse_bobbin_mass, t890);
+    let bobbin_v_x_dot_by_bobbin_v_x = (-(t35 * t888))
+        .sub_product(c.inverse_bobbin_mass, t892);
+    let rod_omega_dot_by_bobbin_v_x = (t33 * t896)
+        .sub_product(R::literal(4_166.666_666_666_667), t900)
+        .sub_product(t34, t894);
+    let rod_v_y_dot_by_bobbin_v_x = (-(R::literal(5.0) * t894)).sub_product(t32, t898);
+    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t896)).add_product(t31, t898);
+    let cylinder_omega_dot_by_bobbin_v_x = (t29 * t902)
+        .sub_product(t28, t904)
+        .sub_product(R::literal(-2_777.777_777_777_778), t900)
         .add_product(t30, t898);
     let cylinder_v_y_dot_by_bobbin_v_x = (t27 * t898)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t900);
+        .sub_product(R::literal(3.333_333_333_333_333_5), t902);
     let cylinder_v_x_dot_by_bobbin_v_x = (-(t26 * t898))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t901);
-    let plate_omega_dot_by_bobbin_v_x = (t23 * t902)
-        .sub_product(t22, t903)
-        .sub_product(t22, t901)
-        .add_product(t23, t900)
-        .add_product(t24, t895)
-        .sub_product(t25, t894);
-    let plate_v_y_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t900))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t902)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t894);
-    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t901))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t903)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t895);
-    let post_omega_dot_by_bobbin_v_x = (t20 * t904)
-        .sub_product(t19, t905)
-        .sub_product(t19, t903)
-        .add_product(t20, t902)
-        .add_product(t21, t892);
-    let post_v_y_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t902))
-        .sub_product(R::literal(1.25), t904);
-    let post_v_x_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t903))
-        .sub_product(R::literal(1.25), t905);
-    let t906 = R::literal(2.0) * bobbin_v_x * bobbin_x_minus_drum_x
-        * bobbin_y_minus_drum_y / between_squared_times_between;
-    let t907 = R::literal(2.0) * drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
-        / between_squared_times_between;
-    let t908 = drum_v_y_over_between
-        - ((t907.add_product(bobbin_v_y, t587) + bobbin_v_y_over_between)
-            .add_product(drum_v_y, t591) + t210 - t906 - t208);
-    let t909 = t164 * t908 * t165;
-    let t910 = (t908 * t162).add_product(t164, t909);
-    let t911 = (t159 * t909).sub_product(t157, t910);
-    let t912 = (t152 * t910).sub_product(t151, t911).add_product(t154, t909);
-    let t913 = (-(t146 * t911)).sub_product(t144, t912).add_product(t148, t909);
-    let t914 = (-(t137 * t912))
-        .sub_product(t135, t913)
-        .sub_product(t139, t911)
-        .add_product(t141, t909);
-    let t915 = (-(t126 * t913))
-        .sub_product(t124, t914)
-        .sub_product(t128, t912)
-        .sub_product(t130, t911)
-        .add_product(t132, t909);
-    let t916 = (-(t114 * t914))
-        .sub_product(t113, t915)
-        .add_product(t115, t913)
-        .sub_product(t117, t912)
-        .sub_product(t119, t911)
-        .add_product(t121, t909);
-    let t917 = (-(t104 * t915))
-        .sub_product(t102, t916)
-        .sub_product(t106, t912)
-        .sub_product(t108, t911)
-        .add_product(t110, t909);
-    let t918 = (t91 * t916)
-        .sub_product(t89, t917)
-        .sub_product(t93, t915)
-        .sub_product(t95, t912)
-        .sub_product(t97, t911)
-        .add_product(t99, t909);
-    let t919 = (-(t78 * t917))
-        .sub_product(t76, t918)
-        .sub_product(t81, t912)
-        .sub_product(t84, t911)
-        .add_product(t86, t909);
-    let t920 = (-(t64 * t918))
-        .sub_product(t62, t919)
-        .sub_product(t65, t917)
-        .sub_product(t68, t912)
-        .add_product(t70, t911)
-        .add_product(t72, t909);
-    let t921 = (-(t55 * t919)).sub_product(t53, t920).add_product(t57, t909);
-    let t922 = (-(t45 * t920))
-        .sub_product(t43, t921)
-        .sub_product(t43, t919)
-        .sub_product(t47, t909);
-    let drum_v_y_dot_by_bobbin_v_y = (t38 * t910)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t910);
-    let drum_v_x_dot_by_bobbin_v_y = (t37 * t910)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t910);
-    let bobbin_v_y_dot_by_bobbin_v_y = (-(t36 * t910))
-        .sub_product(c.inverse_bobbin_mass, t911);
-    let bobbin_v_x_dot_by_bobbin_v_y = (-(t35 * t910))
-        .sub_product(c.inverse_bobbin_mass, t912);
-    let rod_omega_dot_by_bobbin_v_y = (t33 * t914)
-        .sub_product(R::literal(4_166.666_666_666_667), t916)
-        .sub_product(t34, t913);
-    let rod_v_y_dot_by_bobbin_v_y = (-(R::literal(5.0) * t913)).sub_product(t32, t915);
-    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t914)).add_product(t31, t915);
-    let cylinder_omega_dot_by_bobbin_v_y = (t29 * t917)
-        .sub_product(t28, t918)
-        .sub_product(R::literal(-2_777.777_777_777_778), t916)
-        .add_product(t30, t915);
-    let cylinder_v_y_dot_by_bobbin_v_y = (t27 * t915)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t917);
-    let cylinder_v_x_dot_by_bobbin_v_y = (-(t26 * t915))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t918);
-    let plate_omega_dot_by_bobbin_v_y = (t23 * t919)
-        .sub_product(t22, t920)
-        .sub_product(t22, t918)
-        .add_product(t23, t917)
-        .add_product(t24, t912)
-        .sub_product(t25, t911);
-    let plate_v_y_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t917))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t919)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t911);
-    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t918))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t920)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t912);
-    let post_omega_dot_by_bobbin_v_y = (t20 * t921)
-        .sub_product(t19, t922)
-        .sub_product(t19, t920)
-        .add_product(t20, t919)
-        .add_product(t21, t909);
-    let post_v_y_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t919))
-        .sub_product(R::literal(1.25), t921);
-    let post_v_x_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t920))
-        .sub_product(R::literal(1.25), t922);
-    let t923 = t204
-        - ((t889.add_product(bobbin_v_x, t544) + t201).add_product(drum_v_x, t537)
-            + drum_v_x_over_between - t890 - bobbin_v_x_over_between);
-    let t924 = t164 * t923 * t165;
-    let t925 = (t923 * t162).add_product(t164, t924);
-    let t926 = (t159 * t924).sub_product(t157, t925);
-    let t927 = (t152 * t925).sub_product(t151, t926).add_product(t154, t924);
-    let t928 = (-(t146 * t926)).sub_product(t144, t927).add_product(t148, t924);
-    let t929 = (-(t137 * t927))
-        .sub_product(t135, t928)
-        .sub_product(t139, t926)
-        .add_product(t141, t924);
-    let t930 = (-(t126 * t928))
-        .sub_product(t124, t929)
-        .sub_product(t128, t927)
-        .sub_product(t130, t926)
-        .add_product(t132, t924);
-    let t931 = (-(t114 * t929))
-        .sub_product(t113, t930)
-        .add_product(t115, t928)
-        .sub_product(t117, t927)
-        .sub_product(t119, t926)
-        .add_product(t121, t924);
-    let t932 = (-(t104 * t930))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t904);
+    let plate_omega_dot_by_bobbin_v_x = (t23 * t906)
+        .sub_product(t22, t908)
+        .sub_product(t22, t904)
+        .add_product(t23, t902)
+        .add_product(t24, t892)
+        .sub_product(t25, t890);
+    let plate_v_y_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t902))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t906)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t890);
+    let plate_v_x_dot_by_bobbin_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t904))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t908)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t892);
+    let t913 = t21 * t886;
+    let post_omega_dot_by_bobbin_v_x = (t20 * t910)
+        .sub_product(t19, t912)
+        .sub_product(t19, t908)
+        .add_product(t20, t906) + t913;
+    let post_v_y_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t906))
+        .sub_product(R::literal(1.25), t910);
+    let post_v_x_dot_by_bobbin_v_x = (-(R::literal(-1.25) * t908))
+        .sub_product(R::literal(1.25), t912);
+    let t914 = R::literal(2.0) * bobbin_y * drum_y;
+    let bobbin_y_squared = bobbin_y * bobbin_y;
+    let drum_y_squared = drum_y * drum_y;
+    let t915 = R::literal(2.0)
+        * (bobbin_x_times_bobbin_y * bobbin_v_x)
+            .add_product(t914, drum_v_y)
+            .add_product(bobbin_x_times_drum_y, drum_v_x)
+            .add_product(bobbin_y_times_drum_x, drum_v_x)
+            .add_product(drum_x_times_drum_y, bobbin_v_x)
+            .add_product(bobbin_v_y, bobbin_y_squared)
+            .add_product(bobbin_v_y, drum_y_squared)
+            .add_product(drum_v_y, between_squared)
+            .sub_product(t914, bobbin_v_y)
+            .sub_product(bobbin_x_times_bobbin_y, drum_v_x)
+            .sub_product(bobbin_x_times_drum_y, bobbin_v_x)
+            .sub_product(bobbin_y_times_drum_x, bobbin_v_x)
+            .sub_product(drum_x_times_drum_y, drum_v_x)
+            .sub_product(bobbin_v_y, between_squared)
+            .sub_product(drum_v_y, bobbin_y_squared)
+            .sub_product(drum_v_y, drum_y_squared) / between_squared_times_between;
+    let t916 = t915 * t162;
+    let t917 = t164 * t915 * t165;
+    let t918 = t164 * t917;
+    let t919 = t916 + t918;
+    let t920 = t159 * t917;
+    let t921 = t920.sub_product(t157, t919);
+    let t922 = t154 * t917;
+    let t923 = (t152 * t919).sub_product(t151, t921) + t922;
+    let t924 = t148 * t917;
+    let t925 = (-(t146 * t921)).sub_product(t144, t923) + t924;
+    let t926 = t141 * t917;
+    let t927 = (-(t137 * t923)).sub_product(t135, t925).sub_product(t139, t921) + t926;
+    let t928 = t132 * t917;
+    let t929 = (-(t126 * t925))
+        .sub_product(t124, t927)
+        .sub_product(t128, t923)
+        .sub_product(t130, t921) + t928;
+    let t930 = t121 * t917;
+    let t931 = (-(t114 * t927))
+        .sub_product(t113, t929)
+        .add_product(t115, t925)
+        .sub_product(t117, t923)
+        .sub_product(t119, t921) + t930;
+    let t932 = t110 * t917;
+    let t933 = (-(t104 * t929))
         .sub_product(t102, t931)
-        .sub_product(t106, t927)
-        .sub_product(t108, t926)
-        .add_product(t110, t924);
-    let t933 = (t91 * t931)
-        .sub_product(t89, t932)
-        .sub_product(t93, t930)
-        .sub_product(t95, t927)
-        .sub_product(t97, t926)
-        .add_product(t99, t924);
-    let t934 = (-(t78 * t932))
-        .sub_product(t76, t933)
-        .sub_product(t81, t927)
-        .sub_product(t84, t926)
-        .add_product(t86, t924);
-    let t935 = (-(t64 * t933))
-        .sub_product(t62, t934)
-        .sub_product(t65, t932)
-        .sub_product(t68, t927)
-        .add_product(t70, t926)
-        .add_product(t72, t924);
-    let t936 = (-(t55 * t934)).sub_product(t53, t935).add_product(t57, t924);
-    let t937 = (-(t45 * t935))
-        .sub_product(t43, t936)
-        .sub_product(t43, t934)
-        .sub_product(t47, t924);
-    let drum_v_y_dot_by_drum_v_x = (t38 * t925)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t925);
-    let drum_v_x_dot_by_drum_v_x = (t37 * t925)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t925);
-    let bobbin_v_y_dot_by_drum_v_x = (-(t36 * t925))
-        .sub_product(c.inverse_bobbin_mass, t926);
-    let bobbin_v_x_dot_by_drum_v_x = (-(t35 * t925))
-        .sub_product(c.inverse_bobbin_mass, t927);
-    let rod_omega_dot_by_drum_v_x = (t33 * t929)
+        .sub_product(t106, t923)
+        .sub_product(t108, t921) + t932;
+    let t934 = t99 * t917;
+    let t935 = (t91 * t931)
+        .sub_product(t89, t933)
+        .sub_product(t93, t929)
+        .sub_product(t95, t923)
+        .sub_product(t97, t921) + t934;
+    let t936 = t86 * t917;
+    let t937 = (-(t78 * t933))
+        .sub_product(t76, t935)
+        .sub_product(t81, t923)
+        .sub_product(t84, t921) + t936;
+    let t938 = t72 * t917;
+    let t939 = (-(t64 * t935))
+        .sub_product(t62, t937)
+        .sub_product(t65, t933)
+        .sub_product(t68, t923)
+        .add_product(t70, t921) + t938;
+    let t940 = t57 * t917;
+    let t941 = (-(t55 * t937)).sub_product(t53, t939) + t940;
+    let t942 = t47 * t917;
+    let t943 = (-(t45 * t939)).sub_product(t43, t941).sub_product(t43, t937) - t942;
+    let drum_v_y_dot_by_bobbin_v_y = (t38 * t919)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t919,
+        );
+    let drum_v_x_dot_by_bobbin_v_y = (t37 * t919)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t919,
+        );
+    let bobbin_v_y_dot_by_bobbin_v_y = (-(t36 * t919))
+        .sub_product(c.inverse_bobbin_mass, t921);
+    let bobbin_v_x_dot_by_bobbin_v_y = (-(t35 * t919))
+        .sub_product(c.inverse_bobbin_mass, t923);
+    let rod_omega_dot_by_bobbin_v_y = (t33 * t927)
         .sub_product(R::literal(4_166.666_666_666_667), t931)
-        .sub_product(t34, t928);
-    let rod_v_y_dot_by_drum_v_x = (-(R::literal(5.0) * t928)).sub_product(t32, t930);
-    let rod_v_x_dot_by_drum_v_x = (-(R::literal(5.0) * t929)).add_product(t31, t930);
-    let cylinder_omega_dot_by_drum_v_x = (t29 * t932)
-        .sub_product(t28, t933)
+        .sub_product(t34, t925);
+    let rod_v_y_dot_by_bobbin_v_y = (-(R::literal(5.0) * t925)).sub_product(t32, t929);
+    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t927)).add_product(t31, t929);
+    let cylinder_omega_dot_by_bobbin_v_y = (t29 * t933)
+        .sub_product(t28, t935)
         .sub_product(R::literal(-2_777.777_777_777_778), t931)
-        .add_product(t30, t930);
-    let cylinder_v_y_dot_by_drum_v_x = (t27 * t930)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t932);
-    let cylinder_v_x_dot_by_drum_v_x = (-(t26 * t930))
+        .add_product(t30, t929);
+    let cylinder_v_y_dot_by_bobbin_v_y = (t27 * t929)
         .sub_product(R::literal(3.333_333_333_333_333_5), t933);
-    let plate_omega_dot_by_drum_v_x = (t23 * t934)
+    let cylinder_v_x_dot_by_bobbin_v_y = (-(t26 * t929))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t935);
+    let plate_omega_dot_by_bobbin_v_y = (t23 * t937)
+        .sub_product(t22, t939)
         .sub_product(t22, t935)
-        .sub_product(t22, t933)
-        .add_product(t23, t932)
-        .add_product(t24, t927)
-        .sub_product(t25, t926);
-    let plate_v_y_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t932))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t934)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t926);
-    let plate_v_x_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t933))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t935)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t927);
-    let post_omega_dot_by_drum_v_x = (t20 * t936)
-        .sub_product(t19, t937)
-        .sub_product(t19, t935)
-        .add_product(t20, t934)
-        .add_product(t21, t924);
-    let post_v_y_dot_by_drum_v_x = (-(R::literal(-1.25) * t934))
-        .sub_product(R::literal(1.25), t936);
-    let post_v_x_dot_by_drum_v_x = (-(R::literal(-1.25) * t935))
-        .sub_product(R::literal(1.25), t937);
-    let t938 = t210
-        - ((t906.add_product(bobbin_v_y, t591) + t208).add_product(drum_v_y, t587)
-            + drum_v_y_over_between - t907 - bobbin_v_y_over_between);
-    let t939 = t164 * t938 * t165;
-    let t940 = (t938 * t162).add_product(t164, t939);
-    let t941 = (t159 * t939).sub_product(t157, t940);
-    let t942 = (t152 * t940).sub_product(t151, t941).add_product(t154, t939);
-    let t943 = (-(t146 * t941)).sub_product(t144, t942).add_product(t148, t939);
-    let t944 = (-(t137 * t942))
-        .sub_product(t135, t943)
-        .sub_product(t139, t941)
-        .add_product(t141, t939);
-    let t945 = (-(t126 * t943))
-        .sub_product(t124, t944)
-        .sub_product(t128, t942)
-        .sub_product(t130, t941)
-        .add_product(t132, t939);
-    let t946 = (-(t114 * t944))
-        .sub_product(t113, t945)
-        .add_product(t115, t943)
-        .sub_product(t117, t942)
-        .sub_product(t119, t941)
-        .add_product(t121, t939);
-    let t947 = (-(t104 * t945))
-        .sub_product(t102, t946)
-        .sub_product(t106, t942)
-        .sub_product(t108, t941)
-        .add_product(t110, t939);
-    let t948 = (t91 * t946)
-        .sub_product(t89, t947)
-        .sub_product(t93, t945)
-        .sub_product(t95, t942)
-        .sub_product(t97, t941)
-        .add_product(t99, t939);
-    let t949 = (-(t78 * t947))
-        .sub_product(t76, t948)
-        .sub_product(t81, t942)
-        .sub_product(t84, t941)
-        .add_product(t86, t939);
-    let t950 = (-(t64 * t948))
-        .sub_product(t62, t949)
-        .sub_product(t65, t947)
-        .sub_product(t68, t942)
-        .add_product(t70, t941)
-        .add_product(t72, t939);
-    let t951 = (-(t55 * t949)).sub_product(t53, t950).add_product(t57, t939);
-    let t952 = (-(t45 * t950))
-        .sub_product(t43, t951)
-        .sub_product(t43, t949)
-        .sub_product(t47, t939);
-    let drum_v_y_dot_by_drum_v_y = (t38 * t940)
-        .add_product(R::literal(0.666_666_666_666_666_6), t161 * t940);
-    let drum_v_x_dot_by_drum_v_y = (t37 * t940)
-        .add_product(R::literal(0.666_666_666_666_666_6), t160 * t940);
-    let bobbin_v_y_dot_by_drum_v_y = (-(t36 * t940))
-        .sub_product(c.inverse_bobbin_mass, t941);
-    let bobbin_v_x_dot_by_drum_v_y = (-(t35 * t940))
-        .sub_product(c.inverse_bobbin_mass, t942);
-    let rod_omega_dot_by_drum_v_y = (t33 * t944)
-        .sub_product(R::literal(4_166.666_666_666_667), t946)
-        .sub_product(t34, t943);
-    let rod_v_y_dot_by_drum_v_y = (-(R::literal(5.0) * t943)).sub_product(t32, t945);
-    let rod_v_x_dot_by_drum_v_y = (-(R::literal(5.0) * t944)).add_product(t31, t945);
-    let cylinder_omega_dot_by_drum_v_y = (t29 * t947)
-        .sub_product(t28, t948)
-        .sub_product(R::literal(-2_777.777_777_777_778), t946)
-        .add_product(t30, t945);
-    let cylinder_v_y_dot_by_drum_v_y = (t27 * t945)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t947);
-    let cylinder_v_x_dot_by_drum_v_y = (-(t26 * t945))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t948);
-    let plate_omega_dot_by_drum_v_y = (t23 * t949)
-        .sub_product(t22, t950)
-        .sub_product(t22, t948)
-        .add_product(t23, t947)
-        .add_product(t24, t942)
-        .sub_product(t25, t941);
-    let plate_v_y_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t947))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t949)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t941);
-    let plate_v_x_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t948))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t950)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t942);
-    let post_omega_dot_by_drum_v_y = (t20 * t951)
-        .sub_product(t19, t952)
-        .sub_product(t19, t950)
-        .add_product(t20, t949)
-        .add_product(t21, t939);
-    let post_v_y_dot_by_drum_v_y = (-(R::literal(-1.25) * t949))
-        .sub_product(R::literal(1.25), t951);
-    let post_v_x_dot_by_drum_v_y = (-(R::literal(-1.25) * t950))
-        .sub_product(R::literal(1.25), t952);
+        .add_product(t23, t933)
+        .add_product(t24, t923)
+        .sub_product(t25, t921);
+    let plate_v_y_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t933))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t937)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t921);
+    let plate_v_x_dot_by_bobbin_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t935))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t939)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t923);
+    let t944 = t21 * t917;
+    let post_omega_dot_by_bobbin_v_y = (t20 * t941)
+        .sub_product(t19, t943)
+        .sub_product(t19, t939)
+        .add_product(t20, t937) + t944;
+    let post_v_y_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t937))
+        .sub_product(R::literal(1.25), t941);
+    let post_v_x_dot_by_bobbin_v_y = (-(R::literal(-1.25) * t939))
+        .sub_product(R::literal(1.25), t943);
+    let t945 = -t885 - t887;
+    let t946 = (-t889).sub_product(t157, t945);
+    let t947 = (t152 * t945).sub_product(t151, t946) - t891;
+    let t948 = (-(t146 * t946)).sub_product(t144, t947) - t893;
+    let t949 = (-(t137 * t947)).sub_product(t135, t948).sub_product(t139, t946) - t895;
+    let t950 = (-(t126 * t948))
+        .sub_product(t124, t949)
+        .sub_product(t128, t947)
+        .sub_product(t130, t946) - t897;
+    let t951 = (-(t114 * t949))
+        .sub_product(t113, t950)
+        .add_product(t115, t948)
+        .sub_product(t117, t947)
+        .sub_product(t119, t946) - t899;
+    let t952 = (-(t104 * t950))
+        .sub_product(t102, t951)
+        .sub_product(t106, t947)
+        .sub_product(t108, t946) - t901;
+    let t953 = (t91 * t951)
+        .sub_product(t89, t952)
+        .sub_product(t93, t950)
+        .sub_product(t95, t947)
+        .sub_product(t97, t946) - t903;
+    let t954 = (-(t78 * t952))
+        .sub_product(t76, t953)
+        .sub_product(t81, t947)
+        .sub_product(t84, t946) - t905;
+    let t955 = (-(t64 * t953))
+        .sub_product(t62, t954)
+        .sub_product(t65, t952)
+        .sub_product(t68, t947)
+        .add_product(t70, t946) - t907;
+    let t956 = (-(t55 * t954)).sub_product(t53, t955) - t909;
+    let t957 = (-(t45 * t955)).sub_product(t43, t956).sub_product(t43, t954) + t911;
+    let drum_v_y_dot_by_drum_v_x = (t38 * t945)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t945,
+        );
+    let drum_v_x_dot_by_drum_v_x = (t37 * t945)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t945,
+        );
+    let bobbin_v_y_dot_by_drum_v_x = (-(t36 * t945))
+        .sub_product(c.inverse_bobbin_mass, t946);
+    let bobbin_v_x_dot_by_drum_v_x = (-(t35 * t945))
+        .sub_product(c.inverse_bobbin_mass, t947);
+    let rod_omega_dot_by_drum_v_x = (t33 * t949)
+        .sub_product(R::literal(4_166.666_666_666_667), t951)
+        .sub_product(t34, t948);
+    let rod_v_y_dot_by_drum_v_x = (-(R::literal(5.0) * t948)).sub_product(t32, t950);
+    let rod_v_x_dot_by_drum_v_x = (-(R::literal(5.0) * t949)).add_product(t31, t950);
+    let cylinder_omega_dot_by_drum_v_x = (t29 * t952)
+        .sub_product(t28, t953)
+        .sub_product(R::literal(-2_777.777_777_777_778), t951)
+        .add_product(t30, t950);
+    let cylinder_v_y_dot_by_drum_v_x = (t27 * t950)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t952);
+    let cylinder_v_x_dot_by_drum_v_x = (-(t26 * t950))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t953);
+    let plate_omega_dot_by_drum_v_x = (t23 * t954)
+        .sub_product(t22, t955)
+        .sub_product(t22, t953)
+        .add_product(t23, t952)
+        .add_product(t24, t947)
+        .sub_product(t25, t946);
+    let plate_v_y_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t952))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t954)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t946);
+    let plate_v_x_dot_by_drum_v_x = (-(R::literal(-0.833_333_333_333_333_4) * t953))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t955)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t947);
+    let post_omega_dot_by_drum_v_x = (t20 * t956)
+        .sub_product(t19, t957)
+        .sub_product(t19, t955)
+        .add_product(t20, t954) - t913;
+    let post_v_y_dot_by_drum_v_x = (-(R::literal(-1.25) * t954))
+        .sub_product(R::literal(1.25), t956);
+    let post_v_x_dot_by_drum_v_x = (-(R::literal(-1.25) * t955))
+        .sub_product(R::literal(1.25), t957);
+    let t958 = -t916 - t918;
+    let t959 = (-t920).sub_product(t157, t958);
+    let t960 = (t152 * t958).sub_product(t151, t959) - t922;
+    let t961 = (-(t146 * t959)).sub_product(t144, t960) - t924;
+    let t962 = (-(t137 * t960)).sub_product(t135, t961).sub_product(t139, t959) - t926;
+    let t963 = (-(t126 * t961))
+        .sub_product(t124, t962)
+        .sub_product(t128, t960)
+        .sub_product(t130, t959) - t928;
+    let t964 = (-(t114 * t962))
+        .sub_product(t113, t963)
+        .add_product(t115, t961)
+        .sub_product(t117, t960)
+        .sub_product(t119, t959) - t930;
+    let t965 = (-(t104 * t963))
+        .sub_product(t102, t964)
+        .sub_product(t106, t960)
+        .sub_product(t108, t959) - t932;
+    let t966 = (t91 * t964)
+        .sub_product(t89, t965)
+        .sub_product(t93, t963)
+        .sub_product(t95, t960)
+        .sub_product(t97, t959) - t934;
+    let t967 = (-(t78 * t965))
+        .sub_product(t76, t966)
+        .sub_product(t81, t960)
+        .sub_product(t84, t959) - t936;
+    let t968 = (-(t64 * t966))
+        .sub_product(t62, t967)
+        .sub_product(t65, t965)
+        .sub_product(t68, t960)
+        .add_product(t70, t959) - t938;
+    let t969 = (-(t55 * t967)).sub_product(t53, t968) - t940;
+    let t970 = (-(t45 * t968)).sub_product(t43, t969).sub_product(t43, t967) + t942;
+    let drum_v_y_dot_by_drum_v_y = (t38 * t958)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t958,
+        );
+    let drum_v_x_dot_by_drum_v_y = (t37 * t958)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t958,
+        );
+    let bobbin_v_y_dot_by_drum_v_y = (-(t36 * t958))
+        .sub_product(c.inverse_bobbin_mass, t959);
+    let bobbin_v_x_dot_by_drum_v_y = (-(t35 * t958))
+        .sub_product(c.inverse_bobbin_mass, t960);
+    let rod_omega_dot_by_drum_v_y = (t33 * t962)
+        .sub_product(R::literal(4_166.666_666_666_667), t964)
+        .sub_product(t34, t961);
+    let rod_v_y_dot_by_drum_v_y = (-(R::literal(5.0) * t961)).sub_product(t32, t963);
+    let rod_v_x_dot_by_drum_v_y = (-(R::literal(5.0) * t962)).add_product(t31, t963);
+    let cylinder_omega_dot_by_drum_v_y = (t29 * t965)
+        .sub_product(t28, t966)
+        .sub_product(R::literal(-2_777.777_777_777_778), t964)
+        .add_product(t30, t963);
+    let cylinder_v_y_dot_by_drum_v_y = (t27 * t963)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t965);
+    let cylinder_v_x_dot_by_drum_v_y = (-(t26 * t963))
+        .sub_product(R::literal(3.333_333_333_333_333_5), t966);
+    let plate_omega_dot_by_drum_v_y = (t23 * t967)
+        .sub_product(t22, t968)
+        .sub_product(t22, t966)
+        .add_product(t23, t965)
+        .add_product(t24, t960)
+        .sub_product(t25, t959);
+    let plate_v_y_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t965))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t967)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t959);
+    let plate_v_x_dot_by_drum_v_y = (-(R::literal(-0.833_333_333_333_333_4) * t966))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t968)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t960);
+    let post_omega_dot_by_drum_v_y = (t20 * t969)
+        .sub_product(t19, t970)
+        .sub_product(t19, t968)
+        .add_product(t20, t967) - t944;
+    let post_v_y_dot_by_drum_v_y = (-(R::literal(-1.25) * t967))
+        .sub_product(R::literal(1.25), t969);
+    let post_v_x_dot_by_drum_v_y = (-(R::literal(-1.25) * t968))
+        .sub_product(R::literal(1.25), t970);
     [
         R::literal(1.0),
         R::literal(1.0),
@@ -6097,7 +6246,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 2224 operations.
+/// 2220 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     _time: R,
@@ -6108,22 +6257,20 @@ pub fn parameter_jacobian<R: Real>(
     rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, _, _, _, post_omega, _, _,
     plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y, rod_omega,
     bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
-    let t7 = R::literal(0.06) * sin_rod_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_x_minus_drum_x_squared = bobbin_x_minus_drum_x * bobbin_x_minus_drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
@@ -6133,366 +6280,363 @@ pub fn parameter_jacobian<R: Real>(
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t8)
+        .add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t9 = (R::literal(0.044) * sin_post_phi)
+    let t8 = (R::literal(0.044) * sin_post_phi)
         .add_product(R::literal(0.143), cos_post_phi);
-    let t10 = (R::literal(0.01) * sin_plate_phi)
+    let t9 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t11 = (R::literal(0.01) * cos_plate_phi)
+    let t10 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t12 = t1 * R::literal(370.370_370_370_370_3);
-    let t13 = t0 * R::literal(370.370_370_370_370_3);
-    let t14 = t9 * R::literal(370.370_370_370_370_3);
-    let t15 = t3 * R::literal(400.0);
-    let t16 = t2 * R::literal(400.0);
+    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t13 = t8 * R::literal(370.370_370_370_370_3);
+    let t14 = R::literal(24.0) * sin_plate_phi;
+    let t15 = R::literal(24.0) * cos_plate_phi;
+    let t16 = t9 * R::literal(400.0);
     let t17 = t10 * R::literal(400.0);
-    let t18 = t11 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = t5 * R::literal(2_777.777_777_777_778);
-    let t22 = t4 * R::literal(2_777.777_777_777_778);
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = t7 * R::literal(4_166.666_666_666_667);
-    let t27 = t6 * R::literal(4_166.666_666_666_667);
+    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t22 = slide * R::literal(2_777.777_777_777_778);
+    let t23 = sin_cylinder_phi * R::literal(5.0);
+    let t24 = cos_cylinder_phi * R::literal(5.0);
+    let t25 = R::literal(250.0) * sin_rod_phi;
+    let t26 = R::literal(250.0) * cos_rod_phi;
     let inverse_bobbin_mass = R::literal(1.0) / p.bobbin_mass;
-    let t28 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
-    let t29 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
-    let t30 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t31 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
-    let t32 = t12 * t1;
-    let t33 = R::literal(-1.25) - t32;
-    let t34 = R::literal(1.0) / t33;
-    let t35 = t13 * t1;
-    let t36 = t35 * t34;
-    let t37 = R::literal(1.25) - t32;
-    let t38 = t37 * t34;
-    let t39 = t14 * t1;
-    let t40 = t39 * t34;
-    let t41 = t13 * t0;
-    let t42 = R::literal(-1.25) - t41;
-    let t43 = t36 * t35;
-    let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = (t12 * t0).sub_product(t38, t35);
-    let t46 = t45 * t44;
-    let t47 = R::literal(1.25) - t41 - t43;
-    let t48 = t47 * t44;
-    let t49 = (t14 * t0).add_product(t40, t35);
-    let t50 = t49 * t44;
-    let t51 = t15 * t3;
-    let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
-            .sub_product(t38, t37)
-            .sub_product(t46, t45);
-    let t53 = t16 * t3;
-    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
-    let t55 = t54 * t52;
-    let t56 = R::literal(0.833_333_333_333_333_4) - t51;
-    let t57 = t56 * t52;
-    let t58 = t53 * t52;
-    let t59 = t17 * t3;
-    let t60 = R::literal(0.833_333_333_333_333_4) + t59;
-    let t61 = t60 * t52;
-    let t62 = t18 * t3;
-    let t63 = t62 * t52;
-    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
-    let t65 = t64 * t52;
-    let t66 = t16 * t2;
-    let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
-            .sub_product(t48, t47)
-            .sub_product(t55, t54);
-    let t68 = (t15 * t2).sub_product(t57, t54);
-    let t69 = t68 * t67;
-    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
-    let t71 = t70 * t67;
-    let t72 = -(t17 * t2);
-    let t73 = t72.sub_product(t61, t54);
-    let t74 = t73 * t67;
-    let t75 = t18 * t2;
-    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
-    let t77 = t76 * t67;
-    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
-    let t79 = t78 * t67;
-    let t80 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t51
+    let t27 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
+    let t28 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
+    let t29 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
+    let t30 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t31 = t11 * t1;
+    let t32 = R::literal(-1.25) - t31;
+    let t33 = R::literal(1.0) / t32;
+    let t34 = t12 * t1;
+    let t35 = t34 * t33;
+    let t36 = R::literal(1.25) - t31;
+    let t37 = t36 * t33;
+    let t38 = t13 * t1;
+    let t39 = t38 * t33;
+    let t40 = t12 * t0;
+    let t41 = R::literal(-1.25) - t40;
+    let t42 = t35 * t34;
+    let t43 = R::literal(1.0) / (t41 - t42);
+    let t44 = (t11 * t0).sub_product(t37, t34);
+    let t45 = t44 * t43;
+    let t46 = R::literal(1.25) - t40 - t42;
+    let t47 = t46 * t43;
+    let t48 = (t13 * t0).add_product(t39, t34);
+    let t49 = t48 * t43;
+    let t50 = t14 * t3;
+    let t51 = R::literal(1.0)
+        / (t32 - R::literal(0.833_333_333_333_333_4) - t50)
+            .sub_product(t37, t36)
+            .sub_product(t45, t44);
+    let t52 = t15 * t3;
+    let t53 = (t34 + t52).sub_product(t35, t36).sub_product(t47, t44);
+    let t54 = t53 * t51;
+    let t55 = R::literal(0.833_333_333_333_333_4) - t50;
+    let t56 = t55 * t51;
+    let t57 = t52 * t51;
+    let t58 = t16 * t3;
+    let t59 = R::literal(0.833_333_333_333_333_4) + t58;
+    let t60 = t59 * t51;
+    let t61 = t17 * t3;
+    let t62 = t61 * t51;
+    let t63 = (-t38).add_product(t39, t36).sub_product(t49, t44);
+    let t64 = t63 * t51;
+    let t65 = t15 * t2;
+    let t66 = R::literal(1.0)
+        / (t41 - R::literal(0.833_333_333_333_333_4) - t65 - t42)
+            .sub_product(t47, t46)
+            .sub_product(t54, t53);
+    let t67 = (t14 * t2).sub_product(t56, t53);
+    let t68 = t67 * t66;
+    let t69 = (R::literal(0.833_333_333_333_333_4) - t65).sub_product(t57, t53);
+    let t70 = t69 * t66;
+    let t71 = -(t16 * t2);
+    let t72 = t71.sub_product(t60, t53);
+    let t73 = t72 * t66;
+    let t74 = t17 * t2;
+    let t75 = (R::literal(0.833_333_333_333_333_4) + t74).add_product(t62, t53);
+    let t76 = t75 * t66;
+    let t77 = t48.sub_product(t49, t46).sub_product(t64, t53);
+    let t78 = t77 * t66;
+    let t79 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t50
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t57, t56)
-            .sub_product(t69, t68);
-    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
-    let t82 = t81 * t80;
-    let t83 = R::literal(-2_777.777_777_777_778) * t5;
-    let t84 = t83 * t80;
-    let t85 = (-t19).add_product(t23, t5);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
-        .sub_product(t61, t56)
-        .sub_product(t74, t68);
-    let t88 = t87 * t80;
-    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
-    let t90 = t89 * t80;
-    let t91 = (-(t65 * t56)).sub_product(t79, t68);
-    let t92 = t91 * t80;
-    let t93 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t66
+            .sub_product(t20, t5)
+            .sub_product(t56, t55)
+            .sub_product(t68, t67);
+    let t80 = t52.add_product(t21, t5).sub_product(t57, t55).sub_product(t70, t67);
+    let t81 = t80 * t79;
+    let t82 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t83 = t82 * t79;
+    let t84 = (-t18).add_product(t22, t5);
+    let t85 = t84 * t79;
+    let t86 = (R::literal(-0.833_333_333_333_333_4) + t58)
+        .sub_product(t60, t55)
+        .sub_product(t73, t67);
+    let t87 = t86 * t79;
+    let t88 = (-t61).add_product(t62, t55).sub_product(t76, t67);
+    let t89 = t88 * t79;
+    let t90 = (-(t64 * t55)).sub_product(t78, t67);
+    let t91 = t90 * t79;
+    let t92 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t65
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t58, t53)
-            .sub_product(t71, t70)
-            .sub_product(t82, t81);
-    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
-    let t95 = t94 * t93;
-    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
-    let t97 = t96 * t93;
-    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
-    let t99 = t98 * t93;
-    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
-        .add_product(t63, t53)
-        .sub_product(t77, t70)
-        .sub_product(t90, t81);
-    let t101 = t100 * t93;
-    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
-    let t103 = t102 * t93;
-    let t104 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
-    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
-    let t106 = t105 * t104;
-    let t107 = t26 * t104;
-    let t108 = t27 * t104;
-    let t109 = (t88 * t83).sub_product(t99, t94);
-    let t110 = t109 * t104;
-    let t111 = (t90 * t83).sub_product(t101, t94);
-    let t112 = t111 * t104;
-    let t113 = (t92 * t83).sub_product(t103, t94);
-    let t114 = t113 * t104;
-    let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi))
-            .sub_product(t20, cos_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t86, t85)
-            .sub_product(t97, t96)
-            .sub_product(t106, t105);
-    let t116 = t24.sub_product(t107, t105);
-    let t117 = t116 * t115;
-    let t118 = (-t25).add_product(t108, t105);
-    let t119 = t118 * t115;
-    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
-    let t121 = t120 * t115;
-    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
-    let t123 = t122 * t115;
-    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
-    let t125 = t124 * t115;
-    let t126 = R::literal(1.0)
+            .sub_product(t21, t4)
+            .sub_product(t57, t52)
+            .sub_product(t70, t69)
+            .sub_product(t81, t80);
+    let t93 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t83, t80);
+    let t94 = t93 * t92;
+    let t95 = t19.sub_product(t22, t4).sub_product(t85, t80);
+    let t96 = t95 * t92;
+    let t97 = t71.sub_product(t60, t52).sub_product(t73, t69).sub_product(t87, t80);
+    let t98 = t97 * t92;
+    let t99 = (R::literal(-0.833_333_333_333_333_4) + t74)
+        .add_product(t62, t52)
+        .sub_product(t76, t69)
+        .sub_product(t89, t80);
+    let t100 = t99 * t92;
+    let t101 = (-(t64 * t52)).sub_product(t78, t69).sub_product(t91, t80);
+    let t102 = t101 * t92;
+    let t103 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t83, t82).sub_product(t94, t93);
+    let t104 = (-t22).add_product(t85, t82).sub_product(t96, t93);
+    let t105 = t104 * t103;
+    let t106 = t25 * t103;
+    let t107 = t26 * t103;
+    let t108 = (t87 * t82).sub_product(t98, t93);
+    let t109 = t108 * t103;
+    let t110 = (t89 * t82).sub_product(t100, t93);
+    let t111 = t110 * t103;
+    let t112 = (t91 * t82).sub_product(t102, t93);
+    let t113 = t112 * t103;
+    let t114 = R::literal(1.0)
+        / (-(t19 * cos_cylinder_phi))
+            .sub_product(t18, sin_cylinder_phi)
+            .sub_product(t22, slide)
+            .sub_product(t23, sin_cylinder_phi)
+            .sub_product(t24, cos_cylinder_phi)
+            .sub_product(t85, t84)
+            .sub_product(t96, t95)
+            .sub_product(t105, t104);
+    let t115 = t23.sub_product(t106, t104);
+    let t116 = t115 * t114;
+    let t117 = (-t24).add_product(t107, t104);
+    let t118 = t117 * t114;
+    let t119 = (-(t87 * t84)).sub_product(t98, t95).sub_product(t109, t104);
+    let t120 = t119 * t114;
+    let t121 = (-(t89 * t84)).sub_product(t100, t95).sub_product(t111, t104);
+    let t122 = t121 * t114;
+    let t123 = (-(t91 * t84)).sub_product(t102, t95).sub_product(t113, t104);
+    let t124 = t123 * t114;
+    let t125 = R::literal(1.0)
         / R::literal(-5.0)
-            .sub_product(t26, t7)
+            .sub_product(t25, t6)
+            .sub_product(t106, t25)
+            .sub_product(t116, t115);
+    let t126 = (t26 * t6).add_product(t107, t25).sub_product(t118, t115);
+    let t127 = t126 * t125;
+    let t128 = (-(t109 * t25)).sub_product(t120, t115);
+    let t129 = t128 * t125;
+    let t130 = (-(t111 * t25)).sub_product(t122, t115);
+    let t131 = t130 * t125;
+    let t132 = (-(t113 * t25)).sub_product(t124, t115);
+    let t133 = t132 * t125;
+    let t134 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
             .sub_product(t107, t26)
-            .sub_product(t117, t116);
-    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
-    let t128 = t127 * t126;
-    let t129 = (-(t110 * t26)).sub_product(t121, t116);
-    let t130 = t129 * t126;
-    let t131 = (-(t112 * t26)).sub_product(t123, t116);
-    let t132 = t131 * t126;
-    let t133 = (-(t114 * t26)).sub_product(t125, t116);
-    let t134 = t133 * t126;
-    let t135 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, t6)
-            .sub_product(t108, t27)
-            .sub_product(t119, t118)
-            .sub_product(t128, t127);
-    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
-    let t137 = t136 * t135;
-    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
-    let t139 = t138 * t135;
-    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
-    let t141 = t140 * t135;
-    let t142 = R::literal(1.0)
+            .sub_product(t118, t117)
+            .sub_product(t127, t126);
+    let t135 = (t109 * t26).sub_product(t120, t117).sub_product(t129, t126);
+    let t136 = t135 * t134;
+    let t137 = (t111 * t26).sub_product(t122, t117).sub_product(t131, t126);
+    let t138 = t137 * t134;
+    let t139 = (t113 * t26).sub_product(t124, t117).sub_product(t133, t126);
+    let t140 = t139 * t134;
+    let t141 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
+            - inverse_bobbin_mass)
+            .sub_product(t60, t59)
+            .sub_product(t73, t72)
+            .sub_product(t87, t86)
+            .sub_product(t98, t97)
+            .sub_product(t109, t108)
+            .sub_product(t120, t119)
+            .sub_product(t129, t128)
+            .sub_product(t136, t135);
+    let t142 = (t17 * t9)
+        .add_product(t62, t59)
+        .sub_product(t76, t72)
+        .sub_product(t89, t86)
+        .sub_product(t100, t97)
+        .sub_product(t111, t108)
+        .sub_product(t122, t119)
+        .sub_product(t131, t128)
+        .sub_product(t138, t135);
+    let t143 = t142 * t141;
+    let t144 = t27 * t141;
+    let t145 = (-(t64 * t59))
+        .sub_product(t78, t72)
+        .sub_product(t91, t86)
+        .sub_product(t102, t97)
+        .sub_product(t113, t108)
+        .sub_product(t124, t119)
+        .sub_product(t133, t128)
+        .sub_product(t140, t135);
+    let t146 = t145 * t141;
+    let t147 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
             - inverse_bobbin_mass)
-            .sub_product(t61, t60)
-            .sub_product(t74, t73)
-            .sub_product(t88, t87)
-            .sub_product(t99, t98)
-            .sub_product(t110, t109)
-            .sub_product(t121, t120)
-            .sub_product(t130, t129)
-            .sub_product(t137, t136);
-    let t143 = (t18 * t10)
-        .add_product(t63, t60)
-        .sub_product(t77, t73)
-        .sub_product(t90, t87)
-        .sub_product(t101, t98)
-        .sub_product(t112, t109)
-        .sub_product(t123, t120)
-        .sub_product(t132, t129)
-        .sub_product(t139, t136);
-    let t144 = t143 * t142;
-    let t145 = t28 * t142;
-    let t146 = (-(t65 * t60))
-        .sub_product(t79, t73)
-        .sub_product(t92, t87)
-        .sub_product(t103, t98)
-        .sub_product(t114, t109)
-        .sub_product(t125, t120)
-        .sub_product(t134, t129)
-        .sub_product(t141, t136);
-    let t147 = t146 * t142;
-    let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
-            - inverse_bobbin_mass)
-            .sub_product(t63, t62)
-            .sub_product(t77, t76)
-            .sub_product(t90, t89)
-            .sub_product(t101, t100)
-            .sub_product(t112, t111)
-            .sub_product(t123, t122)
-            .sub_product(t132, t131)
-            .sub_product(t139, t138)
-            .sub_product(t144, t143);
-    let t149 = (-t29).add_product(t145, t143);
-    let t150 = t149 * t148;
-    let t151 = (t65 * t62)
-        .sub_product(t79, t76)
-        .sub_product(t92, t89)
-        .sub_product(t103, t100)
-        .sub_product(t114, t111)
-        .sub_product(t125, t122)
-        .sub_product(t134, t131)
-        .sub_product(t141, t138)
-        .sub_product(t147, t143);
-    let t152 = t151 * t148;
-    let t153 = t30 * R::literal(-1.5);
-    let t154 = t31 * R::literal(-1.5);
-    let t155 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between))
-            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
-            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t145, t28)
-            .sub_product(t150, t149)
-            .sub_product(t153, t30)
-            .sub_product(t154, t31);
-    let t156 = (t147 * t28).sub_product(t152, t149);
-    let t157 = t156 * t155;
-    let t158 = R::literal(1.0)
-        / (-(t14 * t9))
-            .sub_product(t40, t39)
-            .sub_product(t50, t49)
-            .sub_product(t65, t64)
-            .sub_product(t79, t78)
-            .sub_product(t92, t91)
-            .sub_product(t103, t102)
-            .sub_product(t114, t113)
-            .sub_product(t125, t124)
-            .sub_product(t134, t133)
-            .sub_product(t141, t140)
-            .sub_product(t147, t146)
-            .sub_product(t152, t151)
-            .sub_product(t157, t156);
+            .sub_product(t62, t61)
+            .sub_product(t76, t75)
+            .sub_product(t89, t88)
+            .sub_product(t100, t99)
+            .sub_product(t111, t110)
+            .sub_product(t122, t121)
+            .sub_product(t131, t130)
+            .sub_product(t138, t137)
+            .sub_product(t143, t142);
+    let t148 = (-t28).add_product(t144, t142);
+    let t149 = t148 * t147;
+    let t150 = (t64 * t61)
+        .sub_product(t78, t75)
+        .sub_product(t91, t88)
+        .sub_product(t102, t99)
+        .sub_product(t113, t110)
+        .sub_product(t124, t121)
+        .sub_product(t133, t130)
+        .sub_product(t140, t137)
+        .sub_product(t146, t142);
+    let t151 = t150 * t147;
+    let t152 = t29 * bobbin_x_minus_drum_x_over_between;
+    let t153 = t30 * bobbin_y_minus_drum_y_over_between;
+    let t154 = R::literal(1.0)
+        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
+            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t152 - t153)
+            .sub_product(t144, t27)
+            .sub_product(t149, t148) + t152 + t153);
+    let t155 = (t146 * t27).sub_product(t151, t148);
+    let t156 = t155 * t154;
+    let t157 = R::literal(1.0)
+        / (-(t13 * t8))
+            .sub_product(t39, t38)
+            .sub_product(t49, t48)
+            .sub_product(t64, t63)
+            .sub_product(t78, t77)
+            .sub_product(t91, t90)
+            .sub_product(t102, t101)
+            .sub_product(t113, t112)
+            .sub_product(t124, t123)
+            .sub_product(t133, t132)
+            .sub_product(t140, t139)
+            .sub_product(t146, t145)
+            .sub_product(t151, t150)
+            .sub_product(t156, t155);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
-    let t159 = R::literal(50.0) * slide_rate;
-    let t160 = t159 * cos_cylinder_phi;
+    let t158 = R::literal(50.0) * slide_rate;
+    let t159 = t158 * cos_cylinder_phi;
     let slide_minus_spring_free_length = slide - p.spring_free_length;
-    let t161 = p.spring_stiffness * slide_minus_spring_free_length;
-    let t162 = t161 * cos_cylinder_phi;
-    let t163 = t160 + t162;
-    let t164 = t161 * sin_cylinder_phi;
-    let t165 = t159 * sin_cylinder_phi;
-    let t166 = t165 - (R::literal(2.943) - t164);
-    let t167 = (-(t161 * t8)).sub_product(t159, t8);
-    let t168 = -t160 - t162;
-    let t169 = -t165 - (R::literal(1.962) + t164);
-    let t170 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t171 = (p.winding_force * bobbin_x_minus_drum_x / between)
+    let t160 = p.spring_stiffness * slide_minus_spring_free_length;
+    let t161 = t160 * cos_cylinder_phi;
+    let t162 = t159 + t161;
+    let t163 = t160 * sin_cylinder_phi;
+    let t164 = t158 * sin_cylinder_phi;
+    let t165 = t164 - (R::literal(2.943) - t163);
+    let t166 = (-(t160 * t7)).sub_product(t158, t7);
+    let t167 = -t159 - t161;
+    let t168 = -t164 - (R::literal(1.962) + t163);
+    let t169 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t170 = (p.winding_force * bobbin_x_minus_drum_x / between)
         .sub_product(R::literal(9.81), p.bobbin_mass);
     let post_omega_squared = post_omega * post_omega;
-    let t172 = R::literal(0.1) * post_omega_squared;
-    let t173 = t172 * cos_post_phi;
-    let t174 = t172 * sin_post_phi;
+    let t171 = R::literal(0.1) * post_omega_squared;
+    let t172 = t171 * cos_post_phi;
+    let t173 = t171 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t175 = R::literal(0.06) * plate_omega_squared;
+    let t174 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t176 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t175 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t177 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t176 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t178 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t177 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t179 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t180 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t178 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t179 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t181 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t180 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t182 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t181 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t183 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t182 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t184 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t185 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t179 + t180 - t177 - t178 - drum_v_x_over_between))
+    let t183 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t184 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t178 + t179 - t176 - t177 - drum_v_x_over_between))
         .add_product(
             bobbin_v_y,
-            bobbin_v_y_over_between + t183 + t184 - t181 - t182 - drum_v_y_over_between,
+            bobbin_v_y_over_between + t182 + t183 - t180 - t181 - drum_v_y_over_between,
         )
         .add_product(
             drum_v_x,
-            t177 + t178 + drum_v_x_over_between - bobbin_v_x_over_between - t179 - t180,
+            t176 + t177 + drum_v_x_over_between - bobbin_v_x_over_between - t178 - t179,
         )
         .add_product(
             drum_v_y,
-            t181 + t182 + drum_v_y_over_between - bobbin_v_y_over_between - t183 - t184,
+            t180 + t181 + drum_v_y_over_between - bobbin_v_y_over_between - t182 - t183,
         );
-    let t186 = t36 * t173;
-    let t187 = -t174 - R::literal(-9.81) + t186;
-    let t188 = t15 * bobbin_radius_times_winding_force;
-    let t189 = (t188 - t173.add_product(t175, cos_plate_phi))
-        .add_product(t38, t173)
-        .sub_product(t46, t187);
-    let t190 = t16 * bobbin_radius_times_winding_force;
-    let t191 = (-t174.add_product(t175, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t190 + t186)
-        .sub_product(t48, t187)
-        .sub_product(t55, t189);
-    let t192 = t188
+    let t185 = t35 * t172;
+    let t186 = -t173 - R::literal(-9.81) + t185;
+    let t187 = t14 * bobbin_radius_times_winding_force;
+    let t188 = (t187 - t172.add_product(t174, cos_plate_phi))
+        .add_product(t37, t172)
+        .sub_product(t45, t186);
+    let t189 = t15 * bobbin_radius_times_winding_force;
+    let t190 = (-t173.add_product(t174, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t189 + t185)
+        .sub_product(t47, t186)
+        .sub_product(t54, t188);
+    let t191 = t187
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * cos_plate_phi)
                 .add_product(cylinder_omega_squared, cos_cylinder_phi),
         )
-        .sub_product(R::literal(3.333_333_333_333_333_5), t163)
-        .sub_product(t21, t167)
-        .sub_product(t57, t189)
-        .sub_product(t69, t191);
-    let t193 = (R::literal(-9.81)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t162)
+        .sub_product(t20, t166)
+        .sub_product(t56, t188)
+        .sub_product(t68, t190);
+    let t192 = (R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t190)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t166)
-        .add_product(t22, t167)
-        .sub_product(t58, t189)
-        .sub_product(t71, t191)
-        .sub_product(t82, t192);
-    let t194 = (-(R::literal(-2_777.777_777_777_778) * t167))
-        .add_product(t84, t192)
-        .sub_product(t95, t193);
-    let t195 = (cylinder_omega
+        ) - t189)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t165)
+        .add_product(t21, t166)
+        .sub_product(t57, t188)
+        .sub_product(t70, t190)
+        .sub_product(t81, t191);
+    let t193 = (-(R::literal(-2_777.777_777_777_778) * t166))
+        .add_product(t83, t191)
+        .sub_product(t94, t192);
+    let t194 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -6501,794 +6645,830 @@ pub fn parameter_jacobian<R: Real>(
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t19, t163)
-        .add_product(t20, t166)
+        .sub_product(t18, t162)
+        .add_product(t19, t165)
+        .add_product(t22, t166)
         .add_product(t23, t167)
-        .add_product(t24, t168)
-        .sub_product(t25, t169)
-        .sub_product(t86, t192)
-        .sub_product(t97, t193);
-    let t196 = t195.sub_product(t106, t194);
-    let t197 = (t176 * cos_rod_phi)
+        .sub_product(t24, t168)
+        .sub_product(t85, t191)
+        .sub_product(t96, t192);
+    let t195 = t194.sub_product(t105, t193);
+    let t196 = (t175 * cos_rod_phi)
+        .sub_product(R::literal(5.0), t167)
+        .sub_product(t106, t193)
+        .sub_product(t116, t195);
+    let t197 = (t175 * sin_rod_phi)
         .sub_product(R::literal(5.0), t168)
-        .sub_product(t107, t194)
-        .sub_product(t117, t196);
-    let t198 = (t176 * sin_rod_phi)
-        .sub_product(R::literal(5.0), t169)
-        .add_product(t108, t194)
-        .sub_product(t119, t196)
-        .sub_product(t128, t197);
-    let t199 = inverse_bobbin_mass * t170;
-    let t200 = ((t11 * plate_omega_squared)
-        .sub_product(t17, bobbin_radius_times_winding_force) + t199)
-        .sub_product(t61, t189)
-        .sub_product(t74, t191)
-        .sub_product(t88, t192)
-        .sub_product(t99, t193)
-        .sub_product(t110, t194)
-        .sub_product(t121, t196)
-        .sub_product(t130, t197)
-        .sub_product(t137, t198);
-    let t201 = inverse_bobbin_mass * t171;
-    let t202 = (R::literal(-9.81)
-        .add_product(t10, plate_omega_squared)
-        .add_product(t18, bobbin_radius_times_winding_force) - t201)
-        .add_product(t63, t189)
-        .sub_product(t77, t191)
-        .sub_product(t90, t192)
-        .sub_product(t101, t193)
-        .sub_product(t112, t194)
-        .sub_product(t123, t196)
-        .sub_product(t132, t197)
-        .sub_product(t139, t198)
-        .sub_product(t144, t200);
-    let t203 = (-t185)
-        .add_product(t28, t170)
-        .sub_product(t29, t171)
-        .add_product(t31, R::literal(-14.715))
-        .add_product(t145, t200)
-        .sub_product(t150, t202)
-        .sub_product(t154, R::literal(9.809_999_999_999_999));
-    let t204 = ((R::literal(0.143) * sin_post_phi)
+        .add_product(t107, t193)
+        .sub_product(t118, t195)
+        .sub_product(t127, t196);
+    let t198 = inverse_bobbin_mass * t169;
+    let t199 = ((t10 * plate_omega_squared)
+        .sub_product(t16, bobbin_radius_times_winding_force) + t198)
+        .sub_product(t60, t188)
+        .sub_product(t73, t190)
+        .sub_product(t87, t191)
+        .sub_product(t98, t192)
+        .sub_product(t109, t193)
+        .sub_product(t120, t195)
+        .sub_product(t129, t196)
+        .sub_product(t136, t197);
+    let t200 = inverse_bobbin_mass * t170;
+    let t201 = (R::literal(-9.81)
+        .add_product(t9, plate_omega_squared)
+        .add_product(t17, bobbin_radius_times_winding_force) - t200)
+        .add_product(t62, t188)
+        .sub_product(t76, t190)
+        .sub_product(t89, t191)
+        .sub_product(t100, t192)
+        .sub_product(t111, t193)
+        .sub_product(t122, t195)
+        .sub_product(t131, t196)
+        .sub_product(t138, t197)
+        .sub_product(t143, t199);
+    let t202 = (-t184)
+        .add_product(t27, t169)
+        .sub_product(t28, t170)
+        .add_product(
+            R::literal(-9.809_999_999_999_999),
+            bobbin_y_minus_drum_y_over_between,
+        )
+        .add_product(t144, t199)
+        .sub_product(t149, t201)
+        .add_product(
+            bobbin_y_minus_drum_y_over_between,
+            R::literal(9.809_999_999_999_999),
+        );
+    let t203 = ((R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t40, t173)
-        .sub_product(t50, t187)
-        .sub_product(t65, t189)
-        .sub_product(t79, t191)
-        .sub_product(t92, t192)
-        .sub_product(t103, t193)
-        .sub_product(t114, t194)
-        .sub_product(t125, t196)
-        .sub_product(t134, t197)
-        .sub_product(t141, t198)
-        .sub_product(t147, t200)
-        .sub_product(t152, t202)
-        .sub_product(t157, t203) * t158;
-    let t205 = (t203 * t155).sub_product(t157, t204);
-    let t206 = (t202 * t148).sub_product(t150, t205).sub_product(t152, t204);
-    let bobbin_v_y_dot = t201
-        .sub_product(inverse_bobbin_mass, t206)
-        .sub_product(t29, t205);
-    let t207 = p.spring_stiffness * cos_cylinder_phi;
-    let t208 = p.spring_stiffness * t8;
-    let t209 = p.spring_stiffness * sin_cylinder_phi;
-    let t210 = t15 * p.winding_force;
-    let t211 = -(t16 * p.winding_force);
-    let t212 = t211.sub_product(t55, t210);
-    let t213 = t210.sub_product(t57, t210).sub_product(t69, t212);
-    let t214 = t211.sub_product(t58, t210).sub_product(t71, t212).sub_product(t82, t213);
-    let t215 = (t84 * t213).sub_product(t95, t214);
-    let t216 = (-(t86 * t213)).sub_product(t97, t214).sub_product(t106, t215);
-    let t217 = (-(t107 * t215)).sub_product(t117, t216);
-    let t218 = (t108 * t215).sub_product(t119, t216).sub_product(t128, t217);
-    let t219 = (-(t17 * p.winding_force))
-        .sub_product(t61, t210)
-        .sub_product(t74, t212)
-        .sub_product(t88, t213)
-        .sub_product(t99, t214)
-        .sub_product(t110, t215)
-        .sub_product(t121, t216)
-        .sub_product(t130, t217)
-        .sub_product(t137, t218);
-    let t220 = (t18 * p.winding_force)
-        .add_product(t63, t210)
-        .sub_product(t77, t212)
-        .sub_product(t90, t213)
-        .sub_product(t101, t214)
-        .sub_product(t112, t215)
-        .sub_product(t123, t216)
-        .sub_product(t132, t217)
-        .sub_product(t139, t218)
-        .sub_product(t144, t219);
-    let t221 = (t145 * t219).sub_product(t150, t220);
-    let t222 = (-(t65 * t210))
-        .sub_product(t79, t212)
-        .sub_product(t92, t213)
-        .sub_product(t103, t214)
-        .sub_product(t114, t215)
-        .sub_product(t125, t216)
-        .sub_product(t134, t217)
-        .sub_product(t141, t218)
-        .sub_product(t147, t219)
-        .sub_product(t152, t220)
-        .sub_product(t157, t221) * t158;
-    let t223 = (t221 * t155).sub_product(t157, t222);
-    let t224 = (t220 * t148).sub_product(t150, t223).sub_product(t152, t222);
-    let t225 = (t219 * t142)
-        .sub_product(t144, t224)
-        .add_product(t145, t223)
-        .sub_product(t147, t222);
-    let t226 = (t218 * t135)
-        .sub_product(t137, t225)
-        .sub_product(t139, t224)
-        .sub_product(t141, t222);
-    let t227 = (t217 * t126)
-        .sub_product(t128, t226)
-        .sub_product(t130, t225)
-        .sub_product(t132, t224)
-        .sub_product(t134, t222);
-    let t228 = (t216 * t115)
-        .sub_product(t117, t227)
-        .sub_product(t119, t226)
-        .sub_product(t121, t225)
-        .sub_product(t123, t224)
-        .sub_product(t125, t222);
-    let t229 = (t215 * t104)
-        .sub_product(t106, t228)
-        .sub_product(t107, t227)
-        .add_product(t108, t226)
-        .sub_product(t110, t225)
-        .sub_product(t112, t224)
-        .sub_product(t114, t222);
-    let t230 = (t214 * t93)
-        .sub_product(t95, t229)
-        .sub_product(t97, t228)
-        .sub_product(t99, t225)
-        .sub_product(t101, t224)
-        .sub_product(t103, t222);
-    let t231 = (t213 * t80)
-        .sub_product(t82, t230)
-        .add_product(t84, t229)
-        .sub_product(t86, t228)
-        .sub_product(t88, t225)
-        .sub_product(t90, t224)
-        .sub_product(t92, t222);
-    let t232 = (t212 * t67)
-        .sub_product(t69, t231)
-        .sub_product(t71, t230)
-        .sub_product(t74, t225)
-        .sub_product(t77, t224)
-        .sub_product(t79, t222);
-    let t233 = (t210 * t52)
-        .sub_product(t55, t232)
-        .sub_product(t57, t231)
-        .sub_product(t58, t230)
-        .sub_product(t61, t225)
-        .add_product(t63, t224)
-        .sub_product(t65, t222);
-    let t234 = (-(t48 * t232)).sub_product(t46, t233).sub_product(t50, t222);
-    let t235 = (-(t38 * t233))
-        .sub_product(t36, t234)
-        .sub_product(t36, t232)
-        .add_product(t40, t222);
-    let drum_v_y_dot_by_bobbin_radius = (t31 * t223)
-        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t223);
-    let drum_v_x_dot_by_bobbin_radius = (t30 * t223)
-        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t223);
-    let bobbin_v_y_dot_by_bobbin_radius = (-(t29 * t223))
+        .sub_product(t39, t172)
+        .sub_product(t49, t186)
+        .sub_product(t64, t188)
+        .sub_product(t78, t190)
+        .sub_product(t91, t191)
+        .sub_product(t102, t192)
+        .sub_product(t113, t193)
+        .sub_product(t124, t195)
+        .sub_product(t133, t196)
+        .sub_product(t140, t197)
+        .sub_product(t146, t199)
+        .sub_product(t151, t201)
+        .sub_product(t156, t202) * t157;
+    let t204 = (t202 * t154).sub_product(t156, t203);
+    let t205 = (t201 * t147).sub_product(t149, t204).sub_product(t151, t203);
+    let bobbin_v_y_dot = t200
+        .sub_product(inverse_bobbin_mass, t205)
+        .sub_product(t28, t204);
+    let t206 = p.spring_stiffness * cos_cylinder_phi;
+    let t207 = p.spring_stiffness * t7;
+    let t208 = p.spring_stiffness * sin_cylinder_phi;
+    let t209 = t14 * p.winding_force;
+    let t210 = -(t15 * p.winding_force);
+    let t211 = t210.sub_product(t54, t209);
+    let t212 = t209.sub_product(t56, t209).sub_product(t68, t211);
+    let t213 = t210.sub_product(t57, t209).sub_product(t70, t211).sub_product(t81, t212);
+    let t214 = (t83 * t212).sub_product(t94, t213);
+    let t215 = (-(t85 * t212)).sub_product(t96, t213).sub_product(t105, t214);
+    let t216 = (-(t106 * t214)).sub_product(t116, t215);
+    let t217 = (t107 * t214).sub_product(t118, t215).sub_product(t127, t216);
+    let t218 = (-(t16 * p.winding_force))
+        .sub_product(t60, t209)
+        .sub_product(t73, t211)
+        .sub_product(t87, t212)
+        .sub_product(t98, t213)
+        .sub_product(t109, t214)
+        .sub_product(t120, t215)
+        .sub_product(t129, t216)
+        .sub_product(t136, t217);
+    let t219 = (t17 * p.winding_force)
+        .add_product(t62, t209)
+        .sub_product(t76, t211)
+        .sub_product(t89, t212)
+        .sub_product(t100, t213)
+        .sub_product(t111, t214)
+        .sub_product(t122, t215)
+        .sub_product(t131, t216)
+        .sub_product(t138, t217)
+        .sub_product(t143, t218);
+    let t220 = (t144 * t218).sub_product(t149, t219);
+    let t221 = (-(t64 * t209))
+        .sub_product(t78, t211)
+        .sub_product(t91, t212)
+        .sub_product(t102, t213)
+        .sub_product(t113, t214)
+        .sub_product(t124, t215)
+        .sub_product(t133, t216)
+        .sub_product(t140, t217)
+        .sub_product(t146, t218)
+        .sub_product(t151, t219)
+        .sub_product(t156, t220) * t157;
+    let t222 = (t220 * t154).sub_product(t156, t221);
+    let t223 = (t219 * t147).sub_product(t149, t222).sub_product(t151, t221);
+    let t224 = (t218 * t141)
+        .sub_product(t143, t223)
+        .add_product(t144, t222)
+        .sub_product(t146, t221);
+    let t225 = (t217 * t134)
+        .sub_product(t136, t224)
+        .sub_product(t138, t223)
+        .sub_product(t140, t221);
+    let t226 = (t216 * t125)
+        .sub_product(t127, t225)
+        .sub_product(t129, t224)
+        .sub_product(t131, t223)
+        .sub_product(t133, t221);
+    let t227 = (t215 * t114)
+        .sub_product(t116, t226)
+        .sub_product(t118, t225)
+        .sub_product(t120, t224)
+        .sub_product(t122, t223)
+        .sub_product(t124, t221);
+    let t228 = (t214 * t103)
+        .sub_product(t105, t227)
+        .sub_product(t106, t226)
+        .add_product(t107, t225)
+        .sub_product(t109, t224)
+        .sub_product(t111, t223)
+        .sub_product(t113, t221);
+    let t229 = (t213 * t92)
+        .sub_product(t94, t228)
+        .sub_product(t96, t227)
+        .sub_product(t98, t224)
+        .sub_product(t100, t223)
+        .sub_product(t102, t221);
+    let t230 = (t212 * t79)
+        .sub_product(t81, t229)
+        .add_product(t83, t228)
+        .sub_product(t85, t227)
+        .sub_product(t87, t224)
+        .sub_product(t89, t223)
+        .sub_product(t91, t221);
+    let t231 = (t211 * t66)
+        .sub_product(t68, t230)
+        .sub_product(t70, t229)
+        .sub_product(t73, t224)
+        .sub_product(t76, t223)
+        .sub_product(t78, t221);
+    let t232 = (t209 * t51)
+        .sub_product(t54, t231)
+        .sub_product(t56, t230)
+        .sub_product(t57, t229)
+        .sub_product(t60, t224)
+        .add_product(t62, t223)
+        .sub_product(t64, t221);
+    let t233 = (-(t47 * t231)).sub_product(t45, t232).sub_product(t49, t221);
+    let t234 = (-(t37 * t232))
+        .sub_product(t35, t233)
+        .sub_product(t35, t231)
+        .add_product(t39, t221);
+    let drum_v_y_dot_by_bobbin_radius = (t30 * t222)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t222,
+        );
+    let drum_v_x_dot_by_bobbin_radius = (t29 * t222)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t222,
+        );
+    let bobbin_v_y_dot_by_bobbin_radius = (-(t28 * t222))
+        .sub_product(inverse_bobbin_mass, t223);
+    let bobbin_v_x_dot_by_bobbin_radius = (-(t27 * t222))
         .sub_product(inverse_bobbin_mass, t224);
-    let bobbin_v_x_dot_by_bobbin_radius = (-(t28 * t223))
-        .sub_product(inverse_bobbin_mass, t225);
-    let rod_omega_dot_by_bobbin_radius = (t26 * t227)
-        .sub_product(R::literal(4_166.666_666_666_667), t229)
-        .sub_product(t27, t226);
-    let rod_v_y_dot_by_bobbin_radius = (-(R::literal(5.0) * t226))
-        .sub_product(t25, t228);
-    let rod_v_x_dot_by_bobbin_radius = (-(R::literal(5.0) * t227))
-        .add_product(t24, t228);
-    let cylinder_omega_dot_by_bobbin_radius = (t22 * t230)
-        .sub_product(t21, t231)
-        .sub_product(R::literal(-2_777.777_777_777_778), t229)
-        .add_product(t23, t228);
-    let cylinder_v_y_dot_by_bobbin_radius = (t20 * t228)
+    let rod_omega_dot_by_bobbin_radius = (t25 * t226)
+        .sub_product(R::literal(4_166.666_666_666_667), t228)
+        .sub_product(t26, t225);
+    let rod_v_y_dot_by_bobbin_radius = (-(R::literal(5.0) * t225))
+        .sub_product(t24, t227);
+    let rod_v_x_dot_by_bobbin_radius = (-(R::literal(5.0) * t226))
+        .add_product(t23, t227);
+    let cylinder_omega_dot_by_bobbin_radius = (t21 * t229)
+        .sub_product(t20, t230)
+        .sub_product(R::literal(-2_777.777_777_777_778), t228)
+        .add_product(t22, t227);
+    let cylinder_v_y_dot_by_bobbin_radius = (t19 * t227)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t229);
+    let cylinder_v_x_dot_by_bobbin_radius = (-(t18 * t227))
         .sub_product(R::literal(3.333_333_333_333_333_5), t230);
-    let cylinder_v_x_dot_by_bobbin_radius = (-(t19 * t228))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t231);
     let plate_omega_dot_by_bobbin_radius = (-(p.winding_force * R::literal(400.0)))
-        .sub_product(t15, t233)
-        .add_product(t16, t232)
-        .sub_product(t15, t231)
-        .add_product(t16, t230)
-        .add_product(t17, t225)
-        .sub_product(t18, t224);
-    let plate_v_y_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t230))
+        .sub_product(t14, t232)
+        .add_product(t15, t231)
+        .sub_product(t14, t230)
+        .add_product(t15, t229)
+        .add_product(t16, t224)
+        .sub_product(t17, t223);
+    let plate_v_y_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t229))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t231)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t223);
+    let plate_v_x_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t230))
         .sub_product(R::literal(0.833_333_333_333_333_4), t232)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t224);
-    let plate_v_x_dot_by_bobbin_radius = (-(R::literal(-0.833_333_333_333_333_4) * t231))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t233)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t225);
-    let post_omega_dot_by_bobbin_radius = (t13 * t234)
-        .sub_product(t12, t235)
-        .sub_product(t12, t233)
-        .add_product(t13, t232)
-        .sub_product(t14, t222);
-    let post_v_y_dot_by_bobbin_radius = (-(R::literal(-1.25) * t232))
+    let post_omega_dot_by_bobbin_radius = (t12 * t233)
+        .sub_product(t11, t234)
+        .sub_product(t11, t232)
+        .add_product(t12, t231)
+        .sub_product(t13, t221);
+    let post_v_y_dot_by_bobbin_radius = (-(R::literal(-1.25) * t231))
+        .sub_product(R::literal(1.25), t233);
+    let post_v_x_dot_by_bobbin_radius = (-(R::literal(-1.25) * t232))
         .sub_product(R::literal(1.25), t234);
-    let post_v_x_dot_by_bobbin_radius = (-(R::literal(-1.25) * t233))
-        .sub_product(R::literal(1.25), t235);
-    let t236 = t15 * p.bobbin_radius;
-    let t237 = -(t16 * p.bobbin_radius);
-    let t238 = t237.sub_product(t55, t236);
-    let t239 = t236.sub_product(t57, t236).sub_product(t69, t238);
-    let t240 = t237.sub_product(t58, t236).sub_product(t71, t238).sub_product(t82, t239);
-    let t241 = (t84 * t239).sub_product(t95, t240);
-    let t242 = (-(t86 * t239)).sub_product(t97, t240).sub_product(t106, t241);
-    let t243 = (-(t107 * t241)).sub_product(t117, t242);
-    let t244 = (t108 * t241).sub_product(t119, t242).sub_product(t128, t243);
-    let t245 = t29
-        .sub_product(t17, p.bobbin_radius)
-        .sub_product(t61, t236)
-        .sub_product(t74, t238)
-        .sub_product(t88, t239)
-        .sub_product(t99, t240)
-        .sub_product(t110, t241)
-        .sub_product(t121, t242)
-        .sub_product(t130, t243)
-        .sub_product(t137, t244);
-    let t246 = (-t28)
-        .add_product(t18, p.bobbin_radius)
-        .add_product(t63, t236)
-        .sub_product(t77, t238)
-        .sub_product(t90, t239)
-        .sub_product(t101, t240)
-        .sub_product(t112, t241)
-        .sub_product(t123, t242)
-        .sub_product(t132, t243)
-        .sub_product(t139, t244)
-        .sub_product(t144, t245);
-    let t247 = (t28 * bobbin_y_minus_drum_y_over_between)
-        .sub_product(t29, bobbin_x_minus_drum_x_over_between)
-        .add_product(t145, t245)
-        .sub_product(t150, t246);
-    let t248 = (-(t65 * t236))
-        .sub_product(t79, t238)
-        .sub_product(t92, t239)
-        .sub_product(t103, t240)
-        .sub_product(t114, t241)
-        .sub_product(t125, t242)
-        .sub_product(t134, t243)
-        .sub_product(t141, t244)
-        .sub_product(t147, t245)
-        .sub_product(t152, t246)
-        .sub_product(t157, t247) * t158;
-    let t249 = (t247 * t155).sub_product(t157, t248);
-    let t250 = (t246 * t148).sub_product(t150, t249).sub_product(t152, t248);
-    let t251 = (t245 * t142)
-        .sub_product(t144, t250)
-        .add_product(t145, t249)
-        .sub_product(t147, t248);
-    let t252 = (t244 * t135)
-        .sub_product(t137, t251)
-        .sub_product(t139, t250)
-        .sub_product(t141, t248);
-    let t253 = (t243 * t126)
-        .sub_product(t128, t252)
-        .sub_product(t130, t251)
-        .sub_product(t132, t250)
-        .sub_product(t134, t248);
-    let t254 = (t242 * t115)
-        .sub_product(t117, t253)
-        .sub_product(t119, t252)
-        .sub_product(t121, t251)
-        .sub_product(t123, t250)
-        .sub_product(t125, t248);
-    let t255 = (t241 * t104)
-        .sub_product(t106, t254)
-        .sub_product(t107, t253)
-        .add_product(t108, t252)
-        .sub_product(t110, t251)
-        .sub_product(t112, t250)
-        .sub_product(t114, t248);
-    let t256 = (t240 * t93)
-        .sub_product(t95, t255)
-        .sub_product(t97, t254)
-        .sub_product(t99, t251)
-        .sub_product(t101, t250)
-        .sub_product(t103, t248);
-    let t257 = (t239 * t80)
-        .sub_product(t82, t256)
-        .add_product(t84, t255)
-        .sub_product(t86, t254)
-        .sub_product(t88, t251)
-        .sub_product(t90, t250)
-        .sub_product(t92, t248);
-    let t258 = (t238 * t67)
-        .sub_product(t69, t257)
-        .sub_product(t71, t256)
-        .sub_product(t74, t251)
-        .sub_product(t77, t250)
-        .sub_product(t79, t248);
-    let t259 = (t236 * t52)
-        .sub_product(t55, t258)
-        .sub_product(t57, t257)
-        .sub_product(t58, t256)
-        .sub_product(t61, t251)
-        .add_product(t63, t250)
-        .sub_product(t65, t248);
-    let t260 = (-(t48 * t258)).sub_product(t46, t259).sub_product(t50, t248);
-    let t261 = (-(t38 * t259))
-        .sub_product(t36, t260)
-        .sub_product(t36, t258)
-        .add_product(t40, t248);
-    let drum_v_y_dot_by_winding_force = (t31 * t249)
-        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t249);
-    let drum_v_x_dot_by_winding_force = (t30 * t249)
-        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t249);
-    let bobbin_v_y_dot_by_winding_force = t28
+    let t235 = t14 * p.bobbin_radius;
+    let t236 = -(t15 * p.bobbin_radius);
+    let t237 = t236.sub_product(t54, t235);
+    let t238 = t235.sub_product(t56, t235).sub_product(t68, t237);
+    let t239 = t236.sub_product(t57, t235).sub_product(t70, t237).sub_product(t81, t238);
+    let t240 = (t83 * t238).sub_product(t94, t239);
+    let t241 = (-(t85 * t238)).sub_product(t96, t239).sub_product(t105, t240);
+    let t242 = (-(t106 * t240)).sub_product(t116, t241);
+    let t243 = (t107 * t240).sub_product(t118, t241).sub_product(t127, t242);
+    let t244 = t28
+        .sub_product(t16, p.bobbin_radius)
+        .sub_product(t60, t235)
+        .sub_product(t73, t237)
+        .sub_product(t87, t238)
+        .sub_product(t98, t239)
+        .sub_product(t109, t240)
+        .sub_product(t120, t241)
+        .sub_product(t129, t242)
+        .sub_product(t136, t243);
+    let t245 = (-t27)
+        .add_product(t17, p.bobbin_radius)
+        .add_product(t62, t235)
+        .sub_product(t76, t237)
+        .sub_product(t89, t238)
+        .sub_product(t100, t239)
+        .sub_product(t111, t240)
+        .sub_product(t122, t241)
+        .sub_product(t131, t242)
+        .sub_product(t138, t243)
+        .sub_product(t143, t244);
+    let t246 = (t27 * bobbin_y_minus_drum_y_over_between)
+        .sub_product(t28, bobbin_x_minus_drum_x_over_between)
+        .add_product(t144, t244)
+        .sub_product(t149, t245);
+    let t247 = (-(t64 * t235))
+        .sub_product(t78, t237)
+        .sub_product(t91, t238)
+        .sub_product(t102, t239)
+        .sub_product(t113, t240)
+        .sub_product(t124, t241)
+        .sub_product(t133, t242)
+        .sub_product(t140, t243)
+        .sub_product(t146, t244)
+        .sub_product(t151, t245)
+        .sub_product(t156, t246) * t157;
+    let t248 = (t246 * t154).sub_product(t156, t247);
+    let t249 = (t245 * t147).sub_product(t149, t248).sub_product(t151, t247);
+    let t250 = (t244 * t141)
+        .sub_product(t143, t249)
+        .add_product(t144, t248)
+        .sub_product(t146, t247);
+    let t251 = (t243 * t134)
+        .sub_product(t136, t250)
+        .sub_product(t138, t249)
+        .sub_product(t140, t247);
+    let t252 = (t242 * t125)
+        .sub_product(t127, t251)
+        .sub_product(t129, t250)
+        .sub_product(t131, t249)
+        .sub_product(t133, t247);
+    let t253 = (t241 * t114)
+        .sub_product(t116, t252)
+        .sub_product(t118, t251)
+        .sub_product(t120, t250)
+        .sub_product(t122, t249)
+        .sub_product(t124, t247);
+    let t254 = (t240 * t103)
+        .sub_product(t105, t253)
+        .sub_product(t106, t252)
+        .add_product(t107, t251)
+        .sub_product(t109, t250)
+        .sub_product(t111, t249)
+        .sub_product(t113, t247);
+    let t255 = (t239 * t92)
+        .sub_product(t94, t254)
+        .sub_product(t96, t253)
+        .sub_product(t98, t250)
+        .sub_product(t100, t249)
+        .sub_product(t102, t247);
+    let t256 = (t238 * t79)
+        .sub_product(t81, t255)
+        .add_product(t83, t254)
+        .sub_product(t85, t253)
+        .sub_product(t87, t250)
+        .sub_product(t89, t249)
+        .sub_product(t91, t247);
+    let t257 = (t237 * t66)
+        .sub_product(t68, t256)
+        .sub_product(t70, t255)
+        .sub_product(t73, t250)
+        .sub_product(t76, t249)
+        .sub_product(t78, t247);
+    let t258 = (t235 * t51)
+        .sub_product(t54, t257)
+        .sub_product(t56, t256)
+        .sub_product(t57, t255)
+        .sub_product(t60, t250)
+        .add_product(t62, t249)
+        .sub_product(t64, t247);
+    let t259 = (-(t47 * t257)).sub_product(t45, t258).sub_product(t49, t247);
+    let t260 = (-(t37 * t258))
+        .sub_product(t35, t259)
+        .sub_product(t35, t257)
+        .add_product(t39, t247);
+    let drum_v_y_dot_by_winding_force = (t30 * t248)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t248,
+        );
+    let drum_v_x_dot_by_winding_force = (t29 * t248)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t248,
+        );
+    let bobbin_v_y_dot_by_winding_force = t27
+        .sub_product(inverse_bobbin_mass, t249)
+        .sub_product(t28, t248);
+    let bobbin_v_x_dot_by_winding_force = (-t28)
         .sub_product(inverse_bobbin_mass, t250)
-        .sub_product(t29, t249);
-    let bobbin_v_x_dot_by_winding_force = (-t29)
-        .sub_product(inverse_bobbin_mass, t251)
-        .sub_product(t28, t249);
-    let rod_omega_dot_by_winding_force = (t26 * t253)
-        .sub_product(R::literal(4_166.666_666_666_667), t255)
-        .sub_product(t27, t252);
-    let rod_v_y_dot_by_winding_force = (-(R::literal(5.0) * t252))
-        .sub_product(t25, t254);
-    let rod_v_x_dot_by_winding_force = (-(R::literal(5.0) * t253))
-        .add_product(t24, t254);
-    let cylinder_omega_dot_by_winding_force = (t22 * t256)
-        .sub_product(t21, t257)
-        .sub_product(R::literal(-2_777.777_777_777_778), t255)
-        .add_product(t23, t254);
-    let cylinder_v_y_dot_by_winding_force = (t20 * t254)
+        .sub_product(t27, t248);
+    let rod_omega_dot_by_winding_force = (t25 * t252)
+        .sub_product(R::literal(4_166.666_666_666_667), t254)
+        .sub_product(t26, t251);
+    let rod_v_y_dot_by_winding_force = (-(R::literal(5.0) * t251))
+        .sub_product(t24, t253);
+    let rod_v_x_dot_by_winding_force = (-(R::literal(5.0) * t252))
+        .add_product(t23, t253);
+    let cylinder_omega_dot_by_winding_force = (t21 * t255)
+        .sub_product(t20, t256)
+        .sub_product(R::literal(-2_777.777_777_777_778), t254)
+        .add_product(t22, t253);
+    let cylinder_v_y_dot_by_winding_force = (t19 * t253)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t255);
+    let cylinder_v_x_dot_by_winding_force = (-(t18 * t253))
         .sub_product(R::literal(3.333_333_333_333_333_5), t256);
-    let cylinder_v_x_dot_by_winding_force = (-(t19 * t254))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t257);
     let plate_omega_dot_by_winding_force = (-(p.bobbin_radius * R::literal(400.0)))
-        .sub_product(t15, t259)
-        .add_product(t16, t258)
-        .sub_product(t15, t257)
-        .add_product(t16, t256)
-        .add_product(t17, t251)
-        .sub_product(t18, t250);
-    let plate_v_y_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t256))
+        .sub_product(t14, t258)
+        .add_product(t15, t257)
+        .sub_product(t14, t256)
+        .add_product(t15, t255)
+        .add_product(t16, t250)
+        .sub_product(t17, t249);
+    let plate_v_y_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t255))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t257)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t249);
+    let plate_v_x_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t256))
         .sub_product(R::literal(0.833_333_333_333_333_4), t258)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t250);
-    let plate_v_x_dot_by_winding_force = (-(R::literal(-0.833_333_333_333_333_4) * t257))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t259)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t251);
-    let post_omega_dot_by_winding_force = (t13 * t260)
-        .sub_product(t12, t261)
-        .sub_product(t12, t259)
-        .add_product(t13, t258)
-        .sub_product(t14, t248);
-    let post_v_y_dot_by_winding_force = (-(R::literal(-1.25) * t258))
+    let post_omega_dot_by_winding_force = (t12 * t259)
+        .sub_product(t11, t260)
+        .sub_product(t11, t258)
+        .add_product(t12, t257)
+        .sub_product(t13, t247);
+    let post_v_y_dot_by_winding_force = (-(R::literal(-1.25) * t257))
+        .sub_product(R::literal(1.25), t259);
+    let post_v_x_dot_by_winding_force = (-(R::literal(-1.25) * t258))
         .sub_product(R::literal(1.25), t260);
-    let post_v_x_dot_by_winding_force = (-(R::literal(-1.25) * t259))
-        .sub_product(R::literal(1.25), t261);
-    let t262 = (-(-t199)
+    let t261 = (-(-t198)
         .sub_product(
             inverse_bobbin_mass,
-            (t200 * t142)
-                .sub_product(t144, t206)
-                .add_product(t145, t205)
-                .sub_product(t147, t204),
+            (t199 * t141)
+                .sub_product(t143, t205)
+                .add_product(t144, t204)
+                .sub_product(t146, t203),
         ))
-        .add_product(t28, t205);
-    let t263 = R::literal(-9.81) - bobbin_v_y_dot;
+        .add_product(t27, t204);
+    let t262 = R::literal(-9.81) - bobbin_v_y_dot;
+    let t263 = inverse_bobbin_mass * t261;
     let t264 = inverse_bobbin_mass * t262;
-    let t265 = inverse_bobbin_mass * t263;
-    let t266 = (-t265).add_product(t144, t264);
-    let t267 = (-(t29 * t263))
-        .sub_product(t28, t262)
-        .sub_product(t145, t264)
-        .sub_product(t150, t266);
-    let t268 = (t147 * t264).sub_product(t152, t266).sub_product(t157, t267) * t158;
-    let t269 = (t267 * t155).sub_product(t157, t268);
-    let t270 = (t266 * t148).sub_product(t150, t269).sub_product(t152, t268);
-    let t271 = (-(t264 * t142))
-        .sub_product(t144, t270)
-        .add_product(t145, t269)
-        .sub_product(t147, t268);
-    let t272 = (-(t139 * t270)).sub_product(t137, t271).sub_product(t141, t268);
-    let t273 = (-(t130 * t271))
-        .sub_product(t128, t272)
-        .sub_product(t132, t270)
-        .sub_product(t134, t268);
-    let t274 = (-(t119 * t272))
-        .sub_product(t117, t273)
-        .sub_product(t121, t271)
-        .sub_product(t123, t270)
-        .sub_product(t125, t268);
-    let t275 = (-(t107 * t273))
-        .sub_product(t106, t274)
-        .add_product(t108, t272)
-        .sub_product(t110, t271)
-        .sub_product(t112, t270)
-        .sub_product(t114, t268);
-    let t276 = (-(t97 * t274))
-        .sub_product(t95, t275)
-        .sub_product(t99, t271)
-        .sub_product(t101, t270)
-        .sub_product(t103, t268);
-    let t277 = (t84 * t275)
-        .sub_product(t82, t276)
-        .sub_product(t86, t274)
-        .sub_product(t88, t271)
-        .sub_product(t90, t270)
-        .sub_product(t92, t268);
-    let t278 = (-(t71 * t276))
-        .sub_product(t69, t277)
-        .sub_product(t74, t271)
-        .sub_product(t77, t270)
-        .sub_product(t79, t268);
-    let t279 = (-(t57 * t277))
-        .sub_product(t55, t278)
-        .sub_product(t58, t276)
-        .sub_product(t61, t271)
-        .add_product(t63, t270)
-        .sub_product(t65, t268);
-    let t280 = (-(t48 * t278)).sub_product(t46, t279).sub_product(t50, t268);
-    let t281 = (-(t38 * t279))
-        .sub_product(t36, t280)
-        .sub_product(t36, t278)
-        .add_product(t40, t268);
-    let drum_v_y_dot_by_bobbin_mass = (t31 * t269)
-        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t269);
-    let drum_v_x_dot_by_bobbin_mass = (t30 * t269)
-        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t269);
-    let bobbin_v_y_dot_by_bobbin_mass = t265
+    let t265 = (-t264).add_product(t143, t263);
+    let t266 = (-(t28 * t262))
+        .sub_product(t27, t261)
+        .sub_product(t144, t263)
+        .sub_product(t149, t265);
+    let t267 = (t146 * t263).sub_product(t151, t265).sub_product(t156, t266) * t157;
+    let t268 = (t266 * t154).sub_product(t156, t267);
+    let t269 = (t265 * t147).sub_product(t149, t268).sub_product(t151, t267);
+    let t270 = (-(t263 * t141))
+        .sub_product(t143, t269)
+        .add_product(t144, t268)
+        .sub_product(t146, t267);
+    let t271 = (-(t138 * t269)).sub_product(t136, t270).sub_product(t140, t267);
+    let t272 = (-(t129 * t270))
+        .sub_product(t127, t271)
+        .sub_product(t131, t269)
+        .sub_product(t133, t267);
+    let t273 = (-(t118 * t271))
+        .sub_product(t116, t272)
+        .sub_product(t120, t270)
+        .sub_product(t122, t269)
+        .sub_product(t124, t267);
+    let t274 = (-(t106 * t272))
+        .sub_product(t105, t273)
+        .add_product(t107, t271)
+        .sub_product(t109, t270)
+        .sub_product(t111, t269)
+        .sub_product(t113, t267);
+    let t275 = (-(t96 * t273))
+        .sub_product(t94, t274)
+        .sub_product(t98, t270)
+        .sub_product(t100, t269)
+        .sub_product(t102, t267);
+    let t276 = (t83 * t274)
+        .sub_product(t81, t275)
+        .sub_product(t85, t273)
+        .sub_product(t87, t270)
+        .sub_product(t89, t269)
+        .sub_product(t91, t267);
+    let t277 = (-(t70 * t275))
+        .sub_product(t68, t276)
+        .sub_product(t73, t270)
+        .sub_product(t76, t269)
+        .sub_product(t78, t267);
+    let t278 = (-(t56 * t276))
+        .sub_product(t54, t277)
+        .sub_product(t57, t275)
+        .sub_product(t60, t270)
+        .add_product(t62, t269)
+        .sub_product(t64, t267);
+    let t279 = (-(t47 * t277)).sub_product(t45, t278).sub_product(t49, t267);
+    let t280 = (-(t37 * t278))
+        .sub_product(t35, t279)
+        .sub_product(t35, t277)
+        .add_product(t39, t267);
+    let drum_v_y_dot_by_bobbin_mass = (t30 * t268)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t268,
+        );
+    let drum_v_x_dot_by_bobbin_mass = (t29 * t268)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t268,
+        );
+    let bobbin_v_y_dot_by_bobbin_mass = t264
+        .sub_product(inverse_bobbin_mass, t269)
+        .sub_product(t28, t268);
+    let bobbin_v_x_dot_by_bobbin_mass = t263
         .sub_product(inverse_bobbin_mass, t270)
-        .sub_product(t29, t269);
-    let bobbin_v_x_dot_by_bobbin_mass = t264
-        .sub_product(inverse_bobbin_mass, t271)
-        .sub_product(t28, t269);
-    let rod_omega_dot_by_bobbin_mass = (t26 * t273)
-        .sub_product(R::literal(4_166.666_666_666_667), t275)
-        .sub_product(t27, t272);
-    let rod_v_y_dot_by_bobbin_mass = (-(R::literal(5.0) * t272)).sub_product(t25, t274);
-    let rod_v_x_dot_by_bobbin_mass = (-(R::literal(5.0) * t273)).add_product(t24, t274);
-    let cylinder_omega_dot_by_bobbin_mass = (t22 * t276)
-        .sub_product(t21, t277)
-        .sub_product(R::literal(-2_777.777_777_777_778), t275)
-        .add_product(t23, t274);
-    let cylinder_v_y_dot_by_bobbin_mass = (t20 * t274)
+        .sub_product(t27, t268);
+    let rod_omega_dot_by_bobbin_mass = (t25 * t272)
+        .sub_product(R::literal(4_166.666_666_666_667), t274)
+        .sub_product(t26, t271);
+    let rod_v_y_dot_by_bobbin_mass = (-(R::literal(5.0) * t271)).sub_product(t24, t273);
+    let rod_v_x_dot_by_bobbin_mass = (-(R::literal(5.0) * t272)).add_product(t23, t273);
+    let cylinder_omega_dot_by_bobbin_mass = (t21 * t275)
+        .sub_product(t20, t276)
+        .sub_product(R::literal(-2_777.777_777_777_778), t274)
+        .add_product(t22, t273);
+    let cylinder_v_y_dot_by_bobbin_mass = (t19 * t273)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t275);
+    let cylinder_v_x_dot_by_bobbin_mass = (-(t18 * t273))
         .sub_product(R::literal(3.333_333_333_333_333_5), t276);
-    let cylinder_v_x_dot_by_bobbin_mass = (-(t19 * t274))
-        .sub_product(R::literal(3.333_333_333_333_333_5), t277);
-    let plate_omega_dot_by_bobbin_mass = (t16 * t278)
-        .sub_product(t15, t279)
-        .sub_product(t15, t277)
-        .add_product(t16, t276)
-        .add_product(t17, t271)
-        .sub_product(t18, t270);
-    let plate_v_y_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t276))
+    let plate_omega_dot_by_bobbin_mass = (t15 * t277)
+        .sub_product(t14, t278)
+        .sub_product(t14, t276)
+        .add_product(t15, t275)
+        .add_product(t16, t270)
+        .sub_product(t17, t269);
+    let plate_v_y_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t275))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t277)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t269);
+    let plate_v_x_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t276))
         .sub_product(R::literal(0.833_333_333_333_333_4), t278)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t270);
-    let plate_v_x_dot_by_bobbin_mass = (-(R::literal(-0.833_333_333_333_333_4) * t277))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t279)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t271);
-    let post_omega_dot_by_bobbin_mass = (t13 * t280)
-        .sub_product(t12, t281)
-        .sub_product(t12, t279)
-        .add_product(t13, t278)
-        .sub_product(t14, t268);
-    let post_v_y_dot_by_bobbin_mass = (-(R::literal(-1.25) * t278))
+    let post_omega_dot_by_bobbin_mass = (t12 * t279)
+        .sub_product(t11, t280)
+        .sub_product(t11, t278)
+        .add_product(t12, t277)
+        .sub_product(t13, t267);
+    let post_v_y_dot_by_bobbin_mass = (-(R::literal(-1.25) * t277))
+        .sub_product(R::literal(1.25), t279);
+    let post_v_x_dot_by_bobbin_mass = (-(R::literal(-1.25) * t278))
         .sub_product(R::literal(1.25), t280);
-    let post_v_x_dot_by_bobbin_mass = (-(R::literal(-1.25) * t279))
-        .sub_product(R::literal(1.25), t281);
-    let t282 = slide_minus_spring_free_length * cos_cylinder_phi;
-    let t283 = slide_minus_spring_free_length * sin_cylinder_phi;
-    let t284 = slide_minus_spring_free_length * t8;
-    let t285 = R::literal(3.333_333_333_333_333_5) * t282;
-    let t286 = (-t285).add_product(t21, t284);
-    let t287 = R::literal(3.333_333_333_333_333_5) * t283;
-    let t288 = (-t287).sub_product(t22, t284).sub_product(t82, t286);
-    let t289 = (R::literal(-2_777.777_777_777_778) * t284)
-        .add_product(t84, t286)
-        .sub_product(t95, t288);
-    let t290 = (t20 * t283)
-        .sub_product(t19, t282)
-        .sub_product(t23, t284)
-        .sub_product(t24, t282)
-        .add_product(t25, t283)
-        .sub_product(t86, t286)
-        .sub_product(t97, t288)
-        .sub_product(t106, t289);
-    let t291 = R::literal(5.0) * t282;
-    let t292 = t291.sub_product(t107, t289).sub_product(t117, t290);
-    let t293 = R::literal(5.0) * t283;
-    let t294 = t293
-        .add_product(t108, t289)
-        .sub_product(t119, t290)
-        .sub_product(t128, t292);
-    let t295 = (-(t88 * t286))
-        .sub_product(t99, t288)
-        .sub_product(t110, t289)
-        .sub_product(t121, t290)
-        .sub_product(t130, t292)
-        .sub_product(t137, t294);
-    let t296 = (-(t90 * t286))
-        .sub_product(t101, t288)
-        .sub_product(t112, t289)
-        .sub_product(t123, t290)
-        .sub_product(t132, t292)
-        .sub_product(t139, t294)
-        .sub_product(t144, t295);
-    let t297 = (t145 * t295).sub_product(t150, t296);
-    let t298 = (-(t92 * t286))
-        .sub_product(t103, t288)
-        .sub_product(t114, t289)
-        .sub_product(t125, t290)
-        .sub_product(t134, t292)
-        .sub_product(t141, t294)
-        .sub_product(t147, t295)
-        .sub_product(t152, t296)
-        .sub_product(t157, t297) * t158;
-    let t299 = (t297 * t155).sub_product(t157, t298);
-    let t300 = (t296 * t148).sub_product(t150, t299).sub_product(t152, t298);
-    let t301 = (t295 * t142)
-        .sub_product(t144, t300)
-        .add_product(t145, t299)
-        .sub_product(t147, t298);
-    let t302 = (t294 * t135)
-        .sub_product(t137, t301)
-        .sub_product(t139, t300)
-        .sub_product(t141, t298);
-    let t303 = (t292 * t126)
-        .sub_product(t128, t302)
-        .sub_product(t130, t301)
-        .sub_product(t132, t300)
-        .sub_product(t134, t298);
-    let t304 = (t290 * t115)
-        .sub_product(t117, t303)
-        .sub_product(t119, t302)
-        .sub_product(t121, t301)
-        .sub_product(t123, t300)
-        .sub_product(t125, t298);
-    let t305 = (t289 * t104)
-        .sub_product(t106, t304)
-        .sub_product(t107, t303)
-        .add_product(t108, t302)
-        .sub_product(t110, t301)
-        .sub_product(t112, t300)
-        .sub_product(t114, t298);
-    let t306 = (t288 * t93)
-        .sub_product(t95, t305)
-        .sub_product(t97, t304)
-        .sub_product(t99, t301)
-        .sub_product(t101, t300)
-        .sub_product(t103, t298);
-    let t307 = (t286 * t80)
-        .sub_product(t82, t306)
-        .add_product(t84, t305)
-        .sub_product(t86, t304)
-        .sub_product(t88, t301)
-        .sub_product(t90, t300)
-        .sub_product(t92, t298);
-    let t308 = (-(t71 * t306))
-        .sub_product(t69, t307)
-        .sub_product(t74, t301)
-        .sub_product(t77, t300)
-        .sub_product(t79, t298);
-    let t309 = (-(t57 * t307))
-        .sub_product(t55, t308)
-        .sub_product(t58, t306)
-        .sub_product(t61, t301)
-        .add_product(t63, t300)
-        .sub_product(t65, t298);
-    let t310 = (-(t48 * t308)).sub_product(t46, t309).sub_product(t50, t298);
-    let t311 = (-(t38 * t309))
-        .sub_product(t36, t310)
-        .sub_product(t36, t308)
-        .add_product(t40, t298);
-    let drum_v_y_dot_by_spring_stiffness = (t31 * t299)
-        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t299);
-    let drum_v_x_dot_by_spring_stiffness = (t30 * t299)
-        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t299);
-    let bobbin_v_y_dot_by_spring_stiffness = (-(t29 * t299))
+    let t281 = slide_minus_spring_free_length * cos_cylinder_phi;
+    let t282 = slide_minus_spring_free_length * sin_cylinder_phi;
+    let t283 = slide_minus_spring_free_length * t7;
+    let t284 = R::literal(3.333_333_333_333_333_5) * t281;
+    let t285 = (-t284).add_product(t20, t283);
+    let t286 = R::literal(3.333_333_333_333_333_5) * t282;
+    let t287 = (-t286).sub_product(t21, t283).sub_product(t81, t285);
+    let t288 = (R::literal(-2_777.777_777_777_778) * t283)
+        .add_product(t83, t285)
+        .sub_product(t94, t287);
+    let t289 = (t19 * t282)
+        .sub_product(t18, t281)
+        .sub_product(t22, t283)
+        .sub_product(t23, t281)
+        .add_product(t24, t282)
+        .sub_product(t85, t285)
+        .sub_product(t96, t287)
+        .sub_product(t105, t288);
+    let t290 = R::literal(5.0) * t281;
+    let t291 = t290.sub_product(t106, t288).sub_product(t116, t289);
+    let t292 = R::literal(5.0) * t282;
+    let t293 = t292
+        .add_product(t107, t288)
+        .sub_product(t118, t289)
+        .sub_product(t127, t291);
+    let t294 = (-(t87 * t285))
+        .sub_product(t98, t287)
+        .sub_product(t109, t288)
+        .sub_product(t120, t289)
+        .sub_product(t129, t291)
+        .sub_product(t136, t293);
+    let t295 = (-(t89 * t285))
+        .sub_product(t100, t287)
+        .sub_product(t111, t288)
+        .sub_product(t122, t289)
+        .sub_product(t131, t291)
+        .sub_product(t138, t293)
+        .sub_product(t143, t294);
+    let t296 = (t144 * t294).sub_product(t149, t295);
+    let t297 = (-(t91 * t285))
+        .sub_product(t102, t287)
+        .sub_product(t113, t288)
+        .sub_product(t124, t289)
+        .sub_product(t133, t291)
+        .sub_product(t140, t293)
+        .sub_product(t146, t294)
+        .sub_product(t151, t295)
+        .sub_product(t156, t296) * t157;
+    let t298 = (t296 * t154).sub_product(t156, t297);
+    let t299 = (t295 * t147).sub_product(t149, t298).sub_product(t151, t297);
+    let t300 = (t294 * t141)
+        .sub_product(t143, t299)
+        .add_product(t144, t298)
+        .sub_product(t146, t297);
+    let t301 = (t293 * t134)
+        .sub_product(t136, t300)
+        .sub_product(t138, t299)
+        .sub_product(t140, t297);
+    let t302 = (t291 * t125)
+        .sub_product(t127, t301)
+        .sub_product(t129, t300)
+        .sub_product(t131, t299)
+        .sub_product(t133, t297);
+    let t303 = (t289 * t114)
+        .sub_product(t116, t302)
+        .sub_product(t118, t301)
+        .sub_product(t120, t300)
+        .sub_product(t122, t299)
+        .sub_product(t124, t297);
+    let t304 = (t288 * t103)
+        .sub_product(t105, t303)
+        .sub_product(t106, t302)
+        .add_product(t107, t301)
+        .sub_product(t109, t300)
+        .sub_product(t111, t299)
+        .sub_product(t113, t297);
+    let t305 = (t287 * t92)
+        .sub_product(t94, t304)
+        .sub_product(t96, t303)
+        .sub_product(t98, t300)
+        .sub_product(t100, t299)
+        .sub_product(t102, t297);
+    let t306 = (t285 * t79)
+        .sub_product(t81, t305)
+        .add_product(t83, t304)
+        .sub_product(t85, t303)
+        .sub_product(t87, t300)
+        .sub_product(t89, t299)
+        .sub_product(t91, t297);
+    let t307 = (-(t70 * t305))
+        .sub_product(t68, t306)
+        .sub_product(t73, t300)
+        .sub_product(t76, t299)
+        .sub_product(t78, t297);
+    let t308 = (-(t56 * t306))
+        .sub_product(t54, t307)
+        .sub_product(t57, t305)
+        .sub_product(t60, t300)
+        .add_product(t62, t299)
+        .sub_product(t64, t297);
+    let t309 = (-(t47 * t307)).sub_product(t45, t308).sub_product(t49, t297);
+    let t310 = (-(t37 * t308))
+        .sub_product(t35, t309)
+        .sub_product(t35, t307)
+        .add_product(t39, t297);
+    let drum_v_y_dot_by_spring_stiffness = (t30 * t298)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t298,
+        );
+    let drum_v_x_dot_by_spring_stiffness = (t29 * t298)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t298,
+        );
+    let bobbin_v_y_dot_by_spring_stiffness = (-(t28 * t298))
+        .sub_product(inverse_bobbin_mass, t299);
+    let bobbin_v_x_dot_by_spring_stiffness = (-(t27 * t298))
         .sub_product(inverse_bobbin_mass, t300);
-    let bobbin_v_x_dot_by_spring_stiffness = (-(t28 * t299))
-        .sub_product(inverse_bobbin_mass, t301);
-    let rod_omega_dot_by_spring_stiffness = (t26 * t303)
-        .sub_product(R::literal(4_166.666_666_666_667), t305)
-        .sub_product(t27, t302);
-    let rod_v_y_dot_by_spring_stiffness = (-t293)
-        .sub_product(t25, t304)
+    let rod_omega_dot_by_spring_stiffness = (t25 * t302)
+        .sub_product(R::literal(4_166.666_666_666_667), t304)
+        .sub_product(t26, t301);
+    let rod_v_y_dot_by_spring_stiffness = (-t292)
+        .sub_product(t24, t303)
+        .sub_product(R::literal(5.0), t301);
+    let rod_v_x_dot_by_spring_stiffness = (-t290)
+        .add_product(t23, t303)
         .sub_product(R::literal(5.0), t302);
-    let rod_v_x_dot_by_spring_stiffness = (-t291)
-        .add_product(t24, t304)
-        .sub_product(R::literal(5.0), t303);
-    let cylinder_omega_dot_by_spring_stiffness = (-(t284
+    let cylinder_omega_dot_by_spring_stiffness = (-(t283
         * R::literal(2_777.777_777_777_778)))
-        .sub_product(t21, t307)
-        .add_product(t22, t306)
-        .sub_product(R::literal(-2_777.777_777_777_778), t305)
-        .add_product(t23, t304);
-    let cylinder_v_y_dot_by_spring_stiffness = t287
+        .sub_product(t20, t306)
+        .add_product(t21, t305)
+        .sub_product(R::literal(-2_777.777_777_777_778), t304)
+        .add_product(t22, t303);
+    let cylinder_v_y_dot_by_spring_stiffness = t286
+        .sub_product(R::literal(3.333_333_333_333_333_5), t305)
+        .add_product(t19, t303);
+    let cylinder_v_x_dot_by_spring_stiffness = t284
         .sub_product(R::literal(3.333_333_333_333_333_5), t306)
-        .add_product(t20, t304);
-    let cylinder_v_x_dot_by_spring_stiffness = t285
-        .sub_product(R::literal(3.333_333_333_333_333_5), t307)
-        .sub_product(t19, t304);
-    let plate_omega_dot_by_spring_stiffness = (t16 * t308)
-        .sub_product(t15, t309)
-        .sub_product(t15, t307)
-        .add_product(t16, t306)
-        .add_product(t17, t301)
-        .sub_product(t18, t300);
+        .sub_product(t18, t303);
+    let plate_omega_dot_by_spring_stiffness = (t15 * t307)
+        .sub_product(t14, t308)
+        .sub_product(t14, t306)
+        .add_product(t15, t305)
+        .add_product(t16, t300)
+        .sub_product(t17, t299);
     let plate_v_y_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
+        * t305))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t307)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t299);
+    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
         * t306))
         .sub_product(R::literal(0.833_333_333_333_333_4), t308)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t300);
-    let plate_v_x_dot_by_spring_stiffness = (-(R::literal(-0.833_333_333_333_333_4)
-        * t307))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t309)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t301);
-    let post_omega_dot_by_spring_stiffness = (t13 * t310)
-        .sub_product(t12, t311)
-        .sub_product(t12, t309)
-        .add_product(t13, t308)
-        .sub_product(t14, t298);
-    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t308))
+    let post_omega_dot_by_spring_stiffness = (t12 * t309)
+        .sub_product(t11, t310)
+        .sub_product(t11, t308)
+        .add_product(t12, t307)
+        .sub_product(t13, t297);
+    let post_v_y_dot_by_spring_stiffness = (-(R::literal(-1.25) * t307))
+        .sub_product(R::literal(1.25), t309);
+    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t308))
         .sub_product(R::literal(1.25), t310);
-    let post_v_x_dot_by_spring_stiffness = (-(R::literal(-1.25) * t309))
-        .sub_product(R::literal(1.25), t311);
-    let t312 = R::literal(3.333_333_333_333_333_5) * t207;
-    let t313 = t312.sub_product(t21, t208);
-    let t314 = R::literal(3.333_333_333_333_333_5) * t209;
-    let t315 = t314.add_product(t22, t208).sub_product(t82, t313);
-    let t316 = (-(R::literal(-2_777.777_777_777_778) * t208))
-        .add_product(t84, t313)
-        .sub_product(t95, t315);
-    let t317 = (t19 * t207)
-        .sub_product(t20, t209)
-        .add_product(t23, t208)
-        .add_product(t24, t207)
-        .sub_product(t25, t209)
-        .sub_product(t86, t313)
-        .sub_product(t97, t315)
-        .sub_product(t106, t316);
-    let t318 = R::literal(5.0) * t207;
-    let t319 = (-t318).sub_product(t107, t316).sub_product(t117, t317);
-    let t320 = R::literal(5.0) * t209;
-    let t321 = (-t320)
-        .add_product(t108, t316)
-        .sub_product(t119, t317)
-        .sub_product(t128, t319);
-    let t322 = (-(t88 * t313))
-        .sub_product(t99, t315)
-        .sub_product(t110, t316)
-        .sub_product(t121, t317)
-        .sub_product(t130, t319)
-        .sub_product(t137, t321);
-    let t323 = (-(t90 * t313))
-        .sub_product(t101, t315)
-        .sub_product(t112, t316)
-        .sub_product(t123, t317)
-        .sub_product(t132, t319)
-        .sub_product(t139, t321)
-        .sub_product(t144, t322);
-    let t324 = (t145 * t322).sub_product(t150, t323);
-    let t325 = (-(t92 * t313))
-        .sub_product(t103, t315)
-        .sub_product(t114, t316)
-        .sub_product(t125, t317)
-        .sub_product(t134, t319)
-        .sub_product(t141, t321)
-        .sub_product(t147, t322)
-        .sub_product(t152, t323)
-        .sub_product(t157, t324) * t158;
-    let t326 = (t324 * t155).sub_product(t157, t325);
-    let t327 = (t323 * t148).sub_product(t150, t326).sub_product(t152, t325);
-    let t328 = (t322 * t142)
-        .sub_product(t144, t327)
-        .add_product(t145, t326)
-        .sub_product(t147, t325);
-    let t329 = (t321 * t135)
-        .sub_product(t137, t328)
-        .sub_product(t139, t327)
-        .sub_product(t141, t325);
-    let t330 = (t319 * t126)
-        .sub_product(t128, t329)
-        .sub_product(t130, t328)
-        .sub_product(t132, t327)
-        .sub_product(t134, t325);
-    let t331 = (t317 * t115)
-        .sub_product(t117, t330)
-        .sub_product(t119, t329)
-        .sub_product(t121, t328)
-        .sub_product(t123, t327)
-        .sub_product(t125, t325);
-    let t332 = (t316 * t104)
-        .sub_product(t106, t331)
-        .sub_product(t107, t330)
-        .add_product(t108, t329)
-        .sub_product(t110, t328)
-        .sub_product(t112, t327)
-        .sub_product(t114, t325);
-    let t333 = (t315 * t93)
-        .sub_product(t95, t332)
-        .sub_product(t97, t331)
-        .sub_product(t99, t328)
-        .sub_product(t101, t327)
-        .sub_product(t103, t325);
-    let t334 = (t313 * t80)
-        .sub_product(t82, t333)
-        .add_product(t84, t332)
-        .sub_product(t86, t331)
-        .sub_product(t88, t328)
-        .sub_product(t90, t327)
-        .sub_product(t92, t325);
-    let t335 = (-(t71 * t333))
-        .sub_product(t69, t334)
-        .sub_product(t74, t328)
-        .sub_product(t77, t327)
-        .sub_product(t79, t325);
-    let t336 = (-(t57 * t334))
-        .sub_product(t55, t335)
-        .sub_product(t58, t333)
-        .sub_product(t61, t328)
-        .add_product(t63, t327)
-        .sub_product(t65, t325);
-    let t337 = (-(t48 * t335)).sub_product(t46, t336).sub_product(t50, t325);
-    let t338 = (-(t38 * t336))
-        .sub_product(t36, t337)
-        .sub_product(t36, t335)
-        .add_product(t40, t325);
-    let drum_v_y_dot_by_spring_free_length = (t31 * t326)
-        .add_product(R::literal(0.666_666_666_666_666_6), t154 * t326);
-    let drum_v_x_dot_by_spring_free_length = (t30 * t326)
-        .add_product(R::literal(0.666_666_666_666_666_6), t153 * t326);
-    let bobbin_v_y_dot_by_spring_free_length = (-(t29 * t326))
+    let t311 = R::literal(3.333_333_333_333_333_5) * t206;
+    let t312 = t311.sub_product(t20, t207);
+    let t313 = R::literal(3.333_333_333_333_333_5) * t208;
+    let t314 = t313.add_product(t21, t207).sub_product(t81, t312);
+    let t315 = (-(R::literal(-2_777.777_777_777_778) * t207))
+        .add_product(t83, t312)
+        .sub_product(t94, t314);
+    let t316 = (t18 * t206)
+        .sub_product(t19, t208)
+        .add_product(t22, t207)
+        .add_product(t23, t206)
+        .sub_product(t24, t208)
+        .sub_product(t85, t312)
+        .sub_product(t96, t314)
+        .sub_product(t105, t315);
+    let t317 = R::literal(5.0) * t206;
+    let t318 = (-t317).sub_product(t106, t315).sub_product(t116, t316);
+    let t319 = R::literal(5.0) * t208;
+    let t320 = (-t319)
+        .add_product(t107, t315)
+        .sub_product(t118, t316)
+        .sub_product(t127, t318);
+    let t321 = (-(t87 * t312))
+        .sub_product(t98, t314)
+        .sub_product(t109, t315)
+        .sub_product(t120, t316)
+        .sub_product(t129, t318)
+        .sub_product(t136, t320);
+    let t322 = (-(t89 * t312))
+        .sub_product(t100, t314)
+        .sub_product(t111, t315)
+        .sub_product(t122, t316)
+        .sub_product(t131, t318)
+        .sub_product(t138, t320)
+        .sub_product(t143, t321);
+    let t323 = (t144 * t321).sub_product(t149, t322);
+    let t324 = (-(t91 * t312))
+        .sub_product(t102, t314)
+        .sub_product(t113, t315)
+        .sub_product(t124, t316)
+        .sub_product(t133, t318)
+        .sub_product(t140, t320)
+        .sub_product(t146, t321)
+        .sub_product(t151, t322)
+        .sub_product(t156, t323) * t157;
+    let t325 = (t323 * t154).sub_product(t156, t324);
+    let t326 = (t322 * t147).sub_product(t149, t325).sub_product(t151, t324);
+    let t327 = (t321 * t141)
+        .sub_product(t143, t326)
+        .add_product(t144, t325)
+        .sub_product(t146, t324);
+    let t328 = (t320 * t134)
+        .sub_product(t136, t327)
+        .sub_product(t138, t326)
+        .sub_product(t140, t324);
+    let t329 = (t318 * t125)
+        .sub_product(t127, t328)
+        .sub_product(t129, t327)
+        .sub_product(t131, t326)
+        .sub_product(t133, t324);
+    let t330 = (t316 * t114)
+        .sub_product(t116, t329)
+        .sub_product(t118, t328)
+        .sub_product(t120, t327)
+        .sub_product(t122, t326)
+        .sub_product(t124, t324);
+    let t331 = (t315 * t103)
+        .sub_product(t105, t330)
+        .sub_product(t106, t329)
+        .add_product(t107, t328)
+        .sub_product(t109, t327)
+        .sub_product(t111, t326)
+        .sub_product(t113, t324);
+    let t332 = (t314 * t92)
+        .sub_product(t94, t331)
+        .sub_product(t96, t330)
+        .sub_product(t98, t327)
+        .sub_product(t100, t326)
+        .sub_product(t102, t324);
+    let t333 = (t312 * t79)
+        .sub_product(t81, t332)
+        .add_product(t83, t331)
+        .sub_product(t85, t330)
+        .sub_product(t87, t327)
+        .sub_product(t89, t326)
+        .sub_product(t91, t324);
+    let t334 = (-(t70 * t332))
+        .sub_product(t68, t333)
+        .sub_product(t73, t327)
+        .sub_product(t76, t326)
+        .sub_product(t78, t324);
+    let t335 = (-(t56 * t333))
+        .sub_product(t54, t334)
+        .sub_product(t57, t332)
+        .sub_product(t60, t327)
+        .add_product(t62, t326)
+        .sub_product(t64, t324);
+    let t336 = (-(t47 * t334)).sub_product(t45, t335).sub_product(t49, t324);
+    let t337 = (-(t37 * t335))
+        .sub_product(t35, t336)
+        .sub_product(t35, t334)
+        .add_product(t39, t324);
+    let drum_v_y_dot_by_spring_free_length = (t30 * t325)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_y_minus_drum_y_over_between * t325,
+        );
+    let drum_v_x_dot_by_spring_free_length = (t29 * t325)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t325,
+        );
+    let bobbin_v_y_dot_by_spring_free_length = (-(t28 * t325))
+        .sub_product(inverse_bobbin_mass, t326);
+    let bobbin_v_x_dot_by_spring_free_length = (-(t27 * t325))
         .sub_product(inverse_bobbin_mass, t327);
-    let bobbin_v_x_dot_by_spring_free_length = (-(t28 * t326))
-        .sub_product(inverse_bobbin_mass, t328);
-    let rod_omega_dot_by_spring_free_length = (t26 * t330)
-        .sub_product(R::literal(4_166.666_666_666_667), t332)
-        .sub_product(t27, t329);
-    let rod_v_y_dot_by_spring_free_length = t320
-        .sub_product(t25, t331)
+    let rod_omega_dot_by_spring_free_length = (t25 * t329)
+        .sub_product(R::literal(4_166.666_666_666_667), t331)
+        .sub_product(t26, t328);
+    let rod_v_y_dot_by_spring_free_length = t319
+        .sub_product(t24, t330)
+        .sub_product(R::literal(5.0), t328);
+    let rod_v_x_dot_by_spring_free_length = t317
+        .add_product(t23, t330)
         .sub_product(R::literal(5.0), t329);
-    let rod_v_x_dot_by_spring_free_length = t318
-        .add_product(t24, t331)
-        .sub_product(R::literal(5.0), t330);
-    let cylinder_omega_dot_by_spring_free_length = (t208
+    let cylinder_omega_dot_by_spring_free_length = (t207
         * R::literal(2_777.777_777_777_778))
-        .sub_product(t21, t334)
-        .add_product(t22, t333)
-        .sub_product(R::literal(-2_777.777_777_777_778), t332)
-        .add_product(t23, t331);
-    let cylinder_v_y_dot_by_spring_free_length = (-t314)
+        .sub_product(t20, t333)
+        .add_product(t21, t332)
+        .sub_product(R::literal(-2_777.777_777_777_778), t331)
+        .add_product(t22, t330);
+    let cylinder_v_y_dot_by_spring_free_length = (-t313)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t332)
+        .add_product(t19, t330);
+    let cylinder_v_x_dot_by_spring_free_length = (-t311)
         .sub_product(R::literal(3.333_333_333_333_333_5), t333)
-        .add_product(t20, t331);
-    let cylinder_v_x_dot_by_spring_free_length = (-t312)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t334)
-        .sub_product(t19, t331);
-    let plate_omega_dot_by_spring_free_length = (t16 * t335)
-        .sub_product(t15, t336)
-        .sub_product(t15, t334)
-        .add_product(t16, t333)
-        .add_product(t17, t328)
-        .sub_product(t18, t327);
+        .sub_product(t18, t330);
+    let plate_omega_dot_by_spring_free_length = (t15 * t334)
+        .sub_product(t14, t335)
+        .sub_product(t14, t333)
+        .add_product(t15, t332)
+        .add_product(t16, t327)
+        .sub_product(t17, t326);
     let plate_v_y_dot_by_spring_free_length = (-(R::literal(-0.833_333_333_333_333_4)
+        * t332))
+        .sub_product(R::literal(0.833_333_333_333_333_4), t334)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t326);
+    let plate_v_x_dot_by_spring_free_length = (-(R::literal(-0.833_333_333_333_333_4)
         * t333))
         .sub_product(R::literal(0.833_333_333_333_333_4), t335)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t327);
-    let plate_v_x_dot_by_spring_free_length = (-(R::literal(-0.833_333_333_333_333_4)
-        * t334))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t336)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t328);
-    let post_omega_dot_by_spring_free_length = (t13 * t337)
-        .sub_product(t12, t338)
-        .sub_product(t12, t336)
-        .add_product(t13, t335)
-        .sub_product(t14, t325);
-    let post_v_y_dot_by_spring_free_length = (-(R::literal(-1.25) * t335))
+    let post_omega_dot_by_spring_free_length = (t12 * t336)
+        .sub_product(t11, t337)
+        .sub_product(t11, t335)
+        .add_product(t12, t334)
+        .sub_product(t13, t324);
+    let post_v_y_dot_by_spring_free_length = (-(R::literal(-1.25) * t334))
+        .sub_product(R::literal(1.25), t336);
+    let post_v_x_dot_by_spring_free_length = (-(R::literal(-1.25) * t335))
         .sub_product(R::literal(1.25), t337);
-    let post_v_x_dot_by_spring_free_length = (-(R::literal(-1.25) * t336))
-        .sub_product(R::literal(1.25), t338);
     [
         post_v_x_dot_by_bobbin_radius,
         post_v_x_dot_by_winding_force,
@@ -7424,29 +7604,27 @@ pub fn time_derivative<R: Real>(
 
 /// Wanted outputs.
 ///
-/// 804 operations.
+/// 800 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
     rod_y, rod_phi, bobbin_x, bobbin_y, bobbin_phi, drum_x, drum_y, drum_phi, _, _,
     post_omega, _, _, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x,
     rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x, drum_v_y, ..] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
-    let t7 = R::literal(0.06) * sin_rod_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_x_minus_drum_x_squared = bobbin_x_minus_drum_x * bobbin_x_minus_drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
@@ -7456,364 +7634,362 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t8)
+        .add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t9 = (R::literal(0.044) * sin_post_phi)
+    let t8 = (R::literal(0.044) * sin_post_phi)
         .add_product(R::literal(0.143), cos_post_phi);
-    let t10 = (R::literal(0.01) * sin_plate_phi)
+    let t9 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t11 = (R::literal(0.01) * cos_plate_phi)
+    let t10 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t12 = t1 * R::literal(370.370_370_370_370_3);
-    let t13 = t0 * R::literal(370.370_370_370_370_3);
-    let t14 = t9 * R::literal(370.370_370_370_370_3);
-    let t15 = t3 * R::literal(400.0);
-    let t16 = t2 * R::literal(400.0);
+    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t13 = t8 * R::literal(370.370_370_370_370_3);
+    let t14 = R::literal(24.0) * sin_plate_phi;
+    let t15 = R::literal(24.0) * cos_plate_phi;
+    let t16 = t9 * R::literal(400.0);
     let t17 = t10 * R::literal(400.0);
-    let t18 = t11 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = t5 * R::literal(2_777.777_777_777_778);
-    let t22 = t4 * R::literal(2_777.777_777_777_778);
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = t7 * R::literal(4_166.666_666_666_667);
-    let t27 = t6 * R::literal(4_166.666_666_666_667);
+    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t22 = slide * R::literal(2_777.777_777_777_778);
+    let t23 = sin_cylinder_phi * R::literal(5.0);
+    let t24 = cos_cylinder_phi * R::literal(5.0);
+    let t25 = R::literal(250.0) * sin_rod_phi;
+    let t26 = R::literal(250.0) * cos_rod_phi;
     let inverse_bobbin_mass = R::literal(1.0) / p.bobbin_mass;
-    let t28 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
-    let t29 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
-    let t30 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t31 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t27 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
+    let t28 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
+    let t29 = t11 * t1;
+    let t30 = R::literal(-1.25) - t29;
+    let t31 = R::literal(1.0) / t30;
     let t32 = t12 * t1;
-    let t33 = R::literal(-1.25) - t32;
-    let t34 = R::literal(1.0) / t33;
-    let t35 = t13 * t1;
-    let t36 = t35 * t34;
-    let t37 = R::literal(1.25) - t32;
-    let t38 = t37 * t34;
-    let t39 = t14 * t1;
-    let t40 = t39 * t34;
-    let t41 = t13 * t0;
-    let t42 = R::literal(-1.25) - t41;
-    let t43 = t36 * t35;
-    let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = (t12 * t0).sub_product(t38, t35);
-    let t46 = t45 * t44;
-    let t47 = R::literal(1.25) - t41 - t43;
-    let t48 = t47 * t44;
-    let t49 = (t14 * t0).add_product(t40, t35);
-    let t50 = t49 * t44;
-    let t51 = t15 * t3;
-    let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
-            .sub_product(t38, t37)
-            .sub_product(t46, t45);
-    let t53 = t16 * t3;
-    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
-    let t55 = t54 * t52;
-    let t56 = R::literal(0.833_333_333_333_333_4) - t51;
-    let t57 = t56 * t52;
-    let t58 = t53 * t52;
+    let t33 = t32 * t31;
+    let t34 = R::literal(1.25) - t29;
+    let t35 = t34 * t31;
+    let t36 = t13 * t1;
+    let t37 = t36 * t31;
+    let t38 = t12 * t0;
+    let t39 = R::literal(-1.25) - t38;
+    let t40 = t33 * t32;
+    let t41 = R::literal(1.0) / (t39 - t40);
+    let t42 = (t11 * t0).sub_product(t35, t32);
+    let t43 = t42 * t41;
+    let t44 = R::literal(1.25) - t38 - t40;
+    let t45 = t44 * t41;
+    let t46 = (t13 * t0).add_product(t37, t32);
+    let t47 = t46 * t41;
+    let t48 = t14 * t3;
+    let t49 = R::literal(1.0)
+        / (t30 - R::literal(0.833_333_333_333_333_4) - t48)
+            .sub_product(t35, t34)
+            .sub_product(t43, t42);
+    let t50 = t15 * t3;
+    let t51 = (t32 + t50).sub_product(t33, t34).sub_product(t45, t42);
+    let t52 = t51 * t49;
+    let t53 = R::literal(0.833_333_333_333_333_4) - t48;
+    let t54 = t53 * t49;
+    let t55 = t50 * t49;
+    let t56 = t16 * t3;
+    let t57 = R::literal(0.833_333_333_333_333_4) + t56;
+    let t58 = t57 * t49;
     let t59 = t17 * t3;
-    let t60 = R::literal(0.833_333_333_333_333_4) + t59;
-    let t61 = t60 * t52;
-    let t62 = t18 * t3;
-    let t63 = t62 * t52;
-    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
-    let t65 = t64 * t52;
-    let t66 = t16 * t2;
-    let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
-            .sub_product(t48, t47)
-            .sub_product(t55, t54);
-    let t68 = (t15 * t2).sub_product(t57, t54);
-    let t69 = t68 * t67;
-    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
-    let t71 = t70 * t67;
-    let t72 = -(t17 * t2);
-    let t73 = t72.sub_product(t61, t54);
-    let t74 = t73 * t67;
-    let t75 = t18 * t2;
-    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
-    let t77 = t76 * t67;
-    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
-    let t79 = t78 * t67;
-    let t80 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t51
+    let t60 = t59 * t49;
+    let t61 = (-t36).add_product(t37, t34).sub_product(t47, t42);
+    let t62 = t61 * t49;
+    let t63 = t15 * t2;
+    let t64 = R::literal(1.0)
+        / (t39 - R::literal(0.833_333_333_333_333_4) - t63 - t40)
+            .sub_product(t45, t44)
+            .sub_product(t52, t51);
+    let t65 = (t14 * t2).sub_product(t54, t51);
+    let t66 = t65 * t64;
+    let t67 = (R::literal(0.833_333_333_333_333_4) - t63).sub_product(t55, t51);
+    let t68 = t67 * t64;
+    let t69 = -(t16 * t2);
+    let t70 = t69.sub_product(t58, t51);
+    let t71 = t70 * t64;
+    let t72 = t17 * t2;
+    let t73 = (R::literal(0.833_333_333_333_333_4) + t72).add_product(t60, t51);
+    let t74 = t73 * t64;
+    let t75 = t46.sub_product(t47, t44).sub_product(t62, t51);
+    let t76 = t75 * t64;
+    let t77 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t48
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t57, t56)
-            .sub_product(t69, t68);
-    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
-    let t82 = t81 * t80;
-    let t83 = R::literal(-2_777.777_777_777_778) * t5;
-    let t84 = t83 * t80;
-    let t85 = (-t19).add_product(t23, t5);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
-        .sub_product(t61, t56)
-        .sub_product(t74, t68);
-    let t88 = t87 * t80;
-    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
-    let t90 = t89 * t80;
-    let t91 = (-(t65 * t56)).sub_product(t79, t68);
-    let t92 = t91 * t80;
-    let t93 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t66
+            .sub_product(t20, t5)
+            .sub_product(t54, t53)
+            .sub_product(t66, t65);
+    let t78 = t50.add_product(t21, t5).sub_product(t55, t53).sub_product(t68, t65);
+    let t79 = t78 * t77;
+    let t80 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t81 = t80 * t77;
+    let t82 = (-t18).add_product(t22, t5);
+    let t83 = t82 * t77;
+    let t84 = (R::literal(-0.833_333_333_333_333_4) + t56)
+        .sub_product(t58, t53)
+        .sub_product(t71, t65);
+    let t85 = t84 * t77;
+    let t86 = (-t59).add_product(t60, t53).sub_product(t74, t65);
+    let t87 = t86 * t77;
+    let t88 = (-(t62 * t53)).sub_product(t76, t65);
+    let t89 = t88 * t77;
+    let t90 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t63
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t58, t53)
+            .sub_product(t21, t4)
+            .sub_product(t55, t50)
+            .sub_product(t68, t67)
+            .sub_product(t79, t78);
+    let t91 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t81, t78);
+    let t92 = t91 * t90;
+    let t93 = t19.sub_product(t22, t4).sub_product(t83, t78);
+    let t94 = t93 * t90;
+    let t95 = t69.sub_product(t58, t50).sub_product(t71, t67).sub_product(t85, t78);
+    let t96 = t95 * t90;
+    let t97 = (R::literal(-0.833_333_333_333_333_4) + t72)
+        .add_product(t60, t50)
+        .sub_product(t74, t67)
+        .sub_product(t87, t78);
+    let t98 = t97 * t90;
+    let t99 = (-(t62 * t50)).sub_product(t76, t67).sub_product(t89, t78);
+    let t100 = t99 * t90;
+    let t101 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t81, t80).sub_product(t92, t91);
+    let t102 = (-t22).add_product(t83, t80).sub_product(t94, t91);
+    let t103 = t102 * t101;
+    let t104 = t25 * t101;
+    let t105 = t26 * t101;
+    let t106 = (t85 * t80).sub_product(t96, t91);
+    let t107 = t106 * t101;
+    let t108 = (t87 * t80).sub_product(t98, t91);
+    let t109 = t108 * t101;
+    let t110 = (t89 * t80).sub_product(t100, t91);
+    let t111 = t110 * t101;
+    let t112 = R::literal(1.0)
+        / (-(t19 * cos_cylinder_phi))
+            .sub_product(t18, sin_cylinder_phi)
+            .sub_product(t22, slide)
+            .sub_product(t23, sin_cylinder_phi)
+            .sub_product(t24, cos_cylinder_phi)
+            .sub_product(t83, t82)
+            .sub_product(t94, t93)
+            .sub_product(t103, t102);
+    let t113 = t23.sub_product(t104, t102);
+    let t114 = t113 * t112;
+    let t115 = (-t24).add_product(t105, t102);
+    let t116 = t115 * t112;
+    let t117 = (-(t85 * t82)).sub_product(t96, t93).sub_product(t107, t102);
+    let t118 = t117 * t112;
+    let t119 = (-(t87 * t82)).sub_product(t98, t93).sub_product(t109, t102);
+    let t120 = t119 * t112;
+    let t121 = (-(t89 * t82)).sub_product(t100, t93).sub_product(t111, t102);
+    let t122 = t121 * t112;
+    let t123 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t25, t6)
+            .sub_product(t104, t25)
+            .sub_product(t114, t113);
+    let t124 = (t26 * t6).add_product(t105, t25).sub_product(t116, t113);
+    let t125 = t124 * t123;
+    let t126 = (-(t107 * t25)).sub_product(t118, t113);
+    let t127 = t126 * t123;
+    let t128 = (-(t109 * t25)).sub_product(t120, t113);
+    let t129 = t128 * t123;
+    let t130 = (-(t111 * t25)).sub_product(t122, t113);
+    let t131 = t130 * t123;
+    let t132 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
+            .sub_product(t105, t26)
+            .sub_product(t116, t115)
+            .sub_product(t125, t124);
+    let t133 = (t107 * t26).sub_product(t118, t115).sub_product(t127, t124);
+    let t134 = t133 * t132;
+    let t135 = (t109 * t26).sub_product(t120, t115).sub_product(t129, t124);
+    let t136 = t135 * t132;
+    let t137 = (t111 * t26).sub_product(t122, t115).sub_product(t131, t124);
+    let t138 = t137 * t132;
+    let t139 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
+            - inverse_bobbin_mass)
+            .sub_product(t58, t57)
             .sub_product(t71, t70)
-            .sub_product(t82, t81);
-    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
-    let t95 = t94 * t93;
-    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
-    let t97 = t96 * t93;
-    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
-    let t99 = t98 * t93;
-    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
-        .add_product(t63, t53)
-        .sub_product(t77, t70)
-        .sub_product(t90, t81);
-    let t101 = t100 * t93;
-    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
-    let t103 = t102 * t93;
-    let t104 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
-    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
-    let t106 = t105 * t104;
-    let t107 = t26 * t104;
-    let t108 = t27 * t104;
-    let t109 = (t88 * t83).sub_product(t99, t94);
-    let t110 = t109 * t104;
-    let t111 = (t90 * t83).sub_product(t101, t94);
-    let t112 = t111 * t104;
-    let t113 = (t92 * t83).sub_product(t103, t94);
-    let t114 = t113 * t104;
-    let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi))
-            .sub_product(t20, cos_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t86, t85)
-            .sub_product(t97, t96)
-            .sub_product(t106, t105);
-    let t116 = t24.sub_product(t107, t105);
-    let t117 = t116 * t115;
-    let t118 = (-t25).add_product(t108, t105);
-    let t119 = t118 * t115;
-    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
-    let t121 = t120 * t115;
-    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
-    let t123 = t122 * t115;
-    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
-    let t125 = t124 * t115;
-    let t126 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t26, t7)
-            .sub_product(t107, t26)
-            .sub_product(t117, t116);
-    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
-    let t128 = t127 * t126;
-    let t129 = (-(t110 * t26)).sub_product(t121, t116);
-    let t130 = t129 * t126;
-    let t131 = (-(t112 * t26)).sub_product(t123, t116);
-    let t132 = t131 * t126;
-    let t133 = (-(t114 * t26)).sub_product(t125, t116);
-    let t134 = t133 * t126;
-    let t135 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, t6)
-            .sub_product(t108, t27)
-            .sub_product(t119, t118)
-            .sub_product(t128, t127);
-    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
-    let t137 = t136 * t135;
-    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
-    let t139 = t138 * t135;
-    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
-    let t141 = t140 * t135;
-    let t142 = R::literal(1.0)
+            .sub_product(t85, t84)
+            .sub_product(t96, t95)
+            .sub_product(t107, t106)
+            .sub_product(t118, t117)
+            .sub_product(t127, t126)
+            .sub_product(t134, t133);
+    let t140 = (t17 * t9)
+        .add_product(t60, t57)
+        .sub_product(t74, t70)
+        .sub_product(t87, t84)
+        .sub_product(t98, t95)
+        .sub_product(t109, t106)
+        .sub_product(t120, t117)
+        .sub_product(t129, t126)
+        .sub_product(t136, t133);
+    let t141 = t140 * t139;
+    let t142 = t27 * t139;
+    let t143 = (-(t62 * t57))
+        .sub_product(t76, t70)
+        .sub_product(t89, t84)
+        .sub_product(t100, t95)
+        .sub_product(t111, t106)
+        .sub_product(t122, t117)
+        .sub_product(t131, t126)
+        .sub_product(t138, t133);
+    let t144 = t143 * t139;
+    let t145 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
             - inverse_bobbin_mass)
-            .sub_product(t61, t60)
+            .sub_product(t60, t59)
             .sub_product(t74, t73)
-            .sub_product(t88, t87)
-            .sub_product(t99, t98)
-            .sub_product(t110, t109)
-            .sub_product(t121, t120)
-            .sub_product(t130, t129)
-            .sub_product(t137, t136);
-    let t143 = (t18 * t10)
-        .add_product(t63, t60)
-        .sub_product(t77, t73)
-        .sub_product(t90, t87)
-        .sub_product(t101, t98)
-        .sub_product(t112, t109)
-        .sub_product(t123, t120)
-        .sub_product(t132, t129)
-        .sub_product(t139, t136);
-    let t144 = t143 * t142;
-    let t145 = t28 * t142;
-    let t146 = (-(t65 * t60))
-        .sub_product(t79, t73)
-        .sub_product(t92, t87)
-        .sub_product(t103, t98)
-        .sub_product(t114, t109)
-        .sub_product(t125, t120)
-        .sub_product(t134, t129)
-        .sub_product(t141, t136);
-    let t147 = t146 * t142;
-    let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
-            - inverse_bobbin_mass)
-            .sub_product(t63, t62)
-            .sub_product(t77, t76)
-            .sub_product(t90, t89)
-            .sub_product(t101, t100)
-            .sub_product(t112, t111)
-            .sub_product(t123, t122)
-            .sub_product(t132, t131)
-            .sub_product(t139, t138)
-            .sub_product(t144, t143);
-    let t149 = (-t29).add_product(t145, t143);
-    let t150 = t149 * t148;
-    let t151 = (t65 * t62)
-        .sub_product(t79, t76)
-        .sub_product(t92, t89)
-        .sub_product(t103, t100)
-        .sub_product(t114, t111)
-        .sub_product(t125, t122)
-        .sub_product(t134, t131)
-        .sub_product(t141, t138)
-        .sub_product(t147, t143);
-    let t152 = t151 * t148;
-    let t153 = t31 * R::literal(-1.5);
-    let t154 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between))
-            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
-            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t145, t28)
-            .sub_product(t150, t149)
-            .sub_product(t30 * R::literal(-1.5), t30)
-            .sub_product(t153, t31);
-    let t155 = (t147 * t28).sub_product(t152, t149);
-    let t156 = t155 * t154;
-    let t157 = R::literal(1.0)
-        / (-(t14 * t9))
-            .sub_product(t40, t39)
-            .sub_product(t50, t49)
-            .sub_product(t65, t64)
-            .sub_product(t79, t78)
-            .sub_product(t92, t91)
-            .sub_product(t103, t102)
-            .sub_product(t114, t113)
-            .sub_product(t125, t124)
-            .sub_product(t134, t133)
-            .sub_product(t141, t140)
-            .sub_product(t147, t146)
-            .sub_product(t152, t151)
-            .sub_product(t156, t155);
+            .sub_product(t87, t86)
+            .sub_product(t98, t97)
+            .sub_product(t109, t108)
+            .sub_product(t120, t119)
+            .sub_product(t129, t128)
+            .sub_product(t136, t135)
+            .sub_product(t141, t140);
+    let t146 = (-t28).add_product(t142, t140);
+    let t147 = t146 * t145;
+    let t148 = (t62 * t59)
+        .sub_product(t76, t73)
+        .sub_product(t89, t86)
+        .sub_product(t100, t97)
+        .sub_product(t111, t108)
+        .sub_product(t122, t119)
+        .sub_product(t131, t128)
+        .sub_product(t138, t135)
+        .sub_product(t144, t140);
+    let t149 = t148 * t145;
+    let t150 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6)
+        * bobbin_x_minus_drum_x_over_between;
+    let t151 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6)
+        * bobbin_y_minus_drum_y_over_between;
+    let t152 = R::literal(1.0)
+        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
+            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t150 - t151)
+            .sub_product(t142, t27)
+            .sub_product(t147, t146) + t150 + t151);
+    let t153 = (t144 * t27).sub_product(t149, t146);
+    let t154 = t153 * t152;
+    let t155 = R::literal(1.0)
+        / (-(t13 * t8))
+            .sub_product(t37, t36)
+            .sub_product(t47, t46)
+            .sub_product(t62, t61)
+            .sub_product(t76, t75)
+            .sub_product(t89, t88)
+            .sub_product(t100, t99)
+            .sub_product(t111, t110)
+            .sub_product(t122, t121)
+            .sub_product(t131, t130)
+            .sub_product(t138, t137)
+            .sub_product(t144, t143)
+            .sub_product(t149, t148)
+            .sub_product(t154, t153);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
-    let t158 = R::literal(50.0) * slide_rate;
+    let t156 = R::literal(50.0) * slide_rate;
+    let t157 = t156 * cos_cylinder_phi;
+    let t158 = p.spring_stiffness * (slide - p.spring_free_length);
     let t159 = t158 * cos_cylinder_phi;
-    let t160 = p.spring_stiffness * (slide - p.spring_free_length);
-    let t161 = t160 * cos_cylinder_phi;
-    let t162 = t159 + t161;
-    let t163 = t160 * sin_cylinder_phi;
-    let t164 = t158 * sin_cylinder_phi;
-    let t165 = t164 - (R::literal(2.943) - t163);
-    let t166 = (-(t160 * t8)).sub_product(t158, t8);
-    let t167 = -t159 - t161;
-    let t168 = -t164 - (R::literal(1.962) + t163);
-    let t169 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t170 = (p.winding_force * bobbin_x_minus_drum_x / between)
+    let t160 = t157 + t159;
+    let t161 = t158 * sin_cylinder_phi;
+    let t162 = t156 * sin_cylinder_phi;
+    let t163 = t162 - (R::literal(2.943) - t161);
+    let t164 = (-(t158 * t7)).sub_product(t156, t7);
+    let t165 = -t157 - t159;
+    let t166 = -t162 - (R::literal(1.962) + t161);
+    let t167 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t168 = (p.winding_force * bobbin_x_minus_drum_x / between)
         .sub_product(R::literal(9.81), p.bobbin_mass);
     let post_omega_squared = post_omega * post_omega;
-    let t171 = R::literal(0.1) * post_omega_squared;
-    let t172 = t171 * cos_post_phi;
-    let t173 = t171 * sin_post_phi;
+    let t169 = R::literal(0.1) * post_omega_squared;
+    let t170 = t169 * cos_post_phi;
+    let t171 = t169 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t174 = R::literal(0.06) * plate_omega_squared;
+    let t172 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t175 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t173 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t176 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t174 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t177 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t175 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t178 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t179 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t176 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t177 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t180 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t178 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t181 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t179 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t182 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t180 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t183 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t184 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t178 + t179 - t176 - t177 - drum_v_x_over_between))
+    let t181 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t182 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t176 + t177 - t174 - t175 - drum_v_x_over_between))
         .add_product(
             bobbin_v_y,
-            bobbin_v_y_over_between + t182 + t183 - t180 - t181 - drum_v_y_over_between,
+            bobbin_v_y_over_between + t180 + t181 - t178 - t179 - drum_v_y_over_between,
         )
         .add_product(
             drum_v_x,
-            t176 + t177 + drum_v_x_over_between - bobbin_v_x_over_between - t178 - t179,
+            t174 + t175 + drum_v_x_over_between - bobbin_v_x_over_between - t176 - t177,
         )
         .add_product(
             drum_v_y,
-            t180 + t181 + drum_v_y_over_between - bobbin_v_y_over_between - t182 - t183,
+            t178 + t179 + drum_v_y_over_between - bobbin_v_y_over_between - t180 - t181,
         );
-    let t185 = t36 * t172;
-    let t186 = -t173 - R::literal(-9.81) + t185;
+    let t183 = t33 * t170;
+    let t184 = -t171 - R::literal(-9.81) + t183;
+    let t185 = t14 * bobbin_radius_times_winding_force;
+    let t186 = (t185 - t170.add_product(t172, cos_plate_phi))
+        .add_product(t35, t170)
+        .sub_product(t43, t184);
     let t187 = t15 * bobbin_radius_times_winding_force;
-    let t188 = (t187 - t172.add_product(t174, cos_plate_phi))
-        .add_product(t38, t172)
-        .sub_product(t46, t186);
-    let t189 = t16 * bobbin_radius_times_winding_force;
-    let t190 = (-t173.add_product(t174, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t189 + t185)
-        .sub_product(t48, t186)
-        .sub_product(t55, t188);
-    let t191 = t187
+    let t188 = (-t171.add_product(t172, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t187 + t183)
+        .sub_product(t45, t184)
+        .sub_product(t52, t186);
+    let t189 = t185
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * cos_plate_phi)
                 .add_product(cylinder_omega_squared, cos_cylinder_phi),
         )
-        .sub_product(R::literal(3.333_333_333_333_333_5), t162)
-        .sub_product(t21, t166)
-        .sub_product(t57, t188)
-        .sub_product(t69, t190);
-    let t192 = (R::literal(-9.81)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t160)
+        .sub_product(t20, t164)
+        .sub_product(t54, t186)
+        .sub_product(t66, t188);
+    let t190 = (R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t189)
-        .sub_product(R::literal(3.333_333_333_333_333_5), t165)
-        .add_product(t22, t166)
-        .sub_product(t58, t188)
-        .sub_product(t71, t190)
-        .sub_product(t82, t191);
-    let t193 = (-(R::literal(-2_777.777_777_777_778) * t166))
-        .add_product(t84, t191)
-        .sub_product(t95, t192);
-    let t194 = (cylinder_omega
+        ) - t187)
+        .sub_product(R::literal(3.333_333_333_333_333_5), t163)
+        .add_product(t21, t164)
+        .sub_product(t55, t186)
+        .sub_product(t68, t188)
+        .sub_product(t79, t189);
+    let t191 = (-(R::literal(-2_777.777_777_777_778) * t164))
+        .add_product(t81, t189)
+        .sub_product(t92, t190);
+    let t192 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -7822,75 +7998,81 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t19, t162)
-        .add_product(t20, t165)
-        .add_product(t23, t166)
-        .add_product(t24, t167)
-        .sub_product(t25, t168)
-        .sub_product(t86, t191)
-        .sub_product(t97, t192);
-    let t195 = t194.sub_product(t106, t193);
-    let t196 = (t175 * cos_rod_phi)
-        .sub_product(R::literal(5.0), t167)
-        .sub_product(t107, t193)
-        .sub_product(t117, t195);
-    let t197 = (t175 * sin_rod_phi)
-        .sub_product(R::literal(5.0), t168)
-        .add_product(t108, t193)
-        .sub_product(t119, t195)
-        .sub_product(t128, t196);
-    let t198 = (t11 * plate_omega_squared)
-        .sub_product(t17, bobbin_radius_times_winding_force)
-        .add_product(inverse_bobbin_mass, t169)
-        .sub_product(t61, t188)
-        .sub_product(t74, t190)
-        .sub_product(t88, t191)
-        .sub_product(t99, t192)
-        .sub_product(t110, t193)
-        .sub_product(t121, t195)
-        .sub_product(t130, t196)
-        .sub_product(t137, t197);
-    let t199 = R::literal(-9.81)
-        .add_product(t10, plate_omega_squared)
-        .add_product(t18, bobbin_radius_times_winding_force)
-        .sub_product(inverse_bobbin_mass, t170)
-        .add_product(t63, t188)
-        .sub_product(t77, t190)
-        .sub_product(t90, t191)
-        .sub_product(t101, t192)
-        .sub_product(t112, t193)
-        .sub_product(t123, t195)
-        .sub_product(t132, t196)
-        .sub_product(t139, t197)
-        .sub_product(t144, t198);
-    let t200 = (-t184)
-        .add_product(t28, t169)
-        .sub_product(t29, t170)
-        .add_product(t31, R::literal(-14.715))
-        .add_product(t145, t198)
-        .sub_product(t150, t199)
-        .sub_product(t153, R::literal(9.809_999_999_999_999));
-    let t201 = ((R::literal(0.143) * sin_post_phi)
+        .sub_product(t18, t160)
+        .add_product(t19, t163)
+        .add_product(t22, t164)
+        .add_product(t23, t165)
+        .sub_product(t24, t166)
+        .sub_product(t83, t189)
+        .sub_product(t94, t190);
+    let t193 = t192.sub_product(t103, t191);
+    let t194 = (t173 * cos_rod_phi)
+        .sub_product(R::literal(5.0), t165)
+        .sub_product(t104, t191)
+        .sub_product(t114, t193);
+    let t195 = (t173 * sin_rod_phi)
+        .sub_product(R::literal(5.0), t166)
+        .add_product(t105, t191)
+        .sub_product(t116, t193)
+        .sub_product(t125, t194);
+    let t196 = (t10 * plate_omega_squared)
+        .sub_product(t16, bobbin_radius_times_winding_force)
+        .add_product(inverse_bobbin_mass, t167)
+        .sub_product(t58, t186)
+        .sub_product(t71, t188)
+        .sub_product(t85, t189)
+        .sub_product(t96, t190)
+        .sub_product(t107, t191)
+        .sub_product(t118, t193)
+        .sub_product(t127, t194)
+        .sub_product(t134, t195);
+    let t197 = R::literal(-9.81)
+        .add_product(t9, plate_omega_squared)
+        .add_product(t17, bobbin_radius_times_winding_force)
+        .sub_product(inverse_bobbin_mass, t168)
+        .add_product(t60, t186)
+        .sub_product(t74, t188)
+        .sub_product(t87, t189)
+        .sub_product(t98, t190)
+        .sub_product(t109, t191)
+        .sub_product(t120, t193)
+        .sub_product(t129, t194)
+        .sub_product(t136, t195)
+        .sub_product(t141, t196);
+    let t198 = (-t182)
+        .add_product(t27, t167)
+        .sub_product(t28, t168)
+        .add_product(
+            R::literal(-9.809_999_999_999_999),
+            bobbin_y_minus_drum_y_over_between,
+        )
+        .add_product(t142, t196)
+        .sub_product(t147, t197)
+        .add_product(
+            bobbin_y_minus_drum_y_over_between,
+            R::literal(9.809_999_999_999_999),
+        );
+    let t199 = ((R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t40, t172)
-        .sub_product(t50, t186)
-        .sub_product(t65, t188)
-        .sub_product(t79, t190)
-        .sub_product(t92, t191)
-        .sub_product(t103, t192)
-        .sub_product(t114, t193)
-        .sub_product(t125, t195)
-        .sub_product(t134, t196)
-        .sub_product(t141, t197)
-        .sub_product(t147, t198)
-        .sub_product(t152, t199)
-        .sub_product(t156, t200) * t157;
-    let contact = (-(t200 * t154)).add_product(t156, t201);
-    let stop = -t201;
+        .sub_product(t37, t170)
+        .sub_product(t47, t184)
+        .sub_product(t62, t186)
+        .sub_product(t76, t188)
+        .sub_product(t89, t189)
+        .sub_product(t100, t190)
+        .sub_product(t111, t191)
+        .sub_product(t122, t193)
+        .sub_product(t131, t194)
+        .sub_product(t138, t195)
+        .sub_product(t144, t196)
+        .sub_product(t149, t197)
+        .sub_product(t154, t198) * t155;
+    let contact = (-(t198 * t152)).add_product(t154, t199);
+    let stop = -t199;
     Outputs {
         contact_force: contact,
         stop_force: stop,
-        strut_push: -t158 - t160,
+        strut_push: -t156 - t158,
         post_angle: post_phi,
         plate_angle: plate_phi,
         bobbin_angle: bobbin_phi,
@@ -7907,8 +8089,9 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     _, _, bobbin_y, _, _, drum_y, _, post_v_x, post_v_y, post_omega, plate_v_x,
     plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y, cylinder_omega, rod_v_x, rod_v_y,
     rod_omega, bobbin_v_x, bobbin_v_y, bobbin_omega, drum_v_x, drum_v_y, drum_omega] = *state;
-    let slide = ((rod_x - cylinder_x) * cylinder_phi.cos())
-        .add_product(rod_y - cylinder_y, cylinder_phi.sin());
+    let (sin_cylinder_phi, cos_cylinder_phi) = cylinder_phi.sin_cos();
+    let slide = ((rod_x - cylinder_x) * cos_cylinder_phi)
+        .add_product(rod_y - cylinder_y, sin_cylinder_phi);
     let slide_minus_spring_free_length = slide - p.spring_free_length;
     let t0 = (R::literal(0.00012) * (rod_omega * rod_omega))
         .add_product(R::literal(0.00018), cylinder_omega * cylinder_omega)
@@ -7955,7 +8138,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 1103 operations.
+/// 1099 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     _time: R,
@@ -7967,22 +8150,20 @@ pub fn power_balance<R: Real>(
     post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
     cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x,
     drum_v_y, ..] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let t4 = R::literal(0.06) * cos_cylinder_phi;
-    let sin_cylinder_phi = cylinder_phi.sin();
     let t5 = R::literal(0.06) * sin_cylinder_phi;
-    let cos_rod_phi = rod_phi.cos();
-    let t6 = R::literal(0.06) * cos_rod_phi;
-    let sin_rod_phi = rod_phi.sin();
-    let t7 = R::literal(0.06) * sin_rod_phi;
+    let t6 = R::literal(0.06) * sin_rod_phi;
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_x_minus_drum_x_squared = bobbin_x_minus_drum_x * bobbin_x_minus_drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
@@ -7992,368 +8173,365 @@ pub fn power_balance<R: Real>(
     let rod_y_minus_cylinder_y = rod_y - cylinder_y;
     let slide = (rod_x_minus_cylinder_x * cos_cylinder_phi)
         .add_product(rod_y_minus_cylinder_y, sin_cylinder_phi);
-    let t8 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
+    let t7 = (rod_y_minus_cylinder_y * cos_cylinder_phi)
         .sub_product(rod_x_minus_cylinder_x, sin_cylinder_phi);
     let slide_rate = ((rod_v_x - cylinder_v_x) * cos_cylinder_phi)
-        .add_product(cylinder_omega, t8)
+        .add_product(cylinder_omega, t7)
         .add_product(rod_v_y - cylinder_v_y, sin_cylinder_phi);
-    let t9 = (R::literal(0.044) * sin_post_phi)
+    let t8 = (R::literal(0.044) * sin_post_phi)
         .add_product(R::literal(0.143), cos_post_phi);
-    let t10 = (R::literal(0.01) * sin_plate_phi)
+    let t9 = (R::literal(0.01) * sin_plate_phi)
         .add_product(R::literal(0.1), cos_plate_phi);
-    let t11 = (R::literal(0.01) * cos_plate_phi)
+    let t10 = (R::literal(0.01) * cos_plate_phi)
         .sub_product(R::literal(0.1), sin_plate_phi);
     let bobbin_x_minus_drum_x_over_between = bobbin_x_minus_drum_x / between;
     let bobbin_y_minus_drum_y_over_between = bobbin_y_minus_drum_y / between;
-    let t12 = t1 * R::literal(370.370_370_370_370_3);
-    let t13 = t0 * R::literal(370.370_370_370_370_3);
-    let t14 = t9 * R::literal(370.370_370_370_370_3);
-    let t15 = t3 * R::literal(400.0);
-    let t16 = t2 * R::literal(400.0);
+    let t11 = R::literal(37.037_037_037_037_03) * sin_post_phi;
+    let t12 = R::literal(37.037_037_037_037_03) * cos_post_phi;
+    let t13 = t8 * R::literal(370.370_370_370_370_3);
+    let t14 = R::literal(24.0) * sin_plate_phi;
+    let t15 = R::literal(24.0) * cos_plate_phi;
+    let t16 = t9 * R::literal(400.0);
     let t17 = t10 * R::literal(400.0);
-    let t18 = t11 * R::literal(400.0);
-    let t19 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t20 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
-    let t21 = t5 * R::literal(2_777.777_777_777_778);
-    let t22 = t4 * R::literal(2_777.777_777_777_778);
-    let t23 = slide * R::literal(2_777.777_777_777_778);
-    let t24 = sin_cylinder_phi * R::literal(5.0);
-    let t25 = cos_cylinder_phi * R::literal(5.0);
-    let t26 = t7 * R::literal(4_166.666_666_666_667);
-    let t27 = t6 * R::literal(4_166.666_666_666_667);
+    let t18 = sin_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t19 = cos_cylinder_phi * R::literal(3.333_333_333_333_333_5);
+    let t20 = R::literal(166.666_666_666_666_66) * sin_cylinder_phi;
+    let t21 = R::literal(166.666_666_666_666_66) * cos_cylinder_phi;
+    let t22 = slide * R::literal(2_777.777_777_777_778);
+    let t23 = sin_cylinder_phi * R::literal(5.0);
+    let t24 = cos_cylinder_phi * R::literal(5.0);
+    let t25 = R::literal(250.0) * sin_rod_phi;
+    let t26 = R::literal(250.0) * cos_rod_phi;
     let inverse_bobbin_mass = R::literal(1.0) / p.bobbin_mass;
-    let t28 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
-    let t29 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
-    let t30 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
-    let t31 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
-    let t32 = t12 * t1;
-    let t33 = R::literal(-1.25) - t32;
-    let t34 = R::literal(1.0) / t33;
-    let t35 = t13 * t1;
-    let t36 = t35 * t34;
-    let t37 = R::literal(1.25) - t32;
-    let t38 = t37 * t34;
-    let t39 = t14 * t1;
-    let t40 = t39 * t34;
-    let t41 = t13 * t0;
-    let t42 = R::literal(-1.25) - t41;
-    let t43 = t36 * t35;
-    let t44 = R::literal(1.0) / (t42 - t43);
-    let t45 = (t12 * t0).sub_product(t38, t35);
-    let t46 = t45 * t44;
-    let t47 = R::literal(1.25) - t41 - t43;
-    let t48 = t47 * t44;
-    let t49 = (t14 * t0).add_product(t40, t35);
-    let t50 = t49 * t44;
-    let t51 = t15 * t3;
-    let t52 = R::literal(1.0)
-        / (t33 - R::literal(0.833_333_333_333_333_4) - t51)
-            .sub_product(t38, t37)
-            .sub_product(t46, t45);
-    let t53 = t16 * t3;
-    let t54 = (t35 + t53).sub_product(t36, t37).sub_product(t48, t45);
-    let t55 = t54 * t52;
-    let t56 = R::literal(0.833_333_333_333_333_4) - t51;
-    let t57 = t56 * t52;
-    let t58 = t53 * t52;
-    let t59 = t17 * t3;
-    let t60 = R::literal(0.833_333_333_333_333_4) + t59;
-    let t61 = t60 * t52;
-    let t62 = t18 * t3;
-    let t63 = t62 * t52;
-    let t64 = (-t39).add_product(t40, t37).sub_product(t50, t45);
-    let t65 = t64 * t52;
-    let t66 = t16 * t2;
-    let t67 = R::literal(1.0)
-        / (t42 - R::literal(0.833_333_333_333_333_4) - t66 - t43)
-            .sub_product(t48, t47)
-            .sub_product(t55, t54);
-    let t68 = (t15 * t2).sub_product(t57, t54);
-    let t69 = t68 * t67;
-    let t70 = (R::literal(0.833_333_333_333_333_4) - t66).sub_product(t58, t54);
-    let t71 = t70 * t67;
-    let t72 = -(t17 * t2);
-    let t73 = t72.sub_product(t61, t54);
-    let t74 = t73 * t67;
-    let t75 = t18 * t2;
-    let t76 = (R::literal(0.833_333_333_333_333_4) + t75).add_product(t63, t54);
-    let t77 = t76 * t67;
-    let t78 = t49.sub_product(t50, t47).sub_product(t65, t54);
-    let t79 = t78 * t67;
-    let t80 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t51
+    let t27 = bobbin_x_minus_drum_x_over_between * inverse_bobbin_mass;
+    let t28 = bobbin_y_minus_drum_y_over_between * inverse_bobbin_mass;
+    let t29 = bobbin_x_minus_drum_x_over_between * R::literal(0.666_666_666_666_666_6);
+    let t30 = bobbin_y_minus_drum_y_over_between * R::literal(0.666_666_666_666_666_6);
+    let t31 = t11 * t1;
+    let t32 = R::literal(-1.25) - t31;
+    let t33 = R::literal(1.0) / t32;
+    let t34 = t12 * t1;
+    let t35 = t34 * t33;
+    let t36 = R::literal(1.25) - t31;
+    let t37 = t36 * t33;
+    let t38 = t13 * t1;
+    let t39 = t38 * t33;
+    let t40 = t12 * t0;
+    let t41 = R::literal(-1.25) - t40;
+    let t42 = t35 * t34;
+    let t43 = R::literal(1.0) / (t41 - t42);
+    let t44 = (t11 * t0).sub_product(t37, t34);
+    let t45 = t44 * t43;
+    let t46 = R::literal(1.25) - t40 - t42;
+    let t47 = t46 * t43;
+    let t48 = (t13 * t0).add_product(t39, t34);
+    let t49 = t48 * t43;
+    let t50 = t14 * t3;
+    let t51 = R::literal(1.0)
+        / (t32 - R::literal(0.833_333_333_333_333_4) - t50)
+            .sub_product(t37, t36)
+            .sub_product(t45, t44);
+    let t52 = t15 * t3;
+    let t53 = (t34 + t52).sub_product(t35, t36).sub_product(t47, t44);
+    let t54 = t53 * t51;
+    let t55 = R::literal(0.833_333_333_333_333_4) - t50;
+    let t56 = t55 * t51;
+    let t57 = t52 * t51;
+    let t58 = t16 * t3;
+    let t59 = R::literal(0.833_333_333_333_333_4) + t58;
+    let t60 = t59 * t51;
+    let t61 = t17 * t3;
+    let t62 = t61 * t51;
+    let t63 = (-t38).add_product(t39, t36).sub_product(t49, t44);
+    let t64 = t63 * t51;
+    let t65 = t15 * t2;
+    let t66 = R::literal(1.0)
+        / (t41 - R::literal(0.833_333_333_333_333_4) - t65 - t42)
+            .sub_product(t47, t46)
+            .sub_product(t54, t53);
+    let t67 = (t14 * t2).sub_product(t56, t53);
+    let t68 = t67 * t66;
+    let t69 = (R::literal(0.833_333_333_333_333_4) - t65).sub_product(t57, t53);
+    let t70 = t69 * t66;
+    let t71 = -(t16 * t2);
+    let t72 = t71.sub_product(t60, t53);
+    let t73 = t72 * t66;
+    let t74 = t17 * t2;
+    let t75 = (R::literal(0.833_333_333_333_333_4) + t74).add_product(t62, t53);
+    let t76 = t75 * t66;
+    let t77 = t48.sub_product(t49, t46).sub_product(t64, t53);
+    let t78 = t77 * t66;
+    let t79 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t50
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t21, t5)
-            .sub_product(t57, t56)
-            .sub_product(t69, t68);
-    let t81 = t53.add_product(t22, t5).sub_product(t58, t56).sub_product(t71, t68);
-    let t82 = t81 * t80;
-    let t83 = R::literal(-2_777.777_777_777_778) * t5;
-    let t84 = t83 * t80;
-    let t85 = (-t19).add_product(t23, t5);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(-0.833_333_333_333_333_4) + t59)
-        .sub_product(t61, t56)
-        .sub_product(t74, t68);
-    let t88 = t87 * t80;
-    let t89 = (-t62).add_product(t63, t56).sub_product(t77, t68);
-    let t90 = t89 * t80;
-    let t91 = (-(t65 * t56)).sub_product(t79, t68);
-    let t92 = t91 * t80;
-    let t93 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4) - t66
+            .sub_product(t20, t5)
+            .sub_product(t56, t55)
+            .sub_product(t68, t67);
+    let t80 = t52.add_product(t21, t5).sub_product(t57, t55).sub_product(t70, t67);
+    let t81 = t80 * t79;
+    let t82 = R::literal(-166.666_666_666_666_66) * sin_cylinder_phi;
+    let t83 = t82 * t79;
+    let t84 = (-t18).add_product(t22, t5);
+    let t85 = t84 * t79;
+    let t86 = (R::literal(-0.833_333_333_333_333_4) + t58)
+        .sub_product(t60, t55)
+        .sub_product(t73, t67);
+    let t87 = t86 * t79;
+    let t88 = (-t61).add_product(t62, t55).sub_product(t76, t67);
+    let t89 = t88 * t79;
+    let t90 = (-(t64 * t55)).sub_product(t78, t67);
+    let t91 = t90 * t79;
+    let t92 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4) - t65
             - R::literal(3.333_333_333_333_333_5))
-            .sub_product(t22, t4)
-            .sub_product(t58, t53)
-            .sub_product(t71, t70)
-            .sub_product(t82, t81);
-    let t94 = (R::literal(-2_777.777_777_777_778) * t4).add_product(t84, t81);
-    let t95 = t94 * t93;
-    let t96 = t20.sub_product(t23, t4).sub_product(t86, t81);
-    let t97 = t96 * t93;
-    let t98 = t72.sub_product(t61, t53).sub_product(t74, t70).sub_product(t88, t81);
-    let t99 = t98 * t93;
-    let t100 = (R::literal(-0.833_333_333_333_333_4) + t75)
-        .add_product(t63, t53)
-        .sub_product(t77, t70)
-        .sub_product(t90, t81);
-    let t101 = t100 * t93;
-    let t102 = (-(t65 * t53)).sub_product(t79, t70).sub_product(t92, t81);
-    let t103 = t102 * t93;
-    let t104 = R::literal(1.0)
-        / R::literal(-6_944.444_444_444_445).sub_product(t84, t83).sub_product(t95, t94);
-    let t105 = (-t23).add_product(t86, t83).sub_product(t97, t94);
-    let t106 = t105 * t104;
-    let t107 = t26 * t104;
-    let t108 = t27 * t104;
-    let t109 = (t88 * t83).sub_product(t99, t94);
-    let t110 = t109 * t104;
-    let t111 = (t90 * t83).sub_product(t101, t94);
-    let t112 = t111 * t104;
-    let t113 = (t92 * t83).sub_product(t103, t94);
-    let t114 = t113 * t104;
-    let t115 = R::literal(1.0)
-        / (-(t19 * sin_cylinder_phi))
-            .sub_product(t20, cos_cylinder_phi)
-            .sub_product(t23, slide)
-            .sub_product(t24, sin_cylinder_phi)
-            .sub_product(t25, cos_cylinder_phi)
-            .sub_product(t86, t85)
-            .sub_product(t97, t96)
-            .sub_product(t106, t105);
-    let t116 = t24.sub_product(t107, t105);
-    let t117 = t116 * t115;
-    let t118 = (-t25).add_product(t108, t105);
-    let t119 = t118 * t115;
-    let t120 = (-(t88 * t85)).sub_product(t99, t96).sub_product(t110, t105);
-    let t121 = t120 * t115;
-    let t122 = (-(t90 * t85)).sub_product(t101, t96).sub_product(t112, t105);
-    let t123 = t122 * t115;
-    let t124 = (-(t92 * t85)).sub_product(t103, t96).sub_product(t114, t105);
-    let t125 = t124 * t115;
-    let t126 = R::literal(1.0)
+            .sub_product(t21, t4)
+            .sub_product(t57, t52)
+            .sub_product(t70, t69)
+            .sub_product(t81, t80);
+    let t93 = (R::literal(-166.666_666_666_666_66) * cos_cylinder_phi)
+        .add_product(t83, t80);
+    let t94 = t93 * t92;
+    let t95 = t19.sub_product(t22, t4).sub_product(t85, t80);
+    let t96 = t95 * t92;
+    let t97 = t71.sub_product(t60, t52).sub_product(t73, t69).sub_product(t87, t80);
+    let t98 = t97 * t92;
+    let t99 = (R::literal(-0.833_333_333_333_333_4) + t74)
+        .add_product(t62, t52)
+        .sub_product(t76, t69)
+        .sub_product(t89, t80);
+    let t100 = t99 * t92;
+    let t101 = (-(t64 * t52)).sub_product(t78, t69).sub_product(t91, t80);
+    let t102 = t101 * t92;
+    let t103 = R::literal(1.0)
+        / R::literal(-6_944.444_444_444_445).sub_product(t83, t82).sub_product(t94, t93);
+    let t104 = (-t22).add_product(t85, t82).sub_product(t96, t93);
+    let t105 = t104 * t103;
+    let t106 = t25 * t103;
+    let t107 = t26 * t103;
+    let t108 = (t87 * t82).sub_product(t98, t93);
+    let t109 = t108 * t103;
+    let t110 = (t89 * t82).sub_product(t100, t93);
+    let t111 = t110 * t103;
+    let t112 = (t91 * t82).sub_product(t102, t93);
+    let t113 = t112 * t103;
+    let t114 = R::literal(1.0)
+        / (-(t19 * cos_cylinder_phi))
+            .sub_product(t18, sin_cylinder_phi)
+            .sub_product(t22, slide)
+            .sub_product(t23, sin_cylinder_phi)
+            .sub_product(t24, cos_cylinder_phi)
+            .sub_product(t85, t84)
+            .sub_product(t96, t95)
+            .sub_product(t105, t104);
+    let t115 = t23.sub_product(t106, t104);
+    let t116 = t115 * t114;
+    let t117 = (-t24).add_product(t107, t104);
+    let t118 = t117 * t114;
+    let t119 = (-(t87 * t84)).sub_product(t98, t95).sub_product(t109, t104);
+    let t120 = t119 * t114;
+    let t121 = (-(t89 * t84)).sub_product(t100, t95).sub_product(t111, t104);
+    let t122 = t121 * t114;
+    let t123 = (-(t91 * t84)).sub_product(t102, t95).sub_product(t113, t104);
+    let t124 = t123 * t114;
+    let t125 = R::literal(1.0)
         / R::literal(-5.0)
-            .sub_product(t26, t7)
+            .sub_product(t25, t6)
+            .sub_product(t106, t25)
+            .sub_product(t116, t115);
+    let t126 = (t26 * t6).add_product(t107, t25).sub_product(t118, t115);
+    let t127 = t126 * t125;
+    let t128 = (-(t109 * t25)).sub_product(t120, t115);
+    let t129 = t128 * t125;
+    let t130 = (-(t111 * t25)).sub_product(t122, t115);
+    let t131 = t130 * t125;
+    let t132 = (-(t113 * t25)).sub_product(t124, t115);
+    let t133 = t132 * t125;
+    let t134 = R::literal(1.0)
+        / R::literal(-5.0)
+            .sub_product(t26, R::literal(0.06) * cos_rod_phi)
             .sub_product(t107, t26)
-            .sub_product(t117, t116);
-    let t127 = (t27 * t7).add_product(t108, t26).sub_product(t119, t116);
-    let t128 = t127 * t126;
-    let t129 = (-(t110 * t26)).sub_product(t121, t116);
-    let t130 = t129 * t126;
-    let t131 = (-(t112 * t26)).sub_product(t123, t116);
-    let t132 = t131 * t126;
-    let t133 = (-(t114 * t26)).sub_product(t125, t116);
-    let t134 = t133 * t126;
-    let t135 = R::literal(1.0)
-        / R::literal(-5.0)
-            .sub_product(t27, t6)
-            .sub_product(t108, t27)
-            .sub_product(t119, t118)
-            .sub_product(t128, t127);
-    let t136 = (t110 * t27).sub_product(t121, t118).sub_product(t130, t127);
-    let t137 = t136 * t135;
-    let t138 = (t112 * t27).sub_product(t123, t118).sub_product(t132, t127);
-    let t139 = t138 * t135;
-    let t140 = (t114 * t27).sub_product(t125, t118).sub_product(t134, t127);
-    let t141 = t140 * t135;
-    let t142 = R::literal(1.0)
+            .sub_product(t118, t117)
+            .sub_product(t127, t126);
+    let t135 = (t109 * t26).sub_product(t120, t117).sub_product(t129, t126);
+    let t136 = t135 * t134;
+    let t137 = (t111 * t26).sub_product(t122, t117).sub_product(t131, t126);
+    let t138 = t137 * t134;
+    let t139 = (t113 * t26).sub_product(t124, t117).sub_product(t133, t126);
+    let t140 = t139 * t134;
+    let t141 = R::literal(1.0)
+        / (R::literal(-0.833_333_333_333_333_4).sub_product(t16, t9)
+            - inverse_bobbin_mass)
+            .sub_product(t60, t59)
+            .sub_product(t73, t72)
+            .sub_product(t87, t86)
+            .sub_product(t98, t97)
+            .sub_product(t109, t108)
+            .sub_product(t120, t119)
+            .sub_product(t129, t128)
+            .sub_product(t136, t135);
+    let t142 = (t17 * t9)
+        .add_product(t62, t59)
+        .sub_product(t76, t72)
+        .sub_product(t89, t86)
+        .sub_product(t100, t97)
+        .sub_product(t111, t108)
+        .sub_product(t122, t119)
+        .sub_product(t131, t128)
+        .sub_product(t138, t135);
+    let t143 = t142 * t141;
+    let t144 = t27 * t141;
+    let t145 = (-(t64 * t59))
+        .sub_product(t78, t72)
+        .sub_product(t91, t86)
+        .sub_product(t102, t97)
+        .sub_product(t113, t108)
+        .sub_product(t124, t119)
+        .sub_product(t133, t128)
+        .sub_product(t140, t135);
+    let t146 = t145 * t141;
+    let t147 = R::literal(1.0)
         / (R::literal(-0.833_333_333_333_333_4).sub_product(t17, t10)
             - inverse_bobbin_mass)
-            .sub_product(t61, t60)
-            .sub_product(t74, t73)
-            .sub_product(t88, t87)
-            .sub_product(t99, t98)
-            .sub_product(t110, t109)
-            .sub_product(t121, t120)
-            .sub_product(t130, t129)
-            .sub_product(t137, t136);
-    let t143 = (t18 * t10)
-        .add_product(t63, t60)
-        .sub_product(t77, t73)
-        .sub_product(t90, t87)
-        .sub_product(t101, t98)
-        .sub_product(t112, t109)
-        .sub_product(t123, t120)
-        .sub_product(t132, t129)
-        .sub_product(t139, t136);
-    let t144 = t143 * t142;
-    let t145 = t28 * t142;
-    let t146 = (-(t65 * t60))
-        .sub_product(t79, t73)
-        .sub_product(t92, t87)
-        .sub_product(t103, t98)
-        .sub_product(t114, t109)
-        .sub_product(t125, t120)
-        .sub_product(t134, t129)
-        .sub_product(t141, t136);
-    let t147 = t146 * t142;
-    let t148 = R::literal(1.0)
-        / (R::literal(-0.833_333_333_333_333_4).sub_product(t18, t11)
-            - inverse_bobbin_mass)
-            .sub_product(t63, t62)
-            .sub_product(t77, t76)
-            .sub_product(t90, t89)
-            .sub_product(t101, t100)
-            .sub_product(t112, t111)
-            .sub_product(t123, t122)
-            .sub_product(t132, t131)
-            .sub_product(t139, t138)
-            .sub_product(t144, t143);
-    let t149 = (-t29).add_product(t145, t143);
-    let t150 = t149 * t148;
-    let t151 = (t65 * t62)
-        .sub_product(t79, t76)
-        .sub_product(t92, t89)
-        .sub_product(t103, t100)
-        .sub_product(t114, t111)
-        .sub_product(t125, t122)
-        .sub_product(t134, t131)
-        .sub_product(t141, t138)
-        .sub_product(t147, t143);
-    let t152 = t151 * t148;
-    let t153 = t30 * R::literal(-1.5);
-    let t154 = t31 * R::literal(-1.5);
-    let t155 = R::literal(1.0)
-        / (-(t28 * bobbin_x_minus_drum_x_over_between))
-            .sub_product(t29, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t30, bobbin_x_minus_drum_x_over_between)
-            .sub_product(t31, bobbin_y_minus_drum_y_over_between)
-            .sub_product(t145, t28)
-            .sub_product(t150, t149)
-            .sub_product(t153, t30)
-            .sub_product(t154, t31);
-    let t156 = (t147 * t28).sub_product(t152, t149);
-    let t157 = t156 * t155;
-    let t158 = R::literal(1.0)
-        / (-(t14 * t9))
-            .sub_product(t40, t39)
-            .sub_product(t50, t49)
-            .sub_product(t65, t64)
-            .sub_product(t79, t78)
-            .sub_product(t92, t91)
-            .sub_product(t103, t102)
-            .sub_product(t114, t113)
-            .sub_product(t125, t124)
-            .sub_product(t134, t133)
-            .sub_product(t141, t140)
-            .sub_product(t147, t146)
-            .sub_product(t152, t151)
-            .sub_product(t157, t156);
+            .sub_product(t62, t61)
+            .sub_product(t76, t75)
+            .sub_product(t89, t88)
+            .sub_product(t100, t99)
+            .sub_product(t111, t110)
+            .sub_product(t122, t121)
+            .sub_product(t131, t130)
+            .sub_product(t138, t137)
+            .sub_product(t143, t142);
+    let t148 = (-t28).add_product(t144, t142);
+    let t149 = t148 * t147;
+    let t150 = (t64 * t61)
+        .sub_product(t78, t75)
+        .sub_product(t91, t88)
+        .sub_product(t102, t99)
+        .sub_product(t113, t110)
+        .sub_product(t124, t121)
+        .sub_product(t133, t130)
+        .sub_product(t140, t137)
+        .sub_product(t146, t142);
+    let t151 = t150 * t147;
+    let t152 = t29 * bobbin_x_minus_drum_x_over_between;
+    let t153 = t30 * bobbin_y_minus_drum_y_over_between;
+    let t154 = R::literal(1.0)
+        / (((-(t28 * bobbin_y_minus_drum_y_over_between))
+            .sub_product(t27, bobbin_x_minus_drum_x_over_between) - t152 - t153)
+            .sub_product(t144, t27)
+            .sub_product(t149, t148) + t152 + t153);
+    let t155 = (t146 * t27).sub_product(t151, t148);
+    let t156 = t155 * t154;
+    let t157 = R::literal(1.0)
+        / (-(t13 * t8))
+            .sub_product(t39, t38)
+            .sub_product(t49, t48)
+            .sub_product(t64, t63)
+            .sub_product(t78, t77)
+            .sub_product(t91, t90)
+            .sub_product(t102, t101)
+            .sub_product(t113, t112)
+            .sub_product(t124, t123)
+            .sub_product(t133, t132)
+            .sub_product(t140, t139)
+            .sub_product(t146, t145)
+            .sub_product(t151, t150)
+            .sub_product(t156, t155);
     let bobbin_radius_times_winding_force = p.bobbin_radius * p.winding_force;
-    let t159 = R::literal(50.0) * slide_rate;
-    let t160 = t159 * cos_cylinder_phi;
-    let t161 = p.spring_stiffness * (slide - p.spring_free_length);
-    let t162 = t161 * cos_cylinder_phi;
-    let t163 = t160 + t162;
-    let t164 = t161 * sin_cylinder_phi;
-    let t165 = R::literal(2.943) - t164;
-    let t166 = t159 * sin_cylinder_phi;
-    let t167 = t166 - t165;
-    let t168 = t161 * t8;
-    let t169 = (-t168).sub_product(t159, t8);
-    let t170 = -t160 - t162;
-    let t171 = R::literal(1.962) + t164;
-    let t172 = -t166 - t171;
-    let t173 = p.winding_force * bobbin_y_minus_drum_y / between;
-    let t174 = R::literal(9.81) * p.bobbin_mass;
-    let t175 = p.winding_force * bobbin_x_minus_drum_x / between - t174;
+    let t158 = R::literal(50.0) * slide_rate;
+    let t159 = t158 * cos_cylinder_phi;
+    let t160 = p.spring_stiffness * (slide - p.spring_free_length);
+    let t161 = t160 * cos_cylinder_phi;
+    let t162 = t159 + t161;
+    let t163 = t160 * sin_cylinder_phi;
+    let t164 = R::literal(2.943) - t163;
+    let t165 = t158 * sin_cylinder_phi;
+    let t166 = t165 - t164;
+    let t167 = t160 * t7;
+    let t168 = (-t167).sub_product(t158, t7);
+    let t169 = -t159 - t161;
+    let t170 = R::literal(1.962) + t163;
+    let t171 = -t165 - t170;
+    let t172 = p.winding_force * bobbin_y_minus_drum_y / between;
+    let t173 = R::literal(9.81) * p.bobbin_mass;
+    let t174 = p.winding_force * bobbin_x_minus_drum_x / between - t173;
     let post_omega_squared = post_omega * post_omega;
-    let t176 = R::literal(0.1) * post_omega_squared;
-    let t177 = t176 * cos_post_phi;
-    let t178 = t176 * sin_post_phi;
+    let t175 = R::literal(0.1) * post_omega_squared;
+    let t176 = t175 * cos_post_phi;
+    let t177 = t175 * sin_post_phi;
     let plate_omega_squared = plate_omega * plate_omega;
-    let t179 = R::literal(0.06) * plate_omega_squared;
+    let t178 = R::literal(0.06) * plate_omega_squared;
     let cylinder_omega_squared = cylinder_omega * cylinder_omega;
-    let t180 = R::literal(0.06) * (rod_omega * rod_omega);
+    let t179 = R::literal(0.06) * (rod_omega * rod_omega);
     let between_squared_times_between = between * between * between;
-    let t181 = bobbin_v_x * bobbin_x_minus_drum_x_squared
+    let t180 = bobbin_v_x * bobbin_x_minus_drum_x_squared
         / between_squared_times_between;
-    let t182 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t181 = bobbin_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
     let drum_v_x_over_between = drum_v_x / between;
     let bobbin_v_x_over_between = bobbin_v_x / between;
-    let t183 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
-    let t184 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t182 = drum_v_x * bobbin_x_minus_drum_x_squared / between_squared_times_between;
+    let t183 = drum_v_y * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t185 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t184 = bobbin_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t186 = bobbin_v_y * bobbin_y_minus_drum_y_squared
+    let t185 = bobbin_v_y * bobbin_y_minus_drum_y_squared
         / between_squared_times_between;
     let drum_v_y_over_between = drum_v_y / between;
     let bobbin_v_y_over_between = bobbin_v_y / between;
-    let t187 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
+    let t186 = drum_v_x * bobbin_x_minus_drum_x * bobbin_y_minus_drum_y
         / between_squared_times_between;
-    let t188 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
-    let t189 = (bobbin_v_x
-        * (bobbin_v_x_over_between + t183 + t184 - t181 - t182 - drum_v_x_over_between))
+    let t187 = drum_v_y * bobbin_y_minus_drum_y_squared / between_squared_times_between;
+    let t188 = (bobbin_v_x
+        * (bobbin_v_x_over_between + t182 + t183 - t180 - t181 - drum_v_x_over_between))
         .add_product(
             bobbin_v_y,
-            bobbin_v_y_over_between + t187 + t188 - t185 - t186 - drum_v_y_over_between,
+            bobbin_v_y_over_between + t186 + t187 - t184 - t185 - drum_v_y_over_between,
         )
         .add_product(
             drum_v_x,
-            t181 + t182 + drum_v_x_over_between - bobbin_v_x_over_between - t183 - t184,
+            t180 + t181 + drum_v_x_over_between - bobbin_v_x_over_between - t182 - t183,
         )
         .add_product(
             drum_v_y,
-            t185 + t186 + drum_v_y_over_between - bobbin_v_y_over_between - t187 - t188,
+            t184 + t185 + drum_v_y_over_between - bobbin_v_y_over_between - t186 - t187,
         );
-    let t190 = t36 * t177;
-    let t191 = -t178 - R::literal(-9.81) + t190;
-    let t192 = t15 * bobbin_radius_times_winding_force;
-    let t193 = (t192 - t177.add_product(t179, cos_plate_phi))
-        .add_product(t38, t177)
-        .sub_product(t46, t191);
-    let t194 = t16 * bobbin_radius_times_winding_force;
-    let t195 = (-t178.add_product(t179, sin_plate_phi) - R::literal(9.81)
-        - R::literal(-9.81) - t194 + t190)
-        .sub_product(t48, t191)
-        .sub_product(t55, t193);
-    let t196 = R::literal(3.333_333_333_333_333_5) * t163;
-    let t197 = (t192
+    let t189 = t35 * t176;
+    let t190 = -t177 - R::literal(-9.81) + t189;
+    let t191 = t14 * bobbin_radius_times_winding_force;
+    let t192 = (t191 - t176.add_product(t178, cos_plate_phi))
+        .add_product(t37, t176)
+        .sub_product(t45, t190);
+    let t193 = t15 * bobbin_radius_times_winding_force;
+    let t194 = (-t177.add_product(t178, sin_plate_phi) - R::literal(9.81)
+        - R::literal(-9.81) - t193 + t189)
+        .sub_product(t47, t190)
+        .sub_product(t54, t192);
+    let t195 = R::literal(3.333_333_333_333_333_5) * t162;
+    let t196 = (t191
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * cos_plate_phi)
                 .add_product(cylinder_omega_squared, cos_cylinder_phi),
-        ) - t196)
-        .sub_product(t21, t169)
-        .sub_product(t57, t193)
-        .sub_product(t69, t195);
-    let t198 = R::literal(3.333_333_333_333_333_5) * t167;
-    let t199 = (R::literal(-9.81)
+        ) - t195)
+        .sub_product(t20, t168)
+        .sub_product(t56, t192)
+        .sub_product(t68, t194);
+    let t197 = R::literal(3.333_333_333_333_333_5) * t166;
+    let t198 = (R::literal(-9.81)
         .sub_product(
             R::literal(0.06),
             (plate_omega_squared * sin_plate_phi)
                 .add_product(cylinder_omega_squared, sin_cylinder_phi),
-        ) - t194 - t198)
-        .add_product(t22, t169)
-        .sub_product(t58, t193)
-        .sub_product(t71, t195)
-        .sub_product(t82, t197);
-    let t200 = (-(R::literal(-2_777.777_777_777_778) * t169))
-        .add_product(t84, t197)
-        .sub_product(t95, t199);
-    let t201 = (cylinder_omega
+        ) - t193 - t197)
+        .add_product(t21, t168)
+        .sub_product(t57, t192)
+        .sub_product(t70, t194)
+        .sub_product(t81, t196);
+    let t199 = (-(R::literal(-2_777.777_777_777_778) * t168))
+        .add_product(t83, t196)
+        .sub_product(t94, t198);
+    let t200 = (cylinder_omega
         * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
             .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi)
             .add_product(cylinder_x * cylinder_omega, sin_cylinder_phi)
@@ -8362,196 +8540,205 @@ pub fn power_balance<R: Real>(
             .sub_product(R::literal(2.0) * cylinder_v_y, sin_cylinder_phi)
             .sub_product(cylinder_y * cylinder_omega, cos_cylinder_phi)
             .sub_product(rod_x * cylinder_omega, sin_cylinder_phi))
-        .sub_product(t19, t163)
-        .add_product(t20, t167)
+        .sub_product(t18, t162)
+        .add_product(t19, t166)
+        .add_product(t22, t168)
         .add_product(t23, t169)
-        .add_product(t24, t170)
-        .sub_product(t25, t172)
-        .sub_product(t86, t197)
-        .sub_product(t97, t199);
-    let t202 = t201.sub_product(t106, t200);
-    let t203 = R::literal(5.0) * t170;
-    let t204 = (-t203)
-        .add_product(t180, cos_rod_phi)
-        .sub_product(t107, t200)
-        .sub_product(t117, t202);
-    let t205 = R::literal(5.0) * t172;
-    let t206 = (-t205)
-        .add_product(t180, sin_rod_phi)
-        .add_product(t108, t200)
-        .sub_product(t119, t202)
-        .sub_product(t128, t204);
-    let t207 = inverse_bobbin_mass * t173;
-    let t208 = ((t11 * plate_omega_squared)
-        .sub_product(t17, bobbin_radius_times_winding_force) + t207)
-        .sub_product(t61, t193)
-        .sub_product(t74, t195)
-        .sub_product(t88, t197)
-        .sub_product(t99, t199)
-        .sub_product(t110, t200)
-        .sub_product(t121, t202)
-        .sub_product(t130, t204)
-        .sub_product(t137, t206);
-    let t209 = inverse_bobbin_mass * t175;
-    let t210 = (R::literal(-9.81)
-        .add_product(t10, plate_omega_squared)
-        .add_product(t18, bobbin_radius_times_winding_force) - t209)
-        .add_product(t63, t193)
-        .sub_product(t77, t195)
-        .sub_product(t90, t197)
-        .sub_product(t101, t199)
-        .sub_product(t112, t200)
-        .sub_product(t123, t202)
-        .sub_product(t132, t204)
-        .sub_product(t139, t206)
-        .sub_product(t144, t208);
-    let t211 = (-t189)
-        .add_product(t28, t173)
-        .sub_product(t29, t175)
-        .add_product(t31, R::literal(-14.715))
-        .add_product(t145, t208)
-        .sub_product(t150, t210)
-        .sub_product(t154, R::literal(9.809_999_999_999_999));
-    let t212 = ((R::literal(0.143) * sin_post_phi)
+        .sub_product(t24, t171)
+        .sub_product(t85, t196)
+        .sub_product(t96, t198);
+    let t201 = t200.sub_product(t105, t199);
+    let t202 = R::literal(5.0) * t169;
+    let t203 = (-t202)
+        .add_product(t179, cos_rod_phi)
+        .sub_product(t106, t199)
+        .sub_product(t116, t201);
+    let t204 = R::literal(5.0) * t171;
+    let t205 = (-t204)
+        .add_product(t179, sin_rod_phi)
+        .add_product(t107, t199)
+        .sub_product(t118, t201)
+        .sub_product(t127, t203);
+    let t206 = inverse_bobbin_mass * t172;
+    let t207 = ((t10 * plate_omega_squared)
+        .sub_product(t16, bobbin_radius_times_winding_force) + t206)
+        .sub_product(t60, t192)
+        .sub_product(t73, t194)
+        .sub_product(t87, t196)
+        .sub_product(t98, t198)
+        .sub_product(t109, t199)
+        .sub_product(t120, t201)
+        .sub_product(t129, t203)
+        .sub_product(t136, t205);
+    let t208 = inverse_bobbin_mass * t174;
+    let t209 = (R::literal(-9.81)
+        .add_product(t9, plate_omega_squared)
+        .add_product(t17, bobbin_radius_times_winding_force) - t208)
+        .add_product(t62, t192)
+        .sub_product(t76, t194)
+        .sub_product(t89, t196)
+        .sub_product(t100, t198)
+        .sub_product(t111, t199)
+        .sub_product(t122, t201)
+        .sub_product(t131, t203)
+        .sub_product(t138, t205)
+        .sub_product(t143, t207);
+    let t210 = (-t188)
+        .add_product(t27, t172)
+        .sub_product(t28, t174)
+        .add_product(
+            R::literal(-9.809_999_999_999_999),
+            bobbin_y_minus_drum_y_over_between,
+        )
+        .add_product(t144, t207)
+        .sub_product(t149, t209)
+        .add_product(
+            bobbin_y_minus_drum_y_over_between,
+            R::literal(9.809_999_999_999_999),
+        );
+    let t211 = ((R::literal(0.143) * sin_post_phi)
         .sub_product(R::literal(0.044), cos_post_phi) * post_omega_squared)
-        .sub_product(t40, t177)
-        .sub_product(t50, t191)
-        .sub_product(t65, t193)
-        .sub_product(t79, t195)
-        .sub_product(t92, t197)
-        .sub_product(t103, t199)
-        .sub_product(t114, t200)
-        .sub_product(t125, t202)
-        .sub_product(t134, t204)
-        .sub_product(t141, t206)
-        .sub_product(t147, t208)
-        .sub_product(t152, t210)
-        .sub_product(t157, t211) * t158;
-    let t213 = (t211 * t155).sub_product(t157, t212);
-    let axle_b_x = t153 * t213;
-    let t214 = (t210 * t148).sub_product(t150, t213).sub_product(t152, t212);
-    let t215 = (t208 * t142)
-        .sub_product(t144, t214)
-        .add_product(t145, t213)
-        .sub_product(t147, t212);
-    let t216 = (t206 * t135)
-        .sub_product(t137, t215)
-        .sub_product(t139, t214)
-        .sub_product(t141, t212);
-    let t217 = (t204 * t126)
-        .sub_product(t128, t216)
-        .sub_product(t130, t215)
-        .sub_product(t132, t214)
-        .sub_product(t134, t212);
-    let t218 = (t202 * t115)
-        .sub_product(t117, t217)
-        .sub_product(t119, t216)
-        .sub_product(t121, t215)
-        .sub_product(t123, t214)
-        .sub_product(t125, t212);
-    let t219 = (t200 * t104)
-        .sub_product(t106, t218)
-        .sub_product(t107, t217)
-        .add_product(t108, t216)
-        .sub_product(t110, t215)
-        .sub_product(t112, t214)
-        .sub_product(t114, t212);
-    let t220 = (t199 * t93)
-        .sub_product(t95, t219)
-        .sub_product(t97, t218)
-        .sub_product(t99, t215)
-        .sub_product(t101, t214)
-        .sub_product(t103, t212);
-    let t221 = (t197 * t80)
-        .sub_product(t82, t220)
-        .add_product(t84, t219)
-        .sub_product(t86, t218)
-        .sub_product(t88, t215)
-        .sub_product(t90, t214)
-        .sub_product(t92, t212);
-    let t222 = (t195 * t67)
-        .sub_product(t69, t221)
-        .sub_product(t71, t220)
-        .sub_product(t74, t215)
-        .sub_product(t77, t214)
-        .sub_product(t79, t212);
-    let t223 = (t193 * t52)
-        .sub_product(t55, t222)
-        .sub_product(t57, t221)
-        .sub_product(t58, t220)
-        .sub_product(t61, t215)
-        .add_product(t63, t214)
-        .sub_product(t65, t212);
-    let t224 = (t191 * t44)
-        .sub_product(t46, t223)
-        .sub_product(t48, t222)
-        .sub_product(t50, t212);
-    let t225 = (-(t177 * t34))
-        .sub_product(t36, t224)
-        .sub_product(t38, t223)
-        .sub_product(t36, t222)
-        .add_product(t40, t212);
+        .sub_product(t39, t176)
+        .sub_product(t49, t190)
+        .sub_product(t64, t192)
+        .sub_product(t78, t194)
+        .sub_product(t91, t196)
+        .sub_product(t102, t198)
+        .sub_product(t113, t199)
+        .sub_product(t124, t201)
+        .sub_product(t133, t203)
+        .sub_product(t140, t205)
+        .sub_product(t146, t207)
+        .sub_product(t151, t209)
+        .sub_product(t156, t210) * t157;
+    let t212 = (t210 * t154).sub_product(t156, t211);
+    let t213 = (t209 * t147).sub_product(t149, t212).sub_product(t151, t211);
+    let t214 = (t207 * t141)
+        .sub_product(t143, t213)
+        .add_product(t144, t212)
+        .sub_product(t146, t211);
+    let t215 = (t205 * t134)
+        .sub_product(t136, t214)
+        .sub_product(t138, t213)
+        .sub_product(t140, t211);
+    let t216 = (t203 * t125)
+        .sub_product(t127, t215)
+        .sub_product(t129, t214)
+        .sub_product(t131, t213)
+        .sub_product(t133, t211);
+    let t217 = (t201 * t114)
+        .sub_product(t116, t216)
+        .sub_product(t118, t215)
+        .sub_product(t120, t214)
+        .sub_product(t122, t213)
+        .sub_product(t124, t211);
+    let t218 = (t199 * t103)
+        .sub_product(t105, t217)
+        .sub_product(t106, t216)
+        .add_product(t107, t215)
+        .sub_product(t109, t214)
+        .sub_product(t111, t213)
+        .sub_product(t113, t211);
+    let t219 = (t198 * t92)
+        .sub_product(t94, t218)
+        .sub_product(t96, t217)
+        .sub_product(t98, t214)
+        .sub_product(t100, t213)
+        .sub_product(t102, t211);
+    let t220 = (t196 * t79)
+        .sub_product(t81, t219)
+        .add_product(t83, t218)
+        .sub_product(t85, t217)
+        .sub_product(t87, t214)
+        .sub_product(t89, t213)
+        .sub_product(t91, t211);
+    let t221 = (t194 * t66)
+        .sub_product(t68, t220)
+        .sub_product(t70, t219)
+        .sub_product(t73, t214)
+        .sub_product(t76, t213)
+        .sub_product(t78, t211);
+    let t222 = (t192 * t51)
+        .sub_product(t54, t221)
+        .sub_product(t56, t220)
+        .sub_product(t57, t219)
+        .sub_product(t60, t214)
+        .add_product(t62, t213)
+        .sub_product(t64, t211);
+    let t223 = (t190 * t43)
+        .sub_product(t45, t222)
+        .sub_product(t47, t221)
+        .sub_product(t49, t211);
+    let t224 = (-(t176 * t33))
+        .sub_product(t35, t223)
+        .sub_product(t37, t222)
+        .sub_product(t35, t221)
+        .add_product(t39, t211);
     let drum_v_y_dot = R::literal(-9.809_999_999_999_999)
         .sub_product(
             R::literal(0.666_666_666_666_666_6),
-            R::literal(-14.714_999_999_999_998).sub_product(t154, t213),
+            R::literal(-14.714_999_999_999_998)
+                .add_product(bobbin_y_minus_drum_y_over_between, t212),
         )
-        .add_product(t31, t213);
-    let drum_v_x_dot = (t30 * t213)
-        .add_product(R::literal(0.666_666_666_666_666_6), axle_b_x);
-    let bobbin_v_y_dot = t209
+        .add_product(t30, t212);
+    let drum_v_x_dot = (t29 * t212)
+        .sub_product(
+            R::literal(0.666_666_666_666_666_6),
+            bobbin_x_minus_drum_x_over_between * t212,
+        );
+    let bobbin_v_y_dot = t208
+        .sub_product(inverse_bobbin_mass, t213)
+        .sub_product(t28, t212);
+    let bobbin_v_x_dot = (-t206)
         .sub_product(inverse_bobbin_mass, t214)
-        .sub_product(t29, t213);
-    let bobbin_v_x_dot = (-t207)
-        .sub_product(inverse_bobbin_mass, t215)
-        .sub_product(t28, t213);
-    let rod_omega_dot = (t26 * t217)
-        .sub_product(R::literal(4_166.666_666_666_667), t219)
-        .sub_product(t27, t216);
-    let rod_v_y_dot = t205.sub_product(t25, t218).sub_product(R::literal(5.0), t216);
-    let rod_v_x_dot = t203.add_product(t24, t218).sub_product(R::literal(5.0), t217);
-    let cylinder_omega_dot = (t169 * R::literal(2_777.777_777_777_778))
-        .sub_product(t21, t221)
-        .add_product(t22, t220)
-        .sub_product(R::literal(-2_777.777_777_777_778), t219)
-        .add_product(t23, t218);
-    let cylinder_v_y_dot = t198
+        .sub_product(t27, t212);
+    let rod_omega_dot = (t25 * t216)
+        .sub_product(R::literal(4_166.666_666_666_667), t218)
+        .sub_product(t26, t215);
+    let rod_v_y_dot = t204.sub_product(t24, t217).sub_product(R::literal(5.0), t215);
+    let rod_v_x_dot = t202.add_product(t23, t217).sub_product(R::literal(5.0), t216);
+    let cylinder_omega_dot = (t168 * R::literal(2_777.777_777_777_778))
+        .sub_product(t20, t220)
+        .add_product(t21, t219)
+        .sub_product(R::literal(-2_777.777_777_777_778), t218)
+        .add_product(t22, t217);
+    let cylinder_v_y_dot = t197
+        .sub_product(R::literal(3.333_333_333_333_333_5), t219)
+        .add_product(t19, t217);
+    let cylinder_v_x_dot = t195
         .sub_product(R::literal(3.333_333_333_333_333_5), t220)
-        .add_product(t20, t218);
-    let cylinder_v_x_dot = t196
-        .sub_product(R::literal(3.333_333_333_333_333_5), t221)
-        .sub_product(t19, t218);
+        .sub_product(t18, t217);
     let plate_omega_dot = (-(bobbin_radius_times_winding_force * R::literal(400.0)))
-        .sub_product(t15, t223)
-        .add_product(t16, t222)
-        .sub_product(t15, t221)
-        .add_product(t16, t220)
-        .add_product(t17, t215)
-        .sub_product(t18, t214);
+        .sub_product(t14, t222)
+        .add_product(t15, t221)
+        .sub_product(t14, t220)
+        .add_product(t15, t219)
+        .add_product(t16, t214)
+        .sub_product(t17, t213);
     let plate_v_y_dot = R::literal(-9.81)
+        .sub_product(R::literal(0.833_333_333_333_333_4), t221)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t219)
+        .sub_product(R::literal(-0.833_333_333_333_333_4), t213);
+    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t220))
         .sub_product(R::literal(0.833_333_333_333_333_4), t222)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t220)
         .sub_product(R::literal(-0.833_333_333_333_333_4), t214);
-    let plate_v_x_dot = (-(R::literal(-0.833_333_333_333_333_4) * t221))
-        .sub_product(R::literal(0.833_333_333_333_333_4), t223)
-        .sub_product(R::literal(-0.833_333_333_333_333_4), t215);
-    let post_omega_dot = (t13 * t224)
-        .sub_product(t12, t225)
-        .sub_product(t12, t223)
-        .add_product(t13, t222)
-        .sub_product(t14, t212);
+    let post_omega_dot = (t12 * t223)
+        .sub_product(t11, t224)
+        .sub_product(t11, t222)
+        .add_product(t12, t221)
+        .sub_product(t13, t211);
     let post_v_y_dot = R::literal(-9.81)
-        .sub_product(R::literal(1.25), t224)
-        .sub_product(R::literal(-1.25), t222);
-    let post_v_x_dot = (-(R::literal(-1.25) * t223)).sub_product(R::literal(1.25), t225);
-    let t226 = (R::literal(7.848) * post_v_y)
+        .sub_product(R::literal(1.25), t223)
+        .sub_product(R::literal(-1.25), t221);
+    let post_v_x_dot = (-(R::literal(-1.25) * t222)).sub_product(R::literal(1.25), t224);
+    let t225 = (R::literal(7.848) * post_v_y)
         .add_product(R::literal(11.772), plate_v_y)
-        .sub_product(t162, cylinder_v_x)
-        .add_product(t165, cylinder_v_y)
-        .add_product(t168, cylinder_omega)
-        .add_product(t162, rod_v_x)
-        .add_product(t171, rod_v_y)
-        .add_product(t174, bobbin_v_y)
+        .sub_product(t161, cylinder_v_x)
+        .add_product(t164, cylinder_v_y)
+        .add_product(t167, cylinder_omega)
+        .add_product(t161, rod_v_x)
+        .add_product(t170, rod_v_y)
+        .add_product(t173, bobbin_v_y)
         .add_product(R::literal(14.715), drum_v_y)
         .add_product(R::literal(0.8) * post_v_x, post_v_x_dot)
         .add_product(R::literal(0.8) * post_v_y, post_v_y_dot)
@@ -8561,7 +8748,7 @@ pub fn power_balance<R: Real>(
         .add_product(R::literal(0.0025) * plate_omega, plate_omega_dot)
         .add_product(R::literal(0.3) * cylinder_v_x, cylinder_v_x_dot);
     PowerBalance {
-        stored_rate: t226
+        stored_rate: t225
             .add_product(R::literal(0.3) * cylinder_v_y, cylinder_v_y_dot)
             .add_product(R::literal(0.00036) * cylinder_omega, cylinder_omega_dot)
             .add_product(R::literal(0.2) * rod_v_x, rod_v_x_dot)
@@ -8574,7 +8761,7 @@ pub fn power_balance<R: Real>(
         supplied: (p.winding_force * bobbin_v_y * bobbin_x_minus_drum_x / between)
             .sub_product(bobbin_radius_times_winding_force, plate_omega)
             - p.winding_force * bobbin_v_x * bobbin_y_minus_drum_y / between,
-        dissipated: (R::literal(50.0) * cylinder_omega * slide_rate * t8)
+        dissipated: (R::literal(50.0) * cylinder_omega * slide_rate * t7)
             .add_product(R::literal(50.0) * rod_v_x * slide_rate, cos_cylinder_phi)
             .add_product(R::literal(50.0) * rod_v_y * slide_rate, sin_cylinder_phi)
             .sub_product(R::literal(50.0) * cylinder_v_x * slide_rate, cos_cylinder_phi)
@@ -8593,28 +8780,29 @@ pub fn constraint_values<R: Real>(
 ) -> [R; CONSTRAINTS] {
     let [post_x, post_y, post_phi, plate_x, plate_y, plate_phi, cylinder_x, cylinder_y,
     cylinder_phi, rod_x, rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, ..] = *state;
-    let cos_post_phi = post_phi.cos();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * cos_post_phi;
     let post_start_x = post_x - t0;
-    let sin_post_phi = post_phi.sin();
     let t1 = R::literal(0.1) * sin_post_phi;
     let post_start_y = post_y - t1;
     let post_end_x = post_x + t0;
     let post_end_y = post_y + t1;
-    let cos_plate_phi = plate_phi.cos();
     let t2 = R::literal(0.06) * cos_plate_phi;
     let plate_start_x = plate_x - t2;
-    let sin_plate_phi = plate_phi.sin();
     let t3 = R::literal(0.06) * sin_plate_phi;
     let plate_start_y = plate_y - t3;
     let plate_end_x = plate_x + t2;
     let plate_end_y = plate_y + t3;
-    let cos_cylinder_phi = cylinder_phi.cos();
     let cylinder_start_x = cylinder_x.sub_product(R::literal(0.06), cos_cylinder_phi);
-    let sin_cylinder_phi = cylinder_phi.sin();
     let cylinder_start_y = cylinder_y.sub_product(R::literal(0.06), sin_cylinder_phi);
-    let rod_end_x = rod_x.add_product(R::literal(0.06), rod_phi.cos());
-    let rod_end_y = rod_y.add_product(R::literal(0.06), rod_phi.sin());
+    let rod_end_x = rod_x.add_product(R::literal(0.06), cos_rod_phi);
+    let rod_end_y = rod_y.add_product(R::literal(0.06), sin_rod_phi);
     let axle_x = plate_x
         .add_product(R::literal(0.1), sin_plate_phi)
         .sub_product(R::literal(0.01), cos_plate_phi);
@@ -8663,7 +8851,7 @@ pub fn constraint_values<R: Real>(
 
 /// `g'`, zero on the constraints too.
 ///
-/// 84 operations.
+/// 89 operations.
 #[must_use]
 pub fn constraint_rates<R: Real>(
     _time: R,
@@ -8675,12 +8863,13 @@ pub fn constraint_rates<R: Real>(
     post_omega, plate_v_x, plate_v_y, plate_omega, cylinder_v_x, cylinder_v_y,
     cylinder_omega, rod_v_x, rod_v_y, rod_omega, bobbin_v_x, bobbin_v_y, _, drum_v_x,
     drum_v_y, ..] = *state;
-    let cos_post_phi = post_phi.cos();
-    let sin_post_phi = post_phi.sin();
-    let cos_plate_phi = plate_phi.cos();
-    let sin_plate_phi = plate_phi.sin();
-    let cos_cylinder_phi = cylinder_phi.cos();
-    let sin_cylinder_phi = cylinder_phi.sin();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
     let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
@@ -8708,8 +8897,8 @@ pub fn constraint_rates<R: Real>(
         .sub_product(cylinder_omega, slide)
         .sub_product(rod_v_x, sin_cylinder_phi);
     let t7 = R::literal(0.06) * rod_omega;
-    let pin_e_x_rate = rod_v_x.sub_product(t7, rod_phi.sin());
-    let pin_e_y_rate = rod_v_y.add_product(t7, rod_phi.cos());
+    let pin_e_x_rate = rod_v_x.sub_product(t7, sin_rod_phi);
+    let pin_e_y_rate = rod_v_y.add_product(t7, cos_rod_phi);
     let axle_a_x_rate = (bobbin_v_x - plate_v_x)
         .sub_product(
             plate_omega,
@@ -8722,10 +8911,14 @@ pub fn constraint_rates<R: Real>(
             (R::literal(0.1) * sin_plate_phi)
                 .sub_product(R::literal(0.01), cos_plate_phi),
         );
-    let contact_rate = bobbin_v_x * bobbin_x_minus_drum_x / between
-        + bobbin_v_y * bobbin_y_minus_drum_y / between
-        - drum_v_x * bobbin_x_minus_drum_x / between
-        - drum_v_y * bobbin_y_minus_drum_y / between;
+    let contact_rate = (bobbin_x * bobbin_v_x)
+        .add_product(bobbin_y, bobbin_v_y)
+        .add_product(drum_x, drum_v_x)
+        .add_product(drum_y, drum_v_y)
+        .sub_product(bobbin_x, drum_v_x)
+        .sub_product(bobbin_y, drum_v_y)
+        .sub_product(drum_x, bobbin_v_x)
+        .sub_product(drum_y, bobbin_v_y) / between;
     let stop_rate = post_omega
         * (R::literal(0.044) * sin_post_phi)
             .add_product(R::literal(0.143), cos_post_phi);
@@ -8760,14 +8953,15 @@ pub fn constraint_matrix<R: Real>(
 ) -> [R; 44] {
     let [_, _, post_phi, _, _, plate_phi, cylinder_x, cylinder_y, cylinder_phi, rod_x,
     rod_y, rod_phi, bobbin_x, bobbin_y, _, drum_x, drum_y, ..] = *state;
-    let cos_post_phi = post_phi.cos();
-    let sin_post_phi = post_phi.sin();
+    let [(sin_post_phi, cos_post_phi), (sin_plate_phi, cos_plate_phi),
+    (sin_cylinder_phi, cos_cylinder_phi), (sin_rod_phi, cos_rod_phi)] = R::sin_cos_each([
+        post_phi,
+        plate_phi,
+        cylinder_phi,
+        rod_phi,
+    ]);
     let t0 = R::literal(0.1) * sin_post_phi;
-    let cos_plate_phi = plate_phi.cos();
-    let sin_plate_phi = plate_phi.sin();
     let t1 = R::literal(0.06) * sin_plate_phi;
-    let cos_cylinder_phi = cylinder_phi.cos();
-    let sin_cylinder_phi = cylinder_phi.sin();
     let bobbin_x_minus_drum_x = bobbin_x - drum_x;
     let bobbin_y_minus_drum_y = bobbin_y - drum_y;
     let between = (bobbin_x_minus_drum_x * bobbin_x_minus_drum_x)
@@ -8808,9 +9002,9 @@ pub fn constraint_matrix<R: Real>(
         -sin_cylinder_phi,
         cos_cylinder_phi,
         R::literal(1.0),
-        -(R::literal(0.06) * rod_phi.sin()),
+        -(R::literal(0.06) * sin_rod_phi),
         R::literal(1.0),
-        R::literal(0.06) * rod_phi.cos(),
+        R::literal(0.06) * cos_rod_phi,
         R::literal(-1.0),
         -(R::literal(0.01) * sin_plate_phi).add_product(R::literal(0.1), cos_plate_phi),
         R::literal(1.0),

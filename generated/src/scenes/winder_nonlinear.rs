@@ -39,7 +39,7 @@
 //   mass_matrix              10
 //   forcing                  40
 //   rate_jacobian            31
-//   parameter_jacobian      209
+//   parameter_jacobian      220
 //   time_derivative          61
 //   outputs                  47
 //   energy                   35
@@ -437,16 +437,18 @@ pub fn prepared_rate<R: Real>(
     let [holder_x, holder_v] = *state;
     let t0 = p.ovality_phase.add_product(c.t0, time);
     let drum_speed_times_time = c.drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(c.package_speed, time).cos(),
-        );
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(c.package_speed, time),
+    ]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * drum_speed_times_time.sin()))
-        .sub_product(c.t1, t0.sin());
+    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
+        .sub_product(c.t1, t1);
     let layer_compression_rate = shape_rate - holder_v;
     let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
         - (p.holder_stiffness * holder_x)
@@ -492,16 +494,18 @@ pub fn forcing<R: Real>(
     let package_speed = p.winding_speed / p.holder_package_radius;
     let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(package_speed, time).cos(),
-        );
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
     let holder_x_forcing = force.add_product(p.layer_viscosity, layer_compression_rate)
         - (p.holder_stiffness * holder_x)
@@ -537,8 +541,11 @@ pub fn prepared_rate_jacobian<R: Real>(
     c: &Constants<R>,
 ) -> [R; 3] {
     let [holder_x, ..] = *state;
-    let shape = (p.eccentricity * (c.drum_speed * time).cos())
-        .add_product(p.ovality, p.ovality_phase.add_product(c.t0, time).cos());
+    let [(_, t0), (_, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.ovality_phase.add_product(c.t0, time),
+        c.drum_speed * time,
+    ]);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let layer_compression = shape - holder_x;
     let holder_v_dot_by_holder_x = -(c
         .t3
@@ -549,7 +556,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 209 operations.
+/// 220 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -559,69 +566,63 @@ pub fn parameter_jacobian<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = (p.holder_package_radius * p.holder_package_radius)
-        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
-    let t1 = R::literal(core::f64::consts::PI) * p.holder_package_width;
-    let t2 = p.holder_link_mass * p.holder_link_arm;
-    let holder_mass = p.holder_bobbin_mass.add_product(t1 * p.holder_yarn_density, t0)
-        + t2 / p.holder_holder_arm;
-    let t3 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let t4 = t3.cos();
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
     let drum_speed_times_time = drum_speed * time;
-    let cos_drum_speed_times_time = drum_speed_times_time.cos();
+    let t1 = p.force_phase + drum_speed_times_time;
+    let t2 = p.package_phase.add_product(package_speed, time);
+    let [(t3, t4), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t5, t6),
+    (t7, t8)] = R::sin_cos_each([t0, drum_speed_times_time, t1, t2]);
+    let t9 = (p.holder_package_radius * p.holder_package_radius)
+        .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius);
+    let t10 = R::literal(core::f64::consts::PI) * p.holder_package_width;
+    let t11 = p.holder_link_mass * p.holder_link_arm;
+    let holder_mass = p.holder_bobbin_mass.add_product(t10 * p.holder_yarn_density, t9)
+        + t11 / p.holder_holder_arm;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t4);
-    let t5 = p.force_phase + drum_speed_times_time;
-    let t6 = t5.cos();
-    let t7 = p.package_phase.add_product(package_speed, time);
-    let t8 = t7.cos();
     let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
-    let t9 = t3.sin();
-    let t10 = R::literal(2.0) * p.ovality;
-    let t11 = t10 * drum_speed;
-    let sin_drum_speed_times_time = drum_speed_times_time.sin();
+    let t12 = R::literal(2.0) * p.ovality;
+    let t13 = t12 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(t11, t9);
+        .sub_product(t13, t3);
     let layer_compression_rate = shape_rate - holder_v;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t12 = layer_compression_squared * layer_compression;
+    let t14 = layer_compression_squared * layer_compression;
     let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
         - (p.holder_stiffness * holder_x)
             .sub_product(p.layer_stiffness, layer_compression)
-            .sub_product(p.layer_cubic_stiffness, t12)) * inverse_holder_mass;
-    let t13 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t14 = t13 * layer_compression_squared;
-    let t15 = t5.sin();
-    let t16 = t7.sin();
-    let t17 = t10 / p.drum_radius;
+            .sub_product(p.layer_cubic_stiffness, t14)) * inverse_holder_mass;
+    let t15 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t16 = t15 * layer_compression_squared;
+    let t17 = t12 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
     let t18 = (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time))
-        .sub_product(t17 * time, t9);
+        .sub_product(t17 * time, t3);
     let t19 = R::literal(4.0) * p.ovality;
     let t20 = eccentricity_times_drum_speed / p.drum_radius;
     let t21 = t20 * time;
     let holder_v_dot_by_winding_speed = ((-(p.force_amplitude / p.drum_radius * time
-        * t15))
+        * t5))
         .add_product(
             p.layer_viscosity,
-            (-(t19 * drum_speed / p.drum_radius * time * t4))
-                .sub_product(t17, t9)
+            (-(t17 * t3))
+                .sub_product(t19 * drum_speed / p.drum_radius * time, t4)
                 .sub_product(t21, cos_drum_speed_times_time)
                 .sub_product(eccentricity_over_drum_radius, sin_drum_speed_times_time),
         )
-        .sub_product(p.package_force / p.holder_package_radius * time, t16)
-        - (-(p.layer_stiffness * t18)).sub_product(t13 * t18, layer_compression_squared))
+        .sub_product(p.package_force / p.holder_package_radius * time, t7)
+        - (-(p.layer_stiffness * t18)).sub_product(t15 * t18, layer_compression_squared))
         * inverse_holder_mass;
-    let t22 = t11 / p.drum_radius;
-    let t23 = (t21 * sin_drum_speed_times_time).add_product(t22 * time, t9);
+    let t22 = t13 / p.drum_radius;
+    let t23 = (t21 * sin_drum_speed_times_time).add_product(t22 * time, t3);
     let drum_speed_squared = drum_speed * drum_speed;
     let holder_v_dot_by_drum_radius = ((p.force_amplitude * drum_speed / p.drum_radius
-        * time * t15)
+        * time * t5)
         .add_product(
             p.layer_viscosity,
-            (t22 * t9)
+            (t22 * t3)
                 .add_product(t19 * drum_speed_squared / p.drum_radius * time, t4)
                 .add_product(
                     p.eccentricity * drum_speed_squared / p.drum_radius * time,
@@ -629,25 +630,25 @@ pub fn parameter_jacobian<R: Real>(
                 )
                 .add_product(t20, sin_drum_speed_times_time),
         )
-        - (-(p.layer_stiffness * t23)).sub_product(t13 * t23, layer_compression_squared))
+        - (-(p.layer_stiffness * t23)).sub_product(t15 * t23, layer_compression_squared))
         * inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * inverse_holder_mass;
-    let holder_v_dot_by_force_phase = -(p.force_amplitude * t15 * inverse_holder_mass);
+    let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * inverse_holder_mass;
-    let holder_v_dot_by_package_phase = -(p.package_force * t16 * inverse_holder_mass);
-    let holder_v_dot_by_ovality = (-(-(p.layer_stiffness * t4)).sub_product(t14, t4))
-        .sub_product(R::literal(2.0) * p.layer_viscosity * drum_speed, t9)
+    let holder_v_dot_by_package_phase = -(p.package_force * t7 * inverse_holder_mass);
+    let holder_v_dot_by_ovality = (-(-(p.layer_stiffness * t4)).sub_product(t16, t4))
+        .sub_product(R::literal(2.0) * p.layer_viscosity * drum_speed, t3)
         * inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(p.ovality * p.layer_stiffness * t9)
+    let holder_v_dot_by_ovality_phase = (-(p.ovality * p.layer_stiffness * t3)
         .add_product(
             R::literal(3.0) * p.ovality * p.layer_cubic_stiffness
                 * layer_compression_squared,
-            t9,
+            t3,
         ))
-        .sub_product(t10 * p.layer_viscosity * drum_speed, t4) * inverse_holder_mass;
+        .sub_product(t12 * p.layer_viscosity * drum_speed, t4) * inverse_holder_mass;
     let holder_v_dot_by_eccentricity = (-(-(p.layer_stiffness
         * cos_drum_speed_times_time))
-        .sub_product(t14, cos_drum_speed_times_time))
+        .sub_product(t16, cos_drum_speed_times_time))
         .sub_product(p.layer_viscosity * drum_speed, sin_drum_speed_times_time)
         * inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
@@ -655,11 +656,11 @@ pub fn parameter_jacobian<R: Real>(
         * holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_link_arm = -(p.holder_link_mass / p.holder_holder_arm
         * holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_holder_arm = t2
+    let holder_v_dot_by_holder_holder_arm = t11
         / (p.holder_holder_arm * p.holder_holder_arm) * holder_v_dot
         * inverse_holder_mass;
     let holder_v_dot_by_holder_package_radius = (p.package_force * package_speed
-        / p.holder_package_radius * time * t16)
+        / p.holder_package_radius * time * t7)
         .sub_product(
             R::literal(core::f64::consts::TAU) * p.holder_package_radius
                 * p.holder_package_width * p.holder_yarn_density,
@@ -669,13 +670,17 @@ pub fn parameter_jacobian<R: Real>(
         * p.holder_bobbin_radius * p.holder_package_width * p.holder_yarn_density
         * holder_v_dot * inverse_holder_mass;
     let holder_v_dot_by_holder_package_width = -(R::literal(core::f64::consts::PI)
-        * p.holder_yarn_density * t0 * holder_v_dot * inverse_holder_mass);
-    let holder_v_dot_by_holder_yarn_density = -(t1 * t0 * holder_v_dot
+        * p.holder_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
+    let holder_v_dot_by_holder_yarn_density = -(t10 * t9 * holder_v_dot
         * inverse_holder_mass);
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
     let holder_v_dot_by_layer_stiffness = layer_compression * inverse_holder_mass;
-    let holder_v_dot_by_layer_cubic_stiffness = t12 * inverse_holder_mass;
-    let holder_v_dot_by_layer_viscosity = layer_compression_rate * inverse_holder_mass;
+    let holder_v_dot_by_layer_cubic_stiffness = t14 * inverse_holder_mass;
+    let holder_v_dot_by_layer_viscosity = R::literal(1.0) / p.drum_radius
+        * (-(p.drum_radius * holder_v))
+            .sub_product(R::literal(2.0) * p.winding_speed * p.ovality, t3)
+            .sub_product(p.winding_speed * p.eccentricity, sin_drum_speed_times_time)
+        * inverse_holder_mass;
     [
         holder_v_dot_by_winding_speed,
         holder_v_dot_by_drum_radius,
@@ -713,6 +718,15 @@ pub fn time_derivative<R: Real>(
     let [holder_x, ..] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let drum_speed_times_time = drum_speed * time;
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (t3, _),
+    (t4, _)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -721,26 +735,18 @@ pub fn time_derivative<R: Real>(
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let t1 = t0.cos();
-    let drum_speed_times_time = drum_speed * time;
-    let cos_drum_speed_times_time = drum_speed_times_time.cos();
-    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t1);
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let drum_speed_squared = drum_speed * drum_speed;
-    let holder_v_dot_by_time = ((-(p.force_amplitude * drum_speed
-        * (p.force_phase + drum_speed_times_time).sin()))
+    let holder_v_dot_by_time = ((-(p.force_amplitude * drum_speed * t3))
         .add_product(
             p.layer_viscosity,
             (-(p.eccentricity * drum_speed_squared * cos_drum_speed_times_time))
-                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t1),
+                .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t2),
         )
-        .sub_product(
-            p.package_force * package_speed,
-            p.package_phase.add_product(package_speed, time).sin(),
-        )
+        .sub_product(p.package_force * package_speed, t4)
         - (-(p.layer_stiffness * shape_rate))
             .sub_product(
                 R::literal(3.0) * p.layer_cubic_stiffness * shape_rate,
@@ -757,6 +763,15 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let drum_speed_times_time = drum_speed * time;
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -765,18 +780,11 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let drum_speed_times_time = drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(package_speed, time).cos(),
-        );
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
     Outputs {
         deflection: holder_x,
@@ -799,6 +807,10 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
 pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
+    let [(_, t0), (_, cos_drum_speed_times_time)] = R::sin_cos_each([
+        p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time),
+        drum_speed * time,
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -807,11 +819,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let shape = (p.eccentricity * (drum_speed * time).cos())
-        .add_product(
-            p.ovality,
-            p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time).cos(),
-        );
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t0);
     let layer_compression = shape - holder_x;
     let layer_compression_squared = layer_compression * layer_compression;
     Energy {
@@ -838,6 +846,15 @@ pub fn power_balance<R: Real>(
     let [holder_x, holder_v] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
+    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
+    let drum_speed_times_time = drum_speed * time;
+    let [(t1, t2), (sin_drum_speed_times_time, cos_drum_speed_times_time), (_, t3),
+    (_, t4)] = R::sin_cos_each([
+        t0,
+        drum_speed_times_time,
+        p.force_phase + drum_speed_times_time,
+        p.package_phase.add_product(package_speed, time),
+    ]);
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -846,33 +863,26 @@ pub fn power_balance<R: Real>(
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t0 = p.ovality_phase.add_product(R::literal(2.0) * drum_speed, time);
-    let drum_speed_times_time = drum_speed * time;
-    let shape = (p.eccentricity * drum_speed_times_time.cos())
-        .add_product(p.ovality, t0.cos());
-    let force = (p.force_amplitude * (p.force_phase + drum_speed_times_time).cos())
-        .add_product(
-            p.package_force,
-            p.package_phase.add_product(package_speed, time).cos(),
-        );
+    let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
+    let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * drum_speed_times_time.sin()))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t0.sin());
+    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
+        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
     let layer_compression_rate = shape_rate - holder_v;
-    let t1 = p.layer_stiffness * layer_compression;
-    let t2 = layer_compression * layer_compression * layer_compression;
-    let t3 = (-t1)
+    let t5 = p.layer_stiffness * layer_compression;
+    let t6 = layer_compression * layer_compression * layer_compression;
+    let t7 = (-t5)
         .add_product(p.holder_stiffness, holder_x)
-        .sub_product(p.layer_cubic_stiffness, t2);
+        .sub_product(p.layer_cubic_stiffness, t6);
     let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
-        - t3) * (R::literal(1.0) / holder_mass);
-    let t4 = t1 * shape_rate;
-    let t5 = p.layer_cubic_stiffness * shape_rate * t2;
+        - t7) * (R::literal(1.0) / holder_mass);
+    let t8 = t5 * shape_rate;
+    let t9 = p.layer_cubic_stiffness * shape_rate * t6;
     PowerBalance {
-        stored_rate: (t4 + t5)
-            .add_product(t3, holder_v)
+        stored_rate: (t8 + t9)
+            .add_product(t7, holder_v)
             .add_product(holder_mass * holder_v, holder_v_dot),
-        supplied: t4.add_product(holder_v, force) + t5,
+        supplied: t8.add_product(holder_v, force) + t9,
         dissipated: -(p.layer_viscosity * holder_v * layer_compression_rate),
     }
 }

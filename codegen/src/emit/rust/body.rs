@@ -1,7 +1,7 @@
 //! One tape as the body of a function.
 //!
-//! Statements come in the tape's order and expressions keep the tape's
-//! association, so that emitted code and [`crate::evaluate`] agree bit for bit where the
+//! Statements come in the tape's order but for calls that come together
+//! ([`super::batch`]), and expressions keep the tape's association, so that emitted code and [`crate::evaluate`] agree bit for bit where the
 //! target has no fused products; see [`super::fuse`].
 //! A body is one function however long; splitting it would start here, by
 //! cutting `statements` where few variables are alive.
@@ -9,8 +9,9 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens as _, format_ident, quote};
 
+use super::batch::{Batch, Kind, Step, steps};
 use super::fuse::{Fused, fuse};
 use super::names::{Namer, identifier};
 use super::plan::{Place, plan};
@@ -29,6 +30,8 @@ pub(super) struct Scope<'a> {
     pub(super) constants: &'a [Ident],
     /// Constants of the tables.
     pub(super) tables: &'a [Ident],
+    /// Whether it is run for many points, which compilers put into vectors on their own.
+    pub(super) is_in_loop: bool,
     /// Names not to be taken by new variables; holds all of the above.
     pub(super) namer: &'a Namer,
 }
@@ -75,11 +78,16 @@ pub(super) fn body(
     result_names: &ResultNames,
 ) -> Result<Body, EmitError> {
     let fused = fuse(tape);
+    let steps = if scope.is_in_loop {
+        (0..tape.nodes.len()).map(Step::Node).collect()
+    } else {
+        steps(tape)
+    };
     let mut writer = Writer {
         function,
         tape,
         scope,
-        places: plan(tape, &fused, result_names.spread),
+        places: plan(tape, &fused, &steps, result_names.spread),
         fused,
         names: vec![None; tape.nodes.len()],
         spare_names: vec![None; tape.nodes.len()],
@@ -90,11 +98,15 @@ pub(super) fn body(
     writer.name_from_spec()?;
     writer.name_results(result_names)?;
     let mut statements = Vec::new();
-    for index in 0..tape.nodes.len() {
-        if writer.places[index] == Place::Statement {
-            let value = writer.node(index)?.tokens;
-            let name = writer.variable(index);
-            statements.push(quote!(let #name = #value;));
+    for step in &steps {
+        match step {
+            Step::Node(index) if writer.places[*index] == Place::Statement => {
+                let value = writer.node(*index)?.tokens;
+                let name = writer.variable(*index);
+                statements.push(quote!(let #name = #value;));
+            }
+            Step::Node(_) => {}
+            Step::Batch(batch) => statements.push(writer.batch(batch)?),
         }
     }
     let results = tape.results.iter().map(|&id| Ok(writer.operand(id)?.tokens));
@@ -262,6 +274,39 @@ impl Writer<'_> {
                 Ok(Written::call(quote!(R::interpolate(&#table, #order, #argument))))
             }
         }
+    }
+
+    /// One call for several arguments.
+    fn batch(&mut self, batch: &Batch) -> Result<TokenStream, EmitError> {
+        let arguments = batch.members.iter().map(|member| self.operand(member.argument));
+        let arguments = arguments.collect::<Result<Vec<_>, _>>()?;
+        let mut result = |id: Option<NodeId>| match id {
+            Some(id) => self.variable(id.0 as usize),
+            None => format_ident!("_"),
+        };
+        let results = batch.members.iter().map(|member| {
+            let [first, second] = member.results;
+            match batch.kind {
+                Kind::Tanh => result(first).to_token_stream(),
+                Kind::SinCos => {
+                    let (sine, cosine) = (result(first), result(second));
+                    quote!((#sine, #cosine))
+                }
+            }
+        });
+        let results: Vec<TokenStream> = results.collect();
+        let method = match batch.kind {
+            Kind::SinCos => "sin_cos",
+            Kind::Tanh => "tanh",
+        };
+        if let [result] = results.as_slice() {
+            let method = format_ident!("{method}");
+            let argument = arguments.into_iter().map(|argument| argument.at_least(Strength::Call));
+            return Ok(quote!(let #result = #(#argument)*.#method();));
+        }
+        let method = format_ident!("{method}_each");
+        let arguments = arguments.into_iter().map(|argument| argument.tokens);
+        Ok(quote!(let [#(#results),*] = R::#method([#(#arguments),*]);))
     }
 
     /// A sum with a product in it.

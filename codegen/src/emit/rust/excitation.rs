@@ -77,6 +77,7 @@ fn function(
         parameters: &scene.parameters,
         constants: &[],
         tables: &scene.tables,
+        is_in_loop: false,
         namer: &scene.locals,
     };
     let body = body(name, tape, &scope, &ResultNames::default())?;

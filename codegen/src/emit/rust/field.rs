@@ -140,6 +140,7 @@ fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<Token
         parameters: &scene.parameters,
         constants: &[],
         tables: &scene.tables,
+        is_in_loop: false,
         namer: &locals,
     };
     let initial = Manner {

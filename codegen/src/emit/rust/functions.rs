@@ -82,6 +82,7 @@ fn function(
         parameters: &scene.parameters,
         constants: &scene.prepare.constants,
         tables: &scene.tables,
+        is_in_loop: false,
         namer: &scene.locals,
     };
     let Body { statements, results, reads } = body(name, tape, &scope, &manner.names)?;

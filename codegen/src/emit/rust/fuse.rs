@@ -5,7 +5,6 @@
 //! operations of the tape and gives its bits.
 
 use super::plan::count_uses;
-use crate::expr::Function;
 use crate::tape::{NodeId, Op, Tape};
 
 /// A sum with a product in it.
@@ -90,13 +89,7 @@ fn delays(tape: &Tape) -> Vec<u32> {
     let mut delays: Vec<u32> = Vec::with_capacity(tape.nodes.len());
     for node in &tape.nodes {
         let before = node.op.operands().iter().map(|id| delays[id.0 as usize]).max();
-        let own = match node.op {
-            Op::Div(..) | Op::Call(Function::Sqrt, _) => 4,
-            Op::Call(Function::Abs, _) | Op::Neg(_) => 0,
-            Op::Powf(..) | Op::Call(..) | Op::Table { .. } => 10,
-            ref op => u32::from(op.is_arithmetic()),
-        };
-        delays.push(before.unwrap_or(0) + own);
+        delays.push(before.unwrap_or(0) + node.op.cost());
     }
     delays
 }

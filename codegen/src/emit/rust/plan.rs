@@ -1,5 +1,8 @@
 //! Which nodes of a tape become a `let` and which are written where they are used.
 
+use std::collections::BTreeSet;
+
+use super::batch::Step;
 use super::fuse::{Fused, swallowed};
 use crate::emit::needed_nodes;
 use crate::tape::{NodeId, Tape};
@@ -18,18 +21,29 @@ pub(super) enum Place {
     Statement,
 }
 
-/// The place of every node. `spread_results` asks for a `let` for every result
-/// that is more than a leaf, so that a long array of results reads well.
-pub(super) fn plan(tape: &Tape, fused: &[Option<Fused>], spread_results: bool) -> Vec<Place> {
+/// The place of every node. Results of `steps` that are calls for several arguments get a
+/// `let`. `spread_results` asks for a `let` for every result that is more than a leaf, so
+/// that a long array of results reads well.
+pub(super) fn plan(
+    tape: &Tape,
+    fused: &[Option<Fused>],
+    steps: &[Step],
+    spread_results: bool,
+) -> Vec<Place> {
     let uses = count_uses(tape);
     let swallowed = swallowed(fused);
+    let batched: BTreeSet<usize> = steps
+        .iter()
+        .filter_map(|step| if let Step::Batch(batch) = step { Some(batch) } else { None })
+        .flat_map(|batch| batch.results().map(|id| id.0 as usize))
+        .collect();
     let mut places = Vec::with_capacity(tape.nodes.len());
     let mut sizes: Vec<usize> = Vec::with_capacity(tape.nodes.len());
     for (index, (node, &uses)) in tape.nodes.iter().zip(&uses).enumerate() {
         let place = match node.op {
             _ if uses == 0 || swallowed[index] => Place::Nowhere,
             _ if !node.op.is_arithmetic() => Place::Inline,
-            _ if uses > 1 || node.name.is_some() => Place::Statement,
+            _ if uses > 1 || node.name.is_some() || batched.contains(&index) => Place::Statement,
             _ => Place::Inline,
         };
         let operands = match &fused[index] {

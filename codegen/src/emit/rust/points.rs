@@ -103,7 +103,7 @@ fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<Token
         namer.reserve(&name.to_string());
     }
     let states: Vec<Ident> = scope.states.iter().chain(&known).cloned().collect();
-    let inner = Scope { states: &states, namer: &namer, ..*scope };
+    let inner = Scope { states: &states, is_in_loop: true, namer: &namer, ..*scope };
     let result_names = of.results.iter().map(|name| format!("{name}_here")).collect();
     let result_names = ResultNames { spread: false, names: result_names };
     let Body { statements, results, reads } = body(name, &at_point, &inner, &result_names)?;

@@ -31,7 +31,8 @@ impl Prepare {
     ) -> Result<Self, EmitError> {
         let mut hoisted = Hoisted::new(program);
         name_entries(&mut hoisted, program, states);
-        let scope = Scope { states, parameters, constants: &[], tables, namer: locals };
+        let scope =
+            Scope { states, parameters, constants: &[], tables, is_in_loop: false, namer: locals };
         let names = ResultNames { names: Vec::new(), spread: true };
         let body = body("prepare", &hoisted.constants, &scope, &names)?;
         // Every constant has a `let`, so what stands for it is a name.

@@ -39,7 +39,7 @@
 //   rate                     31
 //   mass_matrix               0
 //   forcing                   4
-//   rate_jacobian            16
+//   rate_jacobian            12
 //   parameter_jacobian        0
 //   time_derivative           0
 //   outputs                   0
@@ -277,7 +277,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 16 operations.
+/// 12 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     _time: R,
@@ -289,15 +289,15 @@ pub fn rate_jacobian<R: Real>(
     let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
     let motor_psi_rx_dot_by_motor_omega = -(R::literal(4.0) * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
-    let motor_omega_dot_by_motor_psi_sx = -(R::literal(4_822.097_783_227_635)
-        * motor_psi_ry * R::literal(0.238_095_238_095_238_08));
-    let motor_omega_dot_by_motor_psi_sy = R::literal(4_822.097_783_227_635)
-        * motor_psi_rx * R::literal(0.238_095_238_095_238_08);
-    let motor_omega_dot_by_motor_psi_rx = R::literal(4_822.097_783_227_635)
-        * motor_psi_sy * R::literal(0.238_095_238_095_238_08);
+    let motor_omega_dot_by_motor_psi_sx = -(R::literal(1_148.118_519_816_103_6)
+        * motor_psi_ry);
+    let motor_omega_dot_by_motor_psi_sy = R::literal(1_148.118_519_816_103_6)
+        * motor_psi_rx;
+    let motor_omega_dot_by_motor_psi_rx = R::literal(1_148.118_519_816_103_6)
+        * motor_psi_sy;
     let motor_psi_ry_dot_by_motor_psi_rx = t0 - R::literal(314.159_265_358_979_3);
-    let motor_omega_dot_by_motor_psi_ry = -(R::literal(4_822.097_783_227_635)
-        * motor_psi_sx * R::literal(0.238_095_238_095_238_08));
+    let motor_omega_dot_by_motor_psi_ry = -(R::literal(1_148.118_519_816_103_6)
+        * motor_psi_sx);
     [
         motor_omega_dot_by_motor_psi_sx,
         motor_omega_dot_by_motor_psi_sy,

@@ -48,7 +48,7 @@
 //   mass_matrix               4
 //   forcing                  51
 //   rate_jacobian            89
-//   parameter_jacobian      246
+//   parameter_jacobian      245
 //   time_derivative          47
 //   outputs                   0
 //   energy                   50
@@ -562,10 +562,13 @@ impl<R: Real> Constants<R> {
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let (sin_motor_supply_phase, cos_motor_supply_phase) = p
+        .motor_supply_phase
+        .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let motor_u_x = t0 * cos_motor_supply_phase;
+    let motor_u_y = t0 * sin_motor_supply_phase;
     let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
@@ -690,6 +693,10 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [t0, t1] = R::tanh_each([
+        c.inverse_shaft_standstill_band * shaft_driven_dot,
+        c.inverse_shaft_standstill_band * shaft_end_dot,
+    ]);
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
     let coupling_twist_rate = motor_omega
         .sub_product(p.coupling_ratio, shaft_driven_dot);
@@ -704,18 +711,14 @@ pub fn prepared_rate<R: Real>(
         * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_load = shaft_engagement
         * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time).sin());
-    let t0 = c.t7 * shaft_load;
+    let t2 = c.t7 * shaft_load;
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
     let shaft_driven_dot_dot = p
         .shaft_driven_field_force
         .add_product(c.t8, coupling_twist)
         .add_product(c.t9, coupling_twist_rate)
-        .sub_product(t0, (c.inverse_shaft_standstill_band * shaft_driven_dot).tanh())
-        * c.t5;
-    let shaft_end_dot_dot = p
-        .shaft_end_field_force
-        .sub_product(t0, (c.inverse_shaft_standstill_band * shaft_end_dot).tanh())
-        * c.t6;
+        .sub_product(t2, t0) * c.t5;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t2, t1) * c.t6;
     let motor_psi_sx_dot = c
         .motor_u_x
         .add_product(c.motor_omega_0, motor_psi_sy)
@@ -776,6 +779,11 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+    let [t0, t1] = R::tanh_each([
+        inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot,
+    ]);
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
@@ -800,16 +808,13 @@ pub fn forcing<R: Real>(
                 (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin(),
             );
     let motor_phi_forcing = motor_torque - coupling_torque;
-    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let t0 = R::literal(0.5) / p.shaft_pieces * shaft_load;
+    let t2 = R::literal(0.5) / p.shaft_pieces * shaft_load;
     let shaft_driven_forcing = p
         .shaft_driven_field_force
         .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
-        .sub_product(t0, (inverse_shaft_standstill_band * shaft_driven_dot).tanh());
-    let shaft_end_forcing = p
-        .shaft_end_field_force
-        .sub_product(t0, (inverse_shaft_standstill_band * shaft_end_dot).tanh());
+        .sub_product(t2, t0);
+    let shaft_end_forcing = p.shaft_end_field_force.sub_product(t2, t1);
     [motor_phi_forcing, shaft_driven_forcing, shaft_end_forcing]
 }
 
@@ -838,6 +843,10 @@ pub fn prepared_rate_jacobian<R: Real>(
 ) -> [R; 30] {
     let [_, _, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
     motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
+    let [t0, t1] = R::tanh_each([
+        c.inverse_shaft_standstill_band * shaft_driven_dot,
+        c.inverse_shaft_standstill_band * shaft_end_dot,
+    ]);
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let shaft_engagement = R::literal(1.0)
@@ -846,8 +855,6 @@ pub fn prepared_rate_jacobian<R: Real>(
                 .exp());
     let shaft_load = shaft_engagement
         * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time).sin());
-    let t0 = (c.inverse_shaft_standstill_band * shaft_driven_dot).tanh();
-    let t1 = (c.inverse_shaft_standstill_band * shaft_end_dot).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
     let t2 = c.t10 * shaft_load;
@@ -898,7 +905,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 246 operations.
+/// 245 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -907,65 +914,68 @@ pub fn parameter_jacobian<R: Real>(
 ) -> [R; 50] {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
+    let t0 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
+    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t1, t2)] = R::sin_cos_each([
+        p.motor_supply_phase,
+        t0,
+    ]);
+    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+    let [t3, t4] = R::tanh_each([
+        inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot,
+    ]);
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
     let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
-    let cos_motor_supply_phase = p.motor_supply_phase.cos();
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * cos_motor_supply_phase;
-    let sin_motor_supply_phase = p.motor_supply_phase.sin();
-    let motor_u_y = t0 * sin_motor_supply_phase;
+    let t5 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t5 * cos_motor_supply_phase;
+    let motor_u_y = t5 * sin_motor_supply_phase;
     let coupling_ratio_times_shaft_driven = p.coupling_ratio * shaft_driven;
     let coupling_twist = motor_phi - coupling_ratio_times_shaft_driven;
-    let t1 = p.coupling_ratio * shaft_driven_dot;
-    let coupling_twist_rate = motor_omega - t1;
+    let t6 = p.coupling_ratio * shaft_driven_dot;
+    let coupling_twist_rate = motor_omega - t6;
     let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-    let t2 = (-(R::literal(1.0) / p.shaft_engagement_width
+    let t7 = (-(R::literal(1.0) / p.shaft_engagement_width
         * time_minus_shaft_engagement_time))
         .exp();
-    let t3 = R::literal(1.0) + t2;
-    let shaft_engagement = R::literal(1.0) / t3;
+    let t8 = R::literal(1.0) + t7;
+    let shaft_engagement = R::literal(1.0) / t8;
     let coupling_torque = (p.coupling_stiffness * coupling_twist)
         .add_product(p.coupling_damping, coupling_twist_rate);
-    let t4 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t9 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t5 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let t10 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t6 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t7 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t7 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
-        * t6;
-    let t8 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
-    let t9 = t8.sin();
-    let t10 = p.shaft_mean.add_product(p.shaft_amplitude, t9);
-    let shaft_load = shaft_engagement * t10;
-    let t11 = R::literal(0.5) * p.shaft_inertia;
-    let t12 = t11 / p.shaft_pieces;
+    let t11 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t12 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t12 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma
+        * t11;
+    let t13 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
+    let shaft_load = shaft_engagement * t13;
+    let t14 = R::literal(0.5) * p.shaft_inertia;
+    let t15 = t14 / p.shaft_pieces;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven_field_force = R::literal(1.0)
-        / (p.shaft_driven_field_inertia + t12);
+        / (p.shaft_driven_field_inertia + t15);
     let shaft_end_dot_dot_by_shaft_end_field_force = R::literal(1.0)
-        / (p.shaft_end_field_inertia + t12);
-    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let t13 = (inverse_shaft_standstill_band * shaft_driven_dot).tanh();
-    let t14 = R::literal(0.5) / p.shaft_pieces;
-    let t15 = t14 * shaft_load;
-    let t16 = (inverse_shaft_standstill_band * shaft_end_dot).tanh();
+        / (p.shaft_end_field_inertia + t15);
+    let t16 = R::literal(0.5) / p.shaft_pieces;
+    let t17 = t16 * shaft_load;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let shaft_driven_dot_dot = p
         .shaft_driven_field_force
         .add_product(p.coupling_stiffness * p.coupling_ratio, coupling_twist)
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate)
-        .sub_product(t15, t13) * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t15, t16)
+        .sub_product(t17, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t17, t4)
         * shaft_end_dot_dot_by_shaft_end_field_force;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t17 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t18 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t18 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let t19 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t19 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
+    let t20 = motor_k_s_times_motor_k_r - R::literal(1.0);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
@@ -973,49 +983,50 @@ pub fn parameter_jacobian<R: Real>(
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(
         3.0 * core::f64::consts::PI,
-    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t6
+    ) * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t11
         * inverse_motor_inertia;
-    let t20 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
+    let t21 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
         * motor_psi_sy)
-        .sub_product(t20, t4);
+        .sub_product(t21, t9);
     let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(
         core::f64::consts::TAU,
     ) * motor_psi_sx))
-        .sub_product(t20, t5);
-    let t21 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        .sub_product(t21, t10);
+    let t22 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
         * motor_psi_ry)
-        .add_product(t21, t17);
+        .add_product(t22, t18);
     let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(
         core::f64::consts::TAU,
     ) * motor_psi_rx))
-        .add_product(t21, t18);
+        .add_product(t22, t19);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r
-        * motor_omega_0 / motor_x_s_times_motor_sigma * t6 * inverse_motor_inertia;
+        * motor_omega_0 / motor_x_s_times_motor_sigma * t11 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t7 * motor_omega_0 / (p.motor_x_s * (t19 * t19))
+    let motor_omega_dot_by_motor_k_r = -(t12 * motor_omega_0
+        / (p.motor_x_s * (t20 * t20))
         * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
         * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
     let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
         * inverse_motor_inertia);
-    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t4);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t5);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t17;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t18;
+    let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t9);
+    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t10);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t18;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t19;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven
         - motor_phi) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let motor_omega_dot_by_coupling_damping = (t1 - motor_omega) * inverse_motor_inertia;
+    let motor_omega_dot_by_coupling_damping = (t6 - motor_omega) * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_damping = p.coupling_ratio * coupling_twist_rate
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let motor_omega_dot_by_coupling_ratio = (p.coupling_stiffness * shaft_driven)
@@ -1031,55 +1042,54 @@ pub fn parameter_jacobian<R: Real>(
             shaft_driven_dot,
         ) * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
-    let t22 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
-    let t23 = t11 / shaft_pieces_squared;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t22 * t13)
-        .add_product(t23, shaft_driven_dot_dot)
+    let t23 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
+    let t24 = t14 / shaft_pieces_squared;
+    let shaft_driven_dot_dot_by_shaft_pieces = (t23 * t3)
+        .add_product(t24, shaft_driven_dot_dot)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_pieces = (t22 * t16)
-        .add_product(t23, shaft_end_dot_dot)
+    let shaft_end_dot_dot_by_shaft_pieces = (t23 * t4)
+        .add_product(t24, shaft_end_dot_dot)
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_inertia = -(t14 * shaft_driven_dot_dot
+    let shaft_driven_dot_dot_by_shaft_inertia = -(t16 * shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_inertia = -(t14 * shaft_end_dot_dot
+    let shaft_end_dot_dot_by_shaft_inertia = -(t16 * shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t24 = t14 * shaft_engagement;
-    let shaft_driven_dot_dot_by_shaft_mean = -(t24 * t13
+    let t25 = t16 * shaft_engagement;
+    let shaft_driven_dot_dot_by_shaft_mean = -(t25 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_mean = -(t24 * t16
+    let shaft_end_dot_dot_by_shaft_mean = -(t25 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t25 = t24 * t9;
-    let shaft_driven_dot_dot_by_shaft_amplitude = -(t25 * t13
+    let t26 = t25 * t1;
+    let shaft_driven_dot_dot_by_shaft_amplitude = -(t26 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_amplitude = -(t25 * t16
+    let shaft_end_dot_dot_by_shaft_amplitude = -(t26 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t26 = R::literal(0.016_666_666_666_666_666) * p.shaft_amplitude
-        * R::literal(core::f64::consts::PI * core::f64::consts::PI) / p.shaft_pieces
-        * time * shaft_engagement * t8.cos();
-    let shaft_driven_dot_dot_by_shaft_speed = -(t26 * t13
+    let t27 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces
+        * time * shaft_engagement * t2;
+    let shaft_driven_dot_dot_by_shaft_speed = -(t27 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_speed = -(t26 * t16
+    let shaft_end_dot_dot_by_shaft_speed = -(t27 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t27 = t3 * t3;
-    let t28 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t10 * t2;
-    let shaft_driven_dot_dot_by_shaft_engagement_time = t28 * t13 / t27
+    let t28 = t8 * t8;
+    let t29 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t13 * t7;
+    let shaft_driven_dot_dot_by_shaft_engagement_time = t29 * t3 / t28
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_engagement_time = t28 * t16 / t27
-        * shaft_end_dot_dot_by_shaft_end_field_force;
-    let t29 = R::literal(0.5)
-        / (p.shaft_pieces * (p.shaft_engagement_width * p.shaft_engagement_width))
-        * time_minus_shaft_engagement_time * t10 * t2;
-    let shaft_driven_dot_dot_by_shaft_engagement_width = t29 * t13 / t27
-        * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_engagement_width = t29 * t16 / t27
+    let shaft_end_dot_dot_by_shaft_engagement_time = t29 * t4 / t28
         * shaft_end_dot_dot_by_shaft_end_field_force;
     let t30 = R::literal(0.5)
-        / (p.shaft_pieces * (p.shaft_standstill_band * p.shaft_standstill_band));
-    let shaft_driven_dot_dot_by_shaft_standstill_band = t30 * shaft_driven_dot
-        * shaft_load * R::literal(1.0).sub_product(t13, t13)
+        / (p.shaft_pieces * (p.shaft_engagement_width * p.shaft_engagement_width))
+        * time_minus_shaft_engagement_time * t13 * t7;
+    let shaft_driven_dot_dot_by_shaft_engagement_width = t30 * t3 / t28
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_standstill_band = t30 * shaft_end_dot * shaft_load
-        * R::literal(1.0).sub_product(t16, t16)
+    let shaft_end_dot_dot_by_shaft_engagement_width = t30 * t4 / t28
+        * shaft_end_dot_dot_by_shaft_end_field_force;
+    let t31 = R::literal(0.5)
+        / (p.shaft_pieces * (p.shaft_standstill_band * p.shaft_standstill_band));
+    let shaft_driven_dot_dot_by_shaft_standstill_band = t31 * shaft_driven_dot
+        * shaft_load * R::literal(1.0).sub_product(t3, t3)
+        * shaft_driven_dot_dot_by_shaft_driven_field_force;
+    let shaft_end_dot_dot_by_shaft_standstill_band = t31 * shaft_end_dot * shaft_load
+        * R::literal(1.0).sub_product(t4, t4)
         * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
@@ -1150,25 +1160,28 @@ pub fn time_derivative<R: Real>(
 ) -> [R; STATES] {
     let [_, _, _, _, shaft_driven_dot, shaft_end_dot, ..] = *state;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let t0 = (-(R::literal(1.0) / p.shaft_engagement_width
+    let t0 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
+    let (t1, t2) = t0.sin_cos();
+    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+    let [t3, t4] = R::tanh_each([
+        inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot,
+    ]);
+    let t5 = (-(R::literal(1.0) / p.shaft_engagement_width
         * (time - p.shaft_engagement_time)))
         .exp();
-    let t1 = R::literal(1.0) + t0;
-    let shaft_engagement = R::literal(1.0) / t1;
-    let t2 = R::literal(core::f64::consts::PI) * shaft_omega_2 * time;
-    let t3 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
-    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let t4 = (inverse_shaft_standstill_band * shaft_driven_dot).tanh();
-    let t5 = (inverse_shaft_standstill_band * shaft_end_dot).tanh();
-    let t6 = t1 * t1;
-    let t7 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width)
-        * p.shaft_mean.add_product(p.shaft_amplitude, t2.sin()) * t0;
-    let t8 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude * shaft_omega_2
-        / p.shaft_pieces * shaft_engagement * t2.cos();
-    let shaft_driven_dot_dot_by_time = (-(t7 * t4 / t6)).sub_product(t8, t4)
-        * (R::literal(1.0) / (p.shaft_driven_field_inertia + t3));
-    let shaft_end_dot_dot_by_time = (-(t7 * t5 / t6)).sub_product(t8, t5)
-        * (R::literal(1.0) / (p.shaft_end_field_inertia + t3));
+    let t6 = R::literal(1.0) + t5;
+    let shaft_engagement = R::literal(1.0) / t6;
+    let t7 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
+    let t8 = t6 * t6;
+    let t9 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width)
+        * p.shaft_mean.add_product(p.shaft_amplitude, t1) * t5;
+    let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude
+        * shaft_omega_2 / p.shaft_pieces * shaft_engagement * t2;
+    let shaft_driven_dot_dot_by_time = (-(t9 * t3 / t8)).sub_product(t10, t3)
+        * (R::literal(1.0) / (p.shaft_driven_field_inertia + t7));
+    let shaft_end_dot_dot_by_time = (-(t9 * t4 / t8)).sub_product(t10, t4)
+        * (R::literal(1.0) / (p.shaft_end_field_inertia + t7));
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -1254,13 +1267,22 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot,
     motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
-    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
+    let [(sin_motor_supply_phase, cos_motor_supply_phase), (t0, _)] = R::sin_cos_each([
+        p.motor_supply_phase,
+        R::literal(core::f64::consts::PI) * shaft_omega_2 * time,
+    ]);
+    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
+    let [t1, t2] = R::tanh_each([
+        inverse_shaft_standstill_band * shaft_driven_dot,
+        inverse_shaft_standstill_band * shaft_end_dot,
+    ]);
+    let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_x_r = p.motor_k_s * p.motor_x_s / p.motor_k_r;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_x = t0 * p.motor_supply_phase.cos();
-    let motor_u_y = t0 * p.motor_supply_phase.sin();
+    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_x = t3 * cos_motor_supply_phase;
+    let motor_u_y = t3 * sin_motor_supply_phase;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
     let coupling_twist_rate = motor_omega
         .sub_product(p.coupling_ratio, shaft_driven_dot);
@@ -1271,51 +1293,42 @@ pub fn power_balance<R: Real>(
             + (-(R::literal(1.0) / p.shaft_engagement_width
                 * (time - p.shaft_engagement_time)))
                 .exp());
-    let t1 = p.coupling_stiffness * coupling_twist;
-    let coupling_torque = t1.add_product(p.coupling_damping, coupling_twist_rate);
-    let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
+    let t4 = p.coupling_stiffness * coupling_twist;
+    let coupling_torque = t4.add_product(p.coupling_damping, coupling_twist_rate);
+    let t5 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t3 = motor_omega_0 / motor_x_s_times_motor_sigma;
-    let motor_i_sx = t3 * t2;
-    let t4 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
-    let motor_i_sy = t3 * t4;
+    let t6 = motor_omega_0 / motor_x_s_times_motor_sigma;
+    let motor_i_sx = t6 * t5;
+    let t7 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
+    let motor_i_sy = t6 * t7;
     let motor_k_s_times_motor_psi_sx = p.motor_k_s * motor_psi_sx;
-    let t5 = motor_omega_0 / (motor_sigma * motor_x_r);
-    let motor_i_rx = t5 * (motor_psi_rx - motor_k_s_times_motor_psi_sx);
+    let t8 = motor_omega_0 / (motor_sigma * motor_x_r);
+    let motor_i_rx = t8 * (motor_psi_rx - motor_k_s_times_motor_psi_sx);
     let motor_k_s_times_motor_psi_sy = p.motor_k_s * motor_psi_sy;
-    let motor_i_ry = t5 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
+    let motor_i_ry = t8 * (motor_psi_ry - motor_k_s_times_motor_psi_sy);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma
         * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
-    let shaft_load = shaft_engagement
-        * p
-            .shaft_mean
-            .add_product(
-                p.shaft_amplitude,
-                (R::literal(core::f64::consts::PI) * shaft_omega_2 * time).sin(),
-            );
-    let t6 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
-    let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-    let t7 = R::literal(0.5) / p.shaft_pieces * shaft_load;
-    let t8 = t7 * (inverse_shaft_standstill_band * shaft_driven_dot).tanh();
-    let t9 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
-    let t10 = p.coupling_damping * p.coupling_ratio;
-    let t11 = p
-        .shaft_end_field_force
-        .sub_product(t7, (inverse_shaft_standstill_band * shaft_end_dot).tanh());
+    let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, t0);
+    let t9 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
+    let t10 = R::literal(0.5) / p.shaft_pieces * shaft_load;
+    let t11 = t10 * t1;
+    let t12 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
+    let t13 = p.coupling_damping * p.coupling_ratio;
+    let t14 = p.shaft_end_field_force.sub_product(t10, t2);
     let motor_omega_dot = (motor_torque - coupling_torque)
         * (R::literal(1.0) / p.motor_inertia);
-    let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t9)
-        .add_product(t10, coupling_twist_rate) - t8)
-        * (R::literal(1.0) / (p.shaft_driven_field_inertia + t6));
-    let shaft_end_dot_dot = t11 * (R::literal(1.0) / (p.shaft_end_field_inertia + t6));
+    let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t12)
+        .add_product(t13, coupling_twist_rate) - t11)
+        * (R::literal(1.0) / (p.shaft_driven_field_inertia + t9));
+    let shaft_end_dot_dot = t14 * (R::literal(1.0) / (p.shaft_end_field_inertia + t9));
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x
         .add_product(motor_omega_0, motor_psi_sy)
-        .sub_product(motor_alpha_s_times_motor_omega_0, t2);
+        .sub_product(motor_alpha_s_times_motor_omega_0, t5);
     let motor_psi_sy_dot = motor_u_y
         .sub_product(motor_omega_0, motor_psi_sx)
-        .sub_product(motor_alpha_s_times_motor_omega_0, t4);
+        .sub_product(motor_alpha_s_times_motor_omega_0, t7);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_psi_rx_dot = (motor_psi_ry * motor_slip_speed)
         .add_product(
@@ -1325,53 +1338,53 @@ pub fn power_balance<R: Real>(
     let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0
         * (motor_k_s_times_motor_psi_sy - motor_psi_ry))
         .sub_product(motor_psi_rx, motor_slip_speed);
-    let t12 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t13 = (t1 * motor_omega)
-        .sub_product(t9, shaft_driven_dot)
+    let t15 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t16 = (t4 * motor_omega)
+        .sub_product(t12, shaft_driven_dot)
         .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
         .add_product(
             (p.shaft_driven_field_inertia * shaft_driven_dot)
-                .add_product(t6, shaft_driven_dot),
+                .add_product(t9, shaft_driven_dot),
             shaft_driven_dot_dot,
         )
         .add_product(
-            (p.shaft_end_field_inertia * shaft_end_dot).add_product(t6, shaft_end_dot),
+            (p.shaft_end_field_inertia * shaft_end_dot).add_product(t9, shaft_end_dot),
             shaft_end_dot_dot,
         )
         .add_product(
             R::literal(0.75)
                 * motor_i_sx
-                    .add_product(t3, motor_psi_sx)
-                    .sub_product(t12, motor_psi_rx),
+                    .add_product(t6, motor_psi_sx)
+                    .sub_product(t15, motor_psi_rx),
             motor_psi_sx_dot,
         )
         .add_product(
             R::literal(0.75)
                 * motor_i_sy
-                    .add_product(t3, motor_psi_sy)
-                    .sub_product(t12, motor_psi_ry),
+                    .add_product(t6, motor_psi_sy)
+                    .sub_product(t15, motor_psi_ry),
             motor_psi_sy_dot,
         )
         .add_product(
             R::literal(0.75)
                 * motor_i_rx
-                    .add_product(t5, motor_psi_rx)
-                    .sub_product(t12, motor_psi_sx),
+                    .add_product(t8, motor_psi_rx)
+                    .sub_product(t15, motor_psi_sx),
             motor_psi_rx_dot,
         );
     PowerBalance {
-        stored_rate: t13
+        stored_rate: t16
             .add_product(
                 R::literal(0.75)
                     * motor_i_ry
-                        .add_product(t5, motor_psi_ry)
-                        .sub_product(t12, motor_psi_sy),
+                        .add_product(t8, motor_psi_ry)
+                        .sub_product(t15, motor_psi_sy),
                 motor_psi_ry_dot,
             ),
         supplied: (R::literal(1.5)
             * (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy))
-            .add_product(shaft_driven_dot, p.shaft_driven_field_force - t8)
-            .add_product(shaft_end_dot, t11),
+            .add_product(shaft_driven_dot, p.shaft_driven_field_force - t11)
+            .add_product(shaft_end_dot, t14),
         dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
             .add_product(
                 R::literal(1.5),
@@ -1382,7 +1395,7 @@ pub fn power_balance<R: Real>(
                         (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry),
                     ),
             )
-            .sub_product(t10 * shaft_driven_dot, coupling_twist_rate),
+            .sub_product(t13 * shaft_driven_dot, coupling_twist_rate),
     }
 }
 
@@ -1851,8 +1864,8 @@ pub mod shaft_phi {
     #[inline(always)]
     pub fn inertia<R: Real>(_x: R, p: &Parameters<R>) -> [R; 1] {
         [
-            p.shaft_inertia * (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
-                / p.shaft_length,
+            p.shaft_inertia * (p.shaft_pieces - R::literal(1.0))
+                / (p.shaft_length * p.shaft_pieces),
         ]
     }
     /// dm/dx, then dm/dp of `PARAMETERS`.
@@ -1866,7 +1879,7 @@ pub mod shaft_phi {
             p.shaft_inertia * (R::literal(1.0) - p.shaft_pieces)
                 / (p.shaft_length * p.shaft_length * p.shaft_pieces),
             p.shaft_inertia / (p.shaft_length * (p.shaft_pieces * p.shaft_pieces)),
-            (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length,
+            (p.shaft_pieces - R::literal(1.0)) / (p.shaft_length * p.shaft_pieces),
             R::literal(0.0),
             R::literal(0.0),
             R::literal(0.0),
@@ -1880,7 +1893,7 @@ pub mod shaft_phi {
     }
     /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x.
     ///
-    /// 30 operations.
+    /// 29 operations.
     #[must_use]
     #[inline]
     pub fn force<R: Real>(
@@ -1896,9 +1909,7 @@ pub mod shaft_phi {
                     .shaft_mean
                     .add_product(
                         p.shaft_amplitude,
-                        (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                            * time)
+                        (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time)
                             .sin(),
                     ) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
                 / (R::literal(1.0)
@@ -1912,7 +1923,7 @@ pub mod shaft_phi {
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt.
     ///
-    /// 33 operations.
+    /// 32 operations.
     #[must_use]
     #[inline]
     pub fn force_jacobian<R: Real>(
@@ -1922,22 +1933,20 @@ pub mod shaft_phi {
         p: &Parameters<R>,
     ) -> [R; 8] {
         let [_, _, phi_dot, _] = *point;
-        let t0 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
-        let t1 = p.shaft_pieces - R::literal(1.0);
+        let t0 = p.shaft_pieces - R::literal(1.0);
+        let t1 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
         let t2 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
         [
             R::literal(0.0),
             R::literal(0.0),
             -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
                 / (p.shaft_length * p.shaft_standstill_band)
-                * R::literal(1.0).sub_product(t0, t0)
+                * R::literal(1.0).sub_product(t1, t1)
                 * p
                     .shaft_mean
                     .add_product(
                         p.shaft_amplitude,
-                        (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                            * time)
+                        (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time)
                             .sin(),
                     )
                 / (R::literal(1.0)
@@ -1946,14 +1955,14 @@ pub mod shaft_phi {
                         .exp())),
             R::literal(0.0),
             R::literal(0.0),
-            -(t2 / t1),
+            -(t2 / t0),
             R::literal(0.0),
-            -(t2 * p.shaft_loss_time / t1),
+            -(t2 * p.shaft_loss_time / t0),
         ]
     }
     /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`.
     ///
-    /// 105 operations.
+    /// 104 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(
@@ -1963,68 +1972,66 @@ pub mod shaft_phi {
         p: &Parameters<R>,
     ) -> [R; 28] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
-        let t0 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        let t1 = R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
-        let t2 = t1.sin();
-        let t3 = p.shaft_mean.add_product(p.shaft_amplitude, t2);
+        let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
+        let (t1, t2) = t0.sin_cos();
+        let t3 = p.shaft_pieces - R::literal(1.0);
+        let shaft_length_times_shaft_pieces = p.shaft_length * p.shaft_pieces;
+        let t4 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
+        let t5 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
         let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
         let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
-        let t4 = (-(inverse_shaft_engagement_width * time_minus_shaft_engagement_time))
+        let t6 = (-(inverse_shaft_engagement_width * time_minus_shaft_engagement_time))
             .exp();
-        let t5 = R::literal(1.0) + t4;
-        let t6 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
-        let t7 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
-        let t8 = p.shaft_pieces - R::literal(1.0);
-        let t9 = p.shaft_pieces * p.shaft_shear_modulus;
-        let t10 = t5 * t5;
-        let t11 = t0 / (p.shaft_length * p.shaft_engagement_width) * t3 * t4 * t6 / t10;
-        let t12 = t1.cos();
+        let t7 = R::literal(1.0) + t6;
+        let t8 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
+        let t9 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
+        let t10 = p.shaft_pieces * p.shaft_shear_modulus;
+        let t11 = t7 * t7;
+        let t12 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t11;
         let t13 = R::literal(1.0)
             + (p.shaft_engagement_time / p.shaft_engagement_width)
                 .sub_product(inverse_shaft_engagement_width, time)
                 .exp();
-        let shaft_length_times_shaft_pieces = p.shaft_length * p.shaft_pieces;
         let t14 = (R::literal(1.0) - p.shaft_pieces) / shaft_length_times_shaft_pieces;
         [
             R::literal(0.0),
             R::literal(0.0),
-            -t11
+            -t12
                 - R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude
-                    * p.shaft_speed * t0
+                    * p.shaft_speed * t4
                     * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                    / p.shaft_length * t12 * t6 / t5,
+                    / p.shaft_length * t2 * t8 / t7,
             R::literal(0.0),
-            t0 / (p.shaft_length * p.shaft_length) * t3 * t6 / t5,
+            t4 / (p.shaft_length * p.shaft_length) * t5 * t8 / t7,
             R::literal(0.0),
-            -(R::literal(1.0) / (p.shaft_length * (p.shaft_pieces * p.shaft_pieces)) * t3
-                * t6 / t5),
-            p.shaft_shear_modulus * p.shaft_polar_moment / (t8 * t8) * t7,
+            -(R::literal(1.0) / (p.shaft_length * (p.shaft_pieces * p.shaft_pieces)) * t5
+                * t8 / t7),
+            p.shaft_shear_modulus * p.shaft_polar_moment / (t3 * t3) * t9,
             R::literal(0.0),
             R::literal(0.0),
             R::literal(0.0),
-            -(p.shaft_pieces * p.shaft_polar_moment / t8 * t7),
+            -(p.shaft_pieces * p.shaft_polar_moment / t3 * t9),
             R::literal(0.0),
-            -(t9 / t8 * t7),
+            -(t10 / t3 * t9),
             R::literal(0.0),
-            -(t9 * p.shaft_polar_moment / t8 * phi_x_dot),
-            t14 * t6 / t13,
+            -(t10 * p.shaft_polar_moment / t3 * phi_x_dot),
+            t14 * t8 / t13,
             R::literal(0.0),
-            t14 * t2 * t6 / t13,
+            t14 * t1 * t8 / t13,
             R::literal(0.0),
             p.shaft_amplitude
                 * R::literal(0.033_333_333_333_333_33)
                     .sub_product(R::literal(0.033_333_333_333_333_33), p.shaft_pieces)
                 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                / shaft_length_times_shaft_pieces * time * t12 * t6 / t13,
+                / shaft_length_times_shaft_pieces * time * t2 * t8 / t13,
             R::literal(0.0),
-            t11,
+            t12,
             R::literal(0.0),
-            t0 / (p.shaft_length * (p.shaft_engagement_width * p.shaft_engagement_width))
-                * time_minus_shaft_engagement_time * t3 * t4 * t6 / t10,
+            t4 / (p.shaft_length * (p.shaft_engagement_width * p.shaft_engagement_width))
+                * time_minus_shaft_engagement_time * t5 * t6 * t8 / t11,
             R::literal(0.0),
-            t0 / (p.shaft_length * (p.shaft_standstill_band * p.shaft_standstill_band))
-                * phi_dot * R::literal(1.0).sub_product(t6, t6) * t3 / t5,
+            t4 / (p.shaft_length * (p.shaft_standstill_band * p.shaft_standstill_band))
+                * phi_dot * R::literal(1.0).sub_product(t8, t8) * t5 / t7,
             R::literal(0.0),
         ]
     }
@@ -2050,7 +2057,7 @@ pub mod shaft_phi {
     }
     /// Rate of V, power supplied and power dissipated, a length \[W/m\].
     ///
-    /// 31 operations.
+    /// 30 operations.
     #[must_use]
     #[inline]
     pub fn power<R: Real>(
@@ -2069,9 +2076,7 @@ pub mod shaft_phi {
                     .shaft_mean
                     .add_product(
                         p.shaft_amplitude,
-                        (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-                            * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                            * time)
+                        (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time)
                             .sin(),
                     ) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
                 / (R::literal(1.0)
@@ -2148,7 +2153,7 @@ pub mod shaft_phi {
     }
     /// f_0 alone, at many points.
     ///
-    /// 17 operations for all points, 5 for each.
+    /// 16 operations for all points, 5 for each.
     pub fn on_value<R: Real>(
         time: R,
         at: &[R],
@@ -2167,10 +2172,7 @@ pub mod shaft_phi {
                 .shaft_mean
                 .add_product(
                     p.shaft_amplitude,
-                    (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-                        * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-                        * time)
-                        .sin(),
+                    (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time).sin(),
                 );
         for (((_, _), &phi_dot), force) in at.iter().zip(u).zip(u_t).zip(force) {
             *force = -(t1 * (inverse_shaft_standstill_band * phi_dot).tanh() / t0);
@@ -2178,7 +2180,7 @@ pub mod shaft_phi {
     }
     /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 17 operations for all points, 8 for each.
+    /// 16 operations for all points, 8 for each.
     pub fn on_value_jacobian<R: Real>(
         time: R,
         at: &[R],
@@ -2192,9 +2194,7 @@ pub mod shaft_phi {
             .shaft_mean
             .add_product(
                 p.shaft_amplitude,
-                (R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-                    * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time)
-                    .sin(),
+                (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time).sin(),
             );
         let t1 = R::literal(1.0)
             + (-(R::literal(1.0) / p.shaft_engagement_width
@@ -2217,7 +2217,7 @@ pub mod shaft_phi {
     }
     /// df_0/dt, at many points.
     ///
-    /// 27 operations for all points, 8 for each.
+    /// 26 operations for all points, 8 for each.
     pub fn on_value_by_time<R: Real>(
         time: R,
         at: &[R],
@@ -2226,23 +2226,23 @@ pub mod shaft_phi {
         p: &Parameters<R>,
         by_time: &mut [R],
     ) {
-        let t0 = (-(R::literal(1.0) / p.shaft_engagement_width
+        let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
+        let (t1, t2) = t0.sin_cos();
+        let t3 = (-(R::literal(1.0) / p.shaft_engagement_width
             * (time - p.shaft_engagement_time)))
             .exp();
-        let t1 = R::literal(1.0) + t0;
+        let t4 = R::literal(1.0) + t3;
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-        let t2 = t1 * t1;
-        let t3 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        let t4 = R::literal(0.033_333_333_333_333_33) * p.shaft_speed
-            * R::literal(core::f64::consts::PI * core::f64::consts::PI) * time;
-        let t5 = t3 / (p.shaft_length * p.shaft_engagement_width)
-            * p.shaft_mean.add_product(p.shaft_amplitude, t4.sin()) * t0;
-        let t6 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed
-            * t3 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
-            / p.shaft_length * t4.cos();
+        let t5 = t4 * t4;
+        let t6 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
+        let t7 = t6 / (p.shaft_length * p.shaft_engagement_width)
+            * p.shaft_mean.add_product(p.shaft_amplitude, t1) * t3;
+        let t8 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed
+            * t6 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+            / p.shaft_length * t2;
         for (((_, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
             let t0 = (inverse_shaft_standstill_band * phi_dot).tanh();
-            *by_time = -(t5 * t0 / t2) - t6 * t0 / t1;
+            *by_time = -(t7 * t0 / t5) - t8 * t0 / t4;
         }
     }
     /// f_1 alone, at many points.

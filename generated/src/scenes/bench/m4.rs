@@ -566,23 +566,24 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [shaft_driven, shaft_reed, shaft_driven_dot, shaft_reed_dot] = *state;
     let t0 = R::literal(8.0 * core::f64::consts::PI) * time;
-    let drive = R::literal(0.12) * t0.sin();
+    let (t1, t2) = t0.sin_cos();
+    let drive = R::literal(0.12) * t1;
     let reed_mass_times_reed_radius_squared = p.reed_mass
         * (p.reed_radius * p.reed_radius);
     let shaft_driven_minus_drive = shaft_driven - drive;
-    let t1 = p.drive_spring_stiffness * shaft_driven_minus_drive;
-    let t2 = p.ground_spring_stiffness * shaft_reed;
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t1)
+    let t3 = p.drive_spring_stiffness * shaft_driven_minus_drive;
+    let t4 = p.ground_spring_stiffness * shaft_reed;
+    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t3)
         * (R::literal(1.0) / p.shaft_driven_field_inertia);
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t2)
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t4)
         * (R::literal(1.0)
             / (p.shaft_reed_field_inertia + reed_mass_times_reed_radius_squared));
-    let t3 = R::literal(3.015_928_947_446_201) * p.drive_spring_stiffness
-        * shaft_driven_minus_drive * t0.cos();
+    let t5 = R::literal(3.015_928_947_446_201) * p.drive_spring_stiffness
+        * shaft_driven_minus_drive * t2;
     PowerBalance {
-        stored_rate: (-t3)
-            .add_product(t1, shaft_driven_dot)
-            .add_product(t2, shaft_reed_dot)
+        stored_rate: (-t5)
+            .add_product(t3, shaft_driven_dot)
+            .add_product(t4, shaft_reed_dot)
             .add_product(
                 p.shaft_driven_field_inertia * shaft_driven_dot,
                 shaft_driven_dot_dot,
@@ -593,7 +594,7 @@ pub fn power_balance<R: Real>(
                 shaft_reed_dot_dot,
             ),
         supplied: (p.shaft_driven_field_force * shaft_driven_dot)
-            .add_product(p.shaft_reed_field_force, shaft_reed_dot) - t3,
+            .add_product(p.shaft_reed_field_force, shaft_reed_dot) - t5,
         dissipated: R::literal(0.0),
     }
 }

@@ -178,8 +178,12 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [winder_q, winder_v] = *state;
-    let winder_v_dot = (R::literal(8.4) * (R::literal(220.0) * time).sin())
-        .add_product(R::literal(25.0), (R::literal(110.0) * time).sin())
+    let [(t0, _), (t1, _)] = R::sin_cos_each([
+        R::literal(220.0) * time,
+        R::literal(110.0) * time,
+    ]);
+    let winder_v_dot = (R::literal(8.4) * t0)
+        .add_product(R::literal(25.0), t1)
         .sub_product(R::literal(45800.0), winder_q)
         .sub_product(R::literal(95.0), winder_v) * R::literal(0.476_190_476_190_476_16);
     [winder_v, winder_v_dot]
@@ -207,8 +211,12 @@ pub fn forcing<R: Real>(
     _p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [winder_q, winder_v] = *state;
-    let winder_q_forcing = (R::literal(8.4) * (R::literal(220.0) * time).sin())
-        .add_product(R::literal(25.0), (R::literal(110.0) * time).sin())
+    let [(t0, _), (t1, _)] = R::sin_cos_each([
+        R::literal(220.0) * time,
+        R::literal(110.0) * time,
+    ]);
+    let winder_q_forcing = (R::literal(8.4) * t0)
+        .add_product(R::literal(25.0), t1)
         .sub_product(R::literal(45800.0), winder_q)
         .sub_product(R::literal(95.0), winder_v);
     [winder_q_forcing]
@@ -251,9 +259,12 @@ pub fn time_derivative<R: Real>(
     _state: &[R; STATES],
     _p: &Parameters<R>,
 ) -> [R; STATES] {
-    let winder_v_dot_by_time = (R::literal(1848.0) * (R::literal(220.0) * time).cos())
-        .add_product(R::literal(2750.0), (R::literal(110.0) * time).cos())
-        * R::literal(0.476_190_476_190_476_16);
+    let [(_, t0), (_, t1)] = R::sin_cos_each([
+        R::literal(220.0) * time,
+        R::literal(110.0) * time,
+    ]);
+    let winder_v_dot_by_time = (R::literal(1848.0) * t0)
+        .add_product(R::literal(2750.0), t1) * R::literal(0.476_190_476_190_476_16);
     [R::literal(0.0), winder_v_dot_by_time]
 }
 
@@ -303,24 +314,23 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [winder_q, winder_v] = *state;
     let t0 = R::literal(220.0) * time;
-    let t1 = t0.sin();
+    let [(t1, t2), (t3, _)] = R::sin_cos_each([t0, R::literal(110.0) * time]);
     let winder_surface = R::literal(0.0002) * t1;
-    let t2 = (R::literal(110.0) * time).sin();
     let winder_v_dot = (R::literal(8.4) * t1)
-        .add_product(R::literal(25.0), t2)
+        .add_product(R::literal(25.0), t3)
         .sub_product(R::literal(45800.0), winder_q)
         .sub_product(R::literal(95.0), winder_v) * R::literal(0.476_190_476_190_476_16);
     let winder_q_minus_winder_surface = winder_q - winder_surface;
-    let t3 = R::literal(1848.0) * winder_q_minus_winder_surface * t0.cos();
+    let t4 = R::literal(1848.0) * winder_q_minus_winder_surface * t2;
     PowerBalance {
-        stored_rate: (-t3)
+        stored_rate: (-t4)
             .add_product(
                 (R::literal(3800.0) * winder_q)
                     .add_product(R::literal(42000.0), winder_q_minus_winder_surface),
                 winder_v,
             )
             .add_product(R::literal(2.1) * winder_v, winder_v_dot),
-        supplied: (-t3).add_product(R::literal(25.0) * winder_v, t2),
+        supplied: (-t4).add_product(R::literal(25.0) * winder_v, t3),
         dissipated: R::literal(95.0) * (winder_v * winder_v),
     }
 }

@@ -648,681 +648,677 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
-    let sin_chain_theta_3 = chain_theta_3.sin();
-    let cos_chain_theta_3 = chain_theta_3.cos();
-    let sin_chain_theta_4 = chain_theta_4.sin();
-    let cos_chain_theta_4 = chain_theta_4.cos();
-    let sin_chain_theta_5 = chain_theta_5.sin();
-    let cos_chain_theta_5 = chain_theta_5.cos();
-    let sin_chain_theta_6 = chain_theta_6.sin();
-    let cos_chain_theta_6 = chain_theta_6.cos();
-    let sin_chain_theta_7 = chain_theta_7.sin();
-    let cos_chain_theta_7 = chain_theta_7.cos();
-    let sin_chain_theta_8 = chain_theta_8.sin();
-    let cos_chain_theta_8 = chain_theta_8.cos();
-    let sin_chain_theta_9 = chain_theta_9.sin();
-    let cos_chain_theta_9 = chain_theta_9.cos();
-    let sin_chain_theta_10 = chain_theta_10.sin();
-    let cos_chain_theta_10 = chain_theta_10.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+        chain_theta_6,
+        chain_theta_7,
+        chain_theta_8,
+        chain_theta_9,
+        chain_theta_10,
+    ]);
     let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
         .sub_product(cos_chain_theta_1, sin_chain_theta_2);
-    let t1 = R::literal(9.0)
-        * (cos_chain_theta_1 * cos_chain_theta_2)
-            .add_product(sin_chain_theta_1, sin_chain_theta_2);
-    let t2 = (sin_chain_theta_1 * cos_chain_theta_3)
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
+        .add_product(sin_chain_theta_1, sin_chain_theta_2);
+    let t2 = R::literal(9.0) * t1;
+    let t3 = (sin_chain_theta_1 * cos_chain_theta_3)
         .sub_product(cos_chain_theta_1, sin_chain_theta_3);
-    let t3 = R::literal(8.0)
-        * (cos_chain_theta_1 * cos_chain_theta_3)
-            .add_product(sin_chain_theta_1, sin_chain_theta_3);
-    let t4 = (sin_chain_theta_1 * cos_chain_theta_4)
+    let t4 = (cos_chain_theta_1 * cos_chain_theta_3)
+        .add_product(sin_chain_theta_1, sin_chain_theta_3);
+    let t5 = R::literal(8.0) * t4;
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_4)
         .sub_product(cos_chain_theta_1, sin_chain_theta_4);
-    let t5 = R::literal(7.0)
-        * (cos_chain_theta_1 * cos_chain_theta_4)
-            .add_product(sin_chain_theta_1, sin_chain_theta_4);
-    let t6 = (sin_chain_theta_1 * cos_chain_theta_5)
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_1, sin_chain_theta_4);
+    let t8 = R::literal(7.0) * t7;
+    let t9 = (sin_chain_theta_1 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_1, sin_chain_theta_5);
-    let t7 = R::literal(6.0)
-        * (cos_chain_theta_1 * cos_chain_theta_5)
-            .add_product(sin_chain_theta_1, sin_chain_theta_5);
-    let t8 = (sin_chain_theta_1 * cos_chain_theta_6)
+    let t10 = (cos_chain_theta_1 * cos_chain_theta_5)
+        .add_product(sin_chain_theta_1, sin_chain_theta_5);
+    let t11 = R::literal(6.0) * t10;
+    let t12 = (sin_chain_theta_1 * cos_chain_theta_6)
         .sub_product(cos_chain_theta_1, sin_chain_theta_6);
-    let t9 = R::literal(5.0)
-        * (cos_chain_theta_1 * cos_chain_theta_6)
-            .add_product(sin_chain_theta_1, sin_chain_theta_6);
-    let t10 = (sin_chain_theta_1 * cos_chain_theta_7)
+    let t13 = (cos_chain_theta_1 * cos_chain_theta_6)
+        .add_product(sin_chain_theta_1, sin_chain_theta_6);
+    let t14 = R::literal(5.0) * t13;
+    let t15 = (sin_chain_theta_1 * cos_chain_theta_7)
         .sub_product(cos_chain_theta_1, sin_chain_theta_7);
-    let t11 = R::literal(4.0)
-        * (cos_chain_theta_1 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_1, sin_chain_theta_7);
-    let t12 = (sin_chain_theta_1 * cos_chain_theta_8)
+    let t16 = (cos_chain_theta_1 * cos_chain_theta_7)
+        .add_product(sin_chain_theta_1, sin_chain_theta_7);
+    let t17 = R::literal(4.0) * t16;
+    let t18 = (sin_chain_theta_1 * cos_chain_theta_8)
         .sub_product(cos_chain_theta_1, sin_chain_theta_8);
-    let t13 = R::literal(3.0)
-        * (cos_chain_theta_1 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_1, sin_chain_theta_8);
-    let t14 = (sin_chain_theta_1 * cos_chain_theta_9)
+    let t19 = (cos_chain_theta_1 * cos_chain_theta_8)
+        .add_product(sin_chain_theta_1, sin_chain_theta_8);
+    let t20 = R::literal(3.0) * t19;
+    let t21 = (sin_chain_theta_1 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_1, sin_chain_theta_9);
-    let t15 = R::literal(2.0)
-        * (cos_chain_theta_1 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_1, sin_chain_theta_9);
-    let t16 = (sin_chain_theta_1 * cos_chain_theta_10)
+    let t22 = (cos_chain_theta_1 * cos_chain_theta_9)
+        .add_product(sin_chain_theta_1, sin_chain_theta_9);
+    let t23 = R::literal(2.0) * t22;
+    let t24 = (sin_chain_theta_1 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_1, sin_chain_theta_10);
-    let t17 = (cos_chain_theta_1 * cos_chain_theta_10)
+    let t25 = (cos_chain_theta_1 * cos_chain_theta_10)
         .add_product(sin_chain_theta_1, sin_chain_theta_10);
-    let t18 = (sin_chain_theta_2 * cos_chain_theta_3)
+    let t26 = (sin_chain_theta_2 * cos_chain_theta_3)
         .sub_product(cos_chain_theta_2, sin_chain_theta_3);
-    let t19 = (sin_chain_theta_2 * cos_chain_theta_4)
+    let t27 = (sin_chain_theta_2 * cos_chain_theta_4)
         .sub_product(cos_chain_theta_2, sin_chain_theta_4);
-    let t20 = (sin_chain_theta_2 * cos_chain_theta_5)
+    let t28 = (sin_chain_theta_2 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_2, sin_chain_theta_5);
-    let t21 = (sin_chain_theta_2 * cos_chain_theta_6)
+    let t29 = (sin_chain_theta_2 * cos_chain_theta_6)
         .sub_product(cos_chain_theta_2, sin_chain_theta_6);
-    let t22 = (sin_chain_theta_2 * cos_chain_theta_7)
+    let t30 = (sin_chain_theta_2 * cos_chain_theta_7)
         .sub_product(cos_chain_theta_2, sin_chain_theta_7);
-    let t23 = (sin_chain_theta_2 * cos_chain_theta_8)
+    let t31 = (sin_chain_theta_2 * cos_chain_theta_8)
         .sub_product(cos_chain_theta_2, sin_chain_theta_8);
-    let t24 = (sin_chain_theta_2 * cos_chain_theta_9)
+    let t32 = (sin_chain_theta_2 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_2, sin_chain_theta_9);
-    let t25 = (sin_chain_theta_2 * cos_chain_theta_10)
+    let t33 = (sin_chain_theta_2 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_2, sin_chain_theta_10);
-    let t26 = (sin_chain_theta_3 * cos_chain_theta_4)
+    let t34 = (sin_chain_theta_3 * cos_chain_theta_4)
         .sub_product(cos_chain_theta_3, sin_chain_theta_4);
-    let t27 = (sin_chain_theta_3 * cos_chain_theta_5)
+    let t35 = (sin_chain_theta_3 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_3, sin_chain_theta_5);
-    let t28 = (sin_chain_theta_3 * cos_chain_theta_6)
+    let t36 = (sin_chain_theta_3 * cos_chain_theta_6)
         .sub_product(cos_chain_theta_3, sin_chain_theta_6);
-    let t29 = (sin_chain_theta_3 * cos_chain_theta_7)
+    let t37 = (sin_chain_theta_3 * cos_chain_theta_7)
         .sub_product(cos_chain_theta_3, sin_chain_theta_7);
-    let t30 = (sin_chain_theta_3 * cos_chain_theta_8)
+    let t38 = (sin_chain_theta_3 * cos_chain_theta_8)
         .sub_product(cos_chain_theta_3, sin_chain_theta_8);
-    let t31 = (sin_chain_theta_3 * cos_chain_theta_9)
+    let t39 = (sin_chain_theta_3 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_3, sin_chain_theta_9);
-    let t32 = (sin_chain_theta_3 * cos_chain_theta_10)
+    let t40 = (sin_chain_theta_3 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_3, sin_chain_theta_10);
-    let t33 = (sin_chain_theta_4 * cos_chain_theta_5)
+    let t41 = (sin_chain_theta_4 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_4, sin_chain_theta_5);
-    let t34 = (sin_chain_theta_4 * cos_chain_theta_6)
+    let t42 = (sin_chain_theta_4 * cos_chain_theta_6)
         .sub_product(cos_chain_theta_4, sin_chain_theta_6);
-    let t35 = (sin_chain_theta_4 * cos_chain_theta_7)
+    let t43 = (sin_chain_theta_4 * cos_chain_theta_7)
         .sub_product(cos_chain_theta_4, sin_chain_theta_7);
-    let t36 = (sin_chain_theta_4 * cos_chain_theta_8)
+    let t44 = (sin_chain_theta_4 * cos_chain_theta_8)
         .sub_product(cos_chain_theta_4, sin_chain_theta_8);
-    let t37 = (sin_chain_theta_4 * cos_chain_theta_9)
+    let t45 = (sin_chain_theta_4 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_4, sin_chain_theta_9);
-    let t38 = (sin_chain_theta_4 * cos_chain_theta_10)
+    let t46 = (sin_chain_theta_4 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_4, sin_chain_theta_10);
-    let t39 = (sin_chain_theta_5 * cos_chain_theta_6)
+    let t47 = (sin_chain_theta_5 * cos_chain_theta_6)
         .sub_product(cos_chain_theta_5, sin_chain_theta_6);
-    let t40 = (sin_chain_theta_5 * cos_chain_theta_7)
+    let t48 = (sin_chain_theta_5 * cos_chain_theta_7)
         .sub_product(cos_chain_theta_5, sin_chain_theta_7);
-    let t41 = (sin_chain_theta_5 * cos_chain_theta_8)
+    let t49 = (sin_chain_theta_5 * cos_chain_theta_8)
         .sub_product(cos_chain_theta_5, sin_chain_theta_8);
-    let t42 = (sin_chain_theta_5 * cos_chain_theta_9)
+    let t50 = (sin_chain_theta_5 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_5, sin_chain_theta_9);
-    let t43 = (sin_chain_theta_5 * cos_chain_theta_10)
+    let t51 = (sin_chain_theta_5 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_5, sin_chain_theta_10);
-    let t44 = (sin_chain_theta_6 * cos_chain_theta_7)
+    let t52 = (sin_chain_theta_6 * cos_chain_theta_7)
         .sub_product(cos_chain_theta_6, sin_chain_theta_7);
-    let t45 = (sin_chain_theta_6 * cos_chain_theta_8)
+    let t53 = (sin_chain_theta_6 * cos_chain_theta_8)
         .sub_product(cos_chain_theta_6, sin_chain_theta_8);
-    let t46 = (sin_chain_theta_6 * cos_chain_theta_9)
+    let t54 = (sin_chain_theta_6 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_6, sin_chain_theta_9);
-    let t47 = (sin_chain_theta_6 * cos_chain_theta_10)
+    let t55 = (sin_chain_theta_6 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_6, sin_chain_theta_10);
-    let t48 = (sin_chain_theta_7 * cos_chain_theta_8)
+    let t56 = (sin_chain_theta_7 * cos_chain_theta_8)
         .sub_product(cos_chain_theta_7, sin_chain_theta_8);
-    let t49 = (sin_chain_theta_7 * cos_chain_theta_9)
+    let t57 = (sin_chain_theta_7 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_7, sin_chain_theta_9);
-    let t50 = (sin_chain_theta_7 * cos_chain_theta_10)
+    let t58 = (sin_chain_theta_7 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_7, sin_chain_theta_10);
-    let t51 = (sin_chain_theta_8 * cos_chain_theta_9)
+    let t59 = (sin_chain_theta_8 * cos_chain_theta_9)
         .sub_product(cos_chain_theta_8, sin_chain_theta_9);
-    let t52 = (sin_chain_theta_8 * cos_chain_theta_10)
+    let t60 = (sin_chain_theta_8 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_8, sin_chain_theta_10);
-    let t53 = (sin_chain_theta_9 * cos_chain_theta_10)
+    let t61 = (sin_chain_theta_9 * cos_chain_theta_10)
         .sub_product(cos_chain_theta_9, sin_chain_theta_10);
-    let t54 = t1 * R::literal(0.1);
-    let t55 = t3 * R::literal(0.1);
-    let t56 = t5 * R::literal(0.1);
-    let t57 = t7 * R::literal(0.1);
-    let t58 = t9 * R::literal(0.1);
-    let t59 = t11 * R::literal(0.1);
-    let t60 = t13 * R::literal(0.1);
-    let t61 = t15 * R::literal(0.1);
-    let t62 = t17 * R::literal(0.1);
-    let t63 = R::literal(1.0) / R::literal(9.0).sub_product(t54, t1);
-    let t64 = (R::literal(8.0)
+    let t62 = R::literal(0.9) * t1;
+    let t63 = R::literal(0.8) * t4;
+    let t64 = R::literal(0.700_000_000_000_000_1) * t7;
+    let t65 = R::literal(0.600_000_000_000_000_1) * t10;
+    let t66 = R::literal(0.5) * t13;
+    let t67 = R::literal(0.4) * t16;
+    let t68 = R::literal(0.300_000_000_000_000_04) * t19;
+    let t69 = R::literal(0.2) * t22;
+    let t70 = t25 * R::literal(0.1);
+    let t71 = R::literal(1.0) / R::literal(9.0).sub_product(t62, t2);
+    let t72 = (R::literal(8.0)
         * (cos_chain_theta_2 * cos_chain_theta_3)
             .add_product(sin_chain_theta_2, sin_chain_theta_3))
-        .sub_product(t55, t1);
-    let t65 = t64 * t63;
-    let t66 = (R::literal(7.0)
+        .sub_product(t63, t2);
+    let t73 = t72 * t71;
+    let t74 = (R::literal(7.0)
         * (cos_chain_theta_2 * cos_chain_theta_4)
             .add_product(sin_chain_theta_2, sin_chain_theta_4))
-        .sub_product(t56, t1);
-    let t67 = t66 * t63;
-    let t68 = (R::literal(6.0)
+        .sub_product(t64, t2);
+    let t75 = t74 * t71;
+    let t76 = (R::literal(6.0)
         * (cos_chain_theta_2 * cos_chain_theta_5)
             .add_product(sin_chain_theta_2, sin_chain_theta_5))
-        .sub_product(t57, t1);
-    let t69 = t68 * t63;
-    let t70 = (R::literal(5.0)
+        .sub_product(t65, t2);
+    let t77 = t76 * t71;
+    let t78 = (R::literal(5.0)
         * (cos_chain_theta_2 * cos_chain_theta_6)
             .add_product(sin_chain_theta_2, sin_chain_theta_6))
-        .sub_product(t58, t1);
-    let t71 = t70 * t63;
-    let t72 = (R::literal(4.0)
+        .sub_product(t66, t2);
+    let t79 = t78 * t71;
+    let t80 = (R::literal(4.0)
         * (cos_chain_theta_2 * cos_chain_theta_7)
             .add_product(sin_chain_theta_2, sin_chain_theta_7))
-        .sub_product(t59, t1);
-    let t73 = t72 * t63;
-    let t74 = (R::literal(3.0)
+        .sub_product(t67, t2);
+    let t81 = t80 * t71;
+    let t82 = (R::literal(3.0)
         * (cos_chain_theta_2 * cos_chain_theta_8)
             .add_product(sin_chain_theta_2, sin_chain_theta_8))
-        .sub_product(t60, t1);
-    let t75 = t74 * t63;
-    let t76 = (R::literal(2.0)
+        .sub_product(t68, t2);
+    let t83 = t82 * t71;
+    let t84 = (R::literal(2.0)
         * (cos_chain_theta_2 * cos_chain_theta_9)
             .add_product(sin_chain_theta_2, sin_chain_theta_9))
-        .sub_product(t61, t1);
-    let t77 = t76 * t63;
-    let t78 = (cos_chain_theta_2 * cos_chain_theta_10)
+        .sub_product(t69, t2);
+    let t85 = t84 * t71;
+    let t86 = (cos_chain_theta_2 * cos_chain_theta_10)
         .add_product(sin_chain_theta_2, sin_chain_theta_10)
-        .sub_product(t62, t1);
-    let t79 = t78 * t63;
-    let t80 = R::literal(1.0)
-        / R::literal(8.0).sub_product(t55, t3).sub_product(t65, t64);
-    let t81 = (R::literal(7.0)
+        .sub_product(t70, t2);
+    let t87 = t86 * t71;
+    let t88 = R::literal(1.0)
+        / R::literal(8.0).sub_product(t63, t5).sub_product(t73, t72);
+    let t89 = (R::literal(7.0)
         * (cos_chain_theta_3 * cos_chain_theta_4)
             .add_product(sin_chain_theta_3, sin_chain_theta_4))
-        .sub_product(t56, t3)
-        .sub_product(t67, t64);
-    let t82 = t81 * t80;
-    let t83 = (R::literal(6.0)
+        .sub_product(t64, t5)
+        .sub_product(t75, t72);
+    let t90 = t89 * t88;
+    let t91 = (R::literal(6.0)
         * (cos_chain_theta_3 * cos_chain_theta_5)
             .add_product(sin_chain_theta_3, sin_chain_theta_5))
-        .sub_product(t57, t3)
-        .sub_product(t69, t64);
-    let t84 = t83 * t80;
-    let t85 = (R::literal(5.0)
+        .sub_product(t65, t5)
+        .sub_product(t77, t72);
+    let t92 = t91 * t88;
+    let t93 = (R::literal(5.0)
         * (cos_chain_theta_3 * cos_chain_theta_6)
             .add_product(sin_chain_theta_3, sin_chain_theta_6))
-        .sub_product(t58, t3)
-        .sub_product(t71, t64);
-    let t86 = t85 * t80;
-    let t87 = (R::literal(4.0)
+        .sub_product(t66, t5)
+        .sub_product(t79, t72);
+    let t94 = t93 * t88;
+    let t95 = (R::literal(4.0)
         * (cos_chain_theta_3 * cos_chain_theta_7)
             .add_product(sin_chain_theta_3, sin_chain_theta_7))
-        .sub_product(t59, t3)
-        .sub_product(t73, t64);
-    let t88 = t87 * t80;
-    let t89 = (R::literal(3.0)
+        .sub_product(t67, t5)
+        .sub_product(t81, t72);
+    let t96 = t95 * t88;
+    let t97 = (R::literal(3.0)
         * (cos_chain_theta_3 * cos_chain_theta_8)
             .add_product(sin_chain_theta_3, sin_chain_theta_8))
-        .sub_product(t60, t3)
-        .sub_product(t75, t64);
-    let t90 = t89 * t80;
-    let t91 = (R::literal(2.0)
+        .sub_product(t68, t5)
+        .sub_product(t83, t72);
+    let t98 = t97 * t88;
+    let t99 = (R::literal(2.0)
         * (cos_chain_theta_3 * cos_chain_theta_9)
             .add_product(sin_chain_theta_3, sin_chain_theta_9))
-        .sub_product(t61, t3)
-        .sub_product(t77, t64);
-    let t92 = t91 * t80;
-    let t93 = (cos_chain_theta_3 * cos_chain_theta_10)
+        .sub_product(t69, t5)
+        .sub_product(t85, t72);
+    let t100 = t99 * t88;
+    let t101 = (cos_chain_theta_3 * cos_chain_theta_10)
         .add_product(sin_chain_theta_3, sin_chain_theta_10)
-        .sub_product(t62, t3)
-        .sub_product(t79, t64);
-    let t94 = t93 * t80;
-    let t95 = R::literal(1.0)
+        .sub_product(t70, t5)
+        .sub_product(t87, t72);
+    let t102 = t101 * t88;
+    let t103 = R::literal(1.0)
         / R::literal(7.0)
-            .sub_product(t56, t5)
-            .sub_product(t67, t66)
-            .sub_product(t82, t81);
-    let t96 = (R::literal(6.0)
+            .sub_product(t64, t8)
+            .sub_product(t75, t74)
+            .sub_product(t90, t89);
+    let t104 = (R::literal(6.0)
         * (cos_chain_theta_4 * cos_chain_theta_5)
             .add_product(sin_chain_theta_4, sin_chain_theta_5))
-        .sub_product(t57, t5)
-        .sub_product(t69, t66)
-        .sub_product(t84, t81);
-    let t97 = t96 * t95;
-    let t98 = (R::literal(5.0)
+        .sub_product(t65, t8)
+        .sub_product(t77, t74)
+        .sub_product(t92, t89);
+    let t105 = t104 * t103;
+    let t106 = (R::literal(5.0)
         * (cos_chain_theta_4 * cos_chain_theta_6)
             .add_product(sin_chain_theta_4, sin_chain_theta_6))
-        .sub_product(t58, t5)
-        .sub_product(t71, t66)
-        .sub_product(t86, t81);
-    let t99 = t98 * t95;
-    let t100 = (R::literal(4.0)
+        .sub_product(t66, t8)
+        .sub_product(t79, t74)
+        .sub_product(t94, t89);
+    let t107 = t106 * t103;
+    let t108 = (R::literal(4.0)
         * (cos_chain_theta_4 * cos_chain_theta_7)
             .add_product(sin_chain_theta_4, sin_chain_theta_7))
-        .sub_product(t59, t5)
-        .sub_product(t73, t66)
-        .sub_product(t88, t81);
-    let t101 = t100 * t95;
-    let t102 = (R::literal(3.0)
+        .sub_product(t67, t8)
+        .sub_product(t81, t74)
+        .sub_product(t96, t89);
+    let t109 = t108 * t103;
+    let t110 = (R::literal(3.0)
         * (cos_chain_theta_4 * cos_chain_theta_8)
             .add_product(sin_chain_theta_4, sin_chain_theta_8))
-        .sub_product(t60, t5)
-        .sub_product(t75, t66)
-        .sub_product(t90, t81);
-    let t103 = t102 * t95;
-    let t104 = (R::literal(2.0)
+        .sub_product(t68, t8)
+        .sub_product(t83, t74)
+        .sub_product(t98, t89);
+    let t111 = t110 * t103;
+    let t112 = (R::literal(2.0)
         * (cos_chain_theta_4 * cos_chain_theta_9)
             .add_product(sin_chain_theta_4, sin_chain_theta_9))
-        .sub_product(t61, t5)
-        .sub_product(t77, t66)
-        .sub_product(t92, t81);
-    let t105 = t104 * t95;
-    let t106 = (cos_chain_theta_4 * cos_chain_theta_10)
+        .sub_product(t69, t8)
+        .sub_product(t85, t74)
+        .sub_product(t100, t89);
+    let t113 = t112 * t103;
+    let t114 = (cos_chain_theta_4 * cos_chain_theta_10)
         .add_product(sin_chain_theta_4, sin_chain_theta_10)
-        .sub_product(t62, t5)
-        .sub_product(t79, t66)
-        .sub_product(t94, t81);
-    let t107 = t106 * t95;
-    let t108 = R::literal(1.0)
+        .sub_product(t70, t8)
+        .sub_product(t87, t74)
+        .sub_product(t102, t89);
+    let t115 = t114 * t103;
+    let t116 = R::literal(1.0)
         / R::literal(6.0)
-            .sub_product(t57, t7)
-            .sub_product(t69, t68)
-            .sub_product(t84, t83)
-            .sub_product(t97, t96);
-    let t109 = (R::literal(5.0)
-        * (cos_chain_theta_5 * cos_chain_theta_6)
-            .add_product(sin_chain_theta_5, sin_chain_theta_6))
-        .sub_product(t58, t7)
-        .sub_product(t71, t68)
-        .sub_product(t86, t83)
-        .sub_product(t99, t96);
-    let t110 = t109 * t108;
-    let t111 = (R::literal(4.0)
-        * (cos_chain_theta_5 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_5, sin_chain_theta_7))
-        .sub_product(t59, t7)
-        .sub_product(t73, t68)
-        .sub_product(t88, t83)
-        .sub_product(t101, t96);
-    let t112 = t111 * t108;
-    let t113 = (R::literal(3.0)
-        * (cos_chain_theta_5 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_5, sin_chain_theta_8))
-        .sub_product(t60, t7)
-        .sub_product(t75, t68)
-        .sub_product(t90, t83)
-        .sub_product(t103, t96);
-    let t114 = t113 * t108;
-    let t115 = (R::literal(2.0)
-        * (cos_chain_theta_5 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_5, sin_chain_theta_9))
-        .sub_product(t61, t7)
-        .sub_product(t77, t68)
-        .sub_product(t92, t83)
-        .sub_product(t105, t96);
-    let t116 = t115 * t108;
-    let t117 = (cos_chain_theta_5 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_5, sin_chain_theta_10)
-        .sub_product(t62, t7)
-        .sub_product(t79, t68)
-        .sub_product(t94, t83)
-        .sub_product(t107, t96);
-    let t118 = t117 * t108;
-    let t119 = R::literal(1.0)
-        / R::literal(5.0)
-            .sub_product(t58, t9)
-            .sub_product(t71, t70)
-            .sub_product(t86, t85)
-            .sub_product(t99, t98)
-            .sub_product(t110, t109);
-    let t120 = (R::literal(4.0)
-        * (cos_chain_theta_6 * cos_chain_theta_7)
-            .add_product(sin_chain_theta_6, sin_chain_theta_7))
-        .sub_product(t59, t9)
-        .sub_product(t73, t70)
-        .sub_product(t88, t85)
-        .sub_product(t101, t98)
-        .sub_product(t112, t109);
-    let t121 = t120 * t119;
-    let t122 = (R::literal(3.0)
-        * (cos_chain_theta_6 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_6, sin_chain_theta_8))
-        .sub_product(t60, t9)
-        .sub_product(t75, t70)
-        .sub_product(t90, t85)
-        .sub_product(t103, t98)
-        .sub_product(t114, t109);
-    let t123 = t122 * t119;
-    let t124 = (R::literal(2.0)
-        * (cos_chain_theta_6 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_6, sin_chain_theta_9))
-        .sub_product(t61, t9)
-        .sub_product(t77, t70)
-        .sub_product(t92, t85)
-        .sub_product(t105, t98)
-        .sub_product(t116, t109);
-    let t125 = t124 * t119;
-    let t126 = (cos_chain_theta_6 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_6, sin_chain_theta_10)
-        .sub_product(t62, t9)
-        .sub_product(t79, t70)
-        .sub_product(t94, t85)
-        .sub_product(t107, t98)
-        .sub_product(t118, t109);
-    let t127 = t126 * t119;
-    let t128 = R::literal(1.0)
-        / R::literal(4.0)
-            .sub_product(t59, t11)
-            .sub_product(t73, t72)
-            .sub_product(t88, t87)
-            .sub_product(t101, t100)
-            .sub_product(t112, t111)
-            .sub_product(t121, t120);
-    let t129 = (R::literal(3.0)
-        * (cos_chain_theta_7 * cos_chain_theta_8)
-            .add_product(sin_chain_theta_7, sin_chain_theta_8))
-        .sub_product(t60, t11)
-        .sub_product(t75, t72)
-        .sub_product(t90, t87)
-        .sub_product(t103, t100)
-        .sub_product(t114, t111)
-        .sub_product(t123, t120);
-    let t130 = t129 * t128;
-    let t131 = (R::literal(2.0)
-        * (cos_chain_theta_7 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_7, sin_chain_theta_9))
-        .sub_product(t61, t11)
-        .sub_product(t77, t72)
-        .sub_product(t92, t87)
-        .sub_product(t105, t100)
-        .sub_product(t116, t111)
-        .sub_product(t125, t120);
-    let t132 = t131 * t128;
-    let t133 = (cos_chain_theta_7 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_7, sin_chain_theta_10)
-        .sub_product(t62, t11)
-        .sub_product(t79, t72)
-        .sub_product(t94, t87)
-        .sub_product(t107, t100)
-        .sub_product(t118, t111)
-        .sub_product(t127, t120);
-    let t134 = t133 * t128;
-    let t135 = R::literal(1.0)
-        / R::literal(3.0)
-            .sub_product(t60, t13)
-            .sub_product(t75, t74)
-            .sub_product(t90, t89)
-            .sub_product(t103, t102)
-            .sub_product(t114, t113)
-            .sub_product(t123, t122)
-            .sub_product(t130, t129);
-    let t136 = (R::literal(2.0)
-        * (cos_chain_theta_8 * cos_chain_theta_9)
-            .add_product(sin_chain_theta_8, sin_chain_theta_9))
-        .sub_product(t61, t13)
-        .sub_product(t77, t74)
-        .sub_product(t92, t89)
-        .sub_product(t105, t102)
-        .sub_product(t116, t113)
-        .sub_product(t125, t122)
-        .sub_product(t132, t129);
-    let t137 = t136 * t135;
-    let t138 = (cos_chain_theta_8 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_8, sin_chain_theta_10)
-        .sub_product(t62, t13)
-        .sub_product(t79, t74)
-        .sub_product(t94, t89)
-        .sub_product(t107, t102)
-        .sub_product(t118, t113)
-        .sub_product(t127, t122)
-        .sub_product(t134, t129);
-    let t139 = t138 * t135;
-    let t140 = R::literal(1.0)
-        / R::literal(2.0)
-            .sub_product(t61, t15)
+            .sub_product(t65, t11)
             .sub_product(t77, t76)
             .sub_product(t92, t91)
-            .sub_product(t105, t104)
-            .sub_product(t116, t115)
-            .sub_product(t125, t124)
-            .sub_product(t132, t131)
-            .sub_product(t137, t136);
-    let t141 = (cos_chain_theta_9 * cos_chain_theta_10)
-        .add_product(sin_chain_theta_9, sin_chain_theta_10)
-        .sub_product(t62, t15)
+            .sub_product(t105, t104);
+    let t117 = (R::literal(5.0)
+        * (cos_chain_theta_5 * cos_chain_theta_6)
+            .add_product(sin_chain_theta_5, sin_chain_theta_6))
+        .sub_product(t66, t11)
         .sub_product(t79, t76)
         .sub_product(t94, t91)
-        .sub_product(t107, t104)
-        .sub_product(t118, t115)
-        .sub_product(t127, t124)
-        .sub_product(t134, t131)
-        .sub_product(t139, t136);
-    let t142 = t141 * t140;
+        .sub_product(t107, t104);
+    let t118 = t117 * t116;
+    let t119 = (R::literal(4.0)
+        * (cos_chain_theta_5 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_5, sin_chain_theta_7))
+        .sub_product(t67, t11)
+        .sub_product(t81, t76)
+        .sub_product(t96, t91)
+        .sub_product(t109, t104);
+    let t120 = t119 * t116;
+    let t121 = (R::literal(3.0)
+        * (cos_chain_theta_5 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_5, sin_chain_theta_8))
+        .sub_product(t68, t11)
+        .sub_product(t83, t76)
+        .sub_product(t98, t91)
+        .sub_product(t111, t104);
+    let t122 = t121 * t116;
+    let t123 = (R::literal(2.0)
+        * (cos_chain_theta_5 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_5, sin_chain_theta_9))
+        .sub_product(t69, t11)
+        .sub_product(t85, t76)
+        .sub_product(t100, t91)
+        .sub_product(t113, t104);
+    let t124 = t123 * t116;
+    let t125 = (cos_chain_theta_5 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_5, sin_chain_theta_10)
+        .sub_product(t70, t11)
+        .sub_product(t87, t76)
+        .sub_product(t102, t91)
+        .sub_product(t115, t104);
+    let t126 = t125 * t116;
+    let t127 = R::literal(1.0)
+        / R::literal(5.0)
+            .sub_product(t66, t14)
+            .sub_product(t79, t78)
+            .sub_product(t94, t93)
+            .sub_product(t107, t106)
+            .sub_product(t118, t117);
+    let t128 = (R::literal(4.0)
+        * (cos_chain_theta_6 * cos_chain_theta_7)
+            .add_product(sin_chain_theta_6, sin_chain_theta_7))
+        .sub_product(t67, t14)
+        .sub_product(t81, t78)
+        .sub_product(t96, t93)
+        .sub_product(t109, t106)
+        .sub_product(t120, t117);
+    let t129 = t128 * t127;
+    let t130 = (R::literal(3.0)
+        * (cos_chain_theta_6 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_6, sin_chain_theta_8))
+        .sub_product(t68, t14)
+        .sub_product(t83, t78)
+        .sub_product(t98, t93)
+        .sub_product(t111, t106)
+        .sub_product(t122, t117);
+    let t131 = t130 * t127;
+    let t132 = (R::literal(2.0)
+        * (cos_chain_theta_6 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_6, sin_chain_theta_9))
+        .sub_product(t69, t14)
+        .sub_product(t85, t78)
+        .sub_product(t100, t93)
+        .sub_product(t113, t106)
+        .sub_product(t124, t117);
+    let t133 = t132 * t127;
+    let t134 = (cos_chain_theta_6 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_6, sin_chain_theta_10)
+        .sub_product(t70, t14)
+        .sub_product(t87, t78)
+        .sub_product(t102, t93)
+        .sub_product(t115, t106)
+        .sub_product(t126, t117);
+    let t135 = t134 * t127;
+    let t136 = R::literal(1.0)
+        / R::literal(4.0)
+            .sub_product(t67, t17)
+            .sub_product(t81, t80)
+            .sub_product(t96, t95)
+            .sub_product(t109, t108)
+            .sub_product(t120, t119)
+            .sub_product(t129, t128);
+    let t137 = (R::literal(3.0)
+        * (cos_chain_theta_7 * cos_chain_theta_8)
+            .add_product(sin_chain_theta_7, sin_chain_theta_8))
+        .sub_product(t68, t17)
+        .sub_product(t83, t80)
+        .sub_product(t98, t95)
+        .sub_product(t111, t108)
+        .sub_product(t122, t119)
+        .sub_product(t131, t128);
+    let t138 = t137 * t136;
+    let t139 = (R::literal(2.0)
+        * (cos_chain_theta_7 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_7, sin_chain_theta_9))
+        .sub_product(t69, t17)
+        .sub_product(t85, t80)
+        .sub_product(t100, t95)
+        .sub_product(t113, t108)
+        .sub_product(t124, t119)
+        .sub_product(t133, t128);
+    let t140 = t139 * t136;
+    let t141 = (cos_chain_theta_7 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_7, sin_chain_theta_10)
+        .sub_product(t70, t17)
+        .sub_product(t87, t80)
+        .sub_product(t102, t95)
+        .sub_product(t115, t108)
+        .sub_product(t126, t119)
+        .sub_product(t135, t128);
+    let t142 = t141 * t136;
+    let t143 = R::literal(1.0)
+        / R::literal(3.0)
+            .sub_product(t68, t20)
+            .sub_product(t83, t82)
+            .sub_product(t98, t97)
+            .sub_product(t111, t110)
+            .sub_product(t122, t121)
+            .sub_product(t131, t130)
+            .sub_product(t138, t137);
+    let t144 = (R::literal(2.0)
+        * (cos_chain_theta_8 * cos_chain_theta_9)
+            .add_product(sin_chain_theta_8, sin_chain_theta_9))
+        .sub_product(t69, t20)
+        .sub_product(t85, t82)
+        .sub_product(t100, t97)
+        .sub_product(t113, t110)
+        .sub_product(t124, t121)
+        .sub_product(t133, t130)
+        .sub_product(t140, t137);
+    let t145 = t144 * t143;
+    let t146 = (cos_chain_theta_8 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_8, sin_chain_theta_10)
+        .sub_product(t70, t20)
+        .sub_product(t87, t82)
+        .sub_product(t102, t97)
+        .sub_product(t115, t110)
+        .sub_product(t126, t121)
+        .sub_product(t135, t130)
+        .sub_product(t142, t137);
+    let t147 = t146 * t143;
+    let t148 = R::literal(1.0)
+        / R::literal(2.0)
+            .sub_product(t69, t23)
+            .sub_product(t85, t84)
+            .sub_product(t100, t99)
+            .sub_product(t113, t112)
+            .sub_product(t124, t123)
+            .sub_product(t133, t132)
+            .sub_product(t140, t139)
+            .sub_product(t145, t144);
+    let t149 = (cos_chain_theta_9 * cos_chain_theta_10)
+        .add_product(sin_chain_theta_9, sin_chain_theta_10)
+        .sub_product(t70, t23)
+        .sub_product(t87, t84)
+        .sub_product(t102, t99)
+        .sub_product(t115, t112)
+        .sub_product(t126, t123)
+        .sub_product(t135, t132)
+        .sub_product(t142, t139)
+        .sub_product(t147, t144);
+    let t150 = t149 * t148;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t143 = R::literal(8.0) * chain_omega_3_squared;
+    let t151 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t144 = R::literal(7.0) * chain_omega_4_squared;
+    let t152 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t145 = R::literal(6.0) * chain_omega_5_squared;
+    let t153 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t146 = R::literal(5.0) * chain_omega_6_squared;
+    let t154 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t147 = R::literal(4.0) * chain_omega_7_squared;
+    let t155 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t148 = R::literal(3.0) * chain_omega_8_squared;
+    let t156 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t149 = R::literal(2.0) * chain_omega_9_squared;
+    let t157 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t150 = (-(R::literal(98.1) * sin_chain_theta_1))
+    let t158 = (-(R::literal(98.1) * sin_chain_theta_1))
         .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
-        .sub_product(t143, t2)
-        .sub_product(t144, t4)
-        .sub_product(t145, t6)
-        .sub_product(t146, t8)
-        .sub_product(t147, t10)
-        .sub_product(t148, t12)
-        .sub_product(t149, t14)
-        .sub_product(chain_omega_10_squared, t16);
+        .sub_product(t151, t3)
+        .sub_product(t152, t6)
+        .sub_product(t153, t9)
+        .sub_product(t154, t12)
+        .sub_product(t155, t15)
+        .sub_product(t156, t18)
+        .sub_product(t157, t21)
+        .sub_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t151 = (-(R::literal(88.29) * sin_chain_theta_2))
+    let t159 = (-(R::literal(88.29) * sin_chain_theta_2))
         .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
-        .sub_product(t143, t18)
-        .sub_product(t144, t19)
-        .sub_product(t145, t20)
-        .sub_product(t146, t21)
-        .sub_product(t147, t22)
-        .sub_product(t148, t23)
-        .sub_product(t149, t24)
-        .sub_product(chain_omega_10_squared, t25)
-        .sub_product(t54, t150);
-    let t152 = (R::literal(8.0) * chain_omega_1_squared * t2)
-        .add_product(R::literal(8.0) * chain_omega_2_squared, t18)
+        .sub_product(t151, t26)
+        .sub_product(t152, t27)
+        .sub_product(t153, t28)
+        .sub_product(t154, t29)
+        .sub_product(t155, t30)
+        .sub_product(t156, t31)
+        .sub_product(t157, t32)
+        .sub_product(chain_omega_10_squared, t33)
+        .sub_product(t62, t158);
+    let t160 = (R::literal(8.0) * chain_omega_1_squared * t3)
+        .add_product(R::literal(8.0) * chain_omega_2_squared, t26)
         .sub_product(R::literal(78.48), sin_chain_theta_3)
-        .sub_product(t144, t26)
-        .sub_product(t145, t27)
-        .sub_product(t146, t28)
-        .sub_product(t147, t29)
-        .sub_product(t148, t30)
-        .sub_product(t149, t31)
-        .sub_product(chain_omega_10_squared, t32)
-        .sub_product(t55, t150)
-        .sub_product(t65, t151);
-    let t153 = (R::literal(7.0) * chain_omega_1_squared * t4)
-        .add_product(R::literal(7.0) * chain_omega_2_squared, t19)
-        .add_product(R::literal(7.0) * chain_omega_3_squared, t26)
+        .sub_product(t152, t34)
+        .sub_product(t153, t35)
+        .sub_product(t154, t36)
+        .sub_product(t155, t37)
+        .sub_product(t156, t38)
+        .sub_product(t157, t39)
+        .sub_product(chain_omega_10_squared, t40)
+        .sub_product(t63, t158)
+        .sub_product(t73, t159);
+    let t161 = (R::literal(7.0) * chain_omega_1_squared * t6)
+        .add_product(R::literal(7.0) * chain_omega_2_squared, t27)
+        .add_product(R::literal(7.0) * chain_omega_3_squared, t34)
         .sub_product(R::literal(68.67), sin_chain_theta_4)
-        .sub_product(t145, t33)
-        .sub_product(t146, t34)
-        .sub_product(t147, t35)
-        .sub_product(t148, t36)
-        .sub_product(t149, t37)
-        .sub_product(chain_omega_10_squared, t38)
-        .sub_product(t56, t150)
-        .sub_product(t67, t151)
-        .sub_product(t82, t152);
-    let t154 = (R::literal(6.0) * chain_omega_1_squared * t6)
-        .add_product(R::literal(6.0) * chain_omega_2_squared, t20)
-        .add_product(R::literal(6.0) * chain_omega_3_squared, t27)
-        .add_product(R::literal(6.0) * chain_omega_4_squared, t33)
+        .sub_product(t153, t41)
+        .sub_product(t154, t42)
+        .sub_product(t155, t43)
+        .sub_product(t156, t44)
+        .sub_product(t157, t45)
+        .sub_product(chain_omega_10_squared, t46)
+        .sub_product(t64, t158)
+        .sub_product(t75, t159)
+        .sub_product(t90, t160);
+    let t162 = (R::literal(6.0) * chain_omega_1_squared * t9)
+        .add_product(R::literal(6.0) * chain_omega_2_squared, t28)
+        .add_product(R::literal(6.0) * chain_omega_3_squared, t35)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t41)
         .sub_product(R::literal(58.86), sin_chain_theta_5)
-        .sub_product(t146, t39)
-        .sub_product(t147, t40)
-        .sub_product(t148, t41)
-        .sub_product(t149, t42)
-        .sub_product(chain_omega_10_squared, t43)
-        .sub_product(t57, t150)
-        .sub_product(t69, t151)
-        .sub_product(t84, t152)
-        .sub_product(t97, t153);
-    let t155 = (R::literal(5.0) * chain_omega_1_squared * t8)
-        .add_product(R::literal(5.0) * chain_omega_2_squared, t21)
-        .add_product(R::literal(5.0) * chain_omega_3_squared, t28)
-        .add_product(R::literal(5.0) * chain_omega_4_squared, t34)
-        .add_product(R::literal(5.0) * chain_omega_5_squared, t39)
+        .sub_product(t154, t47)
+        .sub_product(t155, t48)
+        .sub_product(t156, t49)
+        .sub_product(t157, t50)
+        .sub_product(chain_omega_10_squared, t51)
+        .sub_product(t65, t158)
+        .sub_product(t77, t159)
+        .sub_product(t92, t160)
+        .sub_product(t105, t161);
+    let t163 = (R::literal(5.0) * chain_omega_1_squared * t12)
+        .add_product(R::literal(5.0) * chain_omega_2_squared, t29)
+        .add_product(R::literal(5.0) * chain_omega_3_squared, t36)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t42)
+        .add_product(R::literal(5.0) * chain_omega_5_squared, t47)
         .sub_product(R::literal(49.05), sin_chain_theta_6)
-        .sub_product(t147, t44)
-        .sub_product(t148, t45)
-        .sub_product(t149, t46)
-        .sub_product(chain_omega_10_squared, t47)
-        .sub_product(t58, t150)
-        .sub_product(t71, t151)
-        .sub_product(t86, t152)
-        .sub_product(t99, t153)
-        .sub_product(t110, t154);
-    let t156 = (R::literal(4.0) * chain_omega_1_squared * t10)
-        .add_product(R::literal(4.0) * chain_omega_2_squared, t22)
-        .add_product(R::literal(4.0) * chain_omega_3_squared, t29)
-        .add_product(R::literal(4.0) * chain_omega_4_squared, t35)
-        .add_product(R::literal(4.0) * chain_omega_5_squared, t40)
-        .add_product(R::literal(4.0) * chain_omega_6_squared, t44)
+        .sub_product(t155, t52)
+        .sub_product(t156, t53)
+        .sub_product(t157, t54)
+        .sub_product(chain_omega_10_squared, t55)
+        .sub_product(t66, t158)
+        .sub_product(t79, t159)
+        .sub_product(t94, t160)
+        .sub_product(t107, t161)
+        .sub_product(t118, t162);
+    let t164 = (R::literal(4.0) * chain_omega_1_squared * t15)
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t30)
+        .add_product(R::literal(4.0) * chain_omega_3_squared, t37)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t43)
+        .add_product(R::literal(4.0) * chain_omega_5_squared, t48)
+        .add_product(R::literal(4.0) * chain_omega_6_squared, t52)
         .sub_product(R::literal(39.24), sin_chain_theta_7)
-        .sub_product(t148, t48)
-        .sub_product(t149, t49)
-        .sub_product(chain_omega_10_squared, t50)
-        .sub_product(t59, t150)
-        .sub_product(t73, t151)
-        .sub_product(t88, t152)
-        .sub_product(t101, t153)
-        .sub_product(t112, t154)
-        .sub_product(t121, t155);
-    let t157 = (R::literal(3.0) * chain_omega_1_squared * t12)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t23)
-        .add_product(R::literal(3.0) * chain_omega_3_squared, t30)
-        .add_product(R::literal(3.0) * chain_omega_4_squared, t36)
-        .add_product(R::literal(3.0) * chain_omega_5_squared, t41)
-        .add_product(R::literal(3.0) * chain_omega_6_squared, t45)
-        .add_product(R::literal(3.0) * chain_omega_7_squared, t48)
+        .sub_product(t156, t56)
+        .sub_product(t157, t57)
+        .sub_product(chain_omega_10_squared, t58)
+        .sub_product(t67, t158)
+        .sub_product(t81, t159)
+        .sub_product(t96, t160)
+        .sub_product(t109, t161)
+        .sub_product(t120, t162)
+        .sub_product(t129, t163);
+    let t165 = (R::literal(3.0) * chain_omega_1_squared * t18)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t31)
+        .add_product(R::literal(3.0) * chain_omega_3_squared, t38)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t44)
+        .add_product(R::literal(3.0) * chain_omega_5_squared, t49)
+        .add_product(R::literal(3.0) * chain_omega_6_squared, t53)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t56)
         .sub_product(R::literal(29.43), sin_chain_theta_8)
-        .sub_product(t149, t51)
-        .sub_product(chain_omega_10_squared, t52)
-        .sub_product(t60, t150)
-        .sub_product(t75, t151)
-        .sub_product(t90, t152)
-        .sub_product(t103, t153)
-        .sub_product(t114, t154)
-        .sub_product(t123, t155)
-        .sub_product(t130, t156);
-    let t158 = (R::literal(2.0) * chain_omega_1_squared * t14)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t24)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t31)
-        .add_product(R::literal(2.0) * chain_omega_4_squared, t37)
-        .add_product(R::literal(2.0) * chain_omega_5_squared, t42)
-        .add_product(R::literal(2.0) * chain_omega_6_squared, t46)
-        .add_product(R::literal(2.0) * chain_omega_7_squared, t49)
-        .add_product(R::literal(2.0) * chain_omega_8_squared, t51)
+        .sub_product(t157, t59)
+        .sub_product(chain_omega_10_squared, t60)
+        .sub_product(t68, t158)
+        .sub_product(t83, t159)
+        .sub_product(t98, t160)
+        .sub_product(t111, t161)
+        .sub_product(t122, t162)
+        .sub_product(t131, t163)
+        .sub_product(t138, t164);
+    let t166 = (R::literal(2.0) * chain_omega_1_squared * t21)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t32)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t39)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t45)
+        .add_product(R::literal(2.0) * chain_omega_5_squared, t50)
+        .add_product(R::literal(2.0) * chain_omega_6_squared, t54)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t57)
+        .add_product(R::literal(2.0) * chain_omega_8_squared, t59)
         .sub_product(R::literal(19.62), sin_chain_theta_9)
-        .sub_product(chain_omega_10_squared, t53)
-        .sub_product(t61, t150)
-        .sub_product(t77, t151)
-        .sub_product(t92, t152)
-        .sub_product(t105, t153)
-        .sub_product(t116, t154)
-        .sub_product(t125, t155);
-    let t159 = t158.sub_product(t132, t156).sub_product(t137, t157);
-    let t160 = (chain_omega_1_squared * t16)
-        .add_product(chain_omega_2_squared, t25)
-        .add_product(chain_omega_3_squared, t32)
-        .add_product(chain_omega_4_squared, t38)
-        .add_product(chain_omega_5_squared, t43)
-        .add_product(chain_omega_6_squared, t47)
-        .add_product(chain_omega_7_squared, t50)
-        .add_product(chain_omega_8_squared, t52)
-        .add_product(chain_omega_9_squared, t53)
+        .sub_product(chain_omega_10_squared, t61)
+        .sub_product(t69, t158)
+        .sub_product(t85, t159)
+        .sub_product(t100, t160)
+        .sub_product(t113, t161)
+        .sub_product(t124, t162)
+        .sub_product(t133, t163);
+    let t167 = t166.sub_product(t140, t164).sub_product(t145, t165);
+    let t168 = (chain_omega_1_squared * t24)
+        .add_product(chain_omega_2_squared, t33)
+        .add_product(chain_omega_3_squared, t40)
+        .add_product(chain_omega_4_squared, t46)
+        .add_product(chain_omega_5_squared, t51)
+        .add_product(chain_omega_6_squared, t55)
+        .add_product(chain_omega_7_squared, t58)
+        .add_product(chain_omega_8_squared, t60)
+        .add_product(chain_omega_9_squared, t61)
         .sub_product(R::literal(9.81), sin_chain_theta_10)
-        .sub_product(t62, t150)
-        .sub_product(t79, t151)
-        .sub_product(t94, t152)
-        .sub_product(t107, t153)
-        .sub_product(t118, t154)
-        .sub_product(t127, t155)
-        .sub_product(t134, t156)
-        .sub_product(t139, t157)
-        .sub_product(t142, t159);
-    let chain_omega_10_dot = t160
+        .sub_product(t70, t158)
+        .sub_product(t87, t159)
+        .sub_product(t102, t160)
+        .sub_product(t115, t161)
+        .sub_product(t126, t162)
+        .sub_product(t135, t163)
+        .sub_product(t142, t164)
+        .sub_product(t147, t165)
+        .sub_product(t150, t167);
+    let chain_omega_10_dot = t168
         * (R::literal(1.0)
             / R::literal(1.0)
-                .sub_product(t62, t17)
-                .sub_product(t79, t78)
-                .sub_product(t94, t93)
-                .sub_product(t107, t106)
-                .sub_product(t118, t117)
-                .sub_product(t127, t126)
-                .sub_product(t134, t133)
-                .sub_product(t139, t138)
-                .sub_product(t142, t141));
-    let chain_omega_9_dot = (t159 * t140).sub_product(t142, chain_omega_10_dot);
-    let chain_omega_8_dot = (t157 * t135)
-        .sub_product(t137, chain_omega_9_dot)
-        .sub_product(t139, chain_omega_10_dot);
-    let chain_omega_7_dot = (t156 * t128)
-        .sub_product(t130, chain_omega_8_dot)
-        .sub_product(t132, chain_omega_9_dot)
-        .sub_product(t134, chain_omega_10_dot);
-    let chain_omega_6_dot = (t155 * t119)
-        .sub_product(t121, chain_omega_7_dot)
-        .sub_product(t123, chain_omega_8_dot)
-        .sub_product(t125, chain_omega_9_dot)
-        .sub_product(t127, chain_omega_10_dot);
-    let chain_omega_5_dot = (t154 * t108)
-        .sub_product(t110, chain_omega_6_dot)
-        .sub_product(t112, chain_omega_7_dot)
-        .sub_product(t114, chain_omega_8_dot)
-        .sub_product(t116, chain_omega_9_dot)
-        .sub_product(t118, chain_omega_10_dot);
-    let chain_omega_4_dot = (t153 * t95)
-        .sub_product(t97, chain_omega_5_dot)
-        .sub_product(t99, chain_omega_6_dot)
-        .sub_product(t101, chain_omega_7_dot)
-        .sub_product(t103, chain_omega_8_dot)
-        .sub_product(t105, chain_omega_9_dot)
-        .sub_product(t107, chain_omega_10_dot);
-    let chain_omega_3_dot = (t152 * t80)
-        .sub_product(t82, chain_omega_4_dot)
-        .sub_product(t84, chain_omega_5_dot)
-        .sub_product(t86, chain_omega_6_dot)
-        .sub_product(t88, chain_omega_7_dot)
-        .sub_product(t90, chain_omega_8_dot)
-        .sub_product(t92, chain_omega_9_dot)
-        .sub_product(t94, chain_omega_10_dot);
-    let chain_omega_2_dot = (t151 * t63)
-        .sub_product(t65, chain_omega_3_dot)
-        .sub_product(t67, chain_omega_4_dot)
-        .sub_product(t69, chain_omega_5_dot)
-        .sub_product(t71, chain_omega_6_dot)
-        .sub_product(t73, chain_omega_7_dot)
-        .sub_product(t75, chain_omega_8_dot)
-        .sub_product(t77, chain_omega_9_dot)
-        .sub_product(t79, chain_omega_10_dot);
-    let chain_omega_1_dot = (t150 * R::literal(0.1))
-        .sub_product(t54, chain_omega_2_dot)
-        .sub_product(t55, chain_omega_3_dot)
-        .sub_product(t56, chain_omega_4_dot)
-        .sub_product(t57, chain_omega_5_dot)
-        .sub_product(t58, chain_omega_6_dot)
-        .sub_product(t59, chain_omega_7_dot)
-        .sub_product(t60, chain_omega_8_dot)
-        .sub_product(t61, chain_omega_9_dot)
-        .sub_product(t62, chain_omega_10_dot);
+                .sub_product(t70, t25)
+                .sub_product(t87, t86)
+                .sub_product(t102, t101)
+                .sub_product(t115, t114)
+                .sub_product(t126, t125)
+                .sub_product(t135, t134)
+                .sub_product(t142, t141)
+                .sub_product(t147, t146)
+                .sub_product(t150, t149));
+    let chain_omega_9_dot = (t167 * t148).sub_product(t150, chain_omega_10_dot);
+    let chain_omega_8_dot = (t165 * t143)
+        .sub_product(t145, chain_omega_9_dot)
+        .sub_product(t147, chain_omega_10_dot);
+    let chain_omega_7_dot = (t164 * t136)
+        .sub_product(t138, chain_omega_8_dot)
+        .sub_product(t140, chain_omega_9_dot)
+        .sub_product(t142, chain_omega_10_dot);
+    let chain_omega_6_dot = (t163 * t127)
+        .sub_product(t129, chain_omega_7_dot)
+        .sub_product(t131, chain_omega_8_dot)
+        .sub_product(t133, chain_omega_9_dot)
+        .sub_product(t135, chain_omega_10_dot);
+    let chain_omega_5_dot = (t162 * t116)
+        .sub_product(t118, chain_omega_6_dot)
+        .sub_product(t120, chain_omega_7_dot)
+        .sub_product(t122, chain_omega_8_dot)
+        .sub_product(t124, chain_omega_9_dot)
+        .sub_product(t126, chain_omega_10_dot);
+    let chain_omega_4_dot = (t161 * t103)
+        .sub_product(t105, chain_omega_5_dot)
+        .sub_product(t107, chain_omega_6_dot)
+        .sub_product(t109, chain_omega_7_dot)
+        .sub_product(t111, chain_omega_8_dot)
+        .sub_product(t113, chain_omega_9_dot)
+        .sub_product(t115, chain_omega_10_dot);
+    let chain_omega_3_dot = (t160 * t88)
+        .sub_product(t90, chain_omega_4_dot)
+        .sub_product(t92, chain_omega_5_dot)
+        .sub_product(t94, chain_omega_6_dot)
+        .sub_product(t96, chain_omega_7_dot)
+        .sub_product(t98, chain_omega_8_dot)
+        .sub_product(t100, chain_omega_9_dot)
+        .sub_product(t102, chain_omega_10_dot);
+    let chain_omega_2_dot = (t159 * t71)
+        .sub_product(t73, chain_omega_3_dot)
+        .sub_product(t75, chain_omega_4_dot)
+        .sub_product(t77, chain_omega_5_dot)
+        .sub_product(t79, chain_omega_6_dot)
+        .sub_product(t81, chain_omega_7_dot)
+        .sub_product(t83, chain_omega_8_dot)
+        .sub_product(t85, chain_omega_9_dot)
+        .sub_product(t87, chain_omega_10_dot);
+    let chain_omega_1_dot = (t158 * R::literal(0.1))
+        .sub_product(t62, chain_omega_2_dot)
+        .sub_product(t63, chain_omega_3_dot)
+        .sub_product(t64, chain_omega_4_dot)
+        .sub_product(t65, chain_omega_5_dot)
+        .sub_product(t66, chain_omega_6_dot)
+        .sub_product(t67, chain_omega_7_dot)
+        .sub_product(t68, chain_omega_8_dot)
+        .sub_product(t69, chain_omega_9_dot)
+        .sub_product(t70, chain_omega_10_dot);
     [
         chain_omega_1,
         chain_omega_2,
@@ -1358,140 +1354,183 @@ pub fn mass_matrix<R: Real>(
 ) -> [R; 100] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10, ..] = *state;
-    let t0 = R::literal(9.0) * (chain_theta_1 - chain_theta_2).cos();
-    let t1 = R::literal(8.0) * (chain_theta_1 - chain_theta_3).cos();
-    let t2 = R::literal(7.0) * (chain_theta_1 - chain_theta_4).cos();
-    let t3 = R::literal(6.0) * (chain_theta_1 - chain_theta_5).cos();
-    let t4 = R::literal(5.0) * (chain_theta_1 - chain_theta_6).cos();
-    let t5 = R::literal(4.0) * (chain_theta_1 - chain_theta_7).cos();
-    let t6 = R::literal(3.0) * (chain_theta_1 - chain_theta_8).cos();
-    let t7 = R::literal(2.0) * (chain_theta_1 - chain_theta_9).cos();
-    let t8 = (chain_theta_1 - chain_theta_10).cos();
-    let t9 = R::literal(8.0) * (chain_theta_2 - chain_theta_3).cos();
-    let t10 = R::literal(7.0) * (chain_theta_2 - chain_theta_4).cos();
-    let t11 = R::literal(6.0) * (chain_theta_2 - chain_theta_5).cos();
-    let t12 = R::literal(5.0) * (chain_theta_2 - chain_theta_6).cos();
-    let t13 = R::literal(4.0) * (chain_theta_2 - chain_theta_7).cos();
-    let t14 = R::literal(3.0) * (chain_theta_2 - chain_theta_8).cos();
-    let t15 = R::literal(2.0) * (chain_theta_2 - chain_theta_9).cos();
-    let t16 = (chain_theta_2 - chain_theta_10).cos();
-    let t17 = R::literal(7.0) * (chain_theta_3 - chain_theta_4).cos();
-    let t18 = R::literal(6.0) * (chain_theta_3 - chain_theta_5).cos();
-    let t19 = R::literal(5.0) * (chain_theta_3 - chain_theta_6).cos();
-    let t20 = R::literal(4.0) * (chain_theta_3 - chain_theta_7).cos();
-    let t21 = R::literal(3.0) * (chain_theta_3 - chain_theta_8).cos();
-    let t22 = R::literal(2.0) * (chain_theta_3 - chain_theta_9).cos();
-    let t23 = (chain_theta_3 - chain_theta_10).cos();
-    let t24 = R::literal(6.0) * (chain_theta_4 - chain_theta_5).cos();
-    let t25 = R::literal(5.0) * (chain_theta_4 - chain_theta_6).cos();
-    let t26 = R::literal(4.0) * (chain_theta_4 - chain_theta_7).cos();
-    let t27 = R::literal(3.0) * (chain_theta_4 - chain_theta_8).cos();
-    let t28 = R::literal(2.0) * (chain_theta_4 - chain_theta_9).cos();
-    let t29 = (chain_theta_4 - chain_theta_10).cos();
-    let t30 = R::literal(5.0) * (chain_theta_5 - chain_theta_6).cos();
-    let t31 = R::literal(4.0) * (chain_theta_5 - chain_theta_7).cos();
-    let t32 = R::literal(3.0) * (chain_theta_5 - chain_theta_8).cos();
-    let t33 = R::literal(2.0) * (chain_theta_5 - chain_theta_9).cos();
-    let t34 = (chain_theta_5 - chain_theta_10).cos();
-    let t35 = R::literal(4.0) * (chain_theta_6 - chain_theta_7).cos();
-    let t36 = R::literal(3.0) * (chain_theta_6 - chain_theta_8).cos();
-    let t37 = R::literal(2.0) * (chain_theta_6 - chain_theta_9).cos();
-    let t38 = (chain_theta_6 - chain_theta_10).cos();
-    let t39 = R::literal(3.0) * (chain_theta_7 - chain_theta_8).cos();
-    let t40 = R::literal(2.0) * (chain_theta_7 - chain_theta_9).cos();
-    let t41 = (chain_theta_7 - chain_theta_10).cos();
-    let t42 = R::literal(2.0) * (chain_theta_8 - chain_theta_9).cos();
-    let t43 = (chain_theta_8 - chain_theta_10).cos();
-    let t44 = (chain_theta_9 - chain_theta_10).cos();
+    let [(_, t0), (_, t1), (_, t2), (_, t3), (_, t4), (_, t5), (_, t6), (_, t7), (_, t8),
+    (_, t9), (_, t10), (_, t11), (_, t12), (_, t13), (_, t14), (_, t15), (_, t16),
+    (_, t17), (_, t18), (_, t19), (_, t20), (_, t21), (_, t22), (_, t23), (_, t24),
+    (_, t25), (_, t26), (_, t27), (_, t28), (_, t29), (_, t30), (_, t31), (_, t32),
+    (_, t33), (_, t34), (_, t35), (_, t36), (_, t37), (_, t38), (_, t39), (_, t40),
+    (_, t41), (_, t42), (_, t43), (_, t44)] = R::sin_cos_each([
+        chain_theta_1 - chain_theta_2,
+        chain_theta_1 - chain_theta_3,
+        chain_theta_1 - chain_theta_4,
+        chain_theta_1 - chain_theta_5,
+        chain_theta_1 - chain_theta_6,
+        chain_theta_1 - chain_theta_7,
+        chain_theta_1 - chain_theta_8,
+        chain_theta_1 - chain_theta_9,
+        chain_theta_1 - chain_theta_10,
+        chain_theta_2 - chain_theta_3,
+        chain_theta_2 - chain_theta_4,
+        chain_theta_2 - chain_theta_5,
+        chain_theta_2 - chain_theta_6,
+        chain_theta_2 - chain_theta_7,
+        chain_theta_2 - chain_theta_8,
+        chain_theta_2 - chain_theta_9,
+        chain_theta_2 - chain_theta_10,
+        chain_theta_3 - chain_theta_4,
+        chain_theta_3 - chain_theta_5,
+        chain_theta_3 - chain_theta_6,
+        chain_theta_3 - chain_theta_7,
+        chain_theta_3 - chain_theta_8,
+        chain_theta_3 - chain_theta_9,
+        chain_theta_3 - chain_theta_10,
+        chain_theta_4 - chain_theta_5,
+        chain_theta_4 - chain_theta_6,
+        chain_theta_4 - chain_theta_7,
+        chain_theta_4 - chain_theta_8,
+        chain_theta_4 - chain_theta_9,
+        chain_theta_4 - chain_theta_10,
+        chain_theta_5 - chain_theta_6,
+        chain_theta_5 - chain_theta_7,
+        chain_theta_5 - chain_theta_8,
+        chain_theta_5 - chain_theta_9,
+        chain_theta_5 - chain_theta_10,
+        chain_theta_6 - chain_theta_7,
+        chain_theta_6 - chain_theta_8,
+        chain_theta_6 - chain_theta_9,
+        chain_theta_6 - chain_theta_10,
+        chain_theta_7 - chain_theta_8,
+        chain_theta_7 - chain_theta_9,
+        chain_theta_7 - chain_theta_10,
+        chain_theta_8 - chain_theta_9,
+        chain_theta_8 - chain_theta_10,
+        chain_theta_9 - chain_theta_10,
+    ]);
+    let t45 = R::literal(9.0) * t0;
+    let t46 = R::literal(8.0) * t1;
+    let t47 = R::literal(7.0) * t2;
+    let t48 = R::literal(6.0) * t3;
+    let t49 = R::literal(5.0) * t4;
+    let t50 = R::literal(4.0) * t5;
+    let t51 = R::literal(3.0) * t6;
+    let t52 = R::literal(2.0) * t7;
+    let t53 = R::literal(8.0) * t9;
+    let t54 = R::literal(7.0) * t10;
+    let t55 = R::literal(6.0) * t11;
+    let t56 = R::literal(5.0) * t12;
+    let t57 = R::literal(4.0) * t13;
+    let t58 = R::literal(3.0) * t14;
+    let t59 = R::literal(2.0) * t15;
+    let t60 = R::literal(7.0) * t17;
+    let t61 = R::literal(6.0) * t18;
+    let t62 = R::literal(5.0) * t19;
+    let t63 = R::literal(4.0) * t20;
+    let t64 = R::literal(3.0) * t21;
+    let t65 = R::literal(2.0) * t22;
+    let t66 = R::literal(6.0) * t24;
+    let t67 = R::literal(5.0) * t25;
+    let t68 = R::literal(4.0) * t26;
+    let t69 = R::literal(3.0) * t27;
+    let t70 = R::literal(2.0) * t28;
+    let t71 = R::literal(5.0) * t30;
+    let t72 = R::literal(4.0) * t31;
+    let t73 = R::literal(3.0) * t32;
+    let t74 = R::literal(2.0) * t33;
+    let t75 = R::literal(4.0) * t35;
+    let t76 = R::literal(3.0) * t36;
+    let t77 = R::literal(2.0) * t37;
+    let t78 = R::literal(3.0) * t39;
+    let t79 = R::literal(2.0) * t40;
+    let t80 = R::literal(2.0) * t42;
     [
         R::literal(10.0),
-        t0,
-        t1,
-        t2,
-        t3,
-        t4,
-        t5,
-        t6,
-        t7,
+        t45,
+        t46,
+        t47,
+        t48,
+        t49,
+        t50,
+        t51,
+        t52,
         t8,
-        t0,
+        t45,
         R::literal(9.0),
-        t9,
-        t10,
-        t11,
-        t12,
-        t13,
-        t14,
-        t15,
+        t53,
+        t54,
+        t55,
+        t56,
+        t57,
+        t58,
+        t59,
         t16,
-        t1,
-        t9,
+        t46,
+        t53,
         R::literal(8.0),
-        t17,
-        t18,
-        t19,
-        t20,
-        t21,
-        t22,
+        t60,
+        t61,
+        t62,
+        t63,
+        t64,
+        t65,
         t23,
-        t2,
-        t10,
-        t17,
+        t47,
+        t54,
+        t60,
         R::literal(7.0),
-        t24,
-        t25,
-        t26,
-        t27,
-        t28,
+        t66,
+        t67,
+        t68,
+        t69,
+        t70,
         t29,
-        t3,
-        t11,
-        t18,
-        t24,
+        t48,
+        t55,
+        t61,
+        t66,
         R::literal(6.0),
-        t30,
-        t31,
-        t32,
-        t33,
+        t71,
+        t72,
+        t73,
+        t74,
         t34,
-        t4,
-        t12,
-        t19,
-        t25,
-        t30,
+        t49,
+        t56,
+        t62,
+        t67,
+        t71,
         R::literal(5.0),
-        t35,
-        t36,
-        t37,
+        t75,
+        t76,
+        t77,
         t38,
-        t5,
-        t13,
-        t20,
-        t26,
-        t31,
-        t35,
+        t50,
+        t57,
+        t63,
+        t68,
+        t72,
+        t75,
         R::literal(4.0),
-        t39,
-        t40,
+        t78,
+        t79,
         t41,
-        t6,
-        t14,
-        t21,
-        t27,
-        t32,
-        t36,
-        t39,
+        t51,
+        t58,
+        t64,
+        t69,
+        t73,
+        t76,
+        t78,
         R::literal(3.0),
-        t42,
+        t80,
         t43,
-        t7,
-        t15,
-        t22,
-        t28,
-        t33,
-        t37,
-        t40,
-        t42,
+        t52,
+        t59,
+        t65,
+        t70,
+        t74,
+        t77,
+        t79,
+        t80,
         R::literal(2.0),
         t44,
         t8,
@@ -1520,168 +1559,188 @@ pub fn forcing<R: Real>(
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
+    let [(sin_chain_theta_1, _), (sin_chain_theta_2, _), (sin_chain_theta_3, _),
+    (sin_chain_theta_4, _), (sin_chain_theta_5, _), (sin_chain_theta_6, _),
+    (sin_chain_theta_7, _), (sin_chain_theta_8, _), (sin_chain_theta_9, _),
+    (sin_chain_theta_10, _), (t0, _), (t1, _), (t2, _), (t3, _), (t4, _), (t5, _),
+    (t6, _), (t7, _), (t8, _), (t9, _), (t10, _), (t11, _), (t12, _), (t13, _), (t14, _),
+    (t15, _), (t16, _), (t17, _), (t18, _), (t19, _), (t20, _), (t21, _), (t22, _),
+    (t23, _), (t24, _), (t25, _), (t26, _), (t27, _), (t28, _), (t29, _), (t30, _),
+    (t31, _), (t32, _), (t33, _), (t34, _), (t35, _), (t36, _), (t37, _), (t38, _),
+    (t39, _), (t40, _), (t41, _), (t42, _), (t43, _), (t44, _)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+        chain_theta_6,
+        chain_theta_7,
+        chain_theta_8,
+        chain_theta_9,
+        chain_theta_10,
+        chain_theta_1 - chain_theta_2,
+        chain_theta_1 - chain_theta_3,
+        chain_theta_1 - chain_theta_4,
+        chain_theta_1 - chain_theta_5,
+        chain_theta_1 - chain_theta_6,
+        chain_theta_1 - chain_theta_7,
+        chain_theta_1 - chain_theta_8,
+        chain_theta_1 - chain_theta_9,
+        chain_theta_1 - chain_theta_10,
+        chain_theta_2 - chain_theta_3,
+        chain_theta_2 - chain_theta_4,
+        chain_theta_2 - chain_theta_5,
+        chain_theta_2 - chain_theta_6,
+        chain_theta_2 - chain_theta_7,
+        chain_theta_2 - chain_theta_8,
+        chain_theta_2 - chain_theta_9,
+        chain_theta_2 - chain_theta_10,
+        chain_theta_3 - chain_theta_4,
+        chain_theta_3 - chain_theta_5,
+        chain_theta_3 - chain_theta_6,
+        chain_theta_3 - chain_theta_7,
+        chain_theta_3 - chain_theta_8,
+        chain_theta_3 - chain_theta_9,
+        chain_theta_3 - chain_theta_10,
+        chain_theta_4 - chain_theta_5,
+        chain_theta_4 - chain_theta_6,
+        chain_theta_4 - chain_theta_7,
+        chain_theta_4 - chain_theta_8,
+        chain_theta_4 - chain_theta_9,
+        chain_theta_4 - chain_theta_10,
+        chain_theta_5 - chain_theta_6,
+        chain_theta_5 - chain_theta_7,
+        chain_theta_5 - chain_theta_8,
+        chain_theta_5 - chain_theta_9,
+        chain_theta_5 - chain_theta_10,
+        chain_theta_6 - chain_theta_7,
+        chain_theta_6 - chain_theta_8,
+        chain_theta_6 - chain_theta_9,
+        chain_theta_6 - chain_theta_10,
+        chain_theta_7 - chain_theta_8,
+        chain_theta_7 - chain_theta_9,
+        chain_theta_7 - chain_theta_10,
+        chain_theta_8 - chain_theta_9,
+        chain_theta_8 - chain_theta_10,
+        chain_theta_9 - chain_theta_10,
+    ]);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t0 = (chain_theta_1 - chain_theta_2).sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t1 = (chain_theta_1 - chain_theta_3).sin();
-    let t2 = R::literal(8.0) * chain_omega_3_squared;
+    let t45 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t3 = (chain_theta_1 - chain_theta_4).sin();
-    let t4 = R::literal(7.0) * chain_omega_4_squared;
+    let t46 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t5 = (chain_theta_1 - chain_theta_5).sin();
-    let t6 = R::literal(6.0) * chain_omega_5_squared;
+    let t47 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t7 = (chain_theta_1 - chain_theta_6).sin();
-    let t8 = R::literal(5.0) * chain_omega_6_squared;
+    let t48 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t9 = (chain_theta_1 - chain_theta_7).sin();
-    let t10 = R::literal(4.0) * chain_omega_7_squared;
+    let t49 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t11 = (chain_theta_1 - chain_theta_8).sin();
-    let t12 = R::literal(3.0) * chain_omega_8_squared;
+    let t50 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t13 = (chain_theta_1 - chain_theta_9).sin();
-    let t14 = R::literal(2.0) * chain_omega_9_squared;
+    let t51 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t15 = (chain_theta_1 - chain_theta_10).sin();
-    let chain_theta_1_forcing = (-(R::literal(98.1) * chain_theta_1.sin()))
+    let chain_theta_1_forcing = (-(R::literal(98.1) * sin_chain_theta_1))
         .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
-        .sub_product(t2, t1)
-        .sub_product(t4, t3)
-        .sub_product(t6, t5)
-        .sub_product(t8, t7)
-        .sub_product(t10, t9)
-        .sub_product(t12, t11)
-        .sub_product(t14, t13)
-        .sub_product(chain_omega_10_squared, t15);
-    let t16 = (chain_theta_2 - chain_theta_3).sin();
-    let t17 = (chain_theta_2 - chain_theta_4).sin();
-    let t18 = (chain_theta_2 - chain_theta_5).sin();
-    let t19 = (chain_theta_2 - chain_theta_6).sin();
-    let t20 = (chain_theta_2 - chain_theta_7).sin();
-    let t21 = (chain_theta_2 - chain_theta_8).sin();
-    let t22 = (chain_theta_2 - chain_theta_9).sin();
-    let t23 = (chain_theta_2 - chain_theta_10).sin();
+        .sub_product(t45, t1)
+        .sub_product(t46, t2)
+        .sub_product(t47, t3)
+        .sub_product(t48, t4)
+        .sub_product(t49, t5)
+        .sub_product(t50, t6)
+        .sub_product(t51, t7)
+        .sub_product(chain_omega_10_squared, t8);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = (-(R::literal(88.29) * chain_theta_2.sin()))
+    let chain_theta_2_forcing = (-(R::literal(88.29) * sin_chain_theta_2))
         .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
-        .sub_product(t2, t16)
-        .sub_product(t4, t17)
-        .sub_product(t6, t18)
-        .sub_product(t8, t19)
-        .sub_product(t10, t20)
-        .sub_product(t12, t21)
-        .sub_product(t14, t22)
-        .sub_product(chain_omega_10_squared, t23);
-    let t24 = (chain_theta_3 - chain_theta_4).sin();
-    let t25 = (chain_theta_3 - chain_theta_5).sin();
-    let t26 = (chain_theta_3 - chain_theta_6).sin();
-    let t27 = (chain_theta_3 - chain_theta_7).sin();
-    let t28 = (chain_theta_3 - chain_theta_8).sin();
-    let t29 = (chain_theta_3 - chain_theta_9).sin();
-    let t30 = (chain_theta_3 - chain_theta_10).sin();
+        .sub_product(t45, t9)
+        .sub_product(t46, t10)
+        .sub_product(t47, t11)
+        .sub_product(t48, t12)
+        .sub_product(t49, t13)
+        .sub_product(t50, t14)
+        .sub_product(t51, t15)
+        .sub_product(chain_omega_10_squared, t16);
     let chain_theta_3_forcing = (R::literal(8.0) * chain_omega_1_squared * t1)
-        .add_product(R::literal(8.0) * chain_omega_2_squared, t16)
-        .sub_product(R::literal(78.48), chain_theta_3.sin())
-        .sub_product(t4, t24)
-        .sub_product(t6, t25)
-        .sub_product(t8, t26)
-        .sub_product(t10, t27)
-        .sub_product(t12, t28)
-        .sub_product(t14, t29)
-        .sub_product(chain_omega_10_squared, t30);
-    let t31 = (chain_theta_4 - chain_theta_5).sin();
-    let t32 = (chain_theta_4 - chain_theta_6).sin();
-    let t33 = (chain_theta_4 - chain_theta_7).sin();
-    let t34 = (chain_theta_4 - chain_theta_8).sin();
-    let t35 = (chain_theta_4 - chain_theta_9).sin();
-    let t36 = (chain_theta_4 - chain_theta_10).sin();
-    let chain_theta_4_forcing = (R::literal(7.0) * chain_omega_1_squared * t3)
-        .add_product(R::literal(7.0) * chain_omega_2_squared, t17)
-        .add_product(R::literal(7.0) * chain_omega_3_squared, t24)
-        .sub_product(R::literal(68.67), chain_theta_4.sin())
-        .sub_product(t6, t31)
-        .sub_product(t8, t32)
-        .sub_product(t10, t33)
-        .sub_product(t12, t34)
-        .sub_product(t14, t35)
-        .sub_product(chain_omega_10_squared, t36);
-    let t37 = (chain_theta_5 - chain_theta_6).sin();
-    let t38 = (chain_theta_5 - chain_theta_7).sin();
-    let t39 = (chain_theta_5 - chain_theta_8).sin();
-    let t40 = (chain_theta_5 - chain_theta_9).sin();
-    let t41 = (chain_theta_5 - chain_theta_10).sin();
-    let chain_theta_5_forcing = (R::literal(6.0) * chain_omega_1_squared * t5)
-        .add_product(R::literal(6.0) * chain_omega_2_squared, t18)
-        .add_product(R::literal(6.0) * chain_omega_3_squared, t25)
-        .add_product(R::literal(6.0) * chain_omega_4_squared, t31)
-        .sub_product(R::literal(58.86), chain_theta_5.sin())
-        .sub_product(t8, t37)
-        .sub_product(t10, t38)
-        .sub_product(t12, t39)
-        .sub_product(t14, t40)
+        .add_product(R::literal(8.0) * chain_omega_2_squared, t9)
+        .sub_product(R::literal(78.48), sin_chain_theta_3)
+        .sub_product(t46, t17)
+        .sub_product(t47, t18)
+        .sub_product(t48, t19)
+        .sub_product(t49, t20)
+        .sub_product(t50, t21)
+        .sub_product(t51, t22)
+        .sub_product(chain_omega_10_squared, t23);
+    let chain_theta_4_forcing = (R::literal(7.0) * chain_omega_1_squared * t2)
+        .add_product(R::literal(7.0) * chain_omega_2_squared, t10)
+        .add_product(R::literal(7.0) * chain_omega_3_squared, t17)
+        .sub_product(R::literal(68.67), sin_chain_theta_4)
+        .sub_product(t47, t24)
+        .sub_product(t48, t25)
+        .sub_product(t49, t26)
+        .sub_product(t50, t27)
+        .sub_product(t51, t28)
+        .sub_product(chain_omega_10_squared, t29);
+    let chain_theta_5_forcing = (R::literal(6.0) * chain_omega_1_squared * t3)
+        .add_product(R::literal(6.0) * chain_omega_2_squared, t11)
+        .add_product(R::literal(6.0) * chain_omega_3_squared, t18)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t24)
+        .sub_product(R::literal(58.86), sin_chain_theta_5)
+        .sub_product(t48, t30)
+        .sub_product(t49, t31)
+        .sub_product(t50, t32)
+        .sub_product(t51, t33)
+        .sub_product(chain_omega_10_squared, t34);
+    let chain_theta_6_forcing = (R::literal(5.0) * chain_omega_1_squared * t4)
+        .add_product(R::literal(5.0) * chain_omega_2_squared, t12)
+        .add_product(R::literal(5.0) * chain_omega_3_squared, t19)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t25)
+        .add_product(R::literal(5.0) * chain_omega_5_squared, t30)
+        .sub_product(R::literal(49.05), sin_chain_theta_6)
+        .sub_product(t49, t35)
+        .sub_product(t50, t36)
+        .sub_product(t51, t37)
+        .sub_product(chain_omega_10_squared, t38);
+    let chain_theta_7_forcing = (R::literal(4.0) * chain_omega_1_squared * t5)
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t13)
+        .add_product(R::literal(4.0) * chain_omega_3_squared, t20)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t26)
+        .add_product(R::literal(4.0) * chain_omega_5_squared, t31)
+        .add_product(R::literal(4.0) * chain_omega_6_squared, t35)
+        .sub_product(R::literal(39.24), sin_chain_theta_7)
+        .sub_product(t50, t39)
+        .sub_product(t51, t40)
         .sub_product(chain_omega_10_squared, t41);
-    let t42 = (chain_theta_6 - chain_theta_7).sin();
-    let t43 = (chain_theta_6 - chain_theta_8).sin();
-    let t44 = (chain_theta_6 - chain_theta_9).sin();
-    let t45 = (chain_theta_6 - chain_theta_10).sin();
-    let chain_theta_6_forcing = (R::literal(5.0) * chain_omega_1_squared * t7)
-        .add_product(R::literal(5.0) * chain_omega_2_squared, t19)
-        .add_product(R::literal(5.0) * chain_omega_3_squared, t26)
-        .add_product(R::literal(5.0) * chain_omega_4_squared, t32)
-        .add_product(R::literal(5.0) * chain_omega_5_squared, t37)
-        .sub_product(R::literal(49.05), chain_theta_6.sin())
-        .sub_product(t10, t42)
-        .sub_product(t12, t43)
-        .sub_product(t14, t44)
-        .sub_product(chain_omega_10_squared, t45);
-    let t46 = (chain_theta_7 - chain_theta_8).sin();
-    let t47 = (chain_theta_7 - chain_theta_9).sin();
-    let t48 = (chain_theta_7 - chain_theta_10).sin();
-    let chain_theta_7_forcing = (R::literal(4.0) * chain_omega_1_squared * t9)
-        .add_product(R::literal(4.0) * chain_omega_2_squared, t20)
-        .add_product(R::literal(4.0) * chain_omega_3_squared, t27)
-        .add_product(R::literal(4.0) * chain_omega_4_squared, t33)
-        .add_product(R::literal(4.0) * chain_omega_5_squared, t38)
-        .add_product(R::literal(4.0) * chain_omega_6_squared, t42)
-        .sub_product(R::literal(39.24), chain_theta_7.sin())
-        .sub_product(t12, t46)
-        .sub_product(t14, t47)
-        .sub_product(chain_omega_10_squared, t48);
-    let t49 = (chain_theta_8 - chain_theta_9).sin();
-    let t50 = (chain_theta_8 - chain_theta_10).sin();
-    let chain_theta_8_forcing = (R::literal(3.0) * chain_omega_1_squared * t11)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t21)
-        .add_product(R::literal(3.0) * chain_omega_3_squared, t28)
-        .add_product(R::literal(3.0) * chain_omega_4_squared, t34)
-        .add_product(R::literal(3.0) * chain_omega_5_squared, t39)
-        .add_product(R::literal(3.0) * chain_omega_6_squared, t43)
-        .add_product(R::literal(3.0) * chain_omega_7_squared, t46)
-        .sub_product(R::literal(29.43), chain_theta_8.sin())
-        .sub_product(t14, t49)
-        .sub_product(chain_omega_10_squared, t50);
-    let t51 = (chain_theta_9 - chain_theta_10).sin();
-    let chain_theta_9_forcing = (R::literal(2.0) * chain_omega_1_squared * t13)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t22)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t29)
-        .add_product(R::literal(2.0) * chain_omega_4_squared, t35)
-        .add_product(R::literal(2.0) * chain_omega_5_squared, t40)
-        .add_product(R::literal(2.0) * chain_omega_6_squared, t44)
-        .add_product(R::literal(2.0) * chain_omega_7_squared, t47)
-        .add_product(R::literal(2.0) * chain_omega_8_squared, t49)
-        .sub_product(R::literal(19.62), chain_theta_9.sin())
-        .sub_product(chain_omega_10_squared, t51);
-    let chain_theta_10_forcing = (chain_omega_1_squared * t15)
-        .add_product(chain_omega_2_squared, t23)
-        .add_product(chain_omega_3_squared, t30)
-        .add_product(chain_omega_4_squared, t36)
-        .add_product(chain_omega_5_squared, t41)
-        .add_product(chain_omega_6_squared, t45)
-        .add_product(chain_omega_7_squared, t48)
-        .add_product(chain_omega_8_squared, t50)
-        .add_product(chain_omega_9_squared, t51)
-        .sub_product(R::literal(9.81), chain_theta_10.sin());
+    let chain_theta_8_forcing = (R::literal(3.0) * chain_omega_1_squared * t6)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t14)
+        .add_product(R::literal(3.0) * chain_omega_3_squared, t21)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t27)
+        .add_product(R::literal(3.0) * chain_omega_5_squared, t32)
+        .add_product(R::literal(3.0) * chain_omega_6_squared, t36)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t39)
+        .sub_product(R::literal(29.43), sin_chain_theta_8)
+        .sub_product(t51, t42)
+        .sub_product(chain_omega_10_squared, t43);
+    let chain_theta_9_forcing = (R::literal(2.0) * chain_omega_1_squared * t7)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t15)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t22)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t28)
+        .add_product(R::literal(2.0) * chain_omega_5_squared, t33)
+        .add_product(R::literal(2.0) * chain_omega_6_squared, t37)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t40)
+        .add_product(R::literal(2.0) * chain_omega_8_squared, t42)
+        .sub_product(R::literal(19.62), sin_chain_theta_9)
+        .sub_product(chain_omega_10_squared, t44);
+    let chain_theta_10_forcing = (chain_omega_1_squared * t8)
+        .add_product(chain_omega_2_squared, t16)
+        .add_product(chain_omega_3_squared, t23)
+        .add_product(chain_omega_4_squared, t29)
+        .add_product(chain_omega_5_squared, t34)
+        .add_product(chain_omega_6_squared, t38)
+        .add_product(chain_omega_7_squared, t41)
+        .add_product(chain_omega_8_squared, t43)
+        .add_product(chain_omega_9_squared, t44)
+        .sub_product(R::literal(9.81), sin_chain_theta_10);
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -1709,26 +1768,22 @@ pub fn rate_jacobian<R: Real>(
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
-    let sin_chain_theta_3 = chain_theta_3.sin();
-    let cos_chain_theta_3 = chain_theta_3.cos();
-    let sin_chain_theta_4 = chain_theta_4.sin();
-    let cos_chain_theta_4 = chain_theta_4.cos();
-    let sin_chain_theta_5 = chain_theta_5.sin();
-    let cos_chain_theta_5 = chain_theta_5.cos();
-    let sin_chain_theta_6 = chain_theta_6.sin();
-    let cos_chain_theta_6 = chain_theta_6.cos();
-    let sin_chain_theta_7 = chain_theta_7.sin();
-    let cos_chain_theta_7 = chain_theta_7.cos();
-    let sin_chain_theta_8 = chain_theta_8.sin();
-    let cos_chain_theta_8 = chain_theta_8.cos();
-    let sin_chain_theta_9 = chain_theta_9.sin();
-    let cos_chain_theta_9 = chain_theta_9.cos();
-    let sin_chain_theta_10 = chain_theta_10.sin();
-    let cos_chain_theta_10 = chain_theta_10.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+        chain_theta_6,
+        chain_theta_7,
+        chain_theta_8,
+        chain_theta_9,
+        chain_theta_10,
+    ]);
     let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
         .sub_product(cos_chain_theta_1, sin_chain_theta_2);
     let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
@@ -1917,14 +1972,14 @@ pub fn rate_jacobian<R: Real>(
         .sub_product(cos_chain_theta_9, sin_chain_theta_10);
     let t97 = (cos_chain_theta_9 * cos_chain_theta_10)
         .add_product(sin_chain_theta_9, sin_chain_theta_10);
-    let t98 = t2 * R::literal(0.1);
-    let t99 = t5 * R::literal(0.1);
-    let t100 = t8 * R::literal(0.1);
-    let t101 = t11 * R::literal(0.1);
-    let t102 = t14 * R::literal(0.1);
-    let t103 = t17 * R::literal(0.1);
-    let t104 = t20 * R::literal(0.1);
-    let t105 = t23 * R::literal(0.1);
+    let t98 = R::literal(0.9) * t1;
+    let t99 = R::literal(0.8) * t4;
+    let t100 = R::literal(0.700_000_000_000_000_1) * t7;
+    let t101 = R::literal(0.600_000_000_000_000_1) * t10;
+    let t102 = R::literal(0.5) * t13;
+    let t103 = R::literal(0.4) * t16;
+    let t104 = R::literal(0.300_000_000_000_000_04) * t19;
+    let t105 = R::literal(0.2) * t22;
     let t106 = t25 * R::literal(0.1);
     let t107 = R::literal(1.0) / R::literal(9.0).sub_product(t98, t2);
     let t108 = (R::literal(8.0) * t27).sub_product(t99, t2);
@@ -5061,36 +5116,42 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
-    let cos_chain_theta_1 = chain_theta_1.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+        chain_theta_6,
+        chain_theta_7,
+        chain_theta_8,
+        chain_theta_9,
+        chain_theta_10,
+    ]);
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
-    let chain_v_1 = chain_omega_1 * chain_theta_1.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
+    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
-    let chain_v_2 = chain_v_1.add_product(chain_omega_2, chain_theta_2.sin());
-    let cos_chain_theta_3 = chain_theta_3.cos();
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
-    let chain_v_3 = chain_v_2.add_product(chain_omega_3, chain_theta_3.sin());
-    let cos_chain_theta_4 = chain_theta_4.cos();
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
     let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
-    let chain_v_4 = chain_v_3.add_product(chain_omega_4, chain_theta_4.sin());
-    let cos_chain_theta_5 = chain_theta_5.cos();
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
     let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
-    let chain_v_5 = chain_v_4.add_product(chain_omega_5, chain_theta_5.sin());
-    let cos_chain_theta_6 = chain_theta_6.cos();
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
     let chain_u_6 = chain_u_5.add_product(chain_omega_6, cos_chain_theta_6);
-    let chain_v_6 = chain_v_5.add_product(chain_omega_6, chain_theta_6.sin());
-    let cos_chain_theta_7 = chain_theta_7.cos();
+    let chain_v_6 = chain_v_5.add_product(chain_omega_6, sin_chain_theta_6);
     let chain_u_7 = chain_u_6.add_product(chain_omega_7, cos_chain_theta_7);
-    let chain_v_7 = chain_v_6.add_product(chain_omega_7, chain_theta_7.sin());
-    let cos_chain_theta_8 = chain_theta_8.cos();
+    let chain_v_7 = chain_v_6.add_product(chain_omega_7, sin_chain_theta_7);
     let chain_u_8 = chain_u_7.add_product(chain_omega_8, cos_chain_theta_8);
-    let chain_v_8 = chain_v_7.add_product(chain_omega_8, chain_theta_8.sin());
-    let cos_chain_theta_9 = chain_theta_9.cos();
+    let chain_v_8 = chain_v_7.add_product(chain_omega_8, sin_chain_theta_8);
     let chain_u_9 = chain_u_8.add_product(chain_omega_9, cos_chain_theta_9);
-    let chain_v_9 = chain_v_8.add_product(chain_omega_9, chain_theta_9.sin());
-    let cos_chain_theta_10 = chain_theta_10.cos();
+    let chain_v_9 = chain_v_8.add_product(chain_omega_9, sin_chain_theta_9);
     let chain_u_10 = chain_u_9.add_product(chain_omega_10, cos_chain_theta_10);
-    let chain_v_10 = chain_v_9.add_product(chain_omega_10, chain_theta_10.sin());
+    let chain_v_10 = chain_v_9.add_product(chain_omega_10, sin_chain_theta_10);
     Energy {
         kinetic: R::literal(0.5)
             * (chain_u_1 * chain_u_1)
@@ -5114,8 +5175,8 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
                 .add_product(chain_u_10, chain_u_10)
                 .add_product(chain_v_10, chain_v_10),
         potential: R::literal(9.81)
-            * ((-(R::literal(10.0) * cos_chain_theta_1))
-                .sub_product(R::literal(9.0), cos_chain_theta_2)
+            * ((-(R::literal(9.0) * cos_chain_theta_2))
+                .sub_product(R::literal(10.0), cos_chain_theta_1)
                 .sub_product(R::literal(8.0), cos_chain_theta_3)
                 .sub_product(R::literal(7.0), cos_chain_theta_4)
                 .sub_product(R::literal(6.0), cos_chain_theta_5)
@@ -5140,64 +5201,15 @@ pub fn power_balance<R: Real>(
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
     chain_omega_6, chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10] = *state;
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
-    let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
-    let cos_chain_theta_3 = chain_theta_3.cos();
-    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
-    let sin_chain_theta_3 = chain_theta_3.sin();
-    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
-    let cos_chain_theta_4 = chain_theta_4.cos();
-    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
-    let sin_chain_theta_4 = chain_theta_4.sin();
-    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
-    let cos_chain_theta_5 = chain_theta_5.cos();
-    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
-    let sin_chain_theta_5 = chain_theta_5.sin();
-    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
-    let cos_chain_theta_6 = chain_theta_6.cos();
-    let chain_u_6 = chain_u_5.add_product(chain_omega_6, cos_chain_theta_6);
-    let sin_chain_theta_6 = chain_theta_6.sin();
-    let chain_v_6 = chain_v_5.add_product(chain_omega_6, sin_chain_theta_6);
-    let cos_chain_theta_7 = chain_theta_7.cos();
-    let chain_u_7 = chain_u_6.add_product(chain_omega_7, cos_chain_theta_7);
-    let sin_chain_theta_7 = chain_theta_7.sin();
-    let chain_v_7 = chain_v_6.add_product(chain_omega_7, sin_chain_theta_7);
-    let cos_chain_theta_8 = chain_theta_8.cos();
-    let chain_u_8 = chain_u_7.add_product(chain_omega_8, cos_chain_theta_8);
-    let sin_chain_theta_8 = chain_theta_8.sin();
-    let chain_v_8 = chain_v_7.add_product(chain_omega_8, sin_chain_theta_8);
-    let cos_chain_theta_9 = chain_theta_9.cos();
-    let chain_u_9 = chain_u_8.add_product(chain_omega_9, cos_chain_theta_9);
-    let sin_chain_theta_9 = chain_theta_9.sin();
-    let chain_v_9 = chain_v_8.add_product(chain_omega_9, sin_chain_theta_9);
-    let cos_chain_theta_10 = chain_theta_10.cos();
-    let chain_u_10 = chain_u_9.add_product(chain_omega_10, cos_chain_theta_10);
-    let sin_chain_theta_10 = chain_theta_10.sin();
-    let chain_v_10 = chain_v_9.add_product(chain_omega_10, sin_chain_theta_10);
     let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = R::literal(9.0) * chain_theta_1_minus_chain_theta_2.cos();
     let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
-    let t1 = R::literal(8.0) * chain_theta_1_minus_chain_theta_3.cos();
     let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
-    let t2 = R::literal(7.0) * chain_theta_1_minus_chain_theta_4.cos();
     let chain_theta_1_minus_chain_theta_5 = chain_theta_1 - chain_theta_5;
-    let t3 = R::literal(6.0) * chain_theta_1_minus_chain_theta_5.cos();
     let chain_theta_1_minus_chain_theta_6 = chain_theta_1 - chain_theta_6;
-    let t4 = R::literal(5.0) * chain_theta_1_minus_chain_theta_6.cos();
     let chain_theta_1_minus_chain_theta_7 = chain_theta_1 - chain_theta_7;
-    let t5 = R::literal(4.0) * chain_theta_1_minus_chain_theta_7.cos();
     let chain_theta_1_minus_chain_theta_8 = chain_theta_1 - chain_theta_8;
-    let t6 = R::literal(3.0) * chain_theta_1_minus_chain_theta_8.cos();
     let chain_theta_1_minus_chain_theta_9 = chain_theta_1 - chain_theta_9;
-    let t7 = R::literal(2.0) * chain_theta_1_minus_chain_theta_9.cos();
     let chain_theta_1_minus_chain_theta_10 = chain_theta_1 - chain_theta_10;
-    let t8 = chain_theta_1_minus_chain_theta_10.cos();
     let chain_theta_2_minus_chain_theta_3 = chain_theta_2 - chain_theta_3;
     let chain_theta_2_minus_chain_theta_4 = chain_theta_2 - chain_theta_4;
     let chain_theta_2_minus_chain_theta_5 = chain_theta_2 - chain_theta_5;
@@ -5234,883 +5246,906 @@ pub fn power_balance<R: Real>(
     let chain_theta_8_minus_chain_theta_9 = chain_theta_8 - chain_theta_9;
     let chain_theta_8_minus_chain_theta_10 = chain_theta_8 - chain_theta_10;
     let chain_theta_9_minus_chain_theta_10 = chain_theta_9 - chain_theta_10;
-    let t9 = t0 * R::literal(0.1);
-    let t10 = t1 * R::literal(0.1);
-    let t11 = t2 * R::literal(0.1);
-    let t12 = t3 * R::literal(0.1);
-    let t13 = t4 * R::literal(0.1);
-    let t14 = t5 * R::literal(0.1);
-    let t15 = t6 * R::literal(0.1);
-    let t16 = t7 * R::literal(0.1);
-    let t17 = t8 * R::literal(0.1);
-    let t18 = R::literal(1.0) / R::literal(9.0).sub_product(t9, t0);
-    let t19 = (R::literal(8.0) * chain_theta_2_minus_chain_theta_3.cos())
-        .sub_product(t10, t0);
-    let t20 = t19 * t18;
-    let t21 = (R::literal(7.0) * chain_theta_2_minus_chain_theta_4.cos())
-        .sub_product(t11, t0);
-    let t22 = t21 * t18;
-    let t23 = (R::literal(6.0) * chain_theta_2_minus_chain_theta_5.cos())
-        .sub_product(t12, t0);
-    let t24 = t23 * t18;
-    let t25 = (R::literal(5.0) * chain_theta_2_minus_chain_theta_6.cos())
-        .sub_product(t13, t0);
-    let t26 = t25 * t18;
-    let t27 = (R::literal(4.0) * chain_theta_2_minus_chain_theta_7.cos())
-        .sub_product(t14, t0);
-    let t28 = t27 * t18;
-    let t29 = (R::literal(3.0) * chain_theta_2_minus_chain_theta_8.cos())
-        .sub_product(t15, t0);
-    let t30 = t29 * t18;
-    let t31 = (R::literal(2.0) * chain_theta_2_minus_chain_theta_9.cos())
-        .sub_product(t16, t0);
-    let t32 = t31 * t18;
-    let t33 = chain_theta_2_minus_chain_theta_10.cos().sub_product(t17, t0);
-    let t34 = t33 * t18;
-    let t35 = R::literal(1.0)
-        / R::literal(8.0).sub_product(t10, t1).sub_product(t20, t19);
-    let t36 = (R::literal(7.0) * chain_theta_3_minus_chain_theta_4.cos())
-        .sub_product(t11, t1)
-        .sub_product(t22, t19);
-    let t37 = t36 * t35;
-    let t38 = (R::literal(6.0) * chain_theta_3_minus_chain_theta_5.cos())
-        .sub_product(t12, t1)
-        .sub_product(t24, t19);
-    let t39 = t38 * t35;
-    let t40 = (R::literal(5.0) * chain_theta_3_minus_chain_theta_6.cos())
-        .sub_product(t13, t1)
-        .sub_product(t26, t19);
-    let t41 = t40 * t35;
-    let t42 = (R::literal(4.0) * chain_theta_3_minus_chain_theta_7.cos())
-        .sub_product(t14, t1)
-        .sub_product(t28, t19);
-    let t43 = t42 * t35;
-    let t44 = (R::literal(3.0) * chain_theta_3_minus_chain_theta_8.cos())
-        .sub_product(t15, t1)
-        .sub_product(t30, t19);
-    let t45 = t44 * t35;
-    let t46 = (R::literal(2.0) * chain_theta_3_minus_chain_theta_9.cos())
-        .sub_product(t16, t1)
-        .sub_product(t32, t19);
-    let t47 = t46 * t35;
-    let t48 = chain_theta_3_minus_chain_theta_10
-        .cos()
-        .sub_product(t17, t1)
-        .sub_product(t34, t19);
-    let t49 = t48 * t35;
-    let t50 = R::literal(1.0)
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5), (sin_chain_theta_6, cos_chain_theta_6),
+    (sin_chain_theta_7, cos_chain_theta_7), (sin_chain_theta_8, cos_chain_theta_8),
+    (sin_chain_theta_9, cos_chain_theta_9), (sin_chain_theta_10, cos_chain_theta_10),
+    (t0, t1), (t2, t3), (t4, t5), (t6, t7), (t8, t9), (t10, t11), (t12, t13), (t14, t15),
+    (t16, t17), (t18, t19), (t20, t21), (t22, t23), (t24, t25), (t26, t27), (t28, t29),
+    (t30, t31), (t32, t33), (t34, t35), (t36, t37), (t38, t39), (t40, t41), (t42, t43),
+    (t44, t45), (t46, t47), (t48, t49), (t50, t51), (t52, t53), (t54, t55), (t56, t57),
+    (t58, t59), (t60, t61), (t62, t63), (t64, t65), (t66, t67), (t68, t69), (t70, t71),
+    (t72, t73), (t74, t75), (t76, t77), (t78, t79), (t80, t81), (t82, t83), (t84, t85),
+    (t86, t87), (t88, t89)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+        chain_theta_6,
+        chain_theta_7,
+        chain_theta_8,
+        chain_theta_9,
+        chain_theta_10,
+        chain_theta_1_minus_chain_theta_2,
+        chain_theta_1_minus_chain_theta_3,
+        chain_theta_1_minus_chain_theta_4,
+        chain_theta_1_minus_chain_theta_5,
+        chain_theta_1_minus_chain_theta_6,
+        chain_theta_1_minus_chain_theta_7,
+        chain_theta_1_minus_chain_theta_8,
+        chain_theta_1_minus_chain_theta_9,
+        chain_theta_1_minus_chain_theta_10,
+        chain_theta_2_minus_chain_theta_3,
+        chain_theta_2_minus_chain_theta_4,
+        chain_theta_2_minus_chain_theta_5,
+        chain_theta_2_minus_chain_theta_6,
+        chain_theta_2_minus_chain_theta_7,
+        chain_theta_2_minus_chain_theta_8,
+        chain_theta_2_minus_chain_theta_9,
+        chain_theta_2_minus_chain_theta_10,
+        chain_theta_3_minus_chain_theta_4,
+        chain_theta_3_minus_chain_theta_5,
+        chain_theta_3_minus_chain_theta_6,
+        chain_theta_3_minus_chain_theta_7,
+        chain_theta_3_minus_chain_theta_8,
+        chain_theta_3_minus_chain_theta_9,
+        chain_theta_3_minus_chain_theta_10,
+        chain_theta_4_minus_chain_theta_5,
+        chain_theta_4_minus_chain_theta_6,
+        chain_theta_4_minus_chain_theta_7,
+        chain_theta_4_minus_chain_theta_8,
+        chain_theta_4_minus_chain_theta_9,
+        chain_theta_4_minus_chain_theta_10,
+        chain_theta_5_minus_chain_theta_6,
+        chain_theta_5_minus_chain_theta_7,
+        chain_theta_5_minus_chain_theta_8,
+        chain_theta_5_minus_chain_theta_9,
+        chain_theta_5_minus_chain_theta_10,
+        chain_theta_6_minus_chain_theta_7,
+        chain_theta_6_minus_chain_theta_8,
+        chain_theta_6_minus_chain_theta_9,
+        chain_theta_6_minus_chain_theta_10,
+        chain_theta_7_minus_chain_theta_8,
+        chain_theta_7_minus_chain_theta_9,
+        chain_theta_7_minus_chain_theta_10,
+        chain_theta_8_minus_chain_theta_9,
+        chain_theta_8_minus_chain_theta_10,
+        chain_theta_9_minus_chain_theta_10,
+    ]);
+    let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
+    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
+    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
+    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
+    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
+    let chain_u_6 = chain_u_5.add_product(chain_omega_6, cos_chain_theta_6);
+    let chain_v_6 = chain_v_5.add_product(chain_omega_6, sin_chain_theta_6);
+    let chain_u_7 = chain_u_6.add_product(chain_omega_7, cos_chain_theta_7);
+    let chain_v_7 = chain_v_6.add_product(chain_omega_7, sin_chain_theta_7);
+    let chain_u_8 = chain_u_7.add_product(chain_omega_8, cos_chain_theta_8);
+    let chain_v_8 = chain_v_7.add_product(chain_omega_8, sin_chain_theta_8);
+    let chain_u_9 = chain_u_8.add_product(chain_omega_9, cos_chain_theta_9);
+    let chain_v_9 = chain_v_8.add_product(chain_omega_9, sin_chain_theta_9);
+    let chain_u_10 = chain_u_9.add_product(chain_omega_10, cos_chain_theta_10);
+    let chain_v_10 = chain_v_9.add_product(chain_omega_10, sin_chain_theta_10);
+    let t90 = R::literal(9.0) * t1;
+    let t91 = R::literal(8.0) * t3;
+    let t92 = R::literal(7.0) * t5;
+    let t93 = R::literal(6.0) * t7;
+    let t94 = R::literal(5.0) * t9;
+    let t95 = R::literal(4.0) * t11;
+    let t96 = R::literal(3.0) * t13;
+    let t97 = R::literal(2.0) * t15;
+    let t98 = R::literal(0.9) * t1;
+    let t99 = R::literal(0.8) * t3;
+    let t100 = R::literal(0.700_000_000_000_000_1) * t5;
+    let t101 = R::literal(0.600_000_000_000_000_1) * t7;
+    let t102 = R::literal(0.5) * t9;
+    let t103 = R::literal(0.4) * t11;
+    let t104 = R::literal(0.300_000_000_000_000_04) * t13;
+    let t105 = R::literal(0.2) * t15;
+    let t106 = t17 * R::literal(0.1);
+    let t107 = R::literal(1.0) / R::literal(9.0).sub_product(t98, t90);
+    let t108 = (R::literal(8.0) * t19).sub_product(t99, t90);
+    let t109 = t108 * t107;
+    let t110 = (R::literal(7.0) * t21).sub_product(t100, t90);
+    let t111 = t110 * t107;
+    let t112 = (R::literal(6.0) * t23).sub_product(t101, t90);
+    let t113 = t112 * t107;
+    let t114 = (R::literal(5.0) * t25).sub_product(t102, t90);
+    let t115 = t114 * t107;
+    let t116 = (R::literal(4.0) * t27).sub_product(t103, t90);
+    let t117 = t116 * t107;
+    let t118 = (R::literal(3.0) * t29).sub_product(t104, t90);
+    let t119 = t118 * t107;
+    let t120 = (R::literal(2.0) * t31).sub_product(t105, t90);
+    let t121 = t120 * t107;
+    let t122 = t33.sub_product(t106, t90);
+    let t123 = t122 * t107;
+    let t124 = R::literal(1.0)
+        / R::literal(8.0).sub_product(t99, t91).sub_product(t109, t108);
+    let t125 = (R::literal(7.0) * t35).sub_product(t100, t91).sub_product(t111, t108);
+    let t126 = t125 * t124;
+    let t127 = (R::literal(6.0) * t37).sub_product(t101, t91).sub_product(t113, t108);
+    let t128 = t127 * t124;
+    let t129 = (R::literal(5.0) * t39).sub_product(t102, t91).sub_product(t115, t108);
+    let t130 = t129 * t124;
+    let t131 = (R::literal(4.0) * t41).sub_product(t103, t91).sub_product(t117, t108);
+    let t132 = t131 * t124;
+    let t133 = (R::literal(3.0) * t43).sub_product(t104, t91).sub_product(t119, t108);
+    let t134 = t133 * t124;
+    let t135 = (R::literal(2.0) * t45).sub_product(t105, t91).sub_product(t121, t108);
+    let t136 = t135 * t124;
+    let t137 = t47.sub_product(t106, t91).sub_product(t123, t108);
+    let t138 = t137 * t124;
+    let t139 = R::literal(1.0)
         / R::literal(7.0)
-            .sub_product(t11, t2)
-            .sub_product(t22, t21)
-            .sub_product(t37, t36);
-    let t51 = (R::literal(6.0) * chain_theta_4_minus_chain_theta_5.cos())
-        .sub_product(t12, t2)
-        .sub_product(t24, t21)
-        .sub_product(t39, t36);
-    let t52 = t51 * t50;
-    let t53 = (R::literal(5.0) * chain_theta_4_minus_chain_theta_6.cos())
-        .sub_product(t13, t2)
-        .sub_product(t26, t21)
-        .sub_product(t41, t36);
-    let t54 = t53 * t50;
-    let t55 = (R::literal(4.0) * chain_theta_4_minus_chain_theta_7.cos())
-        .sub_product(t14, t2)
-        .sub_product(t28, t21)
-        .sub_product(t43, t36);
-    let t56 = t55 * t50;
-    let t57 = (R::literal(3.0) * chain_theta_4_minus_chain_theta_8.cos())
-        .sub_product(t15, t2)
-        .sub_product(t30, t21)
-        .sub_product(t45, t36);
-    let t58 = t57 * t50;
-    let t59 = (R::literal(2.0) * chain_theta_4_minus_chain_theta_9.cos())
-        .sub_product(t16, t2)
-        .sub_product(t32, t21)
-        .sub_product(t47, t36);
-    let t60 = t59 * t50;
-    let t61 = chain_theta_4_minus_chain_theta_10
-        .cos()
-        .sub_product(t17, t2)
-        .sub_product(t34, t21)
-        .sub_product(t49, t36);
-    let t62 = t61 * t50;
-    let t63 = R::literal(1.0)
+            .sub_product(t100, t92)
+            .sub_product(t111, t110)
+            .sub_product(t126, t125);
+    let t140 = (R::literal(6.0) * t49)
+        .sub_product(t101, t92)
+        .sub_product(t113, t110)
+        .sub_product(t128, t125);
+    let t141 = t140 * t139;
+    let t142 = (R::literal(5.0) * t51)
+        .sub_product(t102, t92)
+        .sub_product(t115, t110)
+        .sub_product(t130, t125);
+    let t143 = t142 * t139;
+    let t144 = (R::literal(4.0) * t53)
+        .sub_product(t103, t92)
+        .sub_product(t117, t110)
+        .sub_product(t132, t125);
+    let t145 = t144 * t139;
+    let t146 = (R::literal(3.0) * t55)
+        .sub_product(t104, t92)
+        .sub_product(t119, t110)
+        .sub_product(t134, t125);
+    let t147 = t146 * t139;
+    let t148 = (R::literal(2.0) * t57)
+        .sub_product(t105, t92)
+        .sub_product(t121, t110)
+        .sub_product(t136, t125);
+    let t149 = t148 * t139;
+    let t150 = t59
+        .sub_product(t106, t92)
+        .sub_product(t123, t110)
+        .sub_product(t138, t125);
+    let t151 = t150 * t139;
+    let t152 = R::literal(1.0)
         / R::literal(6.0)
-            .sub_product(t12, t3)
-            .sub_product(t24, t23)
-            .sub_product(t39, t38)
-            .sub_product(t52, t51);
-    let t64 = (R::literal(5.0) * chain_theta_5_minus_chain_theta_6.cos())
-        .sub_product(t13, t3)
-        .sub_product(t26, t23)
-        .sub_product(t41, t38)
-        .sub_product(t54, t51);
-    let t65 = t64 * t63;
-    let t66 = (R::literal(4.0) * chain_theta_5_minus_chain_theta_7.cos())
-        .sub_product(t14, t3)
-        .sub_product(t28, t23)
-        .sub_product(t43, t38)
-        .sub_product(t56, t51);
-    let t67 = t66 * t63;
-    let t68 = (R::literal(3.0) * chain_theta_5_minus_chain_theta_8.cos())
-        .sub_product(t15, t3)
-        .sub_product(t30, t23)
-        .sub_product(t45, t38)
-        .sub_product(t58, t51);
-    let t69 = t68 * t63;
-    let t70 = (R::literal(2.0) * chain_theta_5_minus_chain_theta_9.cos())
-        .sub_product(t16, t3)
-        .sub_product(t32, t23)
-        .sub_product(t47, t38)
-        .sub_product(t60, t51);
-    let t71 = t70 * t63;
-    let t72 = chain_theta_5_minus_chain_theta_10
-        .cos()
-        .sub_product(t17, t3)
-        .sub_product(t34, t23)
-        .sub_product(t49, t38)
-        .sub_product(t62, t51);
-    let t73 = t72 * t63;
-    let t74 = R::literal(1.0)
+            .sub_product(t101, t93)
+            .sub_product(t113, t112)
+            .sub_product(t128, t127)
+            .sub_product(t141, t140);
+    let t153 = (R::literal(5.0) * t61)
+        .sub_product(t102, t93)
+        .sub_product(t115, t112)
+        .sub_product(t130, t127)
+        .sub_product(t143, t140);
+    let t154 = t153 * t152;
+    let t155 = (R::literal(4.0) * t63)
+        .sub_product(t103, t93)
+        .sub_product(t117, t112)
+        .sub_product(t132, t127)
+        .sub_product(t145, t140);
+    let t156 = t155 * t152;
+    let t157 = (R::literal(3.0) * t65)
+        .sub_product(t104, t93)
+        .sub_product(t119, t112)
+        .sub_product(t134, t127)
+        .sub_product(t147, t140);
+    let t158 = t157 * t152;
+    let t159 = (R::literal(2.0) * t67)
+        .sub_product(t105, t93)
+        .sub_product(t121, t112)
+        .sub_product(t136, t127)
+        .sub_product(t149, t140);
+    let t160 = t159 * t152;
+    let t161 = t69
+        .sub_product(t106, t93)
+        .sub_product(t123, t112)
+        .sub_product(t138, t127)
+        .sub_product(t151, t140);
+    let t162 = t161 * t152;
+    let t163 = R::literal(1.0)
         / R::literal(5.0)
-            .sub_product(t13, t4)
-            .sub_product(t26, t25)
-            .sub_product(t41, t40)
-            .sub_product(t54, t53)
-            .sub_product(t65, t64);
-    let t75 = (R::literal(4.0) * chain_theta_6_minus_chain_theta_7.cos())
-        .sub_product(t14, t4)
-        .sub_product(t28, t25)
-        .sub_product(t43, t40)
-        .sub_product(t56, t53)
-        .sub_product(t67, t64);
-    let t76 = t75 * t74;
-    let t77 = (R::literal(3.0) * chain_theta_6_minus_chain_theta_8.cos())
-        .sub_product(t15, t4)
-        .sub_product(t30, t25)
-        .sub_product(t45, t40)
-        .sub_product(t58, t53)
-        .sub_product(t69, t64);
-    let t78 = t77 * t74;
-    let t79 = (R::literal(2.0) * chain_theta_6_minus_chain_theta_9.cos())
-        .sub_product(t16, t4)
-        .sub_product(t32, t25)
-        .sub_product(t47, t40)
-        .sub_product(t60, t53)
-        .sub_product(t71, t64);
-    let t80 = t79 * t74;
-    let t81 = chain_theta_6_minus_chain_theta_10
-        .cos()
-        .sub_product(t17, t4)
-        .sub_product(t34, t25)
-        .sub_product(t49, t40)
-        .sub_product(t62, t53)
-        .sub_product(t73, t64);
-    let t82 = t81 * t74;
-    let t83 = R::literal(1.0)
+            .sub_product(t102, t94)
+            .sub_product(t115, t114)
+            .sub_product(t130, t129)
+            .sub_product(t143, t142)
+            .sub_product(t154, t153);
+    let t164 = (R::literal(4.0) * t71)
+        .sub_product(t103, t94)
+        .sub_product(t117, t114)
+        .sub_product(t132, t129)
+        .sub_product(t145, t142)
+        .sub_product(t156, t153);
+    let t165 = t164 * t163;
+    let t166 = (R::literal(3.0) * t73)
+        .sub_product(t104, t94)
+        .sub_product(t119, t114)
+        .sub_product(t134, t129)
+        .sub_product(t147, t142)
+        .sub_product(t158, t153);
+    let t167 = t166 * t163;
+    let t168 = (R::literal(2.0) * t75)
+        .sub_product(t105, t94)
+        .sub_product(t121, t114)
+        .sub_product(t136, t129)
+        .sub_product(t149, t142)
+        .sub_product(t160, t153);
+    let t169 = t168 * t163;
+    let t170 = t77
+        .sub_product(t106, t94)
+        .sub_product(t123, t114)
+        .sub_product(t138, t129)
+        .sub_product(t151, t142)
+        .sub_product(t162, t153);
+    let t171 = t170 * t163;
+    let t172 = R::literal(1.0)
         / R::literal(4.0)
-            .sub_product(t14, t5)
-            .sub_product(t28, t27)
-            .sub_product(t43, t42)
-            .sub_product(t56, t55)
-            .sub_product(t67, t66)
-            .sub_product(t76, t75);
-    let t84 = (R::literal(3.0) * chain_theta_7_minus_chain_theta_8.cos())
-        .sub_product(t15, t5)
-        .sub_product(t30, t27)
-        .sub_product(t45, t42)
-        .sub_product(t58, t55)
-        .sub_product(t69, t66)
-        .sub_product(t78, t75);
-    let t85 = t84 * t83;
-    let t86 = (R::literal(2.0) * chain_theta_7_minus_chain_theta_9.cos())
-        .sub_product(t16, t5)
-        .sub_product(t32, t27)
-        .sub_product(t47, t42)
-        .sub_product(t60, t55)
-        .sub_product(t71, t66)
-        .sub_product(t80, t75);
-    let t87 = t86 * t83;
-    let t88 = chain_theta_7_minus_chain_theta_10
-        .cos()
-        .sub_product(t17, t5)
-        .sub_product(t34, t27)
-        .sub_product(t49, t42)
-        .sub_product(t62, t55)
-        .sub_product(t73, t66)
-        .sub_product(t82, t75);
-    let t89 = t88 * t83;
-    let t90 = R::literal(1.0)
+            .sub_product(t103, t95)
+            .sub_product(t117, t116)
+            .sub_product(t132, t131)
+            .sub_product(t145, t144)
+            .sub_product(t156, t155)
+            .sub_product(t165, t164);
+    let t173 = (R::literal(3.0) * t79)
+        .sub_product(t104, t95)
+        .sub_product(t119, t116)
+        .sub_product(t134, t131)
+        .sub_product(t147, t144)
+        .sub_product(t158, t155)
+        .sub_product(t167, t164);
+    let t174 = t173 * t172;
+    let t175 = (R::literal(2.0) * t81)
+        .sub_product(t105, t95)
+        .sub_product(t121, t116)
+        .sub_product(t136, t131)
+        .sub_product(t149, t144)
+        .sub_product(t160, t155)
+        .sub_product(t169, t164);
+    let t176 = t175 * t172;
+    let t177 = t83
+        .sub_product(t106, t95)
+        .sub_product(t123, t116)
+        .sub_product(t138, t131)
+        .sub_product(t151, t144)
+        .sub_product(t162, t155)
+        .sub_product(t171, t164);
+    let t178 = t177 * t172;
+    let t179 = R::literal(1.0)
         / R::literal(3.0)
-            .sub_product(t15, t6)
-            .sub_product(t30, t29)
-            .sub_product(t45, t44)
-            .sub_product(t58, t57)
-            .sub_product(t69, t68)
-            .sub_product(t78, t77)
-            .sub_product(t85, t84);
-    let t91 = (R::literal(2.0) * chain_theta_8_minus_chain_theta_9.cos())
-        .sub_product(t16, t6)
-        .sub_product(t32, t29)
-        .sub_product(t47, t44)
-        .sub_product(t60, t57)
-        .sub_product(t71, t68)
-        .sub_product(t80, t77)
-        .sub_product(t87, t84);
-    let t92 = t91 * t90;
-    let t93 = chain_theta_8_minus_chain_theta_10
-        .cos()
-        .sub_product(t17, t6)
-        .sub_product(t34, t29)
-        .sub_product(t49, t44)
-        .sub_product(t62, t57)
-        .sub_product(t73, t68)
-        .sub_product(t82, t77)
-        .sub_product(t89, t84);
-    let t94 = t93 * t90;
-    let t95 = R::literal(1.0)
+            .sub_product(t104, t96)
+            .sub_product(t119, t118)
+            .sub_product(t134, t133)
+            .sub_product(t147, t146)
+            .sub_product(t158, t157)
+            .sub_product(t167, t166)
+            .sub_product(t174, t173);
+    let t180 = (R::literal(2.0) * t85)
+        .sub_product(t105, t96)
+        .sub_product(t121, t118)
+        .sub_product(t136, t133)
+        .sub_product(t149, t146)
+        .sub_product(t160, t157)
+        .sub_product(t169, t166)
+        .sub_product(t176, t173);
+    let t181 = t180 * t179;
+    let t182 = t87
+        .sub_product(t106, t96)
+        .sub_product(t123, t118)
+        .sub_product(t138, t133)
+        .sub_product(t151, t146)
+        .sub_product(t162, t157)
+        .sub_product(t171, t166)
+        .sub_product(t178, t173);
+    let t183 = t182 * t179;
+    let t184 = R::literal(1.0)
         / R::literal(2.0)
-            .sub_product(t16, t7)
-            .sub_product(t32, t31)
-            .sub_product(t47, t46)
-            .sub_product(t60, t59)
-            .sub_product(t71, t70)
-            .sub_product(t80, t79)
-            .sub_product(t87, t86)
-            .sub_product(t92, t91);
-    let t96 = chain_theta_9_minus_chain_theta_10
-        .cos()
-        .sub_product(t17, t7)
-        .sub_product(t34, t31)
-        .sub_product(t49, t46)
-        .sub_product(t62, t59)
-        .sub_product(t73, t70)
-        .sub_product(t82, t79)
-        .sub_product(t89, t86)
-        .sub_product(t94, t91);
-    let t97 = t96 * t95;
-    let t98 = R::literal(98.1) * sin_chain_theta_1;
+            .sub_product(t105, t97)
+            .sub_product(t121, t120)
+            .sub_product(t136, t135)
+            .sub_product(t149, t148)
+            .sub_product(t160, t159)
+            .sub_product(t169, t168)
+            .sub_product(t176, t175)
+            .sub_product(t181, t180);
+    let t185 = t89
+        .sub_product(t106, t97)
+        .sub_product(t123, t120)
+        .sub_product(t138, t135)
+        .sub_product(t151, t148)
+        .sub_product(t162, t159)
+        .sub_product(t171, t168)
+        .sub_product(t178, t175)
+        .sub_product(t183, t180);
+    let t186 = t185 * t184;
+    let t187 = R::literal(98.1) * sin_chain_theta_1;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t99 = chain_theta_1_minus_chain_theta_2.sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t100 = chain_theta_1_minus_chain_theta_3.sin();
-    let t101 = R::literal(8.0) * chain_omega_3_squared;
+    let t188 = R::literal(8.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t102 = chain_theta_1_minus_chain_theta_4.sin();
-    let t103 = R::literal(7.0) * chain_omega_4_squared;
+    let t189 = R::literal(7.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t104 = chain_theta_1_minus_chain_theta_5.sin();
-    let t105 = R::literal(6.0) * chain_omega_5_squared;
+    let t190 = R::literal(6.0) * chain_omega_5_squared;
     let chain_omega_6_squared = chain_omega_6 * chain_omega_6;
-    let t106 = chain_theta_1_minus_chain_theta_6.sin();
-    let t107 = R::literal(5.0) * chain_omega_6_squared;
+    let t191 = R::literal(5.0) * chain_omega_6_squared;
     let chain_omega_7_squared = chain_omega_7 * chain_omega_7;
-    let t108 = chain_theta_1_minus_chain_theta_7.sin();
-    let t109 = R::literal(4.0) * chain_omega_7_squared;
+    let t192 = R::literal(4.0) * chain_omega_7_squared;
     let chain_omega_8_squared = chain_omega_8 * chain_omega_8;
-    let t110 = chain_theta_1_minus_chain_theta_8.sin();
-    let t111 = R::literal(3.0) * chain_omega_8_squared;
+    let t193 = R::literal(3.0) * chain_omega_8_squared;
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
-    let t112 = chain_theta_1_minus_chain_theta_9.sin();
-    let t113 = R::literal(2.0) * chain_omega_9_squared;
+    let t194 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t114 = chain_theta_1_minus_chain_theta_10.sin();
-    let t115 = (-t98)
-        .sub_product(R::literal(9.0) * chain_omega_2_squared, t99)
-        .sub_product(t101, t100)
-        .sub_product(t103, t102)
-        .sub_product(t105, t104)
-        .sub_product(t107, t106)
-        .sub_product(t109, t108)
-        .sub_product(t111, t110)
-        .sub_product(t113, t112)
-        .sub_product(chain_omega_10_squared, t114);
-    let t116 = R::literal(88.29) * sin_chain_theta_2;
-    let t117 = chain_theta_2_minus_chain_theta_3.sin();
-    let t118 = chain_theta_2_minus_chain_theta_4.sin();
-    let t119 = chain_theta_2_minus_chain_theta_5.sin();
-    let t120 = chain_theta_2_minus_chain_theta_6.sin();
-    let t121 = chain_theta_2_minus_chain_theta_7.sin();
-    let t122 = chain_theta_2_minus_chain_theta_8.sin();
-    let t123 = chain_theta_2_minus_chain_theta_9.sin();
-    let t124 = chain_theta_2_minus_chain_theta_10.sin();
+    let t195 = (-t187)
+        .sub_product(R::literal(9.0) * chain_omega_2_squared, t0)
+        .sub_product(t188, t2)
+        .sub_product(t189, t4)
+        .sub_product(t190, t6)
+        .sub_product(t191, t8)
+        .sub_product(t192, t10)
+        .sub_product(t193, t12)
+        .sub_product(t194, t14)
+        .sub_product(chain_omega_10_squared, t16);
+    let t196 = R::literal(88.29) * sin_chain_theta_2;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t125 = R::literal(78.48) * sin_chain_theta_3;
-    let t126 = chain_theta_3_minus_chain_theta_4.sin();
-    let t127 = chain_theta_3_minus_chain_theta_5.sin();
-    let t128 = chain_theta_3_minus_chain_theta_6.sin();
-    let t129 = chain_theta_3_minus_chain_theta_7.sin();
-    let t130 = chain_theta_3_minus_chain_theta_8.sin();
-    let t131 = chain_theta_3_minus_chain_theta_9.sin();
-    let t132 = chain_theta_3_minus_chain_theta_10.sin();
-    let t133 = R::literal(68.67) * sin_chain_theta_4;
-    let t134 = chain_theta_4_minus_chain_theta_5.sin();
-    let t135 = chain_theta_4_minus_chain_theta_6.sin();
-    let t136 = chain_theta_4_minus_chain_theta_7.sin();
-    let t137 = chain_theta_4_minus_chain_theta_8.sin();
-    let t138 = chain_theta_4_minus_chain_theta_9.sin();
-    let t139 = chain_theta_4_minus_chain_theta_10.sin();
-    let t140 = R::literal(58.86) * sin_chain_theta_5;
-    let t141 = chain_theta_5_minus_chain_theta_6.sin();
-    let t142 = chain_theta_5_minus_chain_theta_7.sin();
-    let t143 = chain_theta_5_minus_chain_theta_8.sin();
-    let t144 = chain_theta_5_minus_chain_theta_9.sin();
-    let t145 = chain_theta_5_minus_chain_theta_10.sin();
-    let t146 = R::literal(49.05) * sin_chain_theta_6;
-    let t147 = chain_theta_6_minus_chain_theta_7.sin();
-    let t148 = chain_theta_6_minus_chain_theta_8.sin();
-    let t149 = chain_theta_6_minus_chain_theta_9.sin();
-    let t150 = chain_theta_6_minus_chain_theta_10.sin();
-    let t151 = R::literal(39.24) * sin_chain_theta_7;
-    let t152 = chain_theta_7_minus_chain_theta_8.sin();
-    let t153 = chain_theta_7_minus_chain_theta_9.sin();
-    let t154 = chain_theta_7_minus_chain_theta_10.sin();
-    let t155 = R::literal(29.43) * sin_chain_theta_8;
-    let t156 = chain_theta_8_minus_chain_theta_9.sin();
-    let t157 = chain_theta_8_minus_chain_theta_10.sin();
-    let t158 = R::literal(19.62) * sin_chain_theta_9;
-    let t159 = chain_theta_9_minus_chain_theta_10.sin();
-    let t160 = R::literal(9.81) * sin_chain_theta_10;
-    let t161 = (-t116)
-        .add_product(R::literal(9.0) * chain_omega_1_squared, t99)
-        .sub_product(t101, t117)
-        .sub_product(t103, t118)
-        .sub_product(t105, t119)
-        .sub_product(t107, t120)
-        .sub_product(t109, t121)
-        .sub_product(t111, t122)
-        .sub_product(t113, t123)
-        .sub_product(chain_omega_10_squared, t124)
-        .sub_product(t9, t115);
-    let t162 = ((R::literal(8.0) * chain_omega_1_squared * t100)
-        .add_product(R::literal(8.0) * chain_omega_2_squared, t117) - t125)
-        .sub_product(t103, t126)
-        .sub_product(t105, t127)
-        .sub_product(t107, t128)
-        .sub_product(t109, t129)
-        .sub_product(t111, t130)
-        .sub_product(t113, t131)
-        .sub_product(chain_omega_10_squared, t132)
-        .sub_product(t10, t115)
-        .sub_product(t20, t161);
-    let t163 = ((R::literal(7.0) * chain_omega_1_squared * t102)
-        .add_product(R::literal(7.0) * chain_omega_2_squared, t118)
-        .add_product(R::literal(7.0) * chain_omega_3_squared, t126) - t133)
-        .sub_product(t105, t134)
-        .sub_product(t107, t135)
-        .sub_product(t109, t136)
-        .sub_product(t111, t137)
-        .sub_product(t113, t138)
-        .sub_product(chain_omega_10_squared, t139)
-        .sub_product(t11, t115)
-        .sub_product(t22, t161)
-        .sub_product(t37, t162);
-    let t164 = ((R::literal(6.0) * chain_omega_1_squared * t104)
-        .add_product(R::literal(6.0) * chain_omega_2_squared, t119)
-        .add_product(R::literal(6.0) * chain_omega_3_squared, t127)
-        .add_product(R::literal(6.0) * chain_omega_4_squared, t134) - t140)
-        .sub_product(t107, t141)
-        .sub_product(t109, t142)
-        .sub_product(t111, t143)
-        .sub_product(t113, t144)
-        .sub_product(chain_omega_10_squared, t145)
-        .sub_product(t12, t115)
-        .sub_product(t24, t161)
-        .sub_product(t39, t162)
-        .sub_product(t52, t163);
-    let t165 = ((R::literal(5.0) * chain_omega_1_squared * t106)
-        .add_product(R::literal(5.0) * chain_omega_2_squared, t120)
-        .add_product(R::literal(5.0) * chain_omega_3_squared, t128)
-        .add_product(R::literal(5.0) * chain_omega_4_squared, t135)
-        .add_product(R::literal(5.0) * chain_omega_5_squared, t141) - t146)
-        .sub_product(t109, t147)
-        .sub_product(t111, t148)
-        .sub_product(t113, t149)
-        .sub_product(chain_omega_10_squared, t150)
-        .sub_product(t13, t115)
-        .sub_product(t26, t161)
-        .sub_product(t41, t162)
-        .sub_product(t54, t163)
-        .sub_product(t65, t164);
-    let t166 = ((R::literal(4.0) * chain_omega_1_squared * t108)
-        .add_product(R::literal(4.0) * chain_omega_2_squared, t121)
-        .add_product(R::literal(4.0) * chain_omega_3_squared, t129)
-        .add_product(R::literal(4.0) * chain_omega_4_squared, t136)
-        .add_product(R::literal(4.0) * chain_omega_5_squared, t142)
-        .add_product(R::literal(4.0) * chain_omega_6_squared, t147) - t151)
-        .sub_product(t111, t152)
-        .sub_product(t113, t153)
-        .sub_product(chain_omega_10_squared, t154)
-        .sub_product(t14, t115)
-        .sub_product(t28, t161)
-        .sub_product(t43, t162)
-        .sub_product(t56, t163)
-        .sub_product(t67, t164)
-        .sub_product(t76, t165);
-    let t167 = ((R::literal(3.0) * chain_omega_1_squared * t110)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t122)
-        .add_product(R::literal(3.0) * chain_omega_3_squared, t130)
-        .add_product(R::literal(3.0) * chain_omega_4_squared, t137)
-        .add_product(R::literal(3.0) * chain_omega_5_squared, t143)
-        .add_product(R::literal(3.0) * chain_omega_6_squared, t148)
-        .add_product(R::literal(3.0) * chain_omega_7_squared, t152) - t155)
-        .sub_product(t113, t156)
-        .sub_product(chain_omega_10_squared, t157)
-        .sub_product(t15, t115)
-        .sub_product(t30, t161)
-        .sub_product(t45, t162)
-        .sub_product(t58, t163)
-        .sub_product(t69, t164)
-        .sub_product(t78, t165)
-        .sub_product(t85, t166);
-    let t168 = ((R::literal(2.0) * chain_omega_1_squared * t112)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t123)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t131)
-        .add_product(R::literal(2.0) * chain_omega_4_squared, t138)
-        .add_product(R::literal(2.0) * chain_omega_5_squared, t144)
-        .add_product(R::literal(2.0) * chain_omega_6_squared, t149)
-        .add_product(R::literal(2.0) * chain_omega_7_squared, t153)
-        .add_product(R::literal(2.0) * chain_omega_8_squared, t156) - t158)
-        .sub_product(chain_omega_10_squared, t159)
-        .sub_product(t16, t115)
-        .sub_product(t32, t161)
-        .sub_product(t47, t162)
-        .sub_product(t60, t163)
-        .sub_product(t71, t164)
-        .sub_product(t80, t165);
-    let t169 = t168.sub_product(t87, t166).sub_product(t92, t167);
-    let t170 = ((chain_omega_1_squared * t114)
-        .add_product(chain_omega_2_squared, t124)
-        .add_product(chain_omega_3_squared, t132)
-        .add_product(chain_omega_4_squared, t139)
-        .add_product(chain_omega_5_squared, t145)
-        .add_product(chain_omega_6_squared, t150)
-        .add_product(chain_omega_7_squared, t154)
-        .add_product(chain_omega_8_squared, t157)
-        .add_product(chain_omega_9_squared, t159) - t160)
-        .sub_product(t17, t115)
-        .sub_product(t34, t161)
-        .sub_product(t49, t162)
-        .sub_product(t62, t163)
-        .sub_product(t73, t164)
-        .sub_product(t82, t165)
-        .sub_product(t89, t166)
-        .sub_product(t94, t167)
-        .sub_product(t97, t169);
-    let chain_omega_10_dot = t170
+    let t197 = R::literal(78.48) * sin_chain_theta_3;
+    let t198 = R::literal(68.67) * sin_chain_theta_4;
+    let t199 = R::literal(58.86) * sin_chain_theta_5;
+    let t200 = R::literal(49.05) * sin_chain_theta_6;
+    let t201 = R::literal(39.24) * sin_chain_theta_7;
+    let t202 = R::literal(29.43) * sin_chain_theta_8;
+    let t203 = R::literal(19.62) * sin_chain_theta_9;
+    let t204 = R::literal(9.81) * sin_chain_theta_10;
+    let t205 = (-t196)
+        .add_product(R::literal(9.0) * chain_omega_1_squared, t0)
+        .sub_product(t188, t18)
+        .sub_product(t189, t20)
+        .sub_product(t190, t22)
+        .sub_product(t191, t24)
+        .sub_product(t192, t26)
+        .sub_product(t193, t28)
+        .sub_product(t194, t30)
+        .sub_product(chain_omega_10_squared, t32)
+        .sub_product(t98, t195);
+    let t206 = ((R::literal(8.0) * chain_omega_1_squared * t2)
+        .add_product(R::literal(8.0) * chain_omega_2_squared, t18) - t197)
+        .sub_product(t189, t34)
+        .sub_product(t190, t36)
+        .sub_product(t191, t38)
+        .sub_product(t192, t40)
+        .sub_product(t193, t42)
+        .sub_product(t194, t44)
+        .sub_product(chain_omega_10_squared, t46)
+        .sub_product(t99, t195)
+        .sub_product(t109, t205);
+    let t207 = ((R::literal(7.0) * chain_omega_1_squared * t4)
+        .add_product(R::literal(7.0) * chain_omega_2_squared, t20)
+        .add_product(R::literal(7.0) * chain_omega_3_squared, t34) - t198)
+        .sub_product(t190, t48)
+        .sub_product(t191, t50)
+        .sub_product(t192, t52)
+        .sub_product(t193, t54)
+        .sub_product(t194, t56)
+        .sub_product(chain_omega_10_squared, t58)
+        .sub_product(t100, t195)
+        .sub_product(t111, t205)
+        .sub_product(t126, t206);
+    let t208 = ((R::literal(6.0) * chain_omega_1_squared * t6)
+        .add_product(R::literal(6.0) * chain_omega_2_squared, t22)
+        .add_product(R::literal(6.0) * chain_omega_3_squared, t36)
+        .add_product(R::literal(6.0) * chain_omega_4_squared, t48) - t199)
+        .sub_product(t191, t60)
+        .sub_product(t192, t62)
+        .sub_product(t193, t64)
+        .sub_product(t194, t66)
+        .sub_product(chain_omega_10_squared, t68)
+        .sub_product(t101, t195)
+        .sub_product(t113, t205)
+        .sub_product(t128, t206)
+        .sub_product(t141, t207);
+    let t209 = ((R::literal(5.0) * chain_omega_1_squared * t8)
+        .add_product(R::literal(5.0) * chain_omega_2_squared, t24)
+        .add_product(R::literal(5.0) * chain_omega_3_squared, t38)
+        .add_product(R::literal(5.0) * chain_omega_4_squared, t50)
+        .add_product(R::literal(5.0) * chain_omega_5_squared, t60) - t200)
+        .sub_product(t192, t70)
+        .sub_product(t193, t72)
+        .sub_product(t194, t74)
+        .sub_product(chain_omega_10_squared, t76)
+        .sub_product(t102, t195)
+        .sub_product(t115, t205)
+        .sub_product(t130, t206)
+        .sub_product(t143, t207)
+        .sub_product(t154, t208);
+    let t210 = ((R::literal(4.0) * chain_omega_1_squared * t10)
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t26)
+        .add_product(R::literal(4.0) * chain_omega_3_squared, t40)
+        .add_product(R::literal(4.0) * chain_omega_4_squared, t52)
+        .add_product(R::literal(4.0) * chain_omega_5_squared, t62)
+        .add_product(R::literal(4.0) * chain_omega_6_squared, t70) - t201)
+        .sub_product(t193, t78)
+        .sub_product(t194, t80)
+        .sub_product(chain_omega_10_squared, t82)
+        .sub_product(t103, t195)
+        .sub_product(t117, t205)
+        .sub_product(t132, t206)
+        .sub_product(t145, t207)
+        .sub_product(t156, t208)
+        .sub_product(t165, t209);
+    let t211 = ((R::literal(3.0) * chain_omega_1_squared * t12)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t28)
+        .add_product(R::literal(3.0) * chain_omega_3_squared, t42)
+        .add_product(R::literal(3.0) * chain_omega_4_squared, t54)
+        .add_product(R::literal(3.0) * chain_omega_5_squared, t64)
+        .add_product(R::literal(3.0) * chain_omega_6_squared, t72)
+        .add_product(R::literal(3.0) * chain_omega_7_squared, t78) - t202)
+        .sub_product(t194, t84)
+        .sub_product(chain_omega_10_squared, t86)
+        .sub_product(t104, t195)
+        .sub_product(t119, t205)
+        .sub_product(t134, t206)
+        .sub_product(t147, t207)
+        .sub_product(t158, t208)
+        .sub_product(t167, t209)
+        .sub_product(t174, t210);
+    let t212 = ((R::literal(2.0) * chain_omega_1_squared * t14)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t30)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t44)
+        .add_product(R::literal(2.0) * chain_omega_4_squared, t56)
+        .add_product(R::literal(2.0) * chain_omega_5_squared, t66)
+        .add_product(R::literal(2.0) * chain_omega_6_squared, t74)
+        .add_product(R::literal(2.0) * chain_omega_7_squared, t80)
+        .add_product(R::literal(2.0) * chain_omega_8_squared, t84) - t203)
+        .sub_product(chain_omega_10_squared, t88)
+        .sub_product(t105, t195)
+        .sub_product(t121, t205)
+        .sub_product(t136, t206)
+        .sub_product(t149, t207)
+        .sub_product(t160, t208)
+        .sub_product(t169, t209);
+    let t213 = t212.sub_product(t176, t210).sub_product(t181, t211);
+    let t214 = ((chain_omega_1_squared * t16)
+        .add_product(chain_omega_2_squared, t32)
+        .add_product(chain_omega_3_squared, t46)
+        .add_product(chain_omega_4_squared, t58)
+        .add_product(chain_omega_5_squared, t68)
+        .add_product(chain_omega_6_squared, t76)
+        .add_product(chain_omega_7_squared, t82)
+        .add_product(chain_omega_8_squared, t86)
+        .add_product(chain_omega_9_squared, t88) - t204)
+        .sub_product(t106, t195)
+        .sub_product(t123, t205)
+        .sub_product(t138, t206)
+        .sub_product(t151, t207)
+        .sub_product(t162, t208)
+        .sub_product(t171, t209)
+        .sub_product(t178, t210)
+        .sub_product(t183, t211)
+        .sub_product(t186, t213);
+    let chain_omega_10_dot = t214
         * (R::literal(1.0)
             / R::literal(1.0)
-                .sub_product(t17, t8)
-                .sub_product(t34, t33)
-                .sub_product(t49, t48)
-                .sub_product(t62, t61)
-                .sub_product(t73, t72)
-                .sub_product(t82, t81)
-                .sub_product(t89, t88)
-                .sub_product(t94, t93)
-                .sub_product(t97, t96));
-    let chain_omega_9_dot = (t169 * t95).sub_product(t97, chain_omega_10_dot);
-    let chain_omega_8_dot = (t167 * t90)
-        .sub_product(t92, chain_omega_9_dot)
-        .sub_product(t94, chain_omega_10_dot);
-    let chain_omega_7_dot = (t166 * t83)
-        .sub_product(t85, chain_omega_8_dot)
-        .sub_product(t87, chain_omega_9_dot)
-        .sub_product(t89, chain_omega_10_dot);
-    let chain_omega_6_dot = (t165 * t74)
-        .sub_product(t76, chain_omega_7_dot)
-        .sub_product(t78, chain_omega_8_dot)
-        .sub_product(t80, chain_omega_9_dot)
-        .sub_product(t82, chain_omega_10_dot);
-    let chain_omega_5_dot = (t164 * t63)
-        .sub_product(t65, chain_omega_6_dot)
-        .sub_product(t67, chain_omega_7_dot)
-        .sub_product(t69, chain_omega_8_dot)
-        .sub_product(t71, chain_omega_9_dot)
-        .sub_product(t73, chain_omega_10_dot);
-    let chain_omega_4_dot = (t163 * t50)
-        .sub_product(t52, chain_omega_5_dot)
-        .sub_product(t54, chain_omega_6_dot)
-        .sub_product(t56, chain_omega_7_dot)
-        .sub_product(t58, chain_omega_8_dot)
-        .sub_product(t60, chain_omega_9_dot)
-        .sub_product(t62, chain_omega_10_dot);
-    let chain_omega_3_dot = (t162 * t35)
-        .sub_product(t37, chain_omega_4_dot)
-        .sub_product(t39, chain_omega_5_dot)
-        .sub_product(t41, chain_omega_6_dot)
-        .sub_product(t43, chain_omega_7_dot)
-        .sub_product(t45, chain_omega_8_dot)
-        .sub_product(t47, chain_omega_9_dot)
-        .sub_product(t49, chain_omega_10_dot);
-    let chain_omega_2_dot = (t161 * t18)
-        .sub_product(t20, chain_omega_3_dot)
-        .sub_product(t22, chain_omega_4_dot)
-        .sub_product(t24, chain_omega_5_dot)
-        .sub_product(t26, chain_omega_6_dot)
-        .sub_product(t28, chain_omega_7_dot)
-        .sub_product(t30, chain_omega_8_dot)
-        .sub_product(t32, chain_omega_9_dot)
-        .sub_product(t34, chain_omega_10_dot);
-    let chain_omega_1_dot = (t115 * R::literal(0.1))
-        .sub_product(t9, chain_omega_2_dot)
-        .sub_product(t10, chain_omega_3_dot)
-        .sub_product(t11, chain_omega_4_dot)
-        .sub_product(t12, chain_omega_5_dot)
-        .sub_product(t13, chain_omega_6_dot)
-        .sub_product(t14, chain_omega_7_dot)
-        .sub_product(t15, chain_omega_8_dot)
-        .sub_product(t16, chain_omega_9_dot)
-        .sub_product(t17, chain_omega_10_dot);
-    let t171 = R::literal(2.0) * chain_omega_2;
-    let t172 = R::literal(2.0) * chain_omega_3;
-    let t173 = R::literal(2.0) * chain_omega_4;
-    let t174 = R::literal(2.0) * chain_omega_5;
-    let t175 = R::literal(2.0) * chain_omega_6;
-    let t176 = R::literal(2.0) * chain_omega_7;
-    let t177 = R::literal(2.0) * chain_omega_8;
-    let t178 = R::literal(2.0) * chain_omega_9;
-    let t179 = R::literal(2.0) * chain_omega_10;
-    let t180 = R::literal(2.0) * chain_v_1;
-    let t181 = R::literal(2.0) * chain_u_1;
-    let t182 = t98
+                .sub_product(t106, t17)
+                .sub_product(t123, t122)
+                .sub_product(t138, t137)
+                .sub_product(t151, t150)
+                .sub_product(t162, t161)
+                .sub_product(t171, t170)
+                .sub_product(t178, t177)
+                .sub_product(t183, t182)
+                .sub_product(t186, t185));
+    let chain_omega_9_dot = (t213 * t184).sub_product(t186, chain_omega_10_dot);
+    let chain_omega_8_dot = (t211 * t179)
+        .sub_product(t181, chain_omega_9_dot)
+        .sub_product(t183, chain_omega_10_dot);
+    let chain_omega_7_dot = (t210 * t172)
+        .sub_product(t174, chain_omega_8_dot)
+        .sub_product(t176, chain_omega_9_dot)
+        .sub_product(t178, chain_omega_10_dot);
+    let chain_omega_6_dot = (t209 * t163)
+        .sub_product(t165, chain_omega_7_dot)
+        .sub_product(t167, chain_omega_8_dot)
+        .sub_product(t169, chain_omega_9_dot)
+        .sub_product(t171, chain_omega_10_dot);
+    let chain_omega_5_dot = (t208 * t152)
+        .sub_product(t154, chain_omega_6_dot)
+        .sub_product(t156, chain_omega_7_dot)
+        .sub_product(t158, chain_omega_8_dot)
+        .sub_product(t160, chain_omega_9_dot)
+        .sub_product(t162, chain_omega_10_dot);
+    let chain_omega_4_dot = (t207 * t139)
+        .sub_product(t141, chain_omega_5_dot)
+        .sub_product(t143, chain_omega_6_dot)
+        .sub_product(t145, chain_omega_7_dot)
+        .sub_product(t147, chain_omega_8_dot)
+        .sub_product(t149, chain_omega_9_dot)
+        .sub_product(t151, chain_omega_10_dot);
+    let chain_omega_3_dot = (t206 * t124)
+        .sub_product(t126, chain_omega_4_dot)
+        .sub_product(t128, chain_omega_5_dot)
+        .sub_product(t130, chain_omega_6_dot)
+        .sub_product(t132, chain_omega_7_dot)
+        .sub_product(t134, chain_omega_8_dot)
+        .sub_product(t136, chain_omega_9_dot)
+        .sub_product(t138, chain_omega_10_dot);
+    let chain_omega_2_dot = (t205 * t107)
+        .sub_product(t109, chain_omega_3_dot)
+        .sub_product(t111, chain_omega_4_dot)
+        .sub_product(t113, chain_omega_5_dot)
+        .sub_product(t115, chain_omega_6_dot)
+        .sub_product(t117, chain_omega_7_dot)
+        .sub_product(t119, chain_omega_8_dot)
+        .sub_product(t121, chain_omega_9_dot)
+        .sub_product(t123, chain_omega_10_dot);
+    let chain_omega_1_dot = (t195 * R::literal(0.1))
+        .sub_product(t98, chain_omega_2_dot)
+        .sub_product(t99, chain_omega_3_dot)
+        .sub_product(t100, chain_omega_4_dot)
+        .sub_product(t101, chain_omega_5_dot)
+        .sub_product(t102, chain_omega_6_dot)
+        .sub_product(t103, chain_omega_7_dot)
+        .sub_product(t104, chain_omega_8_dot)
+        .sub_product(t105, chain_omega_9_dot)
+        .sub_product(t106, chain_omega_10_dot);
+    let t215 = R::literal(2.0) * chain_omega_2;
+    let t216 = R::literal(2.0) * chain_omega_3;
+    let t217 = R::literal(2.0) * chain_omega_4;
+    let t218 = R::literal(2.0) * chain_omega_5;
+    let t219 = R::literal(2.0) * chain_omega_6;
+    let t220 = R::literal(2.0) * chain_omega_7;
+    let t221 = R::literal(2.0) * chain_omega_8;
+    let t222 = R::literal(2.0) * chain_omega_9;
+    let t223 = R::literal(2.0) * chain_omega_10;
+    let t224 = R::literal(2.0) * chain_v_1;
+    let t225 = R::literal(2.0) * chain_u_1;
+    let t226 = t187
         .add_product(
             R::literal(0.5),
-            (t181 * chain_v_2)
-                .add_product(t181, chain_v_3)
-                .add_product(t181, chain_v_4)
-                .add_product(t181, chain_v_5)
-                .add_product(t181, chain_v_6)
-                .add_product(t181, chain_v_7)
-                .add_product(t181, chain_v_8)
-                .add_product(t181, chain_v_9)
-                .add_product(t181, chain_v_10)
-                .sub_product(t180, chain_u_2)
-                .sub_product(t180, chain_u_3)
-                .sub_product(t180, chain_u_4)
-                .sub_product(t180, chain_u_5)
-                .sub_product(t180, chain_u_6)
-                .sub_product(t180, chain_u_7)
-                .sub_product(t180, chain_u_8)
-                .sub_product(t180, chain_u_9)
-                .sub_product(t180, chain_u_10),
+            (t225 * chain_v_2)
+                .add_product(t225, chain_v_3)
+                .add_product(t225, chain_v_4)
+                .add_product(t225, chain_v_5)
+                .add_product(t225, chain_v_6)
+                .add_product(t225, chain_v_7)
+                .add_product(t225, chain_v_8)
+                .add_product(t225, chain_v_9)
+                .add_product(t225, chain_v_10)
+                .sub_product(t224, chain_u_2)
+                .sub_product(t224, chain_u_3)
+                .sub_product(t224, chain_u_4)
+                .sub_product(t224, chain_u_5)
+                .sub_product(t224, chain_u_6)
+                .sub_product(t224, chain_u_7)
+                .sub_product(t224, chain_u_8)
+                .sub_product(t224, chain_u_9)
+                .sub_product(t224, chain_u_10),
         ) * chain_omega_1;
-    let t183 = (t171 * chain_v_2 * cos_chain_theta_2)
-        .add_product(t171 * chain_v_3, cos_chain_theta_2)
-        .add_product(t171 * chain_v_4, cos_chain_theta_2)
-        .add_product(t171 * chain_v_5, cos_chain_theta_2)
-        .add_product(t171 * chain_v_6, cos_chain_theta_2)
-        .add_product(t171 * chain_v_7, cos_chain_theta_2)
-        .add_product(t171 * chain_v_8, cos_chain_theta_2)
-        .add_product(t171 * chain_v_9, cos_chain_theta_2)
-        .add_product(t171 * chain_v_10, cos_chain_theta_2)
-        .sub_product(t171 * chain_u_2, sin_chain_theta_2)
-        .sub_product(t171 * chain_u_3, sin_chain_theta_2)
-        .sub_product(t171 * chain_u_4, sin_chain_theta_2);
-    let t184 = (t172 * chain_v_3 * cos_chain_theta_3)
-        .add_product(t172 * chain_v_4, cos_chain_theta_3)
-        .add_product(t172 * chain_v_5, cos_chain_theta_3)
-        .add_product(t172 * chain_v_6, cos_chain_theta_3)
-        .add_product(t172 * chain_v_7, cos_chain_theta_3)
-        .add_product(t172 * chain_v_8, cos_chain_theta_3)
-        .add_product(t172 * chain_v_9, cos_chain_theta_3)
-        .add_product(t172 * chain_v_10, cos_chain_theta_3)
-        .sub_product(t172 * chain_u_3, sin_chain_theta_3)
-        .sub_product(t172 * chain_u_4, sin_chain_theta_3)
-        .sub_product(t172 * chain_u_5, sin_chain_theta_3)
-        .sub_product(t172 * chain_u_6, sin_chain_theta_3);
-    let t185 = t182
+    let t227 = (t215 * chain_v_2 * cos_chain_theta_2)
+        .add_product(t215 * chain_v_3, cos_chain_theta_2)
+        .add_product(t215 * chain_v_4, cos_chain_theta_2)
+        .add_product(t215 * chain_v_5, cos_chain_theta_2)
+        .add_product(t215 * chain_v_6, cos_chain_theta_2)
+        .add_product(t215 * chain_v_7, cos_chain_theta_2)
+        .add_product(t215 * chain_v_8, cos_chain_theta_2)
+        .add_product(t215 * chain_v_9, cos_chain_theta_2)
+        .add_product(t215 * chain_v_10, cos_chain_theta_2)
+        .sub_product(t215 * chain_u_2, sin_chain_theta_2)
+        .sub_product(t215 * chain_u_3, sin_chain_theta_2)
+        .sub_product(t215 * chain_u_4, sin_chain_theta_2);
+    let t228 = (t216 * chain_v_3 * cos_chain_theta_3)
+        .add_product(t216 * chain_v_4, cos_chain_theta_3)
+        .add_product(t216 * chain_v_5, cos_chain_theta_3)
+        .add_product(t216 * chain_v_6, cos_chain_theta_3)
+        .add_product(t216 * chain_v_7, cos_chain_theta_3)
+        .add_product(t216 * chain_v_8, cos_chain_theta_3)
+        .add_product(t216 * chain_v_9, cos_chain_theta_3)
+        .add_product(t216 * chain_v_10, cos_chain_theta_3)
+        .sub_product(t216 * chain_u_3, sin_chain_theta_3)
+        .sub_product(t216 * chain_u_4, sin_chain_theta_3)
+        .sub_product(t216 * chain_u_5, sin_chain_theta_3)
+        .sub_product(t216 * chain_u_6, sin_chain_theta_3);
+    let t229 = t226
         .add_product(
-            t116
+            t196
                 .add_product(
                     R::literal(0.5),
-                    t183
-                        .sub_product(t171 * chain_u_5, sin_chain_theta_2)
-                        .sub_product(t171 * chain_u_6, sin_chain_theta_2)
-                        .sub_product(t171 * chain_u_7, sin_chain_theta_2)
-                        .sub_product(t171 * chain_u_8, sin_chain_theta_2)
-                        .sub_product(t171 * chain_u_9, sin_chain_theta_2)
-                        .sub_product(t171 * chain_u_10, sin_chain_theta_2),
+                    t227
+                        .sub_product(t215 * chain_u_5, sin_chain_theta_2)
+                        .sub_product(t215 * chain_u_6, sin_chain_theta_2)
+                        .sub_product(t215 * chain_u_7, sin_chain_theta_2)
+                        .sub_product(t215 * chain_u_8, sin_chain_theta_2)
+                        .sub_product(t215 * chain_u_9, sin_chain_theta_2)
+                        .sub_product(t215 * chain_u_10, sin_chain_theta_2),
                 ),
             chain_omega_2,
         )
         .add_product(
-            t125
+            t197
                 .add_product(
                     R::literal(0.5),
-                    t184
-                        .sub_product(t172 * chain_u_7, sin_chain_theta_3)
-                        .sub_product(t172 * chain_u_8, sin_chain_theta_3)
-                        .sub_product(t172 * chain_u_9, sin_chain_theta_3)
-                        .sub_product(t172 * chain_u_10, sin_chain_theta_3),
+                    t228
+                        .sub_product(t216 * chain_u_7, sin_chain_theta_3)
+                        .sub_product(t216 * chain_u_8, sin_chain_theta_3)
+                        .sub_product(t216 * chain_u_9, sin_chain_theta_3)
+                        .sub_product(t216 * chain_u_10, sin_chain_theta_3),
                 ),
             chain_omega_3,
         );
-    let t186 = (t173 * chain_v_4 * cos_chain_theta_4)
-        .add_product(t173 * chain_v_5, cos_chain_theta_4)
-        .add_product(t173 * chain_v_6, cos_chain_theta_4)
-        .add_product(t173 * chain_v_7, cos_chain_theta_4)
-        .add_product(t173 * chain_v_8, cos_chain_theta_4)
-        .add_product(t173 * chain_v_9, cos_chain_theta_4)
-        .add_product(t173 * chain_v_10, cos_chain_theta_4)
-        .sub_product(t173 * chain_u_4, sin_chain_theta_4)
-        .sub_product(t173 * chain_u_5, sin_chain_theta_4)
-        .sub_product(t173 * chain_u_6, sin_chain_theta_4)
-        .sub_product(t173 * chain_u_7, sin_chain_theta_4)
-        .sub_product(t173 * chain_u_8, sin_chain_theta_4);
-    let t187 = (t174 * chain_v_5 * cos_chain_theta_5)
-        .add_product(t174 * chain_v_6, cos_chain_theta_5)
-        .add_product(t174 * chain_v_7, cos_chain_theta_5)
-        .add_product(t174 * chain_v_8, cos_chain_theta_5)
-        .add_product(t174 * chain_v_9, cos_chain_theta_5)
-        .add_product(t174 * chain_v_10, cos_chain_theta_5)
-        .sub_product(t174 * chain_u_5, sin_chain_theta_5)
-        .sub_product(t174 * chain_u_6, sin_chain_theta_5)
-        .sub_product(t174 * chain_u_7, sin_chain_theta_5)
-        .sub_product(t174 * chain_u_8, sin_chain_theta_5)
-        .sub_product(t174 * chain_u_9, sin_chain_theta_5)
-        .sub_product(t174 * chain_u_10, sin_chain_theta_5);
-    let t188 = t146
+    let t230 = (t217 * chain_v_4 * cos_chain_theta_4)
+        .add_product(t217 * chain_v_5, cos_chain_theta_4)
+        .add_product(t217 * chain_v_6, cos_chain_theta_4)
+        .add_product(t217 * chain_v_7, cos_chain_theta_4)
+        .add_product(t217 * chain_v_8, cos_chain_theta_4)
+        .add_product(t217 * chain_v_9, cos_chain_theta_4)
+        .add_product(t217 * chain_v_10, cos_chain_theta_4)
+        .sub_product(t217 * chain_u_4, sin_chain_theta_4)
+        .sub_product(t217 * chain_u_5, sin_chain_theta_4)
+        .sub_product(t217 * chain_u_6, sin_chain_theta_4)
+        .sub_product(t217 * chain_u_7, sin_chain_theta_4)
+        .sub_product(t217 * chain_u_8, sin_chain_theta_4);
+    let t231 = (t218 * chain_v_5 * cos_chain_theta_5)
+        .add_product(t218 * chain_v_6, cos_chain_theta_5)
+        .add_product(t218 * chain_v_7, cos_chain_theta_5)
+        .add_product(t218 * chain_v_8, cos_chain_theta_5)
+        .add_product(t218 * chain_v_9, cos_chain_theta_5)
+        .add_product(t218 * chain_v_10, cos_chain_theta_5)
+        .sub_product(t218 * chain_u_5, sin_chain_theta_5)
+        .sub_product(t218 * chain_u_6, sin_chain_theta_5)
+        .sub_product(t218 * chain_u_7, sin_chain_theta_5)
+        .sub_product(t218 * chain_u_8, sin_chain_theta_5)
+        .sub_product(t218 * chain_u_9, sin_chain_theta_5)
+        .sub_product(t218 * chain_u_10, sin_chain_theta_5);
+    let t232 = t200
         .add_product(
             R::literal(0.5),
-            (t175 * chain_v_6 * cos_chain_theta_6)
-                .add_product(t175 * chain_v_7, cos_chain_theta_6)
-                .add_product(t175 * chain_v_8, cos_chain_theta_6)
-                .add_product(t175 * chain_v_9, cos_chain_theta_6)
-                .add_product(t175 * chain_v_10, cos_chain_theta_6)
-                .sub_product(t175 * chain_u_6, sin_chain_theta_6)
-                .sub_product(t175 * chain_u_7, sin_chain_theta_6)
-                .sub_product(t175 * chain_u_8, sin_chain_theta_6)
-                .sub_product(t175 * chain_u_9, sin_chain_theta_6)
-                .sub_product(t175 * chain_u_10, sin_chain_theta_6),
+            (t219 * chain_v_6 * cos_chain_theta_6)
+                .add_product(t219 * chain_v_7, cos_chain_theta_6)
+                .add_product(t219 * chain_v_8, cos_chain_theta_6)
+                .add_product(t219 * chain_v_9, cos_chain_theta_6)
+                .add_product(t219 * chain_v_10, cos_chain_theta_6)
+                .sub_product(t219 * chain_u_6, sin_chain_theta_6)
+                .sub_product(t219 * chain_u_7, sin_chain_theta_6)
+                .sub_product(t219 * chain_u_8, sin_chain_theta_6)
+                .sub_product(t219 * chain_u_9, sin_chain_theta_6)
+                .sub_product(t219 * chain_u_10, sin_chain_theta_6),
         );
-    let t189 = t151
+    let t233 = t201
         .add_product(
             R::literal(0.5),
-            (t176 * chain_v_7 * cos_chain_theta_7)
-                .add_product(t176 * chain_v_8, cos_chain_theta_7)
-                .add_product(t176 * chain_v_9, cos_chain_theta_7)
-                .add_product(t176 * chain_v_10, cos_chain_theta_7)
-                .sub_product(t176 * chain_u_7, sin_chain_theta_7)
-                .sub_product(t176 * chain_u_8, sin_chain_theta_7)
-                .sub_product(t176 * chain_u_9, sin_chain_theta_7)
-                .sub_product(t176 * chain_u_10, sin_chain_theta_7),
+            (t220 * chain_v_7 * cos_chain_theta_7)
+                .add_product(t220 * chain_v_8, cos_chain_theta_7)
+                .add_product(t220 * chain_v_9, cos_chain_theta_7)
+                .add_product(t220 * chain_v_10, cos_chain_theta_7)
+                .sub_product(t220 * chain_u_7, sin_chain_theta_7)
+                .sub_product(t220 * chain_u_8, sin_chain_theta_7)
+                .sub_product(t220 * chain_u_9, sin_chain_theta_7)
+                .sub_product(t220 * chain_u_10, sin_chain_theta_7),
         );
-    let t190 = t185
+    let t234 = t229
         .add_product(
-            t133
+            t198
                 .add_product(
                     R::literal(0.5),
-                    t186
-                        .sub_product(t173 * chain_u_9, sin_chain_theta_4)
-                        .sub_product(t173 * chain_u_10, sin_chain_theta_4),
+                    t230
+                        .sub_product(t217 * chain_u_9, sin_chain_theta_4)
+                        .sub_product(t217 * chain_u_10, sin_chain_theta_4),
                 ),
             chain_omega_4,
         )
-        .add_product(t140.add_product(R::literal(0.5), t187), chain_omega_5)
-        .add_product(t188, chain_omega_6)
-        .add_product(t189, chain_omega_7)
+        .add_product(t199.add_product(R::literal(0.5), t231), chain_omega_5)
+        .add_product(t232, chain_omega_6)
+        .add_product(t233, chain_omega_7)
         .add_product(
-            t155
+            t202
                 .add_product(
                     R::literal(0.5),
-                    (t177 * chain_v_8 * cos_chain_theta_8)
-                        .add_product(t177 * chain_v_9, cos_chain_theta_8)
-                        .add_product(t177 * chain_v_10, cos_chain_theta_8)
-                        .sub_product(t177 * chain_u_8, sin_chain_theta_8)
-                        .sub_product(t177 * chain_u_9, sin_chain_theta_8)
-                        .sub_product(t177 * chain_u_10, sin_chain_theta_8),
+                    (t221 * chain_v_8 * cos_chain_theta_8)
+                        .add_product(t221 * chain_v_9, cos_chain_theta_8)
+                        .add_product(t221 * chain_v_10, cos_chain_theta_8)
+                        .sub_product(t221 * chain_u_8, sin_chain_theta_8)
+                        .sub_product(t221 * chain_u_9, sin_chain_theta_8)
+                        .sub_product(t221 * chain_u_10, sin_chain_theta_8),
                 ),
             chain_omega_8,
         );
-    let t191 = R::literal(2.0) * chain_u_2;
-    let t192 = R::literal(2.0) * chain_v_2;
-    let t193 = R::literal(2.0) * chain_u_3;
-    let t194 = R::literal(2.0) * chain_v_3;
-    let t195 = R::literal(2.0) * chain_u_4;
-    let t196 = R::literal(2.0) * chain_v_4;
-    let t197 = R::literal(2.0) * chain_u_5;
-    let t198 = R::literal(2.0) * chain_v_5;
-    let t199 = R::literal(2.0) * chain_u_6;
-    let t200 = R::literal(2.0) * chain_v_6;
-    let t201 = R::literal(2.0) * chain_u_7;
-    let t202 = R::literal(2.0) * chain_v_7;
-    let t203 = R::literal(2.0) * chain_u_8;
-    let t204 = R::literal(2.0) * chain_v_8;
-    let t205 = R::literal(2.0) * chain_u_9;
-    let t206 = R::literal(2.0) * chain_v_9;
-    let t207 = R::literal(2.0) * chain_u_10;
-    let t208 = R::literal(2.0) * chain_v_10;
-    let t209 = R::literal(0.5)
-        * (t181 * cos_chain_theta_1)
-            .add_product(t180, sin_chain_theta_1)
-            .add_product(t191, cos_chain_theta_1)
-            .add_product(t192, sin_chain_theta_1)
-            .add_product(t193, cos_chain_theta_1)
-            .add_product(t194, sin_chain_theta_1)
-            .add_product(t195, cos_chain_theta_1)
-            .add_product(t196, sin_chain_theta_1)
-            .add_product(t197, cos_chain_theta_1)
-            .add_product(t198, sin_chain_theta_1)
-            .add_product(t199, cos_chain_theta_1)
-            .add_product(t200, sin_chain_theta_1)
-            .add_product(t201, cos_chain_theta_1)
-            .add_product(t202, sin_chain_theta_1)
-            .add_product(t203, cos_chain_theta_1)
-            .add_product(t204, sin_chain_theta_1)
-            .add_product(t205, cos_chain_theta_1)
-            .add_product(t206, sin_chain_theta_1)
-            .add_product(t207, cos_chain_theta_1)
-            .add_product(t208, sin_chain_theta_1);
-    let t210 = R::literal(0.5)
-        * (t191 * cos_chain_theta_2)
-            .add_product(t192, sin_chain_theta_2)
-            .add_product(t193, cos_chain_theta_2)
-            .add_product(t194, sin_chain_theta_2)
-            .add_product(t195, cos_chain_theta_2)
-            .add_product(t196, sin_chain_theta_2)
-            .add_product(t197, cos_chain_theta_2)
-            .add_product(t198, sin_chain_theta_2)
-            .add_product(t199, cos_chain_theta_2)
-            .add_product(t200, sin_chain_theta_2)
-            .add_product(t201, cos_chain_theta_2)
-            .add_product(t202, sin_chain_theta_2)
-            .add_product(t203, cos_chain_theta_2)
-            .add_product(t204, sin_chain_theta_2)
-            .add_product(t205, cos_chain_theta_2)
-            .add_product(t206, sin_chain_theta_2)
-            .add_product(t207, cos_chain_theta_2)
-            .add_product(t208, sin_chain_theta_2);
-    let t211 = t190
+    let t235 = R::literal(2.0) * chain_u_2;
+    let t236 = R::literal(2.0) * chain_v_2;
+    let t237 = R::literal(2.0) * chain_u_3;
+    let t238 = R::literal(2.0) * chain_v_3;
+    let t239 = R::literal(2.0) * chain_u_4;
+    let t240 = R::literal(2.0) * chain_v_4;
+    let t241 = R::literal(2.0) * chain_u_5;
+    let t242 = R::literal(2.0) * chain_v_5;
+    let t243 = R::literal(2.0) * chain_u_6;
+    let t244 = R::literal(2.0) * chain_v_6;
+    let t245 = R::literal(2.0) * chain_u_7;
+    let t246 = R::literal(2.0) * chain_v_7;
+    let t247 = R::literal(2.0) * chain_u_8;
+    let t248 = R::literal(2.0) * chain_v_8;
+    let t249 = R::literal(2.0) * chain_u_9;
+    let t250 = R::literal(2.0) * chain_v_9;
+    let t251 = R::literal(2.0) * chain_u_10;
+    let t252 = R::literal(2.0) * chain_v_10;
+    let t253 = R::literal(0.5)
+        * (t225 * cos_chain_theta_1)
+            .add_product(t224, sin_chain_theta_1)
+            .add_product(t235, cos_chain_theta_1)
+            .add_product(t236, sin_chain_theta_1)
+            .add_product(t237, cos_chain_theta_1)
+            .add_product(t238, sin_chain_theta_1)
+            .add_product(t239, cos_chain_theta_1)
+            .add_product(t240, sin_chain_theta_1)
+            .add_product(t241, cos_chain_theta_1)
+            .add_product(t242, sin_chain_theta_1)
+            .add_product(t243, cos_chain_theta_1)
+            .add_product(t244, sin_chain_theta_1)
+            .add_product(t245, cos_chain_theta_1)
+            .add_product(t246, sin_chain_theta_1)
+            .add_product(t247, cos_chain_theta_1)
+            .add_product(t248, sin_chain_theta_1)
+            .add_product(t249, cos_chain_theta_1)
+            .add_product(t250, sin_chain_theta_1)
+            .add_product(t251, cos_chain_theta_1)
+            .add_product(t252, sin_chain_theta_1);
+    let t254 = R::literal(0.5)
+        * (t235 * cos_chain_theta_2)
+            .add_product(t236, sin_chain_theta_2)
+            .add_product(t237, cos_chain_theta_2)
+            .add_product(t238, sin_chain_theta_2)
+            .add_product(t239, cos_chain_theta_2)
+            .add_product(t240, sin_chain_theta_2)
+            .add_product(t241, cos_chain_theta_2)
+            .add_product(t242, sin_chain_theta_2)
+            .add_product(t243, cos_chain_theta_2)
+            .add_product(t244, sin_chain_theta_2)
+            .add_product(t245, cos_chain_theta_2)
+            .add_product(t246, sin_chain_theta_2)
+            .add_product(t247, cos_chain_theta_2)
+            .add_product(t248, sin_chain_theta_2)
+            .add_product(t249, cos_chain_theta_2)
+            .add_product(t250, sin_chain_theta_2)
+            .add_product(t251, cos_chain_theta_2)
+            .add_product(t252, sin_chain_theta_2);
+    let t255 = t234
         .add_product(
-            t158
+            t203
                 .add_product(
                     R::literal(0.5),
-                    (t178 * chain_v_9 * cos_chain_theta_9)
-                        .add_product(t178 * chain_v_10, cos_chain_theta_9)
-                        .sub_product(t178 * chain_u_9, sin_chain_theta_9)
-                        .sub_product(t178 * chain_u_10, sin_chain_theta_9),
+                    (t222 * chain_v_9 * cos_chain_theta_9)
+                        .add_product(t222 * chain_v_10, cos_chain_theta_9)
+                        .sub_product(t222 * chain_u_9, sin_chain_theta_9)
+                        .sub_product(t222 * chain_u_10, sin_chain_theta_9),
                 ),
             chain_omega_9,
         )
         .add_product(
-            t160
+            t204
                 .add_product(
                     R::literal(0.5),
-                    (t179 * chain_v_10 * cos_chain_theta_10)
-                        .sub_product(t179 * chain_u_10, sin_chain_theta_10),
+                    (t223 * chain_v_10 * cos_chain_theta_10)
+                        .sub_product(t223 * chain_u_10, sin_chain_theta_10),
                 ),
             chain_omega_10,
         )
-        .add_product(t209, chain_omega_1_dot)
-        .add_product(t210, chain_omega_2_dot);
-    let t212 = t211
+        .add_product(t253, chain_omega_1_dot)
+        .add_product(t254, chain_omega_2_dot);
+    let t256 = t255
         .add_product(
             R::literal(0.5)
-                * (t193 * cos_chain_theta_3)
-                    .add_product(t194, sin_chain_theta_3)
-                    .add_product(t195, cos_chain_theta_3)
-                    .add_product(t196, sin_chain_theta_3)
-                    .add_product(t197, cos_chain_theta_3)
-                    .add_product(t198, sin_chain_theta_3)
-                    .add_product(t199, cos_chain_theta_3)
-                    .add_product(t200, sin_chain_theta_3)
-                    .add_product(t201, cos_chain_theta_3)
-                    .add_product(t202, sin_chain_theta_3)
-                    .add_product(t203, cos_chain_theta_3)
-                    .add_product(t204, sin_chain_theta_3)
-                    .add_product(t205, cos_chain_theta_3)
-                    .add_product(t206, sin_chain_theta_3)
-                    .add_product(t207, cos_chain_theta_3)
-                    .add_product(t208, sin_chain_theta_3),
+                * (t237 * cos_chain_theta_3)
+                    .add_product(t238, sin_chain_theta_3)
+                    .add_product(t239, cos_chain_theta_3)
+                    .add_product(t240, sin_chain_theta_3)
+                    .add_product(t241, cos_chain_theta_3)
+                    .add_product(t242, sin_chain_theta_3)
+                    .add_product(t243, cos_chain_theta_3)
+                    .add_product(t244, sin_chain_theta_3)
+                    .add_product(t245, cos_chain_theta_3)
+                    .add_product(t246, sin_chain_theta_3)
+                    .add_product(t247, cos_chain_theta_3)
+                    .add_product(t248, sin_chain_theta_3)
+                    .add_product(t249, cos_chain_theta_3)
+                    .add_product(t250, sin_chain_theta_3)
+                    .add_product(t251, cos_chain_theta_3)
+                    .add_product(t252, sin_chain_theta_3),
             chain_omega_3_dot,
         );
-    let t213 = t212
+    let t257 = t256
         .add_product(
             R::literal(0.5)
-                * (t195 * cos_chain_theta_4)
-                    .add_product(t196, sin_chain_theta_4)
-                    .add_product(t197, cos_chain_theta_4)
-                    .add_product(t198, sin_chain_theta_4)
-                    .add_product(t199, cos_chain_theta_4)
-                    .add_product(t200, sin_chain_theta_4)
-                    .add_product(t201, cos_chain_theta_4)
-                    .add_product(t202, sin_chain_theta_4)
-                    .add_product(t203, cos_chain_theta_4)
-                    .add_product(t204, sin_chain_theta_4)
-                    .add_product(t205, cos_chain_theta_4)
-                    .add_product(t206, sin_chain_theta_4)
-                    .add_product(t207, cos_chain_theta_4)
-                    .add_product(t208, sin_chain_theta_4),
+                * (t239 * cos_chain_theta_4)
+                    .add_product(t240, sin_chain_theta_4)
+                    .add_product(t241, cos_chain_theta_4)
+                    .add_product(t242, sin_chain_theta_4)
+                    .add_product(t243, cos_chain_theta_4)
+                    .add_product(t244, sin_chain_theta_4)
+                    .add_product(t245, cos_chain_theta_4)
+                    .add_product(t246, sin_chain_theta_4)
+                    .add_product(t247, cos_chain_theta_4)
+                    .add_product(t248, sin_chain_theta_4)
+                    .add_product(t249, cos_chain_theta_4)
+                    .add_product(t250, sin_chain_theta_4)
+                    .add_product(t251, cos_chain_theta_4)
+                    .add_product(t252, sin_chain_theta_4),
             chain_omega_4_dot,
         );
-    let t214 = t213
+    let t258 = t257
         .add_product(
             R::literal(0.5)
-                * (t197 * cos_chain_theta_5)
-                    .add_product(t198, sin_chain_theta_5)
-                    .add_product(t199, cos_chain_theta_5)
-                    .add_product(t200, sin_chain_theta_5)
-                    .add_product(t201, cos_chain_theta_5)
-                    .add_product(t202, sin_chain_theta_5)
-                    .add_product(t203, cos_chain_theta_5)
-                    .add_product(t204, sin_chain_theta_5)
-                    .add_product(t205, cos_chain_theta_5)
-                    .add_product(t206, sin_chain_theta_5)
-                    .add_product(t207, cos_chain_theta_5)
-                    .add_product(t208, sin_chain_theta_5),
+                * (t241 * cos_chain_theta_5)
+                    .add_product(t242, sin_chain_theta_5)
+                    .add_product(t243, cos_chain_theta_5)
+                    .add_product(t244, sin_chain_theta_5)
+                    .add_product(t245, cos_chain_theta_5)
+                    .add_product(t246, sin_chain_theta_5)
+                    .add_product(t247, cos_chain_theta_5)
+                    .add_product(t248, sin_chain_theta_5)
+                    .add_product(t249, cos_chain_theta_5)
+                    .add_product(t250, sin_chain_theta_5)
+                    .add_product(t251, cos_chain_theta_5)
+                    .add_product(t252, sin_chain_theta_5),
             chain_omega_5_dot,
         );
-    let t215 = t214
+    let t259 = t258
         .add_product(
             R::literal(0.5)
-                * (t199 * cos_chain_theta_6)
-                    .add_product(t200, sin_chain_theta_6)
-                    .add_product(t201, cos_chain_theta_6)
-                    .add_product(t202, sin_chain_theta_6)
-                    .add_product(t203, cos_chain_theta_6)
-                    .add_product(t204, sin_chain_theta_6)
-                    .add_product(t205, cos_chain_theta_6)
-                    .add_product(t206, sin_chain_theta_6)
-                    .add_product(t207, cos_chain_theta_6)
-                    .add_product(t208, sin_chain_theta_6),
+                * (t243 * cos_chain_theta_6)
+                    .add_product(t244, sin_chain_theta_6)
+                    .add_product(t245, cos_chain_theta_6)
+                    .add_product(t246, sin_chain_theta_6)
+                    .add_product(t247, cos_chain_theta_6)
+                    .add_product(t248, sin_chain_theta_6)
+                    .add_product(t249, cos_chain_theta_6)
+                    .add_product(t250, sin_chain_theta_6)
+                    .add_product(t251, cos_chain_theta_6)
+                    .add_product(t252, sin_chain_theta_6),
             chain_omega_6_dot,
         )
         .add_product(
             R::literal(0.5)
-                * (t201 * cos_chain_theta_7)
-                    .add_product(t202, sin_chain_theta_7)
-                    .add_product(t203, cos_chain_theta_7)
-                    .add_product(t204, sin_chain_theta_7)
-                    .add_product(t205, cos_chain_theta_7)
-                    .add_product(t206, sin_chain_theta_7)
-                    .add_product(t207, cos_chain_theta_7)
-                    .add_product(t208, sin_chain_theta_7),
+                * (t245 * cos_chain_theta_7)
+                    .add_product(t246, sin_chain_theta_7)
+                    .add_product(t247, cos_chain_theta_7)
+                    .add_product(t248, sin_chain_theta_7)
+                    .add_product(t249, cos_chain_theta_7)
+                    .add_product(t250, sin_chain_theta_7)
+                    .add_product(t251, cos_chain_theta_7)
+                    .add_product(t252, sin_chain_theta_7),
             chain_omega_7_dot,
         );
     PowerBalance {
-        stored_rate: t215
+        stored_rate: t259
             .add_product(
                 R::literal(0.5)
-                    * (t203 * cos_chain_theta_8)
-                        .add_product(t204, sin_chain_theta_8)
-                        .add_product(t205, cos_chain_theta_8)
-                        .add_product(t206, sin_chain_theta_8)
-                        .add_product(t207, cos_chain_theta_8)
-                        .add_product(t208, sin_chain_theta_8),
+                    * (t247 * cos_chain_theta_8)
+                        .add_product(t248, sin_chain_theta_8)
+                        .add_product(t249, cos_chain_theta_8)
+                        .add_product(t250, sin_chain_theta_8)
+                        .add_product(t251, cos_chain_theta_8)
+                        .add_product(t252, sin_chain_theta_8),
                 chain_omega_8_dot,
             )
             .add_product(
                 R::literal(0.5)
-                    * (t205 * cos_chain_theta_9)
-                        .add_product(t206, sin_chain_theta_9)
-                        .add_product(t207, cos_chain_theta_9)
-                        .add_product(t208, sin_chain_theta_9),
+                    * (t249 * cos_chain_theta_9)
+                        .add_product(t250, sin_chain_theta_9)
+                        .add_product(t251, cos_chain_theta_9)
+                        .add_product(t252, sin_chain_theta_9),
                 chain_omega_9_dot,
             )
             .add_product(
                 R::literal(0.5)
-                    * (t207 * cos_chain_theta_10).add_product(t208, sin_chain_theta_10),
+                    * (t251 * cos_chain_theta_10).add_product(t252, sin_chain_theta_10),
                 chain_omega_10_dot,
             ),
         supplied: R::literal(0.0),

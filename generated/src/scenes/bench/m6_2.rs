@@ -211,10 +211,8 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 #[inline]
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    ] = R::sin_cos_each([chain_theta_1, chain_theta_2]);
     let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
         .sub_product(cos_chain_theta_1, sin_chain_theta_2);
     let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
@@ -253,10 +251,14 @@ pub fn forcing<R: Real>(
     _p: &Parameters<R>,
 ) -> [R; COORDINATES] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
-    let t0 = (chain_theta_1 - chain_theta_2).sin();
-    let chain_theta_1_forcing = (-(R::literal(19.62) * chain_theta_1.sin()))
+    let [(sin_chain_theta_1, _), (sin_chain_theta_2, _), (t0, _)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_1 - chain_theta_2,
+    ]);
+    let chain_theta_1_forcing = (-(R::literal(19.62) * sin_chain_theta_1))
         .sub_product(chain_omega_2 * chain_omega_2, t0);
-    let chain_theta_2_forcing = (-(R::literal(9.81) * chain_theta_2.sin()))
+    let chain_theta_2_forcing = (-(R::literal(9.81) * sin_chain_theta_2))
         .add_product(chain_omega_1 * chain_omega_1, t0);
     [chain_theta_1_forcing, chain_theta_2_forcing]
 }
@@ -271,10 +273,8 @@ pub fn rate_jacobian<R: Real>(
     _p: &Parameters<R>,
 ) -> [R; 10] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    ] = R::sin_cos_each([chain_theta_1, chain_theta_2]);
     let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
         .sub_product(cos_chain_theta_1, sin_chain_theta_2);
     let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
@@ -371,12 +371,12 @@ pub fn outputs<R: Real>(
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Energy<R> {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
-    let cos_chain_theta_1 = chain_theta_1.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    ] = R::sin_cos_each([chain_theta_1, chain_theta_2]);
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
-    let chain_v_1 = chain_omega_1 * chain_theta_1.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
+    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
-    let chain_v_2 = chain_v_1.add_product(chain_omega_2, chain_theta_2.sin());
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     Energy {
         kinetic: R::literal(0.5)
             * (chain_u_1 * chain_u_1)
@@ -399,32 +399,32 @@ pub fn power_balance<R: Real>(
     _p: &Parameters<R>,
 ) -> PowerBalance<R> {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
-    let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = chain_theta_1_minus_chain_theta_2.cos();
-    let t1 = t0 * R::literal(0.5);
-    let t2 = R::literal(19.62) * sin_chain_theta_1;
-    let t3 = chain_theta_1_minus_chain_theta_2.sin();
-    let t4 = (-t2).sub_product(chain_omega_2 * chain_omega_2, t3);
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (t0, t1)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_1_minus_chain_theta_2,
+    ]);
+    let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
+    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
+    let t2 = t1 * R::literal(0.5);
+    let t3 = R::literal(19.62) * sin_chain_theta_1;
+    let t4 = (-t3).sub_product(chain_omega_2 * chain_omega_2, t0);
     let t5 = R::literal(9.81) * sin_chain_theta_2;
     let chain_omega_2_dot = (-t5)
-        .add_product(chain_omega_1 * chain_omega_1, t3)
-        .sub_product(t1, t4) * (R::literal(1.0) / R::literal(1.0).sub_product(t1, t0));
-    let chain_omega_1_dot = (t4 * R::literal(0.5)).sub_product(t1, chain_omega_2_dot);
+        .add_product(chain_omega_1 * chain_omega_1, t0)
+        .sub_product(t2, t4) * (R::literal(1.0) / R::literal(1.0).sub_product(t2, t1));
+    let chain_omega_1_dot = (t4 * R::literal(0.5)).sub_product(t2, chain_omega_2_dot);
     let t6 = R::literal(2.0) * chain_omega_2;
     let t7 = R::literal(2.0) * chain_v_1;
     let t8 = R::literal(2.0) * chain_u_1;
     let t9 = R::literal(2.0) * chain_u_2;
     let t10 = R::literal(2.0) * chain_v_2;
     PowerBalance {
-        stored_rate: (t2
+        stored_rate: (t3
             .add_product(R::literal(0.5), (t8 * chain_v_2).sub_product(t7, chain_u_2))
             * chain_omega_1)
             .add_product(

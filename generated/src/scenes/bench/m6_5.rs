@@ -336,151 +336,150 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
-    let sin_chain_theta_3 = chain_theta_3.sin();
-    let cos_chain_theta_3 = chain_theta_3.cos();
-    let sin_chain_theta_4 = chain_theta_4.sin();
-    let cos_chain_theta_4 = chain_theta_4.cos();
-    let sin_chain_theta_5 = chain_theta_5.sin();
-    let cos_chain_theta_5 = chain_theta_5.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+    ]);
     let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
         .sub_product(cos_chain_theta_1, sin_chain_theta_2);
-    let t1 = R::literal(4.0)
-        * (cos_chain_theta_1 * cos_chain_theta_2)
-            .add_product(sin_chain_theta_1, sin_chain_theta_2);
-    let t2 = (sin_chain_theta_1 * cos_chain_theta_3)
+    let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
+        .add_product(sin_chain_theta_1, sin_chain_theta_2);
+    let t2 = R::literal(4.0) * t1;
+    let t3 = (sin_chain_theta_1 * cos_chain_theta_3)
         .sub_product(cos_chain_theta_1, sin_chain_theta_3);
-    let t3 = R::literal(3.0)
-        * (cos_chain_theta_1 * cos_chain_theta_3)
-            .add_product(sin_chain_theta_1, sin_chain_theta_3);
-    let t4 = (sin_chain_theta_1 * cos_chain_theta_4)
+    let t4 = (cos_chain_theta_1 * cos_chain_theta_3)
+        .add_product(sin_chain_theta_1, sin_chain_theta_3);
+    let t5 = R::literal(3.0) * t4;
+    let t6 = (sin_chain_theta_1 * cos_chain_theta_4)
         .sub_product(cos_chain_theta_1, sin_chain_theta_4);
-    let t5 = R::literal(2.0)
-        * (cos_chain_theta_1 * cos_chain_theta_4)
-            .add_product(sin_chain_theta_1, sin_chain_theta_4);
-    let t6 = (sin_chain_theta_1 * cos_chain_theta_5)
+    let t7 = (cos_chain_theta_1 * cos_chain_theta_4)
+        .add_product(sin_chain_theta_1, sin_chain_theta_4);
+    let t8 = R::literal(2.0) * t7;
+    let t9 = (sin_chain_theta_1 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_1, sin_chain_theta_5);
-    let t7 = (cos_chain_theta_1 * cos_chain_theta_5)
+    let t10 = (cos_chain_theta_1 * cos_chain_theta_5)
         .add_product(sin_chain_theta_1, sin_chain_theta_5);
-    let t8 = (sin_chain_theta_2 * cos_chain_theta_3)
+    let t11 = (sin_chain_theta_2 * cos_chain_theta_3)
         .sub_product(cos_chain_theta_2, sin_chain_theta_3);
-    let t9 = (sin_chain_theta_2 * cos_chain_theta_4)
+    let t12 = (sin_chain_theta_2 * cos_chain_theta_4)
         .sub_product(cos_chain_theta_2, sin_chain_theta_4);
-    let t10 = (sin_chain_theta_2 * cos_chain_theta_5)
+    let t13 = (sin_chain_theta_2 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_2, sin_chain_theta_5);
-    let t11 = (sin_chain_theta_3 * cos_chain_theta_4)
+    let t14 = (sin_chain_theta_3 * cos_chain_theta_4)
         .sub_product(cos_chain_theta_3, sin_chain_theta_4);
-    let t12 = (sin_chain_theta_3 * cos_chain_theta_5)
+    let t15 = (sin_chain_theta_3 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_3, sin_chain_theta_5);
-    let t13 = (sin_chain_theta_4 * cos_chain_theta_5)
+    let t16 = (sin_chain_theta_4 * cos_chain_theta_5)
         .sub_product(cos_chain_theta_4, sin_chain_theta_5);
-    let t14 = t1 * R::literal(0.2);
-    let t15 = t3 * R::literal(0.2);
-    let t16 = t5 * R::literal(0.2);
-    let t17 = t7 * R::literal(0.2);
-    let t18 = R::literal(1.0) / R::literal(4.0).sub_product(t14, t1);
-    let t19 = (R::literal(3.0)
+    let t17 = R::literal(0.8) * t1;
+    let t18 = R::literal(0.600_000_000_000_000_1) * t4;
+    let t19 = R::literal(0.4) * t7;
+    let t20 = t10 * R::literal(0.2);
+    let t21 = R::literal(1.0) / R::literal(4.0).sub_product(t17, t2);
+    let t22 = (R::literal(3.0)
         * (cos_chain_theta_2 * cos_chain_theta_3)
             .add_product(sin_chain_theta_2, sin_chain_theta_3))
-        .sub_product(t15, t1);
-    let t20 = t19 * t18;
-    let t21 = (R::literal(2.0)
+        .sub_product(t18, t2);
+    let t23 = t22 * t21;
+    let t24 = (R::literal(2.0)
         * (cos_chain_theta_2 * cos_chain_theta_4)
             .add_product(sin_chain_theta_2, sin_chain_theta_4))
-        .sub_product(t16, t1);
-    let t22 = t21 * t18;
-    let t23 = (cos_chain_theta_2 * cos_chain_theta_5)
+        .sub_product(t19, t2);
+    let t25 = t24 * t21;
+    let t26 = (cos_chain_theta_2 * cos_chain_theta_5)
         .add_product(sin_chain_theta_2, sin_chain_theta_5)
-        .sub_product(t17, t1);
-    let t24 = t23 * t18;
-    let t25 = R::literal(1.0)
-        / R::literal(3.0).sub_product(t15, t3).sub_product(t20, t19);
-    let t26 = (R::literal(2.0)
+        .sub_product(t20, t2);
+    let t27 = t26 * t21;
+    let t28 = R::literal(1.0)
+        / R::literal(3.0).sub_product(t18, t5).sub_product(t23, t22);
+    let t29 = (R::literal(2.0)
         * (cos_chain_theta_3 * cos_chain_theta_4)
             .add_product(sin_chain_theta_3, sin_chain_theta_4))
-        .sub_product(t16, t3)
-        .sub_product(t22, t19);
-    let t27 = t26 * t25;
-    let t28 = (cos_chain_theta_3 * cos_chain_theta_5)
+        .sub_product(t19, t5)
+        .sub_product(t25, t22);
+    let t30 = t29 * t28;
+    let t31 = (cos_chain_theta_3 * cos_chain_theta_5)
         .add_product(sin_chain_theta_3, sin_chain_theta_5)
-        .sub_product(t17, t3)
-        .sub_product(t24, t19);
-    let t29 = t28 * t25;
-    let t30 = R::literal(1.0)
+        .sub_product(t20, t5)
+        .sub_product(t27, t22);
+    let t32 = t31 * t28;
+    let t33 = R::literal(1.0)
         / R::literal(2.0)
-            .sub_product(t16, t5)
-            .sub_product(t22, t21)
-            .sub_product(t27, t26);
-    let t31 = (cos_chain_theta_4 * cos_chain_theta_5)
+            .sub_product(t19, t8)
+            .sub_product(t25, t24)
+            .sub_product(t30, t29);
+    let t34 = (cos_chain_theta_4 * cos_chain_theta_5)
         .add_product(sin_chain_theta_4, sin_chain_theta_5)
-        .sub_product(t17, t5)
-        .sub_product(t24, t21)
-        .sub_product(t29, t26);
-    let t32 = t31 * t30;
+        .sub_product(t20, t8)
+        .sub_product(t27, t24)
+        .sub_product(t32, t29);
+    let t35 = t34 * t33;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t33 = R::literal(3.0) * chain_omega_3_squared;
+    let t36 = R::literal(3.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t34 = R::literal(2.0) * chain_omega_4_squared;
+    let t37 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t35 = (-(R::literal(49.05) * sin_chain_theta_1))
+    let t38 = (-(R::literal(49.05) * sin_chain_theta_1))
         .sub_product(R::literal(4.0) * chain_omega_2_squared, t0)
-        .sub_product(t33, t2)
-        .sub_product(t34, t4)
-        .sub_product(chain_omega_5_squared, t6);
+        .sub_product(t36, t3)
+        .sub_product(t37, t6)
+        .sub_product(chain_omega_5_squared, t9);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t36 = (-(R::literal(39.24) * sin_chain_theta_2))
+    let t39 = (-(R::literal(39.24) * sin_chain_theta_2))
         .add_product(R::literal(4.0) * chain_omega_1_squared, t0)
-        .sub_product(t33, t8)
-        .sub_product(t34, t9)
-        .sub_product(chain_omega_5_squared, t10)
-        .sub_product(t14, t35);
-    let t37 = (R::literal(3.0) * chain_omega_1_squared * t2)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t8)
-        .sub_product(R::literal(29.43), sin_chain_theta_3)
-        .sub_product(t34, t11)
-        .sub_product(chain_omega_5_squared, t12)
-        .sub_product(t15, t35)
-        .sub_product(t20, t36);
-    let t38 = (R::literal(2.0) * chain_omega_1_squared * t4)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t9)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t11)
-        .sub_product(R::literal(19.62), sin_chain_theta_4)
+        .sub_product(t36, t11)
+        .sub_product(t37, t12)
         .sub_product(chain_omega_5_squared, t13)
-        .sub_product(t16, t35)
-        .sub_product(t22, t36)
-        .sub_product(t27, t37);
-    let chain_omega_5_dot = (chain_omega_1_squared * t6)
-        .add_product(chain_omega_2_squared, t10)
-        .add_product(chain_omega_3_squared, t12)
-        .add_product(chain_omega_4_squared, t13)
+        .sub_product(t17, t38);
+    let t40 = (R::literal(3.0) * chain_omega_1_squared * t3)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t11)
+        .sub_product(R::literal(29.43), sin_chain_theta_3)
+        .sub_product(t37, t14)
+        .sub_product(chain_omega_5_squared, t15)
+        .sub_product(t18, t38)
+        .sub_product(t23, t39);
+    let t41 = (R::literal(2.0) * chain_omega_1_squared * t6)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t12)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t14)
+        .sub_product(R::literal(19.62), sin_chain_theta_4)
+        .sub_product(chain_omega_5_squared, t16)
+        .sub_product(t19, t38)
+        .sub_product(t25, t39)
+        .sub_product(t30, t40);
+    let chain_omega_5_dot = (chain_omega_1_squared * t9)
+        .add_product(chain_omega_2_squared, t13)
+        .add_product(chain_omega_3_squared, t15)
+        .add_product(chain_omega_4_squared, t16)
         .sub_product(R::literal(9.81), sin_chain_theta_5)
-        .sub_product(t17, t35)
-        .sub_product(t24, t36)
-        .sub_product(t29, t37)
-        .sub_product(t32, t38)
+        .sub_product(t20, t38)
+        .sub_product(t27, t39)
+        .sub_product(t32, t40)
+        .sub_product(t35, t41)
         * (R::literal(1.0)
             / R::literal(1.0)
-                .sub_product(t17, t7)
-                .sub_product(t24, t23)
-                .sub_product(t29, t28)
-                .sub_product(t32, t31));
-    let chain_omega_4_dot = (t38 * t30).sub_product(t32, chain_omega_5_dot);
-    let chain_omega_3_dot = (t37 * t25)
-        .sub_product(t27, chain_omega_4_dot)
-        .sub_product(t29, chain_omega_5_dot);
-    let chain_omega_2_dot = (t36 * t18)
-        .sub_product(t20, chain_omega_3_dot)
-        .sub_product(t22, chain_omega_4_dot)
-        .sub_product(t24, chain_omega_5_dot);
-    let chain_omega_1_dot = (t35 * R::literal(0.2))
-        .sub_product(t14, chain_omega_2_dot)
-        .sub_product(t15, chain_omega_3_dot)
-        .sub_product(t16, chain_omega_4_dot)
-        .sub_product(t17, chain_omega_5_dot);
+                .sub_product(t20, t10)
+                .sub_product(t27, t26)
+                .sub_product(t32, t31)
+                .sub_product(t35, t34));
+    let chain_omega_4_dot = (t41 * t33).sub_product(t35, chain_omega_5_dot);
+    let chain_omega_3_dot = (t40 * t28)
+        .sub_product(t30, chain_omega_4_dot)
+        .sub_product(t32, chain_omega_5_dot);
+    let chain_omega_2_dot = (t39 * t21)
+        .sub_product(t23, chain_omega_3_dot)
+        .sub_product(t25, chain_omega_4_dot)
+        .sub_product(t27, chain_omega_5_dot);
+    let chain_omega_1_dot = (t38 * R::literal(0.2))
+        .sub_product(t17, chain_omega_2_dot)
+        .sub_product(t18, chain_omega_3_dot)
+        .sub_product(t19, chain_omega_4_dot)
+        .sub_product(t20, chain_omega_5_dot);
     [
         chain_omega_1,
         chain_omega_2,
@@ -506,35 +505,44 @@ pub fn mass_matrix<R: Real>(
 ) -> [R; 25] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, ..,
     ] = *state;
-    let t0 = R::literal(4.0) * (chain_theta_1 - chain_theta_2).cos();
-    let t1 = R::literal(3.0) * (chain_theta_1 - chain_theta_3).cos();
-    let t2 = R::literal(2.0) * (chain_theta_1 - chain_theta_4).cos();
-    let t3 = (chain_theta_1 - chain_theta_5).cos();
-    let t4 = R::literal(3.0) * (chain_theta_2 - chain_theta_3).cos();
-    let t5 = R::literal(2.0) * (chain_theta_2 - chain_theta_4).cos();
-    let t6 = (chain_theta_2 - chain_theta_5).cos();
-    let t7 = R::literal(2.0) * (chain_theta_3 - chain_theta_4).cos();
-    let t8 = (chain_theta_3 - chain_theta_5).cos();
-    let t9 = (chain_theta_4 - chain_theta_5).cos();
+    let [(_, t0), (_, t1), (_, t2), (_, t3), (_, t4), (_, t5), (_, t6), (_, t7), (_, t8),
+    (_, t9)] = R::sin_cos_each([
+        chain_theta_1 - chain_theta_2,
+        chain_theta_1 - chain_theta_3,
+        chain_theta_1 - chain_theta_4,
+        chain_theta_1 - chain_theta_5,
+        chain_theta_2 - chain_theta_3,
+        chain_theta_2 - chain_theta_4,
+        chain_theta_2 - chain_theta_5,
+        chain_theta_3 - chain_theta_4,
+        chain_theta_3 - chain_theta_5,
+        chain_theta_4 - chain_theta_5,
+    ]);
+    let t10 = R::literal(4.0) * t0;
+    let t11 = R::literal(3.0) * t1;
+    let t12 = R::literal(2.0) * t2;
+    let t13 = R::literal(3.0) * t4;
+    let t14 = R::literal(2.0) * t5;
+    let t15 = R::literal(2.0) * t7;
     [
         R::literal(5.0),
-        t0,
-        t1,
-        t2,
+        t10,
+        t11,
+        t12,
         t3,
-        t0,
+        t10,
         R::literal(4.0),
-        t4,
-        t5,
+        t13,
+        t14,
         t6,
-        t1,
-        t4,
+        t11,
+        t13,
         R::literal(3.0),
-        t7,
+        t15,
         t8,
-        t2,
-        t5,
-        t7,
+        t12,
+        t14,
+        t15,
         R::literal(2.0),
         t9,
         t3,
@@ -556,48 +564,57 @@ pub fn forcing<R: Real>(
 ) -> [R; COORDINATES] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
+    let [(sin_chain_theta_1, _), (sin_chain_theta_2, _), (sin_chain_theta_3, _),
+    (sin_chain_theta_4, _), (sin_chain_theta_5, _), (t0, _), (t1, _), (t2, _), (t3, _),
+    (t4, _), (t5, _), (t6, _), (t7, _), (t8, _), (t9, _)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+        chain_theta_1 - chain_theta_2,
+        chain_theta_1 - chain_theta_3,
+        chain_theta_1 - chain_theta_4,
+        chain_theta_1 - chain_theta_5,
+        chain_theta_2 - chain_theta_3,
+        chain_theta_2 - chain_theta_4,
+        chain_theta_2 - chain_theta_5,
+        chain_theta_3 - chain_theta_4,
+        chain_theta_3 - chain_theta_5,
+        chain_theta_4 - chain_theta_5,
+    ]);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t0 = (chain_theta_1 - chain_theta_2).sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t1 = (chain_theta_1 - chain_theta_3).sin();
-    let t2 = R::literal(3.0) * chain_omega_3_squared;
+    let t10 = R::literal(3.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t3 = (chain_theta_1 - chain_theta_4).sin();
-    let t4 = R::literal(2.0) * chain_omega_4_squared;
+    let t11 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t5 = (chain_theta_1 - chain_theta_5).sin();
-    let chain_theta_1_forcing = (-(R::literal(49.05) * chain_theta_1.sin()))
+    let chain_theta_1_forcing = (-(R::literal(49.05) * sin_chain_theta_1))
         .sub_product(R::literal(4.0) * chain_omega_2_squared, t0)
-        .sub_product(t2, t1)
-        .sub_product(t4, t3)
-        .sub_product(chain_omega_5_squared, t5);
-    let t6 = (chain_theta_2 - chain_theta_3).sin();
-    let t7 = (chain_theta_2 - chain_theta_4).sin();
-    let t8 = (chain_theta_2 - chain_theta_5).sin();
+        .sub_product(t10, t1)
+        .sub_product(t11, t2)
+        .sub_product(chain_omega_5_squared, t3);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = (-(R::literal(39.24) * chain_theta_2.sin()))
+    let chain_theta_2_forcing = (-(R::literal(39.24) * sin_chain_theta_2))
         .add_product(R::literal(4.0) * chain_omega_1_squared, t0)
-        .sub_product(t2, t6)
-        .sub_product(t4, t7)
-        .sub_product(chain_omega_5_squared, t8);
-    let t9 = (chain_theta_3 - chain_theta_4).sin();
-    let t10 = (chain_theta_3 - chain_theta_5).sin();
+        .sub_product(t10, t4)
+        .sub_product(t11, t5)
+        .sub_product(chain_omega_5_squared, t6);
     let chain_theta_3_forcing = (R::literal(3.0) * chain_omega_1_squared * t1)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t6)
-        .sub_product(R::literal(29.43), chain_theta_3.sin())
-        .sub_product(t4, t9)
-        .sub_product(chain_omega_5_squared, t10);
-    let t11 = (chain_theta_4 - chain_theta_5).sin();
-    let chain_theta_4_forcing = (R::literal(2.0) * chain_omega_1_squared * t3)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t7)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t9)
-        .sub_product(R::literal(19.62), chain_theta_4.sin())
-        .sub_product(chain_omega_5_squared, t11);
-    let chain_theta_5_forcing = (chain_omega_1_squared * t5)
-        .add_product(chain_omega_2_squared, t8)
-        .add_product(chain_omega_3_squared, t10)
-        .add_product(chain_omega_4_squared, t11)
-        .sub_product(R::literal(9.81), chain_theta_5.sin());
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t4)
+        .sub_product(R::literal(29.43), sin_chain_theta_3)
+        .sub_product(t11, t7)
+        .sub_product(chain_omega_5_squared, t8);
+    let chain_theta_4_forcing = (R::literal(2.0) * chain_omega_1_squared * t2)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t5)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t7)
+        .sub_product(R::literal(19.62), sin_chain_theta_4)
+        .sub_product(chain_omega_5_squared, t9);
+    let chain_theta_5_forcing = (chain_omega_1_squared * t3)
+        .add_product(chain_omega_2_squared, t6)
+        .add_product(chain_omega_3_squared, t8)
+        .add_product(chain_omega_4_squared, t9)
+        .sub_product(R::literal(9.81), sin_chain_theta_5);
     [
         chain_theta_1_forcing,
         chain_theta_2_forcing,
@@ -618,16 +635,15 @@ pub fn rate_jacobian<R: Real>(
 ) -> [R; 55] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
-    let sin_chain_theta_3 = chain_theta_3.sin();
-    let cos_chain_theta_3 = chain_theta_3.cos();
-    let sin_chain_theta_4 = chain_theta_4.sin();
-    let cos_chain_theta_4 = chain_theta_4.cos();
-    let sin_chain_theta_5 = chain_theta_5.sin();
-    let cos_chain_theta_5 = chain_theta_5.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+    ]);
     let t0 = (sin_chain_theta_1 * cos_chain_theta_2)
         .sub_product(cos_chain_theta_1, sin_chain_theta_2);
     let t1 = (cos_chain_theta_1 * cos_chain_theta_2)
@@ -671,9 +687,9 @@ pub fn rate_jacobian<R: Real>(
         .sub_product(cos_chain_theta_4, sin_chain_theta_5);
     let t22 = (cos_chain_theta_4 * cos_chain_theta_5)
         .add_product(sin_chain_theta_4, sin_chain_theta_5);
-    let t23 = t2 * R::literal(0.2);
-    let t24 = t5 * R::literal(0.2);
-    let t25 = t8 * R::literal(0.2);
+    let t23 = R::literal(0.8) * t1;
+    let t24 = R::literal(0.600_000_000_000_000_1) * t4;
+    let t25 = R::literal(0.4) * t7;
     let t26 = t10 * R::literal(0.2);
     let t27 = R::literal(1.0) / R::literal(4.0).sub_product(t23, t2);
     let t28 = (R::literal(3.0) * t12).sub_product(t24, t2);
@@ -1202,21 +1218,25 @@ pub fn outputs<R: Real>(
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Energy<R> {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
-    let cos_chain_theta_1 = chain_theta_1.cos();
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+    ]);
     let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
-    let chain_v_1 = chain_omega_1 * chain_theta_1.sin();
-    let cos_chain_theta_2 = chain_theta_2.cos();
+    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
     let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
-    let chain_v_2 = chain_v_1.add_product(chain_omega_2, chain_theta_2.sin());
-    let cos_chain_theta_3 = chain_theta_3.cos();
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
-    let chain_v_3 = chain_v_2.add_product(chain_omega_3, chain_theta_3.sin());
-    let cos_chain_theta_4 = chain_theta_4.cos();
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
     let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
-    let chain_v_4 = chain_v_3.add_product(chain_omega_4, chain_theta_4.sin());
-    let cos_chain_theta_5 = chain_theta_5.cos();
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
     let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
-    let chain_v_5 = chain_v_4.add_product(chain_omega_5, chain_theta_5.sin());
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
     Energy {
         kinetic: R::literal(0.5)
             * (chain_u_1 * chain_u_1)
@@ -1230,8 +1250,8 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
                 .add_product(chain_u_5, chain_u_5)
                 .add_product(chain_v_5, chain_v_5),
         potential: R::literal(9.81)
-            * ((-(R::literal(5.0) * cos_chain_theta_1))
-                .sub_product(R::literal(4.0), cos_chain_theta_2)
+            * ((-(R::literal(4.0) * cos_chain_theta_2))
+                .sub_product(R::literal(5.0), cos_chain_theta_1)
                 .sub_product(R::literal(3.0), cos_chain_theta_3)
                 .sub_product(R::literal(2.0), cos_chain_theta_4) - cos_chain_theta_5),
         stored: R::literal(0.0),
@@ -1249,268 +1269,257 @@ pub fn power_balance<R: Real>(
 ) -> PowerBalance<R> {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
-    let cos_chain_theta_1 = chain_theta_1.cos();
-    let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
-    let sin_chain_theta_1 = chain_theta_1.sin();
-    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
-    let cos_chain_theta_2 = chain_theta_2.cos();
-    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
-    let sin_chain_theta_2 = chain_theta_2.sin();
-    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
-    let cos_chain_theta_3 = chain_theta_3.cos();
-    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
-    let sin_chain_theta_3 = chain_theta_3.sin();
-    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
-    let cos_chain_theta_4 = chain_theta_4.cos();
-    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
-    let sin_chain_theta_4 = chain_theta_4.sin();
-    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
-    let cos_chain_theta_5 = chain_theta_5.cos();
-    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
-    let sin_chain_theta_5 = chain_theta_5.sin();
-    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
     let chain_theta_1_minus_chain_theta_2 = chain_theta_1 - chain_theta_2;
-    let t0 = R::literal(4.0) * chain_theta_1_minus_chain_theta_2.cos();
     let chain_theta_1_minus_chain_theta_3 = chain_theta_1 - chain_theta_3;
-    let t1 = R::literal(3.0) * chain_theta_1_minus_chain_theta_3.cos();
     let chain_theta_1_minus_chain_theta_4 = chain_theta_1 - chain_theta_4;
-    let t2 = R::literal(2.0) * chain_theta_1_minus_chain_theta_4.cos();
     let chain_theta_1_minus_chain_theta_5 = chain_theta_1 - chain_theta_5;
-    let t3 = chain_theta_1_minus_chain_theta_5.cos();
     let chain_theta_2_minus_chain_theta_3 = chain_theta_2 - chain_theta_3;
     let chain_theta_2_minus_chain_theta_4 = chain_theta_2 - chain_theta_4;
     let chain_theta_2_minus_chain_theta_5 = chain_theta_2 - chain_theta_5;
     let chain_theta_3_minus_chain_theta_4 = chain_theta_3 - chain_theta_4;
     let chain_theta_3_minus_chain_theta_5 = chain_theta_3 - chain_theta_5;
     let chain_theta_4_minus_chain_theta_5 = chain_theta_4 - chain_theta_5;
-    let t4 = t0 * R::literal(0.2);
-    let t5 = t1 * R::literal(0.2);
-    let t6 = t2 * R::literal(0.2);
-    let t7 = t3 * R::literal(0.2);
-    let t8 = R::literal(1.0) / R::literal(4.0).sub_product(t4, t0);
-    let t9 = (R::literal(3.0) * chain_theta_2_minus_chain_theta_3.cos())
-        .sub_product(t5, t0);
-    let t10 = t9 * t8;
-    let t11 = (R::literal(2.0) * chain_theta_2_minus_chain_theta_4.cos())
-        .sub_product(t6, t0);
-    let t12 = t11 * t8;
-    let t13 = chain_theta_2_minus_chain_theta_5.cos().sub_product(t7, t0);
-    let t14 = t13 * t8;
-    let t15 = R::literal(1.0) / R::literal(3.0).sub_product(t5, t1).sub_product(t10, t9);
-    let t16 = (R::literal(2.0) * chain_theta_3_minus_chain_theta_4.cos())
-        .sub_product(t6, t1)
-        .sub_product(t12, t9);
-    let t17 = t16 * t15;
-    let t18 = chain_theta_3_minus_chain_theta_5
-        .cos()
-        .sub_product(t7, t1)
-        .sub_product(t14, t9);
-    let t19 = t18 * t15;
-    let t20 = R::literal(1.0)
+    let [(sin_chain_theta_1, cos_chain_theta_1), (sin_chain_theta_2, cos_chain_theta_2),
+    (sin_chain_theta_3, cos_chain_theta_3), (sin_chain_theta_4, cos_chain_theta_4),
+    (sin_chain_theta_5, cos_chain_theta_5), (t0, t1), (t2, t3), (t4, t5), (t6, t7),
+    (t8, t9), (t10, t11), (t12, t13), (t14, t15), (t16, t17), (t18, t19)] = R::sin_cos_each([
+        chain_theta_1,
+        chain_theta_2,
+        chain_theta_3,
+        chain_theta_4,
+        chain_theta_5,
+        chain_theta_1_minus_chain_theta_2,
+        chain_theta_1_minus_chain_theta_3,
+        chain_theta_1_minus_chain_theta_4,
+        chain_theta_1_minus_chain_theta_5,
+        chain_theta_2_minus_chain_theta_3,
+        chain_theta_2_minus_chain_theta_4,
+        chain_theta_2_minus_chain_theta_5,
+        chain_theta_3_minus_chain_theta_4,
+        chain_theta_3_minus_chain_theta_5,
+        chain_theta_4_minus_chain_theta_5,
+    ]);
+    let chain_u_1 = chain_omega_1 * cos_chain_theta_1;
+    let chain_v_1 = chain_omega_1 * sin_chain_theta_1;
+    let chain_u_2 = chain_u_1.add_product(chain_omega_2, cos_chain_theta_2);
+    let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
+    let chain_u_3 = chain_u_2.add_product(chain_omega_3, cos_chain_theta_3);
+    let chain_v_3 = chain_v_2.add_product(chain_omega_3, sin_chain_theta_3);
+    let chain_u_4 = chain_u_3.add_product(chain_omega_4, cos_chain_theta_4);
+    let chain_v_4 = chain_v_3.add_product(chain_omega_4, sin_chain_theta_4);
+    let chain_u_5 = chain_u_4.add_product(chain_omega_5, cos_chain_theta_5);
+    let chain_v_5 = chain_v_4.add_product(chain_omega_5, sin_chain_theta_5);
+    let t20 = R::literal(4.0) * t1;
+    let t21 = R::literal(3.0) * t3;
+    let t22 = R::literal(2.0) * t5;
+    let t23 = R::literal(0.8) * t1;
+    let t24 = R::literal(0.600_000_000_000_000_1) * t3;
+    let t25 = R::literal(0.4) * t5;
+    let t26 = t7 * R::literal(0.2);
+    let t27 = R::literal(1.0) / R::literal(4.0).sub_product(t23, t20);
+    let t28 = (R::literal(3.0) * t9).sub_product(t24, t20);
+    let t29 = t28 * t27;
+    let t30 = (R::literal(2.0) * t11).sub_product(t25, t20);
+    let t31 = t30 * t27;
+    let t32 = t13.sub_product(t26, t20);
+    let t33 = t32 * t27;
+    let t34 = R::literal(1.0)
+        / R::literal(3.0).sub_product(t24, t21).sub_product(t29, t28);
+    let t35 = (R::literal(2.0) * t15).sub_product(t25, t21).sub_product(t31, t28);
+    let t36 = t35 * t34;
+    let t37 = t17.sub_product(t26, t21).sub_product(t33, t28);
+    let t38 = t37 * t34;
+    let t39 = R::literal(1.0)
         / R::literal(2.0)
-            .sub_product(t6, t2)
-            .sub_product(t12, t11)
-            .sub_product(t17, t16);
-    let t21 = chain_theta_4_minus_chain_theta_5
-        .cos()
-        .sub_product(t7, t2)
-        .sub_product(t14, t11)
-        .sub_product(t19, t16);
-    let t22 = t21 * t20;
-    let t23 = R::literal(49.05) * sin_chain_theta_1;
+            .sub_product(t25, t22)
+            .sub_product(t31, t30)
+            .sub_product(t36, t35);
+    let t40 = t19.sub_product(t26, t22).sub_product(t33, t30).sub_product(t38, t35);
+    let t41 = t40 * t39;
+    let t42 = R::literal(49.05) * sin_chain_theta_1;
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t24 = chain_theta_1_minus_chain_theta_2.sin();
     let chain_omega_3_squared = chain_omega_3 * chain_omega_3;
-    let t25 = chain_theta_1_minus_chain_theta_3.sin();
-    let t26 = R::literal(3.0) * chain_omega_3_squared;
+    let t43 = R::literal(3.0) * chain_omega_3_squared;
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
-    let t27 = chain_theta_1_minus_chain_theta_4.sin();
-    let t28 = R::literal(2.0) * chain_omega_4_squared;
+    let t44 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t29 = chain_theta_1_minus_chain_theta_5.sin();
-    let t30 = (-t23)
-        .sub_product(R::literal(4.0) * chain_omega_2_squared, t24)
-        .sub_product(t26, t25)
-        .sub_product(t28, t27)
-        .sub_product(chain_omega_5_squared, t29);
-    let t31 = R::literal(39.24) * sin_chain_theta_2;
-    let t32 = chain_theta_2_minus_chain_theta_3.sin();
-    let t33 = chain_theta_2_minus_chain_theta_4.sin();
-    let t34 = chain_theta_2_minus_chain_theta_5.sin();
+    let t45 = (-t42)
+        .sub_product(R::literal(4.0) * chain_omega_2_squared, t0)
+        .sub_product(t43, t2)
+        .sub_product(t44, t4)
+        .sub_product(chain_omega_5_squared, t6);
+    let t46 = R::literal(39.24) * sin_chain_theta_2;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t35 = R::literal(29.43) * sin_chain_theta_3;
-    let t36 = chain_theta_3_minus_chain_theta_4.sin();
-    let t37 = chain_theta_3_minus_chain_theta_5.sin();
-    let t38 = R::literal(19.62) * sin_chain_theta_4;
-    let t39 = chain_theta_4_minus_chain_theta_5.sin();
-    let t40 = R::literal(9.81) * sin_chain_theta_5;
-    let t41 = (-t31)
-        .add_product(R::literal(4.0) * chain_omega_1_squared, t24)
-        .sub_product(t26, t32)
-        .sub_product(t28, t33)
-        .sub_product(chain_omega_5_squared, t34)
-        .sub_product(t4, t30);
-    let t42 = ((R::literal(3.0) * chain_omega_1_squared * t25)
-        .add_product(R::literal(3.0) * chain_omega_2_squared, t32) - t35)
-        .sub_product(t28, t36)
-        .sub_product(chain_omega_5_squared, t37)
-        .sub_product(t5, t30)
-        .sub_product(t10, t41);
-    let t43 = ((R::literal(2.0) * chain_omega_1_squared * t27)
-        .add_product(R::literal(2.0) * chain_omega_2_squared, t33)
-        .add_product(R::literal(2.0) * chain_omega_3_squared, t36) - t38)
-        .sub_product(chain_omega_5_squared, t39)
-        .sub_product(t6, t30)
-        .sub_product(t12, t41)
-        .sub_product(t17, t42);
-    let chain_omega_5_dot = ((chain_omega_1_squared * t29)
-        .add_product(chain_omega_2_squared, t34)
-        .add_product(chain_omega_3_squared, t37)
-        .add_product(chain_omega_4_squared, t39) - t40)
-        .sub_product(t7, t30)
-        .sub_product(t14, t41)
-        .sub_product(t19, t42)
-        .sub_product(t22, t43)
+    let t47 = R::literal(29.43) * sin_chain_theta_3;
+    let t48 = R::literal(19.62) * sin_chain_theta_4;
+    let t49 = R::literal(9.81) * sin_chain_theta_5;
+    let t50 = (-t46)
+        .add_product(R::literal(4.0) * chain_omega_1_squared, t0)
+        .sub_product(t43, t8)
+        .sub_product(t44, t10)
+        .sub_product(chain_omega_5_squared, t12)
+        .sub_product(t23, t45);
+    let t51 = ((R::literal(3.0) * chain_omega_1_squared * t2)
+        .add_product(R::literal(3.0) * chain_omega_2_squared, t8) - t47)
+        .sub_product(t44, t14)
+        .sub_product(chain_omega_5_squared, t16)
+        .sub_product(t24, t45)
+        .sub_product(t29, t50);
+    let t52 = ((R::literal(2.0) * chain_omega_1_squared * t4)
+        .add_product(R::literal(2.0) * chain_omega_2_squared, t10)
+        .add_product(R::literal(2.0) * chain_omega_3_squared, t14) - t48)
+        .sub_product(chain_omega_5_squared, t18)
+        .sub_product(t25, t45)
+        .sub_product(t31, t50)
+        .sub_product(t36, t51);
+    let chain_omega_5_dot = ((chain_omega_1_squared * t6)
+        .add_product(chain_omega_2_squared, t12)
+        .add_product(chain_omega_3_squared, t16)
+        .add_product(chain_omega_4_squared, t18) - t49)
+        .sub_product(t26, t45)
+        .sub_product(t33, t50)
+        .sub_product(t38, t51)
+        .sub_product(t41, t52)
         * (R::literal(1.0)
             / R::literal(1.0)
-                .sub_product(t7, t3)
-                .sub_product(t14, t13)
-                .sub_product(t19, t18)
-                .sub_product(t22, t21));
-    let chain_omega_4_dot = (t43 * t20).sub_product(t22, chain_omega_5_dot);
-    let chain_omega_3_dot = (t42 * t15)
-        .sub_product(t17, chain_omega_4_dot)
-        .sub_product(t19, chain_omega_5_dot);
-    let chain_omega_2_dot = (t41 * t8)
-        .sub_product(t10, chain_omega_3_dot)
-        .sub_product(t12, chain_omega_4_dot)
-        .sub_product(t14, chain_omega_5_dot);
-    let chain_omega_1_dot = (t30 * R::literal(0.2))
-        .sub_product(t4, chain_omega_2_dot)
-        .sub_product(t5, chain_omega_3_dot)
-        .sub_product(t6, chain_omega_4_dot)
-        .sub_product(t7, chain_omega_5_dot);
-    let t44 = R::literal(2.0) * chain_omega_2;
-    let t45 = R::literal(2.0) * chain_omega_3;
-    let t46 = R::literal(2.0) * chain_omega_4;
-    let t47 = R::literal(2.0) * chain_omega_5;
-    let t48 = R::literal(2.0) * chain_v_1;
-    let t49 = R::literal(2.0) * chain_u_1;
-    let t50 = t31
+                .sub_product(t26, t7)
+                .sub_product(t33, t32)
+                .sub_product(t38, t37)
+                .sub_product(t41, t40));
+    let chain_omega_4_dot = (t52 * t39).sub_product(t41, chain_omega_5_dot);
+    let chain_omega_3_dot = (t51 * t34)
+        .sub_product(t36, chain_omega_4_dot)
+        .sub_product(t38, chain_omega_5_dot);
+    let chain_omega_2_dot = (t50 * t27)
+        .sub_product(t29, chain_omega_3_dot)
+        .sub_product(t31, chain_omega_4_dot)
+        .sub_product(t33, chain_omega_5_dot);
+    let chain_omega_1_dot = (t45 * R::literal(0.2))
+        .sub_product(t23, chain_omega_2_dot)
+        .sub_product(t24, chain_omega_3_dot)
+        .sub_product(t25, chain_omega_4_dot)
+        .sub_product(t26, chain_omega_5_dot);
+    let t53 = R::literal(2.0) * chain_omega_2;
+    let t54 = R::literal(2.0) * chain_omega_3;
+    let t55 = R::literal(2.0) * chain_omega_4;
+    let t56 = R::literal(2.0) * chain_omega_5;
+    let t57 = R::literal(2.0) * chain_v_1;
+    let t58 = R::literal(2.0) * chain_u_1;
+    let t59 = t46
         .add_product(
             R::literal(0.5),
-            (t44 * chain_v_2 * cos_chain_theta_2)
-                .add_product(t44 * chain_v_3, cos_chain_theta_2)
-                .add_product(t44 * chain_v_4, cos_chain_theta_2)
-                .add_product(t44 * chain_v_5, cos_chain_theta_2)
-                .sub_product(t44 * chain_u_2, sin_chain_theta_2)
-                .sub_product(t44 * chain_u_3, sin_chain_theta_2)
-                .sub_product(t44 * chain_u_4, sin_chain_theta_2)
-                .sub_product(t44 * chain_u_5, sin_chain_theta_2),
+            (t53 * chain_v_2 * cos_chain_theta_2)
+                .add_product(t53 * chain_v_3, cos_chain_theta_2)
+                .add_product(t53 * chain_v_4, cos_chain_theta_2)
+                .add_product(t53 * chain_v_5, cos_chain_theta_2)
+                .sub_product(t53 * chain_u_2, sin_chain_theta_2)
+                .sub_product(t53 * chain_u_3, sin_chain_theta_2)
+                .sub_product(t53 * chain_u_4, sin_chain_theta_2)
+                .sub_product(t53 * chain_u_5, sin_chain_theta_2),
         );
-    let t51 = t35
+    let t60 = t47
         .add_product(
             R::literal(0.5),
-            (t45 * chain_v_3 * cos_chain_theta_3)
-                .add_product(t45 * chain_v_4, cos_chain_theta_3)
-                .add_product(t45 * chain_v_5, cos_chain_theta_3)
-                .sub_product(t45 * chain_u_3, sin_chain_theta_3)
-                .sub_product(t45 * chain_u_4, sin_chain_theta_3)
-                .sub_product(t45 * chain_u_5, sin_chain_theta_3),
+            (t54 * chain_v_3 * cos_chain_theta_3)
+                .add_product(t54 * chain_v_4, cos_chain_theta_3)
+                .add_product(t54 * chain_v_5, cos_chain_theta_3)
+                .sub_product(t54 * chain_u_3, sin_chain_theta_3)
+                .sub_product(t54 * chain_u_4, sin_chain_theta_3)
+                .sub_product(t54 * chain_u_5, sin_chain_theta_3),
         );
-    let t52 = (t23
+    let t61 = (t42
         .add_product(
             R::literal(0.5),
-            (t49 * chain_v_2)
-                .add_product(t49, chain_v_3)
-                .add_product(t49, chain_v_4)
-                .add_product(t49, chain_v_5)
-                .sub_product(t48, chain_u_2)
-                .sub_product(t48, chain_u_3)
-                .sub_product(t48, chain_u_4)
-                .sub_product(t48, chain_u_5),
+            (t58 * chain_v_2)
+                .add_product(t58, chain_v_3)
+                .add_product(t58, chain_v_4)
+                .add_product(t58, chain_v_5)
+                .sub_product(t57, chain_u_2)
+                .sub_product(t57, chain_u_3)
+                .sub_product(t57, chain_u_4)
+                .sub_product(t57, chain_u_5),
         ) * chain_omega_1)
-        .add_product(t50, chain_omega_2)
-        .add_product(t51, chain_omega_3)
+        .add_product(t59, chain_omega_2)
+        .add_product(t60, chain_omega_3)
         .add_product(
-            t38
+            t48
                 .add_product(
                     R::literal(0.5),
-                    (t46 * chain_v_4 * cos_chain_theta_4)
-                        .add_product(t46 * chain_v_5, cos_chain_theta_4)
-                        .sub_product(t46 * chain_u_4, sin_chain_theta_4)
-                        .sub_product(t46 * chain_u_5, sin_chain_theta_4),
+                    (t55 * chain_v_4 * cos_chain_theta_4)
+                        .add_product(t55 * chain_v_5, cos_chain_theta_4)
+                        .sub_product(t55 * chain_u_4, sin_chain_theta_4)
+                        .sub_product(t55 * chain_u_5, sin_chain_theta_4),
                 ),
             chain_omega_4,
         );
-    let t53 = R::literal(2.0) * chain_u_2;
-    let t54 = R::literal(2.0) * chain_v_2;
-    let t55 = R::literal(2.0) * chain_u_3;
-    let t56 = R::literal(2.0) * chain_v_3;
-    let t57 = R::literal(2.0) * chain_u_4;
-    let t58 = R::literal(2.0) * chain_v_4;
-    let t59 = R::literal(2.0) * chain_u_5;
-    let t60 = R::literal(2.0) * chain_v_5;
-    let t61 = t52
+    let t62 = R::literal(2.0) * chain_u_2;
+    let t63 = R::literal(2.0) * chain_v_2;
+    let t64 = R::literal(2.0) * chain_u_3;
+    let t65 = R::literal(2.0) * chain_v_3;
+    let t66 = R::literal(2.0) * chain_u_4;
+    let t67 = R::literal(2.0) * chain_v_4;
+    let t68 = R::literal(2.0) * chain_u_5;
+    let t69 = R::literal(2.0) * chain_v_5;
+    let t70 = t61
         .add_product(
-            t40
+            t49
                 .add_product(
                     R::literal(0.5),
-                    (t47 * chain_v_5 * cos_chain_theta_5)
-                        .sub_product(t47 * chain_u_5, sin_chain_theta_5),
+                    (t56 * chain_v_5 * cos_chain_theta_5)
+                        .sub_product(t56 * chain_u_5, sin_chain_theta_5),
                 ),
             chain_omega_5,
         )
         .add_product(
             R::literal(0.5)
-                * (t49 * cos_chain_theta_1)
-                    .add_product(t48, sin_chain_theta_1)
-                    .add_product(t53, cos_chain_theta_1)
-                    .add_product(t54, sin_chain_theta_1)
-                    .add_product(t55, cos_chain_theta_1)
-                    .add_product(t56, sin_chain_theta_1)
-                    .add_product(t57, cos_chain_theta_1)
-                    .add_product(t58, sin_chain_theta_1)
-                    .add_product(t59, cos_chain_theta_1)
-                    .add_product(t60, sin_chain_theta_1),
+                * (t58 * cos_chain_theta_1)
+                    .add_product(t57, sin_chain_theta_1)
+                    .add_product(t62, cos_chain_theta_1)
+                    .add_product(t63, sin_chain_theta_1)
+                    .add_product(t64, cos_chain_theta_1)
+                    .add_product(t65, sin_chain_theta_1)
+                    .add_product(t66, cos_chain_theta_1)
+                    .add_product(t67, sin_chain_theta_1)
+                    .add_product(t68, cos_chain_theta_1)
+                    .add_product(t69, sin_chain_theta_1),
             chain_omega_1_dot,
         );
-    let t62 = t61
+    let t71 = t70
         .add_product(
             R::literal(0.5)
-                * (t53 * cos_chain_theta_2)
-                    .add_product(t54, sin_chain_theta_2)
-                    .add_product(t55, cos_chain_theta_2)
-                    .add_product(t56, sin_chain_theta_2)
-                    .add_product(t57, cos_chain_theta_2)
-                    .add_product(t58, sin_chain_theta_2)
-                    .add_product(t59, cos_chain_theta_2)
-                    .add_product(t60, sin_chain_theta_2),
+                * (t62 * cos_chain_theta_2)
+                    .add_product(t63, sin_chain_theta_2)
+                    .add_product(t64, cos_chain_theta_2)
+                    .add_product(t65, sin_chain_theta_2)
+                    .add_product(t66, cos_chain_theta_2)
+                    .add_product(t67, sin_chain_theta_2)
+                    .add_product(t68, cos_chain_theta_2)
+                    .add_product(t69, sin_chain_theta_2),
             chain_omega_2_dot,
         )
         .add_product(
             R::literal(0.5)
-                * (t55 * cos_chain_theta_3)
-                    .add_product(t56, sin_chain_theta_3)
-                    .add_product(t57, cos_chain_theta_3)
-                    .add_product(t58, sin_chain_theta_3)
-                    .add_product(t59, cos_chain_theta_3)
-                    .add_product(t60, sin_chain_theta_3),
+                * (t64 * cos_chain_theta_3)
+                    .add_product(t65, sin_chain_theta_3)
+                    .add_product(t66, cos_chain_theta_3)
+                    .add_product(t67, sin_chain_theta_3)
+                    .add_product(t68, cos_chain_theta_3)
+                    .add_product(t69, sin_chain_theta_3),
             chain_omega_3_dot,
         )
         .add_product(
             R::literal(0.5)
-                * (t57 * cos_chain_theta_4)
-                    .add_product(t58, sin_chain_theta_4)
-                    .add_product(t59, cos_chain_theta_4)
-                    .add_product(t60, sin_chain_theta_4),
+                * (t66 * cos_chain_theta_4)
+                    .add_product(t67, sin_chain_theta_4)
+                    .add_product(t68, cos_chain_theta_4)
+                    .add_product(t69, sin_chain_theta_4),
             chain_omega_4_dot,
         );
     PowerBalance {
-        stored_rate: t62
+        stored_rate: t71
             .add_product(
                 R::literal(0.5)
-                    * (t59 * cos_chain_theta_5).add_product(t60, sin_chain_theta_5),
+                    * (t68 * cos_chain_theta_5).add_product(t69, sin_chain_theta_5),
                 chain_omega_5_dot,
             ),
         supplied: R::literal(0.0),

@@ -147,7 +147,7 @@ fn lanes_round_as_single_numbers_do() {
                 a.set_lane(lane, *x);
                 b.set_lane(lane, *y);
             }
-            let operations: [(R, Operation); 14] = [
+            let operations: [(R, Operation); 16] = [
                 (a + b, |x, y| x + y),
                 (a - b, |x, y| x - y),
                 (a * b, |x, y| x * y),
@@ -156,9 +156,11 @@ fn lanes_round_as_single_numbers_do() {
                 (Real::sqrt(a), |x, _| x.sqrt()),
                 (Real::abs(a), |x, _| x.abs()),
                 (R::select_less(a, b, a, b), |x, y| if x < y { x } else { y }),
-                (Real::sin(a), |x, _| x.sin()),
-                (Real::exp(a), |x, _| x.exp()),
-                (Real::tanh(a), |x, _| x.tanh()),
+                (Real::sin(a), |x, _| Real::sin(x)),
+                (Real::exp(a), |x, _| Real::exp(x)),
+                (Real::tanh(a), |x, _| Real::tanh(x)),
+                (Real::tanh_each([a, b])[1], |_, y| Real::tanh(y)),
+                (Real::sin_cos_each([b, a])[1].1, |x, _| Real::cos(x)),
                 (Real::atan(a), |x, _| x.atan()),
                 (Real::powf(a, b), f64::powf),
                 (Real::powi(a, 5), |x, _| Real::powi(x, 5)),

@@ -159,7 +159,7 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
         let name = format_ident!("{name}");
         quote! {
             fn #name(&self, parameters: &[R], values: &mut [R]) {
-                values.copy_from_slice(&#name(&parameters_of(parameters)));
+                *array_of(values) = #name(&parameters_of(parameters));
             }
         }
     });
@@ -167,8 +167,8 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
         let name = format_ident!("{name}");
         quote! {
             fn #name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-                let result = #name(time, state_of(state), &parameters_of(parameters));
-                values.copy_from_slice(&result #to_array);
+                *array_of(values) =
+                    #name(time, state_of(state), &parameters_of(parameters)) #to_array;
             }
         }
     };
@@ -226,6 +226,10 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
         }
         #constants_of
         #[inline]
+        fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
+            values.try_into().expect("there is one place for each value")
+        }
+        #[inline]
         fn state_of<R>(state: &[R]) -> &[R; STATES] {
             state.try_into().expect("the state has STATES entries")
         }
@@ -252,14 +256,14 @@ fn prepared() -> TokenStream {
                 values: &mut [R],
             ) {
                 let (p, c) = (parameters_of(parameters), constants_of(constants));
-                values.copy_from_slice(&#name(time, state_of(state), &p, &c));
+                *array_of(values) = #name(time, state_of(state), &p, &c);
             }
         }
     });
     quote! {
         fn constants(&self) -> usize { CONSTANTS }
         fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-            constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+            *array_of(constants) = prepare(&parameters_of(parameters)).to_array();
         }
         #(#functions)*
     }

@@ -13,6 +13,8 @@
 //! an order are formed at once, side by side in [`Lanes`], before the order's
 //! chain of dependent operations begins.
 
+use core::mem::size_of;
+
 use crate::Real;
 
 /// Series of the solution through a state; an emitted simulator has them, one
@@ -59,11 +61,20 @@ pub enum Bends {
     Corners,
 }
 
-/// Sums of up to `N` products of series, side by side.
+/// Sums of `N` products of series, side by side.
+///
+/// The sums of an order are formed from their middle outwards: what is known for long
+/// comes first, and what the order before has just given comes last. The coefficients of
+/// the last two orders are kept at hand besides, for they are still on their way to memory
+/// as single numbers and cannot be read from there as a block.
 #[derive(Debug)]
 pub struct Lanes<'a, R, const N: usize> {
-    left: &'a mut [[R; N]],
-    right: &'a mut [[R; N]],
+    /// Order after order.
+    left: &'a mut [R],
+    right: &'a mut [R],
+    /// Left and right coefficients of the newest order, and of the one before.
+    newest: [[R; N]; 2],
+    before: [[R; N]; 2],
 }
 
 impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
@@ -82,40 +93,76 @@ impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
     pub fn new(workspace: &'a mut [R], order: usize) -> (Self, &'a mut [R]) {
         let (left, workspace) = workspace.split_at_mut(N * order);
         let (right, workspace) = workspace.split_at_mut(N * order);
-        (Self { left: left.as_chunks_mut().0, right: right.as_chunks_mut().0 }, workspace)
+        let none = [[R::literal(0.0); N]; 2];
+        (Self { left, right, newest: none, before: none }, workspace)
     }
 
     /// Takes the coefficients of one order.
     #[inline(always)]
     pub fn set(&mut self, order: usize, left: [R; N], right: [R; N]) {
-        self.left[order] = left;
-        self.right[order] = right;
+        self.before = self.newest;
+        self.newest = [left, right];
+        // One by one, each with its own check: compilers that see neighbours being stored
+        // compute them as vectors, and shuffling in the chain of an order costs more than
+        // is gained.
+        for lane in 0..N {
+            self.left[order * N + lane] = left[lane];
+        }
+        for lane in 0..N {
+            self.right[order * N + lane] = right[lane];
+        }
     }
 
     /// `sum_(j=1..order-1) left_j right_(order-j)` in every lane.
-    ///
-    /// The newest coefficients come last, so that all the rest of the sum can be
-    /// formed while they are still on their way.
     #[must_use]
     #[inline(always)]
     pub fn sums(&self, order: usize) -> [R; N] {
-        let mut sums = [R::literal(0.0); N];
-        if order < 2 {
-            return sums;
+        let (left, right) = (self.left.as_chunks::<N>().0, self.right.as_chunks::<N>().0);
+        let mut sums = [[R::literal(0.0); N]; 2];
+        if order.is_multiple_of(2) && order > 0 {
+            add_products(&mut sums[0], &left[order / 2], &right[order / 2]);
         }
-        if order > 3 {
-            let (left, right) = (&self.left[2..order - 1], &self.right[2..order - 1]);
-            for (left, right) in left.iter().zip(right.iter().rev()) {
-                add_products(&mut sums, left, right);
+        if order > 6 {
+            let low = 3..order.div_ceil(2);
+            let high = order / 2 + 1..order - 2;
+            let low = left[low.clone()].iter().zip(&right[low]).rev();
+            let high = left[high.clone()].iter().zip(&right[high]);
+            for (low, high) in low.zip(high) {
+                add_pair(&mut sums, [low.0, low.1], [high.0, high.1]);
             }
         }
-        let newest = order - 1;
-        add_products(&mut sums, &self.left[1], &self.right[newest]);
-        if newest > 1 {
-            add_products(&mut sums, &self.left[newest], &self.right[1]);
+        let at_hand = |back: usize, [new_left, new_right]: &[[R; N]; 2]| {
+            // Numbers that are blocks themselves are read as they were written.
+            let is_block = size_of::<R>() > size_of::<f64>();
+            if is_block {
+                [left[order - back], right[order - back]]
+            } else {
+                [*new_left, *new_right]
+            }
+        };
+        for (back, kept) in [(2, &self.before), (1, &self.newest)] {
+            if order > 2 * back {
+                let [high_left, high_right] = at_hand(back, kept);
+                add_pair(&mut sums, [&left[back], &right[back]], [&high_left, &high_right]);
+            }
+        }
+        let [mut sums, others] = sums;
+        for lane in 0..N {
+            sums[lane] = sums[lane] + others[lane];
         }
         sums
     }
+}
+
+/// Adds the two products of left and right coefficients of a low and a high order.
+#[inline(always)]
+fn add_pair<R: Real, const N: usize>(
+    [sums, others]: &mut [[R; N]; 2],
+    low: [&[R; N]; 2],
+    high: [&[R; N]; 2],
+) {
+    add_products(sums, low[0], high[1]);
+    add_products(others, high[0], low[1]);
 }
 
 #[inline(always)]
@@ -135,17 +182,22 @@ pub fn order_and_inverse<R: Real>(order: usize) -> (R, R) {
 }
 
 /// `L D L^T` of a symmetric matrix, without pivoting: for a mass matrix, which
-/// is positive definite.
+/// is positive definite. Of a small one the inverse is kept instead: products with it wait
+/// for one another half as long as substitutions do.
 #[derive(Debug, Clone, Copy)]
 pub struct Factored<R, const N: usize> {
-    /// L below the diagonal, 1/D on it.
+    /// L below the diagonal, 1/D on it; or the inverse.
     factors: [[R; N]; N],
 }
+
+/// Largest matrix of which the inverse is kept.
+const MOST_INVERTED: usize = 6;
 
 #[allow(clippy::needless_range_loop, reason = "rows and columns of one matrix")]
 impl<R: Real, const N: usize> Factored<R, N> {
     /// Factors a matrix, of which the lower triangle is read.
     #[must_use]
+    #[inline]
     pub fn new(mut matrix: [[R; N]; N]) -> Self {
         for column in 0..N {
             let inverse = R::literal(1.0) / matrix[column][column];
@@ -160,25 +212,46 @@ impl<R: Real, const N: usize> Factored<R, N> {
             }
             matrix[column][column] = inverse;
         }
-        Self { factors: matrix }
+        if N > MOST_INVERTED {
+            return Self { factors: matrix };
+        }
+        let unit =
+            |place| core::array::from_fn(|at| R::literal(if at == place { 1.0 } else { 0.0 }));
+        Self { factors: core::array::from_fn(|column| substitute(&matrix, unit(column))) }
     }
 
     /// The solution of `matrix x = right_side`.
     #[must_use]
-    pub fn solve(&self, mut right_side: [R; N]) -> [R; N] {
-        for column in 0..N {
-            let minus = -right_side[column];
-            for row in column + 1..N {
-                right_side[row] = self.factors[row][column].mul_add(minus, right_side[row]);
+    #[inline(always)]
+    pub fn solve(&self, right_side: [R; N]) -> [R; N] {
+        if N > MOST_INVERTED {
+            return substitute(&self.factors, right_side);
+        }
+        let mut solution = self.factors[0].map(|entry| entry * right_side[0]);
+        for column in 1..N {
+            for row in 0..N {
+                let entry = self.factors[column][row];
+                solution[row] = entry.mul_add(right_side[column], solution[row]);
             }
         }
-        for row in (0..N).rev() {
-            right_side[row] = right_side[row] * self.factors[row][row];
-            for other in row + 1..N {
-                right_side[row] =
-                    self.factors[other][row].mul_add(-right_side[other], right_side[row]);
-            }
-        }
-        right_side
+        solution
     }
+}
+
+/// The solution of `L D L^T x = right_side`.
+#[allow(clippy::needless_range_loop, reason = "rows and columns of one matrix")]
+fn substitute<R: Real, const N: usize>(factors: &[[R; N]; N], mut right_side: [R; N]) -> [R; N] {
+    for column in 0..N {
+        let minus = -right_side[column];
+        for row in column + 1..N {
+            right_side[row] = factors[row][column].mul_add(minus, right_side[row]);
+        }
+    }
+    for row in (0..N).rev() {
+        right_side[row] = right_side[row] * factors[row][row];
+        for other in row + 1..N {
+            right_side[row] = factors[other][row].mul_add(-right_side[other], right_side[row]);
+        }
+    }
+    right_side
 }

@@ -436,8 +436,9 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 6>::new(workspace, coefficients.len());
-    let (mut lanes_1, _) = Lanes::<R, 6>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let [q_0, q_1, q_0_dot, q_1_dot] = *state;
     let t0 = q_0 - q_1;
     let t1 = t0.sin();
@@ -474,36 +475,43 @@ pub fn series<R: Real>(
         let [q_0_k, q_1_k, q_0_dot_k, q_1_dot_k] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
         let t0_k = q_0_k - q_1_k;
-        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
-        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
+        let t1_k = t0_k.mul_add(t2, inverse * sums_1[2]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums_1[3]);
         let t3_k = -t1_k;
-        let t4_k = q_1_dot_k.mul_add(q_1_dot, q_1_dot.mul_add(q_1_dot_k, sums[2]));
-        let t5_k = t3_k.mul_add(t4, t3.mul_add(t4_k, sums[3]));
-        let sin_q_0_k = q_0_k.mul_add(cos_q_0, inverse * sums[4]);
-        let cos_q_0_k = -q_0_k.mul_add(sin_q_0, inverse * sums[5]);
+        let t4_k = (q_1_dot + q_1_dot).mul_add(q_1_dot_k, sums[0]);
+        let t5_k = t4.mul_add(t3_k, t3.mul_add(t4_k, sums_2[1]));
+        let sin_q_0_k = q_0_k.mul_add(cos_q_0, inverse * sums[2]);
+        let cos_q_0_k = -q_0_k.mul_add(sin_q_0, inverse * sums[3]);
         let t8_k = (-sin_q_0_k).mul_add(t6, t5_k);
-        let t9_k = q_0_dot_k.mul_add(q_0_dot, q_0_dot.mul_add(q_0_dot_k, sums_1[0]));
-        let t10_k = t1_k.mul_add(t9, t1.mul_add(t9_k, sums_1[1]));
-        let sin_q_1_k = q_1_k.mul_add(cos_q_1, inverse * sums_1[2]);
-        let cos_q_1_k = -q_1_k.mul_add(sin_q_1, inverse * sums_1[3]);
+        let t9_k = (q_0_dot + q_0_dot).mul_add(q_0_dot_k, sums[1]);
+        let t10_k = t9.mul_add(t1_k, t1.mul_add(t9_k, sums_2[0]));
+        let sin_q_1_k = q_1_k.mul_add(cos_q_1, inverse * sums_1[0]);
+        let cos_q_1_k = -q_1_k.mul_add(sin_q_1, inverse * sums_1[1]);
         let t13_k = (-sin_q_1_k).mul_add(t11, t10_k);
-        let n27_k = t2_k.mul_add(q_1_dot_dot, sums_1[4]);
-        let n28_k = t2_k.mul_add(q_0_dot_dot, sums_1[5]);
+        let n27_k = t2_k.mul_add(q_1_dot_dot, sums_2[2]);
+        let n28_k = t2_k.mul_add(q_0_dot_dot, sums_2[3]);
         let t8_k_2 = t8_k - n27_k;
         let t13_k_2 = t13_k - n28_k;
         let [q_0_dot_dot_k, q_1_dot_dot_k] = factored.solve([t8_k_2, t13_k_2]);
         lanes
             .set(
                 order,
-                [k * t0_k, k * t0_k, q_1_dot_k, t3_k, k * q_0_k, k * q_0_k],
-                [t2_k, t1_k, q_1_dot_k, t4_k, cos_q_0_k, sin_q_0_k],
+                [q_1_dot_k, q_0_dot_k, k * q_0_k, k * q_0_k],
+                [q_1_dot_k, q_0_dot_k, cos_q_0_k, sin_q_0_k],
             );
         lanes_1
             .set(
                 order,
-                [q_0_dot_k, t1_k, k * q_1_k, k * q_1_k, t2_k, t2_k],
-                [q_0_dot_k, t9_k, cos_q_1_k, sin_q_1_k, q_1_dot_dot_k, q_0_dot_dot_k],
+                [k * q_1_k, k * q_1_k, k * t0_k, k * t0_k],
+                [cos_q_1_k, sin_q_1_k, t2_k, t1_k],
+            );
+        lanes_2
+            .set(
+                order,
+                [t1_k, t3_k, t2_k, t2_k],
+                [t9_k, t4_k, q_1_dot_dot_k, q_0_dot_dot_k],
             );
         rates = [q_0_dot_k, q_1_dot_k, q_0_dot_dot_k, q_1_dot_dot_k];
     }
@@ -511,7 +519,8 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for Coupled {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 6>::workspace(order + 1) + Lanes::<R, 6>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1)
     }
     fn series(
         &self,

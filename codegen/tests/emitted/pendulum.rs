@@ -500,20 +500,20 @@ pub fn series<R: Real>(
         let [arm_phi_k, arm_phi_dot_k, drive_torque_k] = *state_k;
         let sums = lanes.sums(order);
         let t1_k = (-arm_phi_dot_k).mul_add(p.arm_damping, drive_torque_k);
-        let sin_arm_phi_k = arm_phi_k.mul_add(cos_arm_phi, inverse * sums[0]);
-        let cos_arm_phi_k = -arm_phi_k.mul_add(sin_arm_phi, inverse * sums[1]);
+        let sin_arm_phi_k = arm_phi_k.mul_add(cos_arm_phi, inverse * sums[1]);
+        let cos_arm_phi_k = -arm_phi_k.mul_add(sin_arm_phi, inverse * sums[2]);
         let t5_k = (-sin_arm_phi_k).mul_add(t3, t1_k);
         let t8_k = t5_k * t7;
         let time_k = R::literal(if order == 1 { 1.0 } else { 0.0 });
-        let t9_k = t9_first * time_k + t9_second * sums[2] + t9_third * sums[3];
+        let t9_k = t9_first * time_k + t9_second * sums[0] + t9_third * sums[3];
         let load_k = R::select_less(time, p.start, R::literal(0.0), t9_k);
         let t10_k = load_k - drive_torque_k;
         let t12_k = t10_k * t11;
         lanes
             .set(
                 order,
-                [k * arm_phi_k, k * arm_phi_k, time_k, time_k],
-                [cos_arm_phi_k, sin_arm_phi_k, time_k, sums[2]],
+                [time_k, k * arm_phi_k, k * arm_phi_k, time_k],
+                [time_k, cos_arm_phi_k, sin_arm_phi_k, sums[0]],
             );
         rates = [arm_phi_dot_k, t8_k, t12_k];
     }

@@ -861,11 +861,17 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_4, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_5, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_6, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_7, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_8, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_9, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_10, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
     let [arm_phi, arm_phi_dot, ..] = *state;
     let t0 = -arm_phi;
     let t1 = R::literal(2.0) + arm_phi;
@@ -1070,68 +1076,70 @@ pub fn series<R: Real>(
         let sums_2 = lanes_2.sums(order);
         let sums_3 = lanes_3.sums(order);
         let sums_4 = lanes_4.sums(order);
+        let sums_5 = lanes_5.sums(order);
+        let sums_6 = lanes_6.sums(order);
+        let sums_7 = lanes_7.sums(order);
+        let sums_8 = lanes_8.sums(order);
+        let sums_9 = lanes_9.sums(order);
+        let sums_10 = lanes_10.sums(order);
         let t0_k = -arm_phi_k;
-        let t2_k = (arm_phi_k - sums[0]) * inverse_t2;
-        let t3_k = (arm_phi_k - inverse * sums[1]) * inverse_t1;
+        let t2_k = (arm_phi_k - sums_1[2]) * inverse_t2;
+        let t3_k = (arm_phi_k - inverse * sums_6[1]) * inverse_t1;
         let t4_k = arm_phi_k - arm_phi_dot_k;
         let t5_k = -t4_k;
         let t6_k = R::select_less(t4, R::literal(0.0), t5_k, t4_k);
-        let t7_k = t4_k.mul_add(t7, inverse * sums[2]);
-        let t8_k = t5_k.mul_add(t8, inverse * sums[3]);
-        let t9_k = t4_k.mul_add(t10, inverse * sums[4]);
-        let t10_k = -t4_k.mul_add(t9, inverse * sums[5]);
+        let t7_k = t4_k.mul_add(t7, inverse * sums_1[3]);
+        let t8_k = t5_k.mul_add(t8, inverse * sums_6[2]);
+        let t9_k = t4_k.mul_add(t10, inverse * sums_2[0]);
+        let t10_k = -t4_k.mul_add(t9, inverse * sums_2[1]);
         let t11_k = -t9_k;
-        let t12_k = t4_k.mul_add(t14, inverse * sums[6]);
-        let t13_k = t12_k.mul_add(t12, t12.mul_add(t12_k, sums[7]));
+        let t12_k = t4_k.mul_add(t14, inverse * sums_8[0]);
+        let t13_k = (t12 + t12).mul_add(t12_k, sums_2[2]);
         let t15_k = -t12_k;
-        let t16_k = t4_k.mul_add(t4, t4.mul_add(t4_k, sums[8]));
+        let t16_k = (t4 + t4).mul_add(t4_k, sums[1]);
         let t17_k = -t16_k;
-        let t18_k = (t17_k - sums[9]) * inverse_t18;
-        let t19_k = (t4_k - inverse * sums_1[0]) * inverse_t18_2;
+        let t18_k = (t17_k - sums_8[1]) * inverse_t18;
+        let t19_k = (t4_k - inverse * sums_8[2]) * inverse_t18_2;
         let t20_k = -t19_k;
-        let t21_k = (-t4_k - inverse * sums_1[1]) * inverse_t18_3;
-        let t22_k = t5_k.mul_add(t5, t5.mul_add(t5_k, sums_1[2]));
+        let t21_k = (-t4_k - inverse * sums_8[3]) * inverse_t18_3;
+        let t22_k = (t5 + t5).mul_add(t5_k, sums_2[3]);
         let t23_k = -t22_k;
-        let t24_k = (t23_k - sums_1[3]) * inverse_t24;
-        let t25_k = (-t5_k - inverse * sums_1[4]) * inverse_t24_2;
-        let t27_k = (t4_k - inverse * sums_1[5]) * inverse_t26;
+        let t24_k = (t23_k - sums_9[3]) * inverse_t24;
+        let t25_k = (-t5_k - inverse * sums_10[0]) * inverse_t24_2;
+        let t27_k = (t4_k - inverse * sums_6[3]) * inverse_t26;
         let t28_k = -t27_k;
-        let t29_k = t4_k.mul_add(t30, inverse * sums_1[6]);
-        let t30_k = t4_k.mul_add(t29, inverse * sums_1[7]);
+        let t29_k = t4_k.mul_add(t30, inverse * sums_3[0]);
+        let t30_k = t4_k.mul_add(t29, inverse * sums_3[1]);
         let t31_k = -t29_k;
-        let t32_k = t4_k.mul_add(t34, inverse * sums_1[8]);
-        let t33_k = t32_k.mul_add(t32, t32.mul_add(t32_k, sums_1[9]));
+        let t32_k = t4_k.mul_add(t34, inverse * sums_9[0]);
+        let t33_k = (t32 + t32).mul_add(t32_k, sums_3[2]);
         let t34_k = -t33_k;
         let t35_k = -t32_k;
-        let t36_k = t36_first * arm_phi_k + t36_second * sums_2[0]
-            + t36_third * sums_2[1];
-        let t37_k = t37_first * arm_phi_k + t37_second * sums_2[0]
-            + t37_third * sums_2[1];
-        let t38_k = t38_first * arm_phi_k + t38_second * sums_2[0]
-            + t38_third * sums_2[1];
-        let t39_k = t39_first * arm_phi_k + t39_second * sums_2[0]
-            + t39_third * sums_2[1];
-        let t41_k = arm_phi_k
-            .mul_add(arm_phi_dot, arm_phi.mul_add(arm_phi_dot_k, sums_2[2]));
+        let t36_k = t36_first * arm_phi_k + t36_second * sums[2] + t36_third * sums[3];
+        let t37_k = t37_first * arm_phi_k + t37_second * sums[2] + t37_third * sums[3];
+        let t38_k = t38_first * arm_phi_k + t38_second * sums[2] + t38_third * sums[3];
+        let t39_k = t39_first * arm_phi_k + t39_second * sums[2] + t39_third * sums[3];
+        let t41_k = arm_phi
+            .mul_add(arm_phi_dot_k, arm_phi_dot.mul_add(arm_phi_k, sums[0]));
         let t42_k = arm_phi_dot_k * p.arm_length;
         let t44_k = arm_phi_k * t43;
         let t45_k = arm_phi_k * R::literal(0.5);
-        let t46_k = (-arm_phi_k).mul_add(t46, arm_phi_dot_k - sums_2[3]) * inverse_t40;
-        let t47_k = -arm_phi_k.mul_add(t47, sums_2[4]) * inverse_t40_2;
+        let t46_k = (-arm_phi_k).mul_add(t46, arm_phi_dot_k - sums_3[3]) * inverse_t40;
+        let t47_k = -arm_phi_k.mul_add(t47, sums_4[0]) * inverse_t40_2;
         let t48_k = -arm_phi_k;
-        let t50_k = arm_phi_k.mul_add(t40, t40.mul_add(arm_phi_k, sums_2[5]));
-        let t51_k = arm_phi_k.mul_add(t50, t40.mul_add(t50_k, sums_2[6]));
-        let t52_k = -t51_k.mul_add(t52, sums_2[7]) * inverse_t51;
-        let t53_k = -arm_phi_k.mul_add(t53, sums_2[8]) * inverse_t40_3;
-        let t54_k = t50_k.mul_add(t50, t50.mul_add(t50_k, sums_2[9]));
-        let t55_k = t51_k.mul_add(t54, t51.mul_add(t54_k, sums_3[0]));
-        let t56_k = (p.arm_length * arm_phi_k.mul_add(t56, inverse * sums_3[1])
-            - inverse * sums_3[2]) * inverse_t40_4;
-        let t57_k = (R::literal(-2.5) * arm_phi_k.mul_add(t57, inverse * sums_3[3])
-            - inverse * sums_3[4]) * inverse_t40_5;
-        let t58_k = (arm_phi_k - inverse * sums_3[5]) * inverse_t40_6;
-        let t59_k = arm_phi_dot_k.mul_add(t58, arm_phi_dot.mul_add(t58_k, sums_3[6]));
-        let t60_k = t59_k.mul_add(t60, inverse * sums_3[7]);
+        let t50_k = (t40 + t40).mul_add(arm_phi_k, sums_1[0]);
+        let t51_k = t40.mul_add(t50_k, t50.mul_add(arm_phi_k, sums_4[1]));
+        let t52_k = -t51_k.mul_add(t52, sums_9[1]) * inverse_t51;
+        let t53_k = -arm_phi_k.mul_add(t53, sums_4[2]) * inverse_t40_3;
+        let t54_k = (t50 + t50).mul_add(t50_k, sums_4[3]);
+        let t55_k = t51.mul_add(t54_k, t54.mul_add(t51_k, sums_7[0]));
+        let t56_k = (p.arm_length * arm_phi_k.mul_add(t56, inverse * sums_5[0])
+            - inverse * sums_7[1]) * inverse_t40_4;
+        let t57_k = (R::literal(-2.5) * arm_phi_k.mul_add(t57, inverse * sums_5[1])
+            - inverse * sums_7[2]) * inverse_t40_5;
+        let t58_k = (arm_phi_k - inverse * sums_7[3]) * inverse_t40_6;
+        let t59_k = arm_phi_dot.mul_add(t58_k, t58.mul_add(arm_phi_dot_k, sums_5[2]));
+        let t60_k = t59_k.mul_add(t60, inverse * sums_9[2]);
         let t61_k = R::select_less(arm_phi, arm_phi_dot, arm_phi_k, arm_phi_k);
         let t62_k = R::select_less(arm_phi_dot, arm_phi, R::literal(0.0), arm_phi_k);
         let time_k = R::literal(if order == 1 { 1.0 } else { 0.0 });
@@ -1139,8 +1147,8 @@ pub fn series<R: Real>(
         let t66_k = time.mul_add(arm_phi_k, R::literal(1.0) * arm_phi_before);
         let t67_k = t64.mul_add(t65_k, p.arm_length * t65_before);
         let t68_k = time_k * p.arm_length + arm_phi_k;
-        let t69_k = t69_first * time_k * p.arm_length + t69_second * sums_3[8]
-            + t69_third * sums_3[9];
+        let t69_k = t69_first * time_k * p.arm_length + t69_second * sums_5[3]
+            + t69_third * sums_6[0];
         let t70_k = inverse * p.arm_length * t71_before;
         let t71_k = -inverse * p.arm_length * t70_before;
         let t72_k = -t70_k;
@@ -1150,100 +1158,66 @@ pub fn series<R: Real>(
         let t76_k = inverse * p.arm_length * t75_before;
         let t77_k = -t75_k;
         let t78_k = inverse * p.arm_length * t80_before;
-        let t79_k = t78_k.mul_add(t78, t78.mul_add(t78_k, sums_4[0]));
+        let t79_k = (t78 + t78).mul_add(t78_k, sums_1[1]);
         let t80_k = -t79_k;
         let t81_k = -t78_k;
         lanes
             .set(
                 order,
-                [
-                    t2_k,
-                    k * t3_k,
-                    k * t4_k,
-                    k * t5_k,
-                    k * t4_k,
-                    k * t4_k,
-                    k * t4_k,
-                    t12_k,
-                    t4_k,
-                    t18_k,
-                ],
-                [t2_k, arm_phi_k, t7_k, t8_k, t10_k, t9_k, t13_k, t12_k, t4_k, t18_k],
+                [arm_phi_k, t4_k, arm_phi_k, arm_phi_k],
+                [arm_phi_dot_k, t4_k, arm_phi_k, sums[2]],
             );
         lanes_1
             .set(
                 order,
-                [
-                    k * t19_k,
-                    k * t21_k,
-                    t5_k,
-                    t24_k,
-                    k * t25_k,
-                    k * t27_k,
-                    k * t4_k,
-                    k * t4_k,
-                    k * t4_k,
-                    t32_k,
-                ],
-                [t18_k, t18_k, t5_k, t24_k, t24_k, t16_k, t30_k, t29_k, t34_k, t32_k],
+                [arm_phi_k, t78_k, t2_k, k * t4_k],
+                [arm_phi_k, t78_k, t2_k, t7_k],
             );
         lanes_2
-            .set(
-                order,
-                [
-                    arm_phi_k,
-                    arm_phi_k,
-                    arm_phi_k,
-                    arm_phi_k,
-                    arm_phi_k,
-                    arm_phi_k,
-                    arm_phi_k,
-                    t51_k,
-                    arm_phi_k,
-                    t50_k,
-                ],
-                [
-                    arm_phi_k,
-                    sums_2[0],
-                    arm_phi_dot_k,
-                    t46_k,
-                    t47_k,
-                    arm_phi_k,
-                    t50_k,
-                    t52_k,
-                    t53_k,
-                    t50_k,
-                ],
-            );
+            .set(order, [k * t4_k, k * t4_k, t12_k, t5_k], [t10_k, t9_k, t12_k, t5_k]);
         lanes_3
             .set(
                 order,
-                [
-                    t51_k,
-                    k * arm_phi_k,
-                    k * t56_k,
-                    k * arm_phi_k,
-                    k * t57_k,
-                    k * t58_k,
-                    arm_phi_dot_k,
-                    k * t59_k,
-                    time_k * p.arm_length,
-                    time_k * p.arm_length,
-                ],
-                [
-                    t54_k,
-                    t56_k,
-                    arm_phi_k,
-                    t57_k,
-                    arm_phi_k,
-                    arm_phi_k,
-                    t58_k,
-                    t60_k,
-                    time_k * p.arm_length,
-                    sums_3[8],
-                ],
+                [k * t4_k, k * t4_k, t32_k, arm_phi_k],
+                [t30_k, t29_k, t32_k, t46_k],
             );
-        lanes_4.set(order, [t78_k], [t78_k]);
+        lanes_4
+            .set(
+                order,
+                [arm_phi_k, arm_phi_k, arm_phi_k, t50_k],
+                [t47_k, t50_k, t53_k, t50_k],
+            );
+        lanes_5
+            .set(
+                order,
+                [k * arm_phi_k, k * arm_phi_k, arm_phi_dot_k, time_k * p.arm_length],
+                [t56_k, t57_k, t58_k, time_k * p.arm_length],
+            );
+        lanes_6
+            .set(
+                order,
+                [time_k * p.arm_length, k * t3_k, k * t5_k, k * t27_k],
+                [sums_5[3], arm_phi_k, t8_k, t16_k],
+            );
+        lanes_7
+            .set(
+                order,
+                [t51_k, k * t56_k, k * t57_k, k * t58_k],
+                [t54_k, arm_phi_k, arm_phi_k, arm_phi_k],
+            );
+        lanes_8
+            .set(
+                order,
+                [k * t4_k, t18_k, k * t19_k, k * t21_k],
+                [t13_k, t18_k, t18_k, t18_k],
+            );
+        lanes_9
+            .set(
+                order,
+                [k * t4_k, t51_k, k * t59_k, t24_k],
+                [t34_k, t52_k, t60_k, t24_k],
+            );
+        lanes_10.set(order, [k * t25_k], [t24_k]);
         arm_phi_before = arm_phi_k;
         t65_before = t65_k;
         t70_before = t70_k;
@@ -1325,8 +1299,11 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for Recurrences {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
             + Lanes::<R, 1>::workspace(order + 1)
     }
     fn series(

@@ -557,13 +557,13 @@ pub fn series<R: Real>(
         }
         let [oscillator_x_k, oscillator_v_k] = *state_k;
         let sums = lanes.sums(order);
-        let t2_k = oscillator_x_k.mul_add(t1, t1.mul_add(oscillator_x_k, sums[0]));
+        let t2_k = (t1 + t1).mul_add(oscillator_x_k, sums[0]);
         let t4_k = (t2_k - sums[1]) * inverse_t4;
         let t5_k = oscillator_x_k + t4_k;
         let t7_k = oscillator_v_k * p.oscillator_damping;
         let t8_k = (-t4_k).mul_add(t8, oscillator_x_k - sums[2]) * inverse_t4_2;
         let t11_k = t8_k * t10;
-        let t12_k = t11_k.mul_add(t5, t11.mul_add(t5_k, sums[3]));
+        let t12_k = t5.mul_add(t11_k, t11.mul_add(t5_k, sums[3]));
         let t14_k = oscillator_x_k.mul_add(p.oscillator_stiffness, t12_k);
         let t15_k = -t7_k;
         let t16_k = t15_k - t14_k;

@@ -890,26 +890,26 @@ pub fn series<R: Real>(
         let motor_slip_speed_k = -motor_omega_k * p.motor_pole_pairs;
         let t6_k = (-motor_psi_rx_k).mul_add(p.motor_k_r, motor_psi_sx_k);
         let t9_k = (-motor_psi_ry_k).mul_add(p.motor_k_r, motor_psi_sy_k);
-        let t12_k = motor_psi_sx_k
-            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[0]));
-        let t13_k = motor_psi_sy_k
-            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[1]));
+        let t12_k = motor_psi_sx
+            .mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k, sums[0]));
+        let t13_k = motor_psi_sy
+            .mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k, sums[1]));
         let t14_k = t13_k - t12_k;
         let motor_omega_dot_k = t14_k * t20;
         let motor_psi_sx_dot_k = (-t6_k).mul_add(t21, motor_psi_sy_k * motor_omega_0);
         let t27_k = -motor_psi_sx_k * motor_omega_0;
         let motor_psi_sy_dot_k = (-t9_k).mul_add(t21, t27_k);
-        let t28_k = motor_psi_ry_k
+        let t28_k = motor_psi_ry
             .mul_add(
-                motor_slip_speed,
-                motor_psi_ry.mul_add(motor_slip_speed_k, sums[2]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_ry_k, sums[2]),
             );
         let t29_k = motor_psi_sx_k.mul_add(p.motor_k_s, -motor_psi_rx_k);
         let motor_psi_rx_dot_k = t29_k.mul_add(t30, t28_k);
-        let t32_k = motor_psi_rx_k
+        let t32_k = motor_psi_rx
             .mul_add(
-                motor_slip_speed,
-                motor_psi_rx.mul_add(motor_slip_speed_k, sums[3]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_rx_k, sums[3]),
             );
         let t33_k = motor_psi_sy_k.mul_add(p.motor_k_s, -motor_psi_ry_k);
         let motor_psi_ry_dot_k = t33_k.mul_add(t30, -t32_k);

@@ -1289,9 +1289,14 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_2, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_5, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_6, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_7, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let t0 = p.chain_m_1 + p.chain_m_2;
     let t1 = t0 + p.chain_m_3;
@@ -1398,35 +1403,40 @@ pub fn series<R: Real>(
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
         let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let sums_4 = lanes_4.sums(order);
+        let sums_5 = lanes_5.sums(order);
+        let sums_6 = lanes_6.sums(order);
+        let sums_7 = lanes_7.sums(order);
         let t5_k = chain_th_1_k - chain_th_2_k;
-        let t6_k = t5_k.mul_add(t7, inverse * sums[0]);
-        let t7_k = -t5_k.mul_add(t6, inverse * sums[1]);
+        let t6_k = t5_k.mul_add(t7, inverse * sums_2[1]);
+        let t7_k = -t5_k.mul_add(t6, inverse * sums_2[2]);
         let t10_k = t7_k * t9;
         let t11_k = chain_th_1_k - chain_th_3_k;
-        let t12_k = t11_k.mul_add(t13, inverse * sums[2]);
-        let t13_k = -t11_k.mul_add(t12, inverse * sums[3]);
+        let t12_k = t11_k.mul_add(t13, inverse * sums_2[3]);
+        let t13_k = -t11_k.mul_add(t12, inverse * sums_3[0]);
         let t16_k = t13_k * t15;
         let t19_k = chain_th_2_k - chain_th_3_k;
-        let t20_k = t19_k.mul_add(t21, inverse * sums[4]);
-        let t21_k = -t19_k.mul_add(t20, inverse * sums[5]);
+        let t20_k = t19_k.mul_add(t21, inverse * sums_3[1]);
+        let t21_k = -t19_k.mul_add(t20, inverse * sums_3[2]);
         let t24_k = t21_k * t23;
-        let sin_chain_th_1_k = chain_th_1_k.mul_add(cos_chain_th_1, inverse * sums[6]);
-        let cos_chain_th_1_k = -chain_th_1_k.mul_add(sin_chain_th_1, inverse * sums[7]);
-        let sin_chain_th_2_k = chain_th_2_k.mul_add(cos_chain_th_2, inverse * sums[8]);
-        let cos_chain_th_2_k = -chain_th_2_k.mul_add(sin_chain_th_2, inverse * sums[9]);
-        let sin_chain_th_3_k = chain_th_3_k.mul_add(cos_chain_th_3, inverse * sums_1[0]);
+        let sin_chain_th_1_k = chain_th_1_k.mul_add(cos_chain_th_1, inverse * sums[3]);
+        let cos_chain_th_1_k = -chain_th_1_k
+            .mul_add(sin_chain_th_1, inverse * sums_1[0]);
+        let sin_chain_th_2_k = chain_th_2_k.mul_add(cos_chain_th_2, inverse * sums_1[1]);
+        let cos_chain_th_2_k = -chain_th_2_k
+            .mul_add(sin_chain_th_2, inverse * sums_1[2]);
+        let sin_chain_th_3_k = chain_th_3_k.mul_add(cos_chain_th_3, inverse * sums_1[3]);
         let cos_chain_th_3_k = -chain_th_3_k
-            .mul_add(sin_chain_th_3, inverse * sums_1[1]);
-        let t29_k = chain_w_2_k
-            .mul_add(chain_w_2, chain_w_2.mul_add(chain_w_2_k, sums_1[2]));
+            .mul_add(sin_chain_th_3, inverse * sums_2[0]);
+        let t29_k = (chain_w_2 + chain_w_2).mul_add(chain_w_2_k, sums[0]);
         let t31_k = t29_k * t30;
-        let t32_k = t31_k.mul_add(t6, t31.mul_add(t6_k, sums_1[3]));
+        let t32_k = t31.mul_add(t6_k, t6.mul_add(t31_k, sums_3[3]));
         let t35_k = t29_k * t22;
-        let t36_k = t35_k.mul_add(t6, t35.mul_add(t6_k, sums_1[4]));
-        let t37_k = chain_w_3_k
-            .mul_add(chain_w_3, chain_w_3.mul_add(chain_w_3_k, sums_1[5]));
+        let t36_k = t35.mul_add(t6_k, t6.mul_add(t35_k, sums_4[0]));
+        let t37_k = (chain_w_3 + chain_w_3).mul_add(chain_w_3_k, sums[1]);
         let t39_k = t37_k * t38;
-        let t40_k = t39_k.mul_add(t12, t39.mul_add(t12_k, sums_1[6]));
+        let t40_k = t39.mul_add(t12_k, t12.mul_add(t39_k, sums_4[1]));
         let t43_k = sin_chain_th_1_k.mul_add(t27, t32_k);
         let t44_k = sin_chain_th_1_k.mul_add(t33, t43_k);
         let t45_k = t44_k + t36_k;
@@ -1434,29 +1444,28 @@ pub fn series<R: Real>(
         let t47_k = sin_chain_th_1_k.mul_add(t41, t46_k);
         let t48_k = t47_k * p.chain_l_1;
         let t49_k = -t48_k;
-        let t51_k = t39_k.mul_add(t20, t39.mul_add(t20_k, sums_1[7]));
-        let t53_k = chain_w_1_k
-            .mul_add(chain_w_1, chain_w_1.mul_add(chain_w_1_k, sums_1[8]));
+        let t51_k = t39.mul_add(t20_k, t20.mul_add(t39_k, sums_4[2]));
+        let t53_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
         let t55_k = t53_k * t54;
-        let t56_k = t55_k.mul_add(t6, t55.mul_add(t6_k, sums_1[9]));
+        let t56_k = t55.mul_add(t6_k, t6.mul_add(t55_k, sums_4[3]));
         let t57_k = t53_k * t14;
-        let t58_k = t57_k.mul_add(t6, t57.mul_add(t6_k, sums_2[0]));
+        let t58_k = t57.mul_add(t6_k, t6.mul_add(t57_k, sums_5[0]));
         let t59_k = t56_k + t58_k;
         let t60_k = (-sin_chain_th_2_k).mul_add(t33, t59_k);
         let t61_k = t60_k - t51_k;
         let t62_k = (-sin_chain_th_2_k).mul_add(t41, t61_k);
         let t65_k = t53_k * p.chain_l_1;
-        let t66_k = t65_k.mul_add(t12, t65.mul_add(t12_k, sums_2[1]));
+        let t66_k = t65.mul_add(t12_k, t12.mul_add(t65_k, sums_5[1]));
         let t67_k = t29_k * p.chain_l_2;
-        let t68_k = t67_k.mul_add(t20, t67.mul_add(t20_k, sums_2[2]));
+        let t68_k = t67.mul_add(t20_k, t20.mul_add(t67_k, sums_5[2]));
         let t69_k = t66_k + t68_k;
         let t70_k = (-sin_chain_th_3_k).mul_add(p.chain_gravity, t69_k);
-        let n94_k = t10_k.mul_add(chain_w_2_dot, sums_2[3]);
-        let n95_k = t16_k.mul_add(chain_w_3_dot, sums_2[4]);
-        let n96_k = t10_k.mul_add(chain_w_1_dot, sums_2[5]);
-        let n97_k = t24_k.mul_add(chain_w_3_dot, sums_2[6]);
-        let n98_k = t16_k.mul_add(chain_w_1_dot, sums_2[7]);
-        let n99_k = t24_k.mul_add(chain_w_2_dot, sums_2[8]);
+        let n94_k = t10_k.mul_add(chain_w_2_dot, sums_5[3]);
+        let n95_k = t16_k.mul_add(chain_w_3_dot, sums_6[0]);
+        let n96_k = t10_k.mul_add(chain_w_1_dot, sums_6[1]);
+        let n97_k = t24_k.mul_add(chain_w_3_dot, sums_6[2]);
+        let n98_k = t16_k.mul_add(chain_w_1_dot, sums_6[3]);
+        let n99_k = t24_k.mul_add(chain_w_2_dot, sums_7[0]);
         let n100_k = n94_k + n95_k;
         let t49_k_2 = t49_k - n100_k;
         let n102_k = n96_k + n97_k;
@@ -1468,75 +1477,41 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [
-                    k * t5_k,
-                    k * t5_k,
-                    k * t11_k,
-                    k * t11_k,
-                    k * t19_k,
-                    k * t19_k,
-                    k * chain_th_1_k,
-                    k * chain_th_1_k,
-                    k * chain_th_2_k,
-                    k * chain_th_2_k,
-                ],
-                [
-                    t7_k,
-                    t6_k,
-                    t13_k,
-                    t12_k,
-                    t21_k,
-                    t20_k,
-                    cos_chain_th_1_k,
-                    sin_chain_th_1_k,
-                    cos_chain_th_2_k,
-                    sin_chain_th_2_k,
-                ],
+                [chain_w_2_k, chain_w_3_k, chain_w_1_k, k * chain_th_1_k],
+                [chain_w_2_k, chain_w_3_k, chain_w_1_k, cos_chain_th_1_k],
             );
         lanes_1
             .set(
                 order,
-                [
-                    k * chain_th_3_k,
-                    k * chain_th_3_k,
-                    chain_w_2_k,
-                    t6_k,
-                    t6_k,
-                    chain_w_3_k,
-                    t12_k,
-                    t20_k,
-                    chain_w_1_k,
-                    t6_k,
-                ],
-                [
-                    cos_chain_th_3_k,
-                    sin_chain_th_3_k,
-                    chain_w_2_k,
-                    t31_k,
-                    t35_k,
-                    chain_w_3_k,
-                    t39_k,
-                    t39_k,
-                    chain_w_1_k,
-                    t55_k,
-                ],
+                [k * chain_th_1_k, k * chain_th_2_k, k * chain_th_2_k, k * chain_th_3_k],
+                [sin_chain_th_1_k, cos_chain_th_2_k, sin_chain_th_2_k, cos_chain_th_3_k],
             );
         lanes_2
             .set(
                 order,
-                [t6_k, t12_k, t20_k, t10_k, t16_k, t10_k, t24_k, t16_k, t24_k],
-                [
-                    t57_k,
-                    t65_k,
-                    t67_k,
-                    chain_w_2_dot_k,
-                    chain_w_3_dot_k,
-                    chain_w_1_dot_k,
-                    chain_w_3_dot_k,
-                    chain_w_1_dot_k,
-                    chain_w_2_dot_k,
-                ],
+                [k * chain_th_3_k, k * t5_k, k * t5_k, k * t11_k],
+                [sin_chain_th_3_k, t7_k, t6_k, t13_k],
             );
+        lanes_3
+            .set(
+                order,
+                [k * t11_k, k * t19_k, k * t19_k, t6_k],
+                [t12_k, t21_k, t20_k, t31_k],
+            );
+        lanes_4.set(order, [t6_k, t12_k, t20_k, t6_k], [t35_k, t39_k, t39_k, t55_k]);
+        lanes_5
+            .set(
+                order,
+                [t6_k, t12_k, t20_k, t10_k],
+                [t57_k, t65_k, t67_k, chain_w_2_dot_k],
+            );
+        lanes_6
+            .set(
+                order,
+                [t16_k, t10_k, t24_k, t16_k],
+                [chain_w_3_dot_k, chain_w_1_dot_k, chain_w_3_dot_k, chain_w_1_dot_k],
+            );
+        lanes_7.set(order, [t24_k], [chain_w_2_dot_k]);
         rates = [
             chain_w_1_k,
             chain_w_2_k,
@@ -1550,8 +1525,10 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for PendulumChain {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 9>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 1>::workspace(order + 1)
     }
     fn series(
         &self,

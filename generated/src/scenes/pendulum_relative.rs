@@ -1697,12 +1697,20 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_4, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_5, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_5, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_6, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_7, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_8, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_9, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_10, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_11, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_12, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_13, _) = Lanes::<R, 2>::new(workspace, coefficients.len());
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
     let chain_a_2 = chain_th_1 + chain_th_2;
     let chain_a_3 = chain_th_3 + chain_a_2;
@@ -1910,17 +1918,25 @@ pub fn series<R: Real>(
         let sums_3 = lanes_3.sums(order);
         let sums_4 = lanes_4.sums(order);
         let sums_5 = lanes_5.sums(order);
+        let sums_6 = lanes_6.sums(order);
+        let sums_7 = lanes_7.sums(order);
+        let sums_8 = lanes_8.sums(order);
+        let sums_9 = lanes_9.sums(order);
+        let sums_10 = lanes_10.sums(order);
+        let sums_11 = lanes_11.sums(order);
+        let sums_12 = lanes_12.sums(order);
+        let sums_13 = lanes_13.sums(order);
         let chain_a_2_k = chain_th_1_k + chain_th_2_k;
         let chain_a_3_k = chain_th_3_k + chain_a_2_k;
         let t0_k = chain_th_1_k - chain_a_2_k;
-        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
-        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
+        let t1_k = t0_k.mul_add(t2, inverse * sums_5[3]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums_6[0]);
         let t11_k = chain_th_1_k - chain_a_3_k;
-        let t12_k = t11_k.mul_add(t13, inverse * sums[2]);
-        let t13_k = -t11_k.mul_add(t12, inverse * sums[3]);
+        let t12_k = t11_k.mul_add(t13, inverse * sums_7[3]);
+        let t13_k = -t11_k.mul_add(t12, inverse * sums_8[0]);
         let t16_k = chain_a_2_k - chain_a_3_k;
-        let t17_k = t16_k.mul_add(t18, inverse * sums[4]);
-        let t18_k = -t16_k.mul_add(t17, inverse * sums[5]);
+        let t17_k = t16_k.mul_add(t18, inverse * sums_8[1]);
+        let t18_k = -t16_k.mul_add(t17, inverse * sums_8[2]);
         let t21_k = t18_k * t20;
         let t37_k = t2_k.mul_add(t9, t2_k * t5);
         let t38_k = t13_k.mul_add(t14, t37_k);
@@ -1932,47 +1948,46 @@ pub fn series<R: Real>(
         let t57_k = t13_k * p.chain_l_1 + t55_k;
         let t59_k = t57_k * t58;
         let t61_k = t55_k * t58;
-        let sin_chain_th_1_k = chain_th_1_k.mul_add(cos_chain_th_1, inverse * sums[6]);
-        let cos_chain_th_1_k = -chain_th_1_k.mul_add(sin_chain_th_1, inverse * sums[7]);
-        let sin_chain_a_2_k = chain_a_2_k.mul_add(cos_chain_a_2, inverse * sums[8]);
-        let cos_chain_a_2_k = -chain_a_2_k.mul_add(sin_chain_a_2, inverse * sums[9]);
-        let sin_chain_a_3_k = chain_a_3_k.mul_add(cos_chain_a_3, inverse * sums_1[0]);
-        let cos_chain_a_3_k = -chain_a_3_k.mul_add(sin_chain_a_3, inverse * sums_1[1]);
+        let sin_chain_th_1_k = chain_th_1_k.mul_add(cos_chain_th_1, inverse * sums[3]);
+        let cos_chain_th_1_k = -chain_th_1_k
+            .mul_add(sin_chain_th_1, inverse * sums_1[0]);
+        let sin_chain_a_2_k = chain_a_2_k.mul_add(cos_chain_a_2, inverse * sums_3[3]);
+        let cos_chain_a_2_k = -chain_a_2_k.mul_add(sin_chain_a_2, inverse * sums_4[0]);
+        let sin_chain_a_3_k = chain_a_3_k.mul_add(cos_chain_a_3, inverse * sums_6[1]);
+        let cos_chain_a_3_k = -chain_a_3_k.mul_add(sin_chain_a_3, inverse * sums_6[2]);
         let t62_k = chain_w_1_k * t5;
-        let t63_k = t62_k.mul_add(chain_w_2, t62.mul_add(chain_w_2_k, sums_1[2]));
-        let t64_k = t63_k.mul_add(t1, t63.mul_add(t1_k, sums_1[3]));
+        let t63_k = chain_w_2.mul_add(t62_k, t62.mul_add(chain_w_2_k, sums_1[1]));
+        let t64_k = t63.mul_add(t1_k, t1.mul_add(t63_k, sums_6[3]));
         let t65_k = chain_w_1_k * t9;
-        let t66_k = t65_k.mul_add(chain_w_2, t65.mul_add(chain_w_2_k, sums_1[4]));
-        let t67_k = t66_k.mul_add(t1, t66.mul_add(t1_k, sums_1[5]));
+        let t66_k = chain_w_2.mul_add(t65_k, t65.mul_add(chain_w_2_k, sums_1[2]));
+        let t67_k = t66.mul_add(t1_k, t1.mul_add(t66_k, sums_7[0]));
         let t68_k = chain_w_1_k * t14;
-        let t69_k = t68_k.mul_add(chain_w_2, t68.mul_add(chain_w_2_k, sums_1[6]));
-        let t70_k = t69_k.mul_add(t12, t69.mul_add(t12_k, sums_1[7]));
-        let t71_k = t68_k.mul_add(chain_w_3, t68.mul_add(chain_w_3_k, sums_1[8]));
-        let t72_k = t71_k.mul_add(t12, t71.mul_add(t12_k, sums_1[9]));
+        let t69_k = chain_w_2.mul_add(t68_k, t68.mul_add(chain_w_2_k, sums_1[3]));
+        let t70_k = t69.mul_add(t12_k, t12.mul_add(t69_k, sums_8[3]));
+        let t71_k = chain_w_3.mul_add(t68_k, t68.mul_add(chain_w_3_k, sums_2[0]));
+        let t72_k = t71.mul_add(t12_k, t12.mul_add(t71_k, sums_9[0]));
         let t73_k = chain_w_1_k * t20;
-        let t74_k = t73_k.mul_add(chain_w_3, t73.mul_add(chain_w_3_k, sums_2[0]));
-        let t75_k = t74_k.mul_add(t17, t74.mul_add(t17_k, sums_2[1]));
+        let t74_k = chain_w_3.mul_add(t73_k, t73.mul_add(chain_w_3_k, sums_2[1]));
+        let t75_k = t74.mul_add(t17_k, t17.mul_add(t74_k, sums_9[1]));
         let t76_k = chain_w_2_k * t14;
-        let t77_k = t76_k.mul_add(chain_w_3, t76.mul_add(chain_w_3_k, sums_2[2]));
-        let t78_k = t77_k.mul_add(t12, t77.mul_add(t12_k, sums_2[3]));
+        let t77_k = chain_w_3.mul_add(t76_k, t76.mul_add(chain_w_3_k, sums_2[2]));
+        let t78_k = t77.mul_add(t12_k, t12.mul_add(t77_k, sums_9[2]));
         let t79_k = chain_w_2_k * t20;
-        let t80_k = t79_k.mul_add(chain_w_3, t79.mul_add(chain_w_3_k, sums_2[4]));
-        let t81_k = t80_k.mul_add(t17, t80.mul_add(t17_k, sums_2[5]));
-        let t85_k = chain_w_2_k
-            .mul_add(chain_w_2, chain_w_2.mul_add(chain_w_2_k, sums_2[6]));
+        let t80_k = chain_w_3.mul_add(t79_k, t79.mul_add(chain_w_3_k, sums_2[3]));
+        let t81_k = t80.mul_add(t17_k, t17.mul_add(t80_k, sums_9[3]));
+        let t85_k = (chain_w_2 + chain_w_2).mul_add(chain_w_2_k, sums[0]);
         let t86_k = t85_k * t41;
-        let t87_k = t86_k.mul_add(t1, t86.mul_add(t1_k, sums_2[7]));
+        let t87_k = t86.mul_add(t1_k, t1.mul_add(t86_k, sums_7[1]));
         let t90_k = sin_chain_a_2_k * t89;
         let t94_k = t85_k * t44;
-        let t95_k = t94_k.mul_add(t1, t94.mul_add(t1_k, sums_2[8]));
+        let t95_k = t94.mul_add(t1_k, t1.mul_add(t94_k, sums_7[2]));
         let t96_k = t85_k * t46;
-        let t97_k = t96_k.mul_add(t12, t96.mul_add(t12_k, sums_2[9]));
-        let t98_k = chain_w_3_k
-            .mul_add(chain_w_3, chain_w_3.mul_add(chain_w_3_k, sums_3[0]));
+        let t97_k = t96.mul_add(t12_k, t12.mul_add(t96_k, sums_10[0]));
+        let t98_k = (chain_w_3 + chain_w_3).mul_add(chain_w_3_k, sums[1]);
         let t99_k = t98_k * t46;
-        let t100_k = t99_k.mul_add(t12, t99.mul_add(t12_k, sums_3[1]));
+        let t100_k = t99.mul_add(t12_k, t12.mul_add(t99_k, sums_10[1]));
         let t103_k = t98_k * t102;
-        let t104_k = t103_k.mul_add(t17, t103.mul_add(t17_k, sums_3[2]));
+        let t104_k = t103.mul_add(t17_k, t17.mul_add(t103_k, sums_10[2]));
         let t106_k = sin_chain_a_2_k * t105;
         let t108_k = sin_chain_a_3_k * t107;
         let t112_k = -t64_k;
@@ -1993,22 +2008,21 @@ pub fn series<R: Real>(
         let t127_k = t126_k - t106_k;
         let t128_k = t127_k - t108_k;
         let t129_k = (-sin_chain_th_1_k).mul_add(t110, t128_k);
-        let t130_k = chain_w_1_k
-            .mul_add(chain_w_1, chain_w_1.mul_add(chain_w_1_k, sums_3[3]));
-        let sin_chain_th_2_k = chain_th_2_k.mul_add(cos_chain_th_2, inverse * sums_3[4]);
+        let t130_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
+        let sin_chain_th_2_k = chain_th_2_k.mul_add(cos_chain_th_2, inverse * sums_3[0]);
         let cos_chain_th_2_k = -chain_th_2_k
-            .mul_add(sin_chain_th_2, inverse * sums_3[5]);
+            .mul_add(sin_chain_th_2, inverse * sums_3[1]);
         let t131_k = t130_k * t41;
-        let t132_k = t131_k
-            .mul_add(sin_chain_th_2, t131.mul_add(sin_chain_th_2_k, sums_3[6]));
+        let t132_k = sin_chain_th_2
+            .mul_add(t131_k, t131.mul_add(sin_chain_th_2_k, sums_4[1]));
         let t133_k = t130_k * t44;
-        let t134_k = t133_k
-            .mul_add(sin_chain_th_2, t133.mul_add(sin_chain_th_2_k, sums_3[7]));
+        let t134_k = sin_chain_th_2
+            .mul_add(t133_k, t133.mul_add(sin_chain_th_2_k, sums_4[2]));
         let t135_k = chain_th_2_k + chain_th_3_k;
-        let t136_k = t135_k.mul_add(t137, inverse * sums_3[8]);
-        let t137_k = -t135_k.mul_add(t136, inverse * sums_3[9]);
+        let t136_k = t135_k.mul_add(t137, inverse * sums_4[3]);
+        let t137_k = -t135_k.mul_add(t136, inverse * sums_5[0]);
         let t138_k = t130_k * t46;
-        let t139_k = t138_k.mul_add(t136, t138.mul_add(t136_k, sums_4[0]));
+        let t139_k = t138.mul_add(t136_k, t136.mul_add(t138_k, sums_5[1]));
         let t140_k = -t75_k;
         let t141_k = t140_k - t81_k;
         let t142_k = t141_k - t132_k;
@@ -2019,26 +2033,26 @@ pub fn series<R: Real>(
         let t147_k = t146_k - t106_k;
         let t148_k = t147_k - t108_k;
         let t150_k = chain_w_1_k * t149;
-        let t151_k = t150_k.mul_add(chain_w_2, t150.mul_add(chain_w_2_k, sums_4[1]));
-        let t152_k = t151_k.mul_add(t17, t151.mul_add(t17_k, sums_4[2]));
+        let t151_k = chain_w_2.mul_add(t150_k, t150.mul_add(chain_w_2_k, sums_3[2]));
+        let t152_k = t151.mul_add(t17_k, t17.mul_add(t151_k, sums_10[3]));
         let t153_k = t130_k * p.chain_l_1;
-        let t154_k = t153_k.mul_add(t136, t153.mul_add(t136_k, sums_4[3]));
+        let t154_k = t153.mul_add(t136_k, t136.mul_add(t153_k, sums_5[2]));
         let t155_k = t130_k * p.chain_l_2;
-        let t156_k = t155_k.mul_add(t17, t155.mul_add(t17_k, sums_4[4]));
+        let t156_k = t155.mul_add(t17_k, t17.mul_add(t155_k, sums_11[0]));
         let t157_k = t85_k * p.chain_l_2;
-        let t158_k = t157_k.mul_add(t17, t157.mul_add(t17_k, sums_4[5]));
+        let t158_k = t157.mul_add(t17_k, t17.mul_add(t157_k, sums_11[1]));
         let t160_k = t152_k - t154_k;
         let t161_k = t160_k + t156_k;
         let t162_k = t161_k + t158_k;
         let t163_k = (-sin_chain_a_3_k).mul_add(p.chain_gravity, t162_k);
-        let n192_k = t39_k.mul_add(chain_w_1_dot, sums_4[6]);
-        let n193_k = t53_k.mul_add(chain_w_2_dot, sums_4[7]);
-        let n194_k = t59_k.mul_add(chain_w_3_dot, sums_4[8]);
-        let n195_k = t53_k.mul_add(chain_w_1_dot, sums_4[9]);
-        let n196_k = t21_k.mul_add(chain_w_2_dot, sums_5[0]);
-        let n197_k = t61_k.mul_add(chain_w_3_dot, sums_5[1]);
-        let n198_k = t59_k.mul_add(chain_w_1_dot, sums_5[2]);
-        let n199_k = t61_k.mul_add(chain_w_2_dot, sums_5[3]);
+        let n192_k = t39_k.mul_add(chain_w_1_dot, sums_11[2]);
+        let n193_k = t53_k.mul_add(chain_w_2_dot, sums_11[3]);
+        let n194_k = t59_k.mul_add(chain_w_3_dot, sums_12[0]);
+        let n195_k = t53_k.mul_add(chain_w_1_dot, sums_12[1]);
+        let n196_k = t21_k.mul_add(chain_w_2_dot, sums_12[2]);
+        let n197_k = t61_k.mul_add(chain_w_3_dot, sums_12[3]);
+        let n198_k = t59_k.mul_add(chain_w_1_dot, sums_13[0]);
+        let n199_k = t61_k.mul_add(chain_w_2_dot, sums_13[1]);
         let n200_k = n193_k + n194_k;
         let n201_k = n192_k + n200_k;
         let t129_k_2 = t129_k - n201_k;
@@ -2052,149 +2066,68 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [
-                    k * t0_k,
-                    k * t0_k,
-                    k * t11_k,
-                    k * t11_k,
-                    k * t16_k,
-                    k * t16_k,
-                    k * chain_th_1_k,
-                    k * chain_th_1_k,
-                    k * chain_a_2_k,
-                    k * chain_a_2_k,
-                ],
-                [
-                    t2_k,
-                    t1_k,
-                    t13_k,
-                    t12_k,
-                    t18_k,
-                    t17_k,
-                    cos_chain_th_1_k,
-                    sin_chain_th_1_k,
-                    cos_chain_a_2_k,
-                    sin_chain_a_2_k,
-                ],
+                [chain_w_2_k, chain_w_3_k, chain_w_1_k, k * chain_th_1_k],
+                [chain_w_2_k, chain_w_3_k, chain_w_1_k, cos_chain_th_1_k],
             );
         lanes_1
             .set(
                 order,
-                [
-                    k * chain_a_3_k,
-                    k * chain_a_3_k,
-                    chain_w_2_k,
-                    t1_k,
-                    chain_w_2_k,
-                    t1_k,
-                    chain_w_2_k,
-                    t12_k,
-                    chain_w_3_k,
-                    t12_k,
-                ],
-                [
-                    cos_chain_a_3_k,
-                    sin_chain_a_3_k,
-                    t62_k,
-                    t63_k,
-                    t65_k,
-                    t66_k,
-                    t68_k,
-                    t69_k,
-                    t68_k,
-                    t71_k,
-                ],
+                [k * chain_th_1_k, chain_w_2_k, chain_w_2_k, chain_w_2_k],
+                [sin_chain_th_1_k, t62_k, t65_k, t68_k],
             );
         lanes_2
             .set(
                 order,
-                [
-                    chain_w_3_k,
-                    t17_k,
-                    chain_w_3_k,
-                    t12_k,
-                    chain_w_3_k,
-                    t17_k,
-                    chain_w_2_k,
-                    t1_k,
-                    t1_k,
-                    t12_k,
-                ],
-                [
-                    t73_k,
-                    t74_k,
-                    t76_k,
-                    t77_k,
-                    t79_k,
-                    t80_k,
-                    chain_w_2_k,
-                    t86_k,
-                    t94_k,
-                    t96_k,
-                ],
+                [chain_w_3_k, chain_w_3_k, chain_w_3_k, chain_w_3_k],
+                [t68_k, t73_k, t76_k, t79_k],
             );
         lanes_3
             .set(
                 order,
-                [
-                    chain_w_3_k,
-                    t12_k,
-                    t17_k,
-                    chain_w_1_k,
-                    k * chain_th_2_k,
-                    k * chain_th_2_k,
-                    sin_chain_th_2_k,
-                    sin_chain_th_2_k,
-                    k * t135_k,
-                    k * t135_k,
-                ],
-                [
-                    chain_w_3_k,
-                    t99_k,
-                    t103_k,
-                    chain_w_1_k,
-                    cos_chain_th_2_k,
-                    sin_chain_th_2_k,
-                    t131_k,
-                    t133_k,
-                    t137_k,
-                    t136_k,
-                ],
+                [k * chain_th_2_k, k * chain_th_2_k, chain_w_2_k, k * chain_a_2_k],
+                [cos_chain_th_2_k, sin_chain_th_2_k, t150_k, cos_chain_a_2_k],
             );
         lanes_4
             .set(
                 order,
-                [
-                    t136_k,
-                    chain_w_2_k,
-                    t17_k,
-                    t136_k,
-                    t17_k,
-                    t17_k,
-                    t39_k,
-                    t53_k,
-                    t59_k,
-                    t53_k,
-                ],
-                [
-                    t138_k,
-                    t150_k,
-                    t151_k,
-                    t153_k,
-                    t155_k,
-                    t157_k,
-                    chain_w_1_dot_k,
-                    chain_w_2_dot_k,
-                    chain_w_3_dot_k,
-                    chain_w_1_dot_k,
-                ],
+                [k * chain_a_2_k, sin_chain_th_2_k, sin_chain_th_2_k, k * t135_k],
+                [sin_chain_a_2_k, t131_k, t133_k, t137_k],
             );
         lanes_5
             .set(
                 order,
-                [t21_k, t61_k, t59_k, t61_k],
-                [chain_w_2_dot_k, chain_w_3_dot_k, chain_w_1_dot_k, chain_w_2_dot_k],
+                [k * t135_k, t136_k, t136_k, k * t0_k],
+                [t136_k, t138_k, t153_k, t2_k],
             );
+        lanes_6
+            .set(
+                order,
+                [k * t0_k, k * chain_a_3_k, k * chain_a_3_k, t1_k],
+                [t1_k, cos_chain_a_3_k, sin_chain_a_3_k, t63_k],
+            );
+        lanes_7.set(order, [t1_k, t1_k, t1_k, k * t11_k], [t66_k, t86_k, t94_k, t13_k]);
+        lanes_8
+            .set(
+                order,
+                [k * t11_k, k * t16_k, k * t16_k, t12_k],
+                [t12_k, t18_k, t17_k, t69_k],
+            );
+        lanes_9.set(order, [t12_k, t17_k, t12_k, t17_k], [t71_k, t74_k, t77_k, t80_k]);
+        lanes_10
+            .set(order, [t12_k, t12_k, t17_k, t17_k], [t96_k, t99_k, t103_k, t151_k]);
+        lanes_11
+            .set(
+                order,
+                [t17_k, t17_k, t39_k, t53_k],
+                [t155_k, t157_k, chain_w_1_dot_k, chain_w_2_dot_k],
+            );
+        lanes_12
+            .set(
+                order,
+                [t59_k, t53_k, t21_k, t61_k],
+                [chain_w_3_dot_k, chain_w_1_dot_k, chain_w_2_dot_k, chain_w_3_dot_k],
+            );
+        lanes_13.set(order, [t59_k, t61_k], [chain_w_1_dot_k, chain_w_2_dot_k]);
         rates = [
             chain_w_1_k,
             chain_w_2_k,
@@ -2208,9 +2141,13 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for PendulumRelative {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 2>::workspace(order + 1)
     }
     fn series(
         &self,

@@ -1230,7 +1230,9 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry] = *state;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
@@ -1340,29 +1342,34 @@ pub fn series<R: Real>(
         let [coupling_twist_k, motor_omega_k, cylinder_omega_k, motor_psi_sx_k,
         motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k] = *state_k;
         let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
         let coupling_twist_rate_k = (-cylinder_omega_k)
             .mul_add(p.coupling_ratio, motor_omega_k);
         let motor_slip_speed_k = -motor_omega_k * p.motor_pole_pairs;
         let coupling_torque_k = coupling_twist_rate_k
             .mul_add(p.coupling_damping, coupling_twist_k * p.coupling_stiffness);
         let t12_k = inverse * t11_slope * t12_before;
-        let load_engagement_k = -t12_k.mul_add(load_engagement, sums[0]) * inverse_t13;
+        let load_engagement_k = -t12_k.mul_add(load_engagement, sums_1[1]) * inverse_t13;
         let t15_k = (-motor_psi_rx_k).mul_add(p.motor_k_r, motor_psi_sx_k);
         let t18_k = (-motor_psi_ry_k).mul_add(p.motor_k_r, motor_psi_sy_k);
-        let t21_k = motor_psi_sx_k
-            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[1]));
-        let t22_k = motor_psi_sy_k
-            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[2]));
+        let t21_k = motor_psi_sx
+            .mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k, sums[0]));
+        let t22_k = motor_psi_sy
+            .mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k, sums[1]));
         let t23_k = t22_k - t21_k;
         let t31_k = inverse * t28 * t32_before;
         let t32_k = -inverse * t28 * t31_before;
         let t36_k = cylinder_omega_k * t35;
-        let t37_k = t36_k.mul_add(t39, inverse * sums[3]);
-        let t38_k = t37_k.mul_add(t37, t37.mul_add(t37_k, sums[4]));
+        let t37_k = t36_k.mul_add(t39, inverse * sums_1[3]);
+        let t38_k = (t37 + t37).mul_add(t37_k, sums[2]);
         let t39_k = -t38_k;
-        let t40_k = load_engagement_k
-            .mul_add(t34, load_engagement.mul_add(t31_k * p.load_amplitude, sums[5]));
-        let load_resistance_k = t40_k.mul_add(t37, t40.mul_add(t37_k, sums[6]));
+        let t40_k = load_engagement
+            .mul_add(
+                t31_k * p.load_amplitude,
+                t34.mul_add(load_engagement_k, sums_1[2]),
+            );
+        let load_resistance_k = t37.mul_add(t40_k, t40.mul_add(t37_k, sums_2[0]));
         let t43_k = t23_k.mul_add(t27, -coupling_torque_k);
         let t48_k = coupling_twist_rate_k.mul_add(t46, coupling_twist_k * t44);
         let t49_k = t48_k - load_resistance_k;
@@ -1371,46 +1378,33 @@ pub fn series<R: Real>(
         let motor_psi_sx_dot_k = (-t15_k).mul_add(t50, motor_psi_sy_k * motor_omega_0);
         let t56_k = -motor_psi_sx_k * motor_omega_0;
         let motor_psi_sy_dot_k = (-t18_k).mul_add(t50, t56_k);
-        let t57_k = motor_psi_ry_k
+        let t57_k = motor_psi_ry
             .mul_add(
-                motor_slip_speed,
-                motor_psi_ry.mul_add(motor_slip_speed_k, sums[7]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_ry_k, sums[3]),
             );
         let t58_k = motor_psi_sx_k.mul_add(p.motor_k_s, -motor_psi_rx_k);
         let motor_psi_rx_dot_k = t58_k.mul_add(t59, t57_k);
-        let t61_k = motor_psi_rx_k
+        let t61_k = motor_psi_rx
             .mul_add(
-                motor_slip_speed,
-                motor_psi_rx.mul_add(motor_slip_speed_k, sums[8]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_rx_k, sums_1[0]),
             );
         let t62_k = motor_psi_sy_k.mul_add(p.motor_k_s, -motor_psi_ry_k);
         let motor_psi_ry_dot_k = t62_k.mul_add(t59, -t61_k);
         lanes
             .set(
                 order,
-                [
-                    t12_k,
-                    motor_psi_sx_k,
-                    motor_psi_rx_k,
-                    k * t36_k,
-                    t37_k,
-                    load_engagement_k,
-                    t37_k,
-                    motor_slip_speed_k,
-                    motor_slip_speed_k,
-                ],
-                [
-                    load_engagement_k,
-                    motor_psi_ry_k,
-                    motor_psi_sy_k,
-                    t39_k,
-                    t37_k,
-                    t31_k * p.load_amplitude,
-                    t40_k,
-                    motor_psi_ry_k,
-                    motor_psi_rx_k,
-                ],
+                [motor_psi_sx_k, motor_psi_rx_k, t37_k, motor_slip_speed_k],
+                [motor_psi_ry_k, motor_psi_sy_k, t37_k, motor_psi_ry_k],
             );
+        lanes_1
+            .set(
+                order,
+                [motor_slip_speed_k, t12_k, load_engagement_k, k * t36_k],
+                [motor_psi_rx_k, load_engagement_k, t31_k * p.load_amplitude, t39_k],
+            );
+        lanes_2.set(order, [t37_k], [t40_k]);
         t12_before = t12_k;
         t31_before = t31_k;
         t32_before = t32_k;
@@ -1428,7 +1422,8 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for SawGin {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 9>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 1>::workspace(order + 1)
     }
     fn series(
         &self,

@@ -1139,7 +1139,9 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1,
     motor_psi_y1, motor_psi_x2, motor_psi_y2] = *state;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
@@ -1258,29 +1260,34 @@ pub fn series<R: Real>(
         let [motor_phi_k, cylinder_phi_k, motor_omega_k, cylinder_omega_k,
         motor_psi_x1_k, motor_psi_y1_k, motor_psi_x2_k, motor_psi_y2_k] = *state_k;
         let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
         let coupling_twist_k = (-cylinder_phi_k).mul_add(p.coupling_ratio, motor_phi_k);
         let coupling_twist_rate_k = (-cylinder_omega_k)
             .mul_add(p.coupling_ratio, motor_omega_k);
         let motor_rotor_term_k = motor_omega_k
             .mul_add(t3, motor_phi_k * p.motor_literal);
         let t9_k = inverse * t8_slope * t9_before;
-        let load_engagement_k = -t9_k.mul_add(load_engagement, sums[0]) * inverse_t10;
+        let load_engagement_k = -t9_k.mul_add(load_engagement, sums_1[1]) * inverse_t10;
         let coupling_torque_k = coupling_twist_rate_k
             .mul_add(p.coupling_damping, coupling_twist_k * p.coupling_stiffness);
-        let t13_k = motor_psi_x1_k
-            .mul_add(motor_psi_y2, motor_psi_x1.mul_add(motor_psi_y2_k, sums[1]));
-        let t14_k = motor_psi_y1_k
-            .mul_add(motor_psi_x2, motor_psi_y1.mul_add(motor_psi_x2_k, sums[2]));
+        let t13_k = motor_psi_x1
+            .mul_add(motor_psi_y2_k, motor_psi_y2.mul_add(motor_psi_x1_k, sums[0]));
+        let t14_k = motor_psi_y1
+            .mul_add(motor_psi_x2_k, motor_psi_x2.mul_add(motor_psi_y1_k, sums[1]));
         let t15_k = t14_k - t13_k;
         let t24_k = inverse * t21 * t25_before;
         let t25_k = -inverse * t21 * t24_before;
         let t29_k = cylinder_omega_k * t28;
-        let t30_k = t29_k.mul_add(t32, inverse * sums[3]);
-        let t31_k = t30_k.mul_add(t30, t30.mul_add(t30_k, sums[4]));
+        let t30_k = t29_k.mul_add(t32, inverse * sums_1[3]);
+        let t31_k = (t30 + t30).mul_add(t30_k, sums[2]);
         let t32_k = -t31_k;
-        let t33_k = load_engagement_k
-            .mul_add(t27, load_engagement.mul_add(t24_k * p.load_amplitude, sums[5]));
-        let load_resistance_k = t33_k.mul_add(t30, t33.mul_add(t30_k, sums[6]));
+        let t33_k = load_engagement
+            .mul_add(
+                t24_k * p.load_amplitude,
+                t27.mul_add(load_engagement_k, sums_1[2]),
+            );
+        let load_resistance_k = t30.mul_add(t33_k, t33.mul_add(t30_k, sums_2[0]));
         let t36_k = t15_k.mul_add(t20, -coupling_torque_k);
         let t41_k = coupling_twist_rate_k.mul_add(t39, coupling_twist_k * t37);
         let t42_k = t41_k - load_resistance_k;
@@ -1290,18 +1297,18 @@ pub fn series<R: Real>(
         let motor_psi_x1_dot_k = (-motor_psi_x1_k).mul_add(t43, t52_k);
         let t59_k = (-motor_psi_x1_k).mul_add(p.motor_omega_0, motor_psi_y2_k * t47);
         let motor_psi_y1_dot_k = (-motor_psi_y1_k).mul_add(t43, t59_k);
-        let t62_k = motor_psi_y2_k
+        let t62_k = motor_psi_y2
             .mul_add(
-                motor_rotor_term,
-                motor_psi_y2.mul_add(motor_rotor_term_k, sums[7]),
+                motor_rotor_term_k,
+                motor_rotor_term.mul_add(motor_psi_y2_k, sums[3]),
             );
         let t67_k = motor_psi_y2_k.mul_add(p.motor_omega_0, motor_psi_x1_k * t64);
         let t68_k = (-motor_psi_x2_k).mul_add(t60, t67_k);
         let motor_psi_x2_dot_k = t68_k - t62_k;
-        let t72_k = motor_psi_x2_k
+        let t72_k = motor_psi_x2
             .mul_add(
-                motor_rotor_term,
-                motor_psi_x2.mul_add(motor_rotor_term_k, sums[8]),
+                motor_rotor_term_k,
+                motor_rotor_term.mul_add(motor_psi_x2_k, sums_1[0]),
             );
         let t73_k = motor_psi_y1_k.mul_add(t64, t72_k);
         let t74_k = (-motor_psi_x2_k).mul_add(p.motor_omega_0, t73_k);
@@ -1309,29 +1316,16 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [
-                    t9_k,
-                    motor_psi_x1_k,
-                    motor_psi_y1_k,
-                    k * t29_k,
-                    t30_k,
-                    load_engagement_k,
-                    t30_k,
-                    motor_rotor_term_k,
-                    motor_rotor_term_k,
-                ],
-                [
-                    load_engagement_k,
-                    motor_psi_y2_k,
-                    motor_psi_x2_k,
-                    t32_k,
-                    t30_k,
-                    t24_k * p.load_amplitude,
-                    t33_k,
-                    motor_psi_y2_k,
-                    motor_psi_x2_k,
-                ],
+                [motor_psi_x1_k, motor_psi_y1_k, t30_k, motor_rotor_term_k],
+                [motor_psi_y2_k, motor_psi_x2_k, t30_k, motor_psi_y2_k],
             );
+        lanes_1
+            .set(
+                order,
+                [motor_rotor_term_k, t9_k, load_engagement_k, k * t29_k],
+                [motor_psi_x2_k, load_engagement_k, t24_k * p.load_amplitude, t32_k],
+            );
+        lanes_2.set(order, [t30_k], [t33_k]);
         t9_before = t9_k;
         t24_before = t24_k;
         t25_before = t25_k;
@@ -1350,7 +1344,8 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for SawGinAsPrinted {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 9>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 1>::workspace(order + 1)
     }
     fn series(
         &self,

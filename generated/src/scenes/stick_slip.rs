@@ -760,7 +760,7 @@ pub fn series<R: Real>(
         let slider_held_k = slider_v_k
             .mul_add(p.slider_damping, slider_x_k * p.slider_stiffness);
         let t3_k = slider_slip_k * t2;
-        let t4_k = t3_k.mul_add(slider_sliding, t3.mul_add(slider_v_k, sums[0]));
+        let t4_k = t3.mul_add(slider_v_k, slider_sliding.mul_add(t3_k, sums[0]));
         let t5_k = -t4_k;
         let t6_k = t5_k.mul_add(t6, inverse * sums[1]);
         let slider_dragged_k = t6_k * p.slider_stribeck_friction * p.slider_normal_force;

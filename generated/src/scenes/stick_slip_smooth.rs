@@ -604,14 +604,14 @@ pub fn series<R: Real>(
         let t1_k = R::select_less(slider_sliding, R::literal(0.0), t0_k, slider_v_k);
         let t3_k = t1_k * t2;
         let t4_k = -t3_k;
-        let t5_k = t4_k.mul_add(t5, inverse * sums[0]);
+        let t5_k = t4_k.mul_add(t5, inverse * sums[2]);
         let slider_dragged_k = t5_k * p.slider_stribeck_friction * p.slider_normal_force;
         let t9_k = slider_v_k * t8;
         let t10_k = t9_k.mul_add(t12, inverse * sums[1]);
-        let t11_k = t10_k.mul_add(t10, t10.mul_add(t10_k, sums[2]));
+        let t11_k = (t10 + t10).mul_add(t10_k, sums[0]);
         let t12_k = -t11_k;
-        let t13_k = slider_dragged_k
-            .mul_add(t10, slider_dragged.mul_add(t10_k, sums[3]));
+        let t13_k = t10
+            .mul_add(slider_dragged_k, slider_dragged.mul_add(t10_k, sums[3]));
         let slider_friction_k = -t13_k;
         let t17_k = (-slider_x_k).mul_add(p.slider_stiffness, slider_friction_k);
         let t18_k = (-slider_v_k).mul_add(p.slider_damping, t17_k);
@@ -619,8 +619,8 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [k * t4_k, k * t9_k, t10_k, slider_dragged_k],
-                [t5_k, t12_k, t10_k, t10_k],
+                [t10_k, k * t9_k, k * t4_k, slider_dragged_k],
+                [t10_k, t12_k, t5_k, t10_k],
             );
         rates = [slider_v_k, slider_v_dot_k];
     }

@@ -2513,8 +2513,11 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_1, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_4, _) = Lanes::<R, 3>::new(workspace, coefficients.len());
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed,
     pair_radius, pair_slip] = *state;
     let drum_speed = p.winding_speed / p.drum_radius;
@@ -2659,19 +2662,20 @@ pub fn series<R: Real>(
         pair_radius_k, ..] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
-        let t1_k = layer_surface_k
-            .mul_add(layer_surface, layer_surface.mul_add(layer_surface_k, sums[0]));
-        let t2_k = t1_k.mul_add(layer_surface, t1.mul_add(layer_surface_k, sums[1]));
+        let sums_2 = lanes_2.sums(order);
+        let sums_3 = lanes_3.sums(order);
+        let sums_4 = lanes_4.sums(order);
+        let t1_k = (layer_surface + layer_surface).mul_add(layer_surface_k, sums[0]);
+        let t2_k = layer_surface.mul_add(t1_k, t1.mul_add(layer_surface_k, sums[2]));
         let layer_swelling_k = t2_k
             .mul_add(p.layer_cubic_stiffness, layer_surface_k * p.layer_stiffness);
         let pair_growth_k = pair_omega_k * t7;
-        let t9_k = pair_radius_k
-            .mul_add(pair_radius, pair_radius.mul_add(pair_radius_k, sums[2]));
-        let t13_k = t9_k.mul_add(t9, t9.mul_add(t9_k, sums[3]));
+        let t9_k = (pair_radius + pair_radius).mul_add(pair_radius_k, sums[1]);
+        let t13_k = (t9 + t9).mul_add(t9_k, sums[3]);
         let t20_k = inverse * drum_speed * t21_before;
         let t21_k = -inverse * drum_speed * t20_before;
-        let t24_k = pair_phi_k.mul_add(t25, inverse * sums[4]);
-        let t25_k = -pair_phi_k.mul_add(t24, inverse * sums[5]);
+        let t24_k = pair_phi_k.mul_add(t25, inverse * sums_1[2]);
+        let t25_k = -pair_phi_k.mul_add(t24, inverse * sums_1[3]);
         let force_k = t25_k.mul_add(p.package_force, t21_k * p.force_amplitude);
         let t33_k = inverse * t30 * t34_before;
         let t34_k = -inverse * t30 * t33_before;
@@ -2684,13 +2688,10 @@ pub fn series<R: Real>(
         let shape_rate_k = (-t36_k).mul_add(t42, t44_k);
         let layer_compression_rate_k = shape_rate_k - holder_v_k;
         let t45_k = layer_compression_k * p.layer_stiffness;
-        let t46_k = layer_compression_k
-            .mul_add(
-                layer_compression,
-                layer_compression.mul_add(layer_compression_k, sums[6]),
-            );
-        let t47_k = t46_k
-            .mul_add(layer_compression, t46.mul_add(layer_compression_k, sums[7]));
+        let t46_k = (layer_compression + layer_compression)
+            .mul_add(layer_compression_k, sums_2[1]);
+        let t47_k = layer_compression
+            .mul_add(t46_k, t46.mul_add(layer_compression_k, sums_2[2]));
         let t48_k = t47_k * p.layer_cubic_stiffness;
         let t49_k = layer_compression_rate_k * p.layer_viscosity;
         let t51_k = t45_k + t48_k;
@@ -2703,17 +2704,18 @@ pub fn series<R: Real>(
             t52_k,
         );
         let t54_k = layer_push_k * t53;
-        let t55_k = (-pair_radius_k).mul_add(t55, t54_k - sums[8]) * inverse_pair_radius;
+        let t55_k = (-pair_radius_k).mul_add(t55, t54_k - sums_3[3])
+            * inverse_pair_radius;
         let t56_k = R::select_less(
             layer_closed,
             R::literal(0.5),
             R::literal(0.0),
             t55_k,
         );
-        let t57_k = pair_omega_k
-            .mul_add(pair_growth, pair_omega.mul_add(pair_growth_k, sums[9]));
-        let t58_k = t57_k.mul_add(pair_inertia, t57.mul_add(t13_k * t16, sums_1[0]));
-        let t59_k = (-t9_k).mul_add(t59, t58_k - sums_1[1]) * inverse_t9;
+        let t57_k = pair_omega
+            .mul_add(pair_growth_k, pair_growth.mul_add(pair_omega_k, sums_1[0]));
+        let t58_k = t57.mul_add(t13_k * t16, pair_inertia.mul_add(t57_k, sums_2[3]));
+        let t59_k = (-t9_k).mul_add(t59, t58_k - sums_3[2]) * inverse_t9;
         let pair_held_k = t56_k - t59_k;
         let t60_k = -t52_k;
         let t61_k = R::select_less(
@@ -2729,11 +2731,11 @@ pub fn series<R: Real>(
             pair_limit_k,
             t62_k,
         );
-        let t63_k = -t9_k * t11.mul_add(t63, sums_1[2]) * inverse_holder_mass;
-        let t64_k = -t13_k * t16.mul_add(t64, sums_1[3]) * inverse_pair_inertia;
+        let t63_k = -t9_k * t11.mul_add(t63, sums_3[0]) * inverse_holder_mass;
+        let t64_k = -t13_k * t16.mul_add(t64, sums_3[1]) * inverse_pair_inertia;
         let t66_k = holder_v_k * t65;
-        let t67_k = t66_k.mul_add(pair_omega, t66.mul_add(pair_omega_k, sums_1[4]));
-        let t68_k = t67_k.mul_add(pair_radius, t67.mul_add(pair_radius_k, sums_1[5]));
+        let t67_k = pair_omega.mul_add(t66_k, t66.mul_add(pair_omega_k, sums_1[1]));
+        let t68_k = pair_radius.mul_add(t67_k, t67.mul_add(pair_radius_k, sums_2[0]));
         let t71_k = -t45_k;
         let t72_k = t71_k - t48_k;
         let t73_k = R::select_less(
@@ -2753,10 +2755,10 @@ pub fn series<R: Real>(
         let t78_k = t77_k - t68_k;
         let t79_k = t78_k - t75_k;
         let t80_k = pair_carried_k - t56_k;
-        let t81_k = pair_radius_k.mul_add(t80, pair_radius.mul_add(t80_k, sums_1[6]));
+        let t81_k = pair_radius.mul_add(t80_k, t80.mul_add(pair_radius_k, sums_4[1]));
         let t82_k = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81_k);
-        let holder_v_dot_k = t79_k.mul_add(t63, t79.mul_add(t63_k, sums_1[7]));
-        let pair_omega_dot_k = t82_k.mul_add(t64, t82.mul_add(t64_k, sums_1[8]));
+        let holder_v_dot_k = t63.mul_add(t79_k, t79.mul_add(t63_k, sums_4[0]));
+        let pair_omega_dot_k = t64.mul_add(t82_k, t82.mul_add(t64_k, sums_4[2]));
         let t84_k = layer_swelling_k * t83;
         let t85_k = -t84_k;
         let layer_surface_dot_k = R::select_less(
@@ -2768,47 +2770,28 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [
-                    layer_surface_k,
-                    layer_surface_k,
-                    pair_radius_k,
-                    t9_k,
-                    k * pair_phi_k,
-                    k * pair_phi_k,
-                    layer_compression_k,
-                    layer_compression_k,
-                    pair_radius_k,
-                    pair_omega_k,
-                ],
-                [
-                    layer_surface_k,
-                    t1_k,
-                    pair_radius_k,
-                    t9_k,
-                    t25_k,
-                    t24_k,
-                    layer_compression_k,
-                    t46_k,
-                    t55_k,
-                    pair_growth_k,
-                ],
+                [layer_surface_k, pair_radius_k, layer_surface_k, t9_k],
+                [layer_surface_k, pair_radius_k, t1_k, t9_k],
             );
         lanes_1
             .set(
                 order,
-                [
-                    t13_k * t16,
-                    t9_k,
-                    t9_k * t11,
-                    t13_k * t16,
-                    pair_omega_k,
-                    pair_radius_k,
-                    pair_radius_k,
-                    t63_k,
-                    t64_k,
-                ],
-                [t57_k, t59_k, t63_k, t64_k, t66_k, t67_k, t80_k, t79_k, t82_k],
+                [pair_omega_k, pair_omega_k, k * pair_phi_k, k * pair_phi_k],
+                [pair_growth_k, t66_k, t25_k, t24_k],
             );
+        lanes_2
+            .set(
+                order,
+                [pair_radius_k, layer_compression_k, layer_compression_k, t13_k * t16],
+                [t67_k, layer_compression_k, t46_k, t57_k],
+            );
+        lanes_3
+            .set(
+                order,
+                [t9_k * t11, t13_k * t16, t9_k, pair_radius_k],
+                [t63_k, t64_k, t59_k, t55_k],
+            );
+        lanes_4.set(order, [t63_k, pair_radius_k, t64_k], [t79_k, t80_k, t82_k]);
         t20_before = t20_k;
         t21_before = t21_k;
         t33_before = t33_k;
@@ -2830,7 +2813,9 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for WinderFull {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 9>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 3>::workspace(order + 1)
     }
     fn series(
         &self,

@@ -993,13 +993,10 @@ pub fn series<R: Real>(
         let t33_k = -t30_k;
         let shape_rate_k = (-t16_k).mul_add(t31, t33_k);
         let layer_compression_rate_k = shape_rate_k - holder_v_k;
-        let t36_k = layer_compression_k
-            .mul_add(
-                layer_compression,
-                layer_compression.mul_add(layer_compression_k, sums[0]),
-            );
-        let t37_k = t36_k
-            .mul_add(layer_compression, t36.mul_add(layer_compression_k, sums[1]));
+        let t36_k = (layer_compression + layer_compression)
+            .mul_add(layer_compression_k, sums[0]);
+        let t37_k = layer_compression
+            .mul_add(t36_k, t36.mul_add(layer_compression_k, sums[1]));
         let t40_k = (-layer_compression_k)
             .mul_add(p.layer_stiffness, holder_x_k * p.holder_stiffness);
         let t41_k = (-t37_k).mul_add(p.layer_cubic_stiffness, t40_k);

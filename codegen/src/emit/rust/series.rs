@@ -19,8 +19,9 @@ use needs::{Needs, needs};
 /// scenes have no series.
 const MOST_NODES: usize = 4000;
 
-/// Most sums formed in one loop: what registers hold.
-const MOST_LANES: usize = 10;
+/// Sums formed in one loop: what one operation of a processor takes. More would be ready
+/// only with the last of them.
+const LANES: usize = 4;
 
 /// Recurrences of a scene and what of them is written down.
 pub(super) struct Series {
@@ -57,9 +58,9 @@ impl Series {
         }
     }
 
-    /// Sums in groups of about one size.
+    /// Sums in groups.
     fn groups(&self) -> Vec<&[Convolution]> {
-        self.needs.convolutions.chunks(group_size(&self.needs)).collect()
+        self.needs.convolutions.chunks(LANES).collect()
     }
 
     /// The function and its implementation of the contract.
@@ -229,12 +230,6 @@ impl Series {
         });
         statements.collect()
     }
-}
-
-/// Lanes of a group, an even number: registers hold two.
-fn group_size(needs: &Needs) -> usize {
-    let count = needs.convolutions.len().max(1);
-    count.div_ceil(count.div_ceil(MOST_LANES)).next_multiple_of(2)
 }
 
 /// The factored mass matrix and the zeroth accelerations.

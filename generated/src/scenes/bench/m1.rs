@@ -528,10 +528,10 @@ pub fn series<R: Real>(
         let motor_slip_speed_k = -motor_omega_k * R::literal(4.0);
         let t2_k = (-motor_psi_rx_k).mul_add(R::literal(0.952), motor_psi_sx_k);
         let t4_k = (-motor_psi_ry_k).mul_add(R::literal(0.952), motor_psi_sy_k);
-        let t7_k = motor_psi_sx_k
-            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[0]));
-        let t8_k = motor_psi_sy_k
-            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[1]));
+        let t7_k = motor_psi_sx
+            .mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k, sums[0]));
+        let t8_k = motor_psi_sy
+            .mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k, sums[1]));
         let t9_k = t8_k - t7_k;
         let motor_omega_dot_k = t9_k * R::literal(1_148.118_519_816_103_6);
         let motor_psi_sx_dot_k = (-t2_k)
@@ -544,17 +544,17 @@ pub fn series<R: Real>(
         let motor_psi_sy_dot_k = (-t4_k)
             .mul_add(R::literal(36.128_315_516_282_626), t15_k);
         let t16_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
-        let t18_k = motor_psi_ry_k
+        let t18_k = motor_psi_ry
             .mul_add(
-                motor_slip_speed,
-                motor_psi_ry.mul_add(motor_slip_speed_k, sums[2]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_ry_k, sums[2]),
             );
         let motor_psi_rx_dot_k = t16_k
             .mul_add(R::literal(26.954_864_967_800_425), t18_k);
-        let t19_k = motor_psi_rx_k
+        let t19_k = motor_psi_rx
             .mul_add(
-                motor_slip_speed,
-                motor_psi_rx.mul_add(motor_slip_speed_k, sums[3]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_rx_k, sums[3]),
             );
         let t20_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
         let motor_psi_ry_dot_k = t20_k

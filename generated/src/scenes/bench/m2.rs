@@ -715,7 +715,9 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, _) = Lanes::<R, 9>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, _) = Lanes::<R, 1>::new(workspace, coefficients.len());
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry, ..] = *state;
     let coupling_twist_rate = motor_omega - cylinder_omega;
@@ -798,28 +800,33 @@ pub fn series<R: Real>(
         let [coupling_twist_k, motor_omega_k, cylinder_omega_k, motor_psi_sx_k,
         motor_psi_sy_k, motor_psi_rx_k, motor_psi_ry_k, ..] = *state_k;
         let sums = lanes.sums(order);
+        let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
         let coupling_twist_rate_k = motor_omega_k - cylinder_omega_k;
         let motor_slip_speed_k = -motor_omega_k * R::literal(4.0);
         let t2_k = (-motor_psi_rx_k).mul_add(R::literal(0.952), motor_psi_sx_k);
         let t4_k = (-motor_psi_ry_k).mul_add(R::literal(0.952), motor_psi_sy_k);
         let t10_k = inverse * t9_slope * t10_before;
-        let load_engagement_k = -t10_k.mul_add(load_engagement, sums[0]) * inverse_t11;
-        let t12_k = motor_psi_sx_k
-            .mul_add(motor_psi_ry, motor_psi_sx.mul_add(motor_psi_ry_k, sums[1]));
-        let t13_k = motor_psi_sy_k
-            .mul_add(motor_psi_rx, motor_psi_sy.mul_add(motor_psi_rx_k, sums[2]));
+        let load_engagement_k = -t10_k.mul_add(load_engagement, sums_1[1]) * inverse_t11;
+        let t12_k = motor_psi_sx
+            .mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k, sums[0]));
+        let t13_k = motor_psi_sy
+            .mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k, sums[1]));
         let t14_k = t13_k - t12_k;
         let coupling_torque_k = coupling_twist_k
             .mul_add(p.coupling_stiffness, coupling_twist_rate_k * R::literal(128.5346));
         let t18_k = inverse * R::literal(241.805_307_826_689_27) * t19_before;
         let t19_k = -inverse * R::literal(241.805_307_826_689_27) * t18_before;
         let t22_k = cylinder_omega_k * R::literal(2.0);
-        let t23_k = t22_k.mul_add(t25, inverse * sums[3]);
-        let t24_k = t23_k.mul_add(t23, t23.mul_add(t23_k, sums[4]));
+        let t23_k = t22_k.mul_add(t25, inverse * sums_1[3]);
+        let t24_k = (t23 + t23).mul_add(t23_k, sums[2]);
         let t25_k = -t24_k;
-        let t26_k = load_engagement_k
-            .mul_add(t21, load_engagement.mul_add(t18_k * R::literal(78.78), sums[5]));
-        let load_resistance_k = t26_k.mul_add(t23, t26.mul_add(t23_k, sums[6]));
+        let t26_k = load_engagement
+            .mul_add(
+                t18_k * R::literal(78.78),
+                t21.mul_add(load_engagement_k, sums_1[2]),
+            );
+        let load_resistance_k = t23.mul_add(t26_k, t26.mul_add(t23_k, sums_2[0]));
         let t27_k = t14_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
         let t28_k = coupling_torque_k - load_resistance_k;
         let motor_omega_dot_k = t27_k * R::literal(0.238_095_238_095_238_08);
@@ -834,17 +841,17 @@ pub fn series<R: Real>(
         let motor_psi_sy_dot_k = (-t4_k)
             .mul_add(R::literal(36.128_315_516_282_626), t34_k);
         let t35_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
-        let t37_k = motor_psi_ry_k
+        let t37_k = motor_psi_ry
             .mul_add(
-                motor_slip_speed,
-                motor_psi_ry.mul_add(motor_slip_speed_k, sums[7]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_ry_k, sums[3]),
             );
         let motor_psi_rx_dot_k = t35_k
             .mul_add(R::literal(26.954_864_967_800_425), t37_k);
-        let t38_k = motor_psi_rx_k
+        let t38_k = motor_psi_rx
             .mul_add(
-                motor_slip_speed,
-                motor_psi_rx.mul_add(motor_slip_speed_k, sums[8]),
+                motor_slip_speed_k,
+                motor_slip_speed.mul_add(motor_psi_rx_k, sums_1[0]),
             );
         let t39_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
         let motor_psi_ry_dot_k = t39_k
@@ -852,29 +859,16 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [
-                    t10_k,
-                    motor_psi_sx_k,
-                    motor_psi_rx_k,
-                    k * t22_k,
-                    t23_k,
-                    load_engagement_k,
-                    t23_k,
-                    motor_slip_speed_k,
-                    motor_slip_speed_k,
-                ],
-                [
-                    load_engagement_k,
-                    motor_psi_ry_k,
-                    motor_psi_sy_k,
-                    t25_k,
-                    t23_k,
-                    t18_k * R::literal(78.78),
-                    t26_k,
-                    motor_psi_ry_k,
-                    motor_psi_rx_k,
-                ],
+                [motor_psi_sx_k, motor_psi_rx_k, t23_k, motor_slip_speed_k],
+                [motor_psi_ry_k, motor_psi_sy_k, t23_k, motor_psi_ry_k],
             );
+        lanes_1
+            .set(
+                order,
+                [motor_slip_speed_k, t10_k, load_engagement_k, k * t22_k],
+                [motor_psi_rx_k, load_engagement_k, t18_k * R::literal(78.78), t25_k],
+            );
+        lanes_2.set(order, [t23_k], [t26_k]);
         t10_before = t10_k;
         t18_before = t18_k;
         t19_before = t19_k;
@@ -893,7 +887,8 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for M2 {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 9>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 1>::workspace(order + 1)
     }
     fn series(
         &self,

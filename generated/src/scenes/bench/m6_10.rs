@@ -6169,36 +6169,81 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_4, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_5, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_6, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_7, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_8, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_9, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_10, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_11, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_12, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_13, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_14, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_15, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_16, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_17, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_18, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_19, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_20, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_21, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_22, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_23, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_24, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_25, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_26, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_27, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_28, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_29, _) = Lanes::<R, 10>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_5, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_6, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_7, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_8, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_9, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_10, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_11, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_12, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_13, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_14, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_15, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_16, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_17, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_18, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_19, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_20, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_21, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_22, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_23, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_24, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_25, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_26, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_27, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_28, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_29, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_30, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_31, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_32, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_33, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_34, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_35, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_36, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_37, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_38, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_39, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_40, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_41, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_42, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_43, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_44, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_45, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_46, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_47, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_48, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_49, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_50, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_51, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_52, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_53, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_54, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_55, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_56, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_57, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_58, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_59, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_60, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_61, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_62, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_63, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_64, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_65, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_66, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_67, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_68, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_69, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_70, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_71, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_72, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_73, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_74, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_theta_6, chain_theta_7, chain_theta_8, chain_theta_9, chain_theta_10,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5,
@@ -6808,256 +6853,290 @@ pub fn series<R: Real>(
         let sums_27 = lanes_27.sums(order);
         let sums_28 = lanes_28.sums(order);
         let sums_29 = lanes_29.sums(order);
+        let sums_30 = lanes_30.sums(order);
+        let sums_31 = lanes_31.sums(order);
+        let sums_32 = lanes_32.sums(order);
+        let sums_33 = lanes_33.sums(order);
+        let sums_34 = lanes_34.sums(order);
+        let sums_35 = lanes_35.sums(order);
+        let sums_36 = lanes_36.sums(order);
+        let sums_37 = lanes_37.sums(order);
+        let sums_38 = lanes_38.sums(order);
+        let sums_39 = lanes_39.sums(order);
+        let sums_40 = lanes_40.sums(order);
+        let sums_41 = lanes_41.sums(order);
+        let sums_42 = lanes_42.sums(order);
+        let sums_43 = lanes_43.sums(order);
+        let sums_44 = lanes_44.sums(order);
+        let sums_45 = lanes_45.sums(order);
+        let sums_46 = lanes_46.sums(order);
+        let sums_47 = lanes_47.sums(order);
+        let sums_48 = lanes_48.sums(order);
+        let sums_49 = lanes_49.sums(order);
+        let sums_50 = lanes_50.sums(order);
+        let sums_51 = lanes_51.sums(order);
+        let sums_52 = lanes_52.sums(order);
+        let sums_53 = lanes_53.sums(order);
+        let sums_54 = lanes_54.sums(order);
+        let sums_55 = lanes_55.sums(order);
+        let sums_56 = lanes_56.sums(order);
+        let sums_57 = lanes_57.sums(order);
+        let sums_58 = lanes_58.sums(order);
+        let sums_59 = lanes_59.sums(order);
+        let sums_60 = lanes_60.sums(order);
+        let sums_61 = lanes_61.sums(order);
+        let sums_62 = lanes_62.sums(order);
+        let sums_63 = lanes_63.sums(order);
+        let sums_64 = lanes_64.sums(order);
+        let sums_65 = lanes_65.sums(order);
+        let sums_66 = lanes_66.sums(order);
+        let sums_67 = lanes_67.sums(order);
+        let sums_68 = lanes_68.sums(order);
+        let sums_69 = lanes_69.sums(order);
+        let sums_70 = lanes_70.sums(order);
+        let sums_71 = lanes_71.sums(order);
+        let sums_72 = lanes_72.sums(order);
+        let sums_73 = lanes_73.sums(order);
+        let sums_74 = lanes_74.sums(order);
         let t0_k = chain_theta_1_k - chain_theta_2_k;
-        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
-        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
+        let t1_k = t0_k.mul_add(t2, inverse * sums_7[2]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums_7[3]);
         let t3_k = t2_k * R::literal(9.0);
         let t4_k = chain_theta_1_k - chain_theta_3_k;
-        let t5_k = t4_k.mul_add(t6, inverse * sums[2]);
-        let t6_k = -t4_k.mul_add(t5, inverse * sums[3]);
+        let t5_k = t4_k.mul_add(t6, inverse * sums_8[0]);
+        let t6_k = -t4_k.mul_add(t5, inverse * sums_8[1]);
         let t7_k = t6_k * R::literal(8.0);
         let t8_k = chain_theta_1_k - chain_theta_4_k;
-        let t9_k = t8_k.mul_add(t10, inverse * sums[4]);
-        let t10_k = -t8_k.mul_add(t9, inverse * sums[5]);
+        let t9_k = t8_k.mul_add(t10, inverse * sums_8[2]);
+        let t10_k = -t8_k.mul_add(t9, inverse * sums_8[3]);
         let t11_k = t10_k * R::literal(7.0);
         let t12_k = chain_theta_1_k - chain_theta_5_k;
-        let t13_k = t12_k.mul_add(t14, inverse * sums[6]);
-        let t14_k = -t12_k.mul_add(t13, inverse * sums[7]);
+        let t13_k = t12_k.mul_add(t14, inverse * sums_9[0]);
+        let t14_k = -t12_k.mul_add(t13, inverse * sums_9[1]);
         let t15_k = t14_k * R::literal(6.0);
         let t16_k = chain_theta_1_k - chain_theta_6_k;
-        let t17_k = t16_k.mul_add(t18, inverse * sums[8]);
-        let t18_k = -t16_k.mul_add(t17, inverse * sums[9]);
+        let t17_k = t16_k.mul_add(t18, inverse * sums_9[2]);
+        let t18_k = -t16_k.mul_add(t17, inverse * sums_9[3]);
         let t19_k = t18_k * R::literal(5.0);
         let t20_k = chain_theta_1_k - chain_theta_7_k;
-        let t21_k = t20_k.mul_add(t22, inverse * sums_1[0]);
-        let t22_k = -t20_k.mul_add(t21, inverse * sums_1[1]);
+        let t21_k = t20_k.mul_add(t22, inverse * sums_10[0]);
+        let t22_k = -t20_k.mul_add(t21, inverse * sums_10[1]);
         let t23_k = t22_k * R::literal(4.0);
         let t24_k = chain_theta_1_k - chain_theta_8_k;
-        let t25_k = t24_k.mul_add(t26, inverse * sums_1[2]);
-        let t26_k = -t24_k.mul_add(t25, inverse * sums_1[3]);
+        let t25_k = t24_k.mul_add(t26, inverse * sums_10[2]);
+        let t26_k = -t24_k.mul_add(t25, inverse * sums_10[3]);
         let t27_k = t26_k * R::literal(3.0);
         let t28_k = chain_theta_1_k - chain_theta_9_k;
-        let t29_k = t28_k.mul_add(t30, inverse * sums_1[4]);
-        let t30_k = -t28_k.mul_add(t29, inverse * sums_1[5]);
+        let t29_k = t28_k.mul_add(t30, inverse * sums_11[0]);
+        let t30_k = -t28_k.mul_add(t29, inverse * sums_11[1]);
         let t31_k = t30_k * R::literal(2.0);
         let t32_k = chain_theta_1_k - chain_theta_10_k;
-        let t33_k = t32_k.mul_add(t34, inverse * sums_1[6]);
-        let t34_k = -t32_k.mul_add(t33, inverse * sums_1[7]);
+        let t33_k = t32_k.mul_add(t34, inverse * sums_11[2]);
+        let t34_k = -t32_k.mul_add(t33, inverse * sums_11[3]);
         let t35_k = chain_theta_2_k - chain_theta_3_k;
-        let t36_k = t35_k.mul_add(t37, inverse * sums_1[8]);
-        let t37_k = -t35_k.mul_add(t36, inverse * sums_1[9]);
+        let t36_k = t35_k.mul_add(t37, inverse * sums_12[0]);
+        let t37_k = -t35_k.mul_add(t36, inverse * sums_12[1]);
         let t38_k = t37_k * R::literal(8.0);
         let t39_k = chain_theta_2_k - chain_theta_4_k;
-        let t40_k = t39_k.mul_add(t41, inverse * sums_2[0]);
-        let t41_k = -t39_k.mul_add(t40, inverse * sums_2[1]);
+        let t40_k = t39_k.mul_add(t41, inverse * sums_12[2]);
+        let t41_k = -t39_k.mul_add(t40, inverse * sums_12[3]);
         let t42_k = t41_k * R::literal(7.0);
         let t43_k = chain_theta_2_k - chain_theta_5_k;
-        let t44_k = t43_k.mul_add(t45, inverse * sums_2[2]);
-        let t45_k = -t43_k.mul_add(t44, inverse * sums_2[3]);
+        let t44_k = t43_k.mul_add(t45, inverse * sums_13[0]);
+        let t45_k = -t43_k.mul_add(t44, inverse * sums_13[1]);
         let t46_k = t45_k * R::literal(6.0);
         let t47_k = chain_theta_2_k - chain_theta_6_k;
-        let t48_k = t47_k.mul_add(t49, inverse * sums_2[4]);
-        let t49_k = -t47_k.mul_add(t48, inverse * sums_2[5]);
+        let t48_k = t47_k.mul_add(t49, inverse * sums_13[2]);
+        let t49_k = -t47_k.mul_add(t48, inverse * sums_13[3]);
         let t50_k = t49_k * R::literal(5.0);
         let t51_k = chain_theta_2_k - chain_theta_7_k;
-        let t52_k = t51_k.mul_add(t53, inverse * sums_2[6]);
-        let t53_k = -t51_k.mul_add(t52, inverse * sums_2[7]);
+        let t52_k = t51_k.mul_add(t53, inverse * sums_14[0]);
+        let t53_k = -t51_k.mul_add(t52, inverse * sums_14[1]);
         let t54_k = t53_k * R::literal(4.0);
         let t55_k = chain_theta_2_k - chain_theta_8_k;
-        let t56_k = t55_k.mul_add(t57, inverse * sums_2[8]);
-        let t57_k = -t55_k.mul_add(t56, inverse * sums_2[9]);
+        let t56_k = t55_k.mul_add(t57, inverse * sums_14[2]);
+        let t57_k = -t55_k.mul_add(t56, inverse * sums_14[3]);
         let t58_k = t57_k * R::literal(3.0);
         let t59_k = chain_theta_2_k - chain_theta_9_k;
-        let t60_k = t59_k.mul_add(t61, inverse * sums_3[0]);
-        let t61_k = -t59_k.mul_add(t60, inverse * sums_3[1]);
+        let t60_k = t59_k.mul_add(t61, inverse * sums_15[0]);
+        let t61_k = -t59_k.mul_add(t60, inverse * sums_15[1]);
         let t62_k = t61_k * R::literal(2.0);
         let t63_k = chain_theta_2_k - chain_theta_10_k;
-        let t64_k = t63_k.mul_add(t65, inverse * sums_3[2]);
-        let t65_k = -t63_k.mul_add(t64, inverse * sums_3[3]);
+        let t64_k = t63_k.mul_add(t65, inverse * sums_15[2]);
+        let t65_k = -t63_k.mul_add(t64, inverse * sums_15[3]);
         let t66_k = chain_theta_3_k - chain_theta_4_k;
-        let t67_k = t66_k.mul_add(t68, inverse * sums_3[4]);
-        let t68_k = -t66_k.mul_add(t67, inverse * sums_3[5]);
+        let t67_k = t66_k.mul_add(t68, inverse * sums_16[0]);
+        let t68_k = -t66_k.mul_add(t67, inverse * sums_16[1]);
         let t69_k = t68_k * R::literal(7.0);
         let t70_k = chain_theta_3_k - chain_theta_5_k;
-        let t71_k = t70_k.mul_add(t72, inverse * sums_3[6]);
-        let t72_k = -t70_k.mul_add(t71, inverse * sums_3[7]);
+        let t71_k = t70_k.mul_add(t72, inverse * sums_16[2]);
+        let t72_k = -t70_k.mul_add(t71, inverse * sums_16[3]);
         let t73_k = t72_k * R::literal(6.0);
         let t74_k = chain_theta_3_k - chain_theta_6_k;
-        let t75_k = t74_k.mul_add(t76, inverse * sums_3[8]);
-        let t76_k = -t74_k.mul_add(t75, inverse * sums_3[9]);
+        let t75_k = t74_k.mul_add(t76, inverse * sums_17[0]);
+        let t76_k = -t74_k.mul_add(t75, inverse * sums_17[1]);
         let t77_k = t76_k * R::literal(5.0);
         let t78_k = chain_theta_3_k - chain_theta_7_k;
-        let t79_k = t78_k.mul_add(t80, inverse * sums_4[0]);
-        let t80_k = -t78_k.mul_add(t79, inverse * sums_4[1]);
+        let t79_k = t78_k.mul_add(t80, inverse * sums_17[2]);
+        let t80_k = -t78_k.mul_add(t79, inverse * sums_17[3]);
         let t81_k = t80_k * R::literal(4.0);
         let t82_k = chain_theta_3_k - chain_theta_8_k;
-        let t83_k = t82_k.mul_add(t84, inverse * sums_4[2]);
-        let t84_k = -t82_k.mul_add(t83, inverse * sums_4[3]);
+        let t83_k = t82_k.mul_add(t84, inverse * sums_18[0]);
+        let t84_k = -t82_k.mul_add(t83, inverse * sums_18[1]);
         let t85_k = t84_k * R::literal(3.0);
         let t86_k = chain_theta_3_k - chain_theta_9_k;
-        let t87_k = t86_k.mul_add(t88, inverse * sums_4[4]);
-        let t88_k = -t86_k.mul_add(t87, inverse * sums_4[5]);
+        let t87_k = t86_k.mul_add(t88, inverse * sums_18[2]);
+        let t88_k = -t86_k.mul_add(t87, inverse * sums_18[3]);
         let t89_k = t88_k * R::literal(2.0);
         let t90_k = chain_theta_3_k - chain_theta_10_k;
-        let t91_k = t90_k.mul_add(t92, inverse * sums_4[6]);
-        let t92_k = -t90_k.mul_add(t91, inverse * sums_4[7]);
+        let t91_k = t90_k.mul_add(t92, inverse * sums_19[0]);
+        let t92_k = -t90_k.mul_add(t91, inverse * sums_19[1]);
         let t93_k = chain_theta_4_k - chain_theta_5_k;
-        let t94_k = t93_k.mul_add(t95, inverse * sums_4[8]);
-        let t95_k = -t93_k.mul_add(t94, inverse * sums_4[9]);
+        let t94_k = t93_k.mul_add(t95, inverse * sums_19[2]);
+        let t95_k = -t93_k.mul_add(t94, inverse * sums_19[3]);
         let t96_k = t95_k * R::literal(6.0);
         let t97_k = chain_theta_4_k - chain_theta_6_k;
-        let t98_k = t97_k.mul_add(t99, inverse * sums_5[0]);
-        let t99_k = -t97_k.mul_add(t98, inverse * sums_5[1]);
+        let t98_k = t97_k.mul_add(t99, inverse * sums_20[0]);
+        let t99_k = -t97_k.mul_add(t98, inverse * sums_20[1]);
         let t100_k = t99_k * R::literal(5.0);
         let t101_k = chain_theta_4_k - chain_theta_7_k;
-        let t102_k = t101_k.mul_add(t103, inverse * sums_5[2]);
-        let t103_k = -t101_k.mul_add(t102, inverse * sums_5[3]);
+        let t102_k = t101_k.mul_add(t103, inverse * sums_20[2]);
+        let t103_k = -t101_k.mul_add(t102, inverse * sums_20[3]);
         let t104_k = t103_k * R::literal(4.0);
         let t105_k = chain_theta_4_k - chain_theta_8_k;
-        let t106_k = t105_k.mul_add(t107, inverse * sums_5[4]);
-        let t107_k = -t105_k.mul_add(t106, inverse * sums_5[5]);
+        let t106_k = t105_k.mul_add(t107, inverse * sums_21[0]);
+        let t107_k = -t105_k.mul_add(t106, inverse * sums_21[1]);
         let t108_k = t107_k * R::literal(3.0);
         let t109_k = chain_theta_4_k - chain_theta_9_k;
-        let t110_k = t109_k.mul_add(t111, inverse * sums_5[6]);
-        let t111_k = -t109_k.mul_add(t110, inverse * sums_5[7]);
+        let t110_k = t109_k.mul_add(t111, inverse * sums_21[2]);
+        let t111_k = -t109_k.mul_add(t110, inverse * sums_21[3]);
         let t112_k = t111_k * R::literal(2.0);
         let t113_k = chain_theta_4_k - chain_theta_10_k;
-        let t114_k = t113_k.mul_add(t115, inverse * sums_5[8]);
-        let t115_k = -t113_k.mul_add(t114, inverse * sums_5[9]);
+        let t114_k = t113_k.mul_add(t115, inverse * sums_22[0]);
+        let t115_k = -t113_k.mul_add(t114, inverse * sums_22[1]);
         let t116_k = chain_theta_5_k - chain_theta_6_k;
-        let t117_k = t116_k.mul_add(t118, inverse * sums_6[0]);
-        let t118_k = -t116_k.mul_add(t117, inverse * sums_6[1]);
+        let t117_k = t116_k.mul_add(t118, inverse * sums_22[2]);
+        let t118_k = -t116_k.mul_add(t117, inverse * sums_22[3]);
         let t119_k = t118_k * R::literal(5.0);
         let t120_k = chain_theta_5_k - chain_theta_7_k;
-        let t121_k = t120_k.mul_add(t122, inverse * sums_6[2]);
-        let t122_k = -t120_k.mul_add(t121, inverse * sums_6[3]);
+        let t121_k = t120_k.mul_add(t122, inverse * sums_23[0]);
+        let t122_k = -t120_k.mul_add(t121, inverse * sums_23[1]);
         let t123_k = t122_k * R::literal(4.0);
         let t124_k = chain_theta_5_k - chain_theta_8_k;
-        let t125_k = t124_k.mul_add(t126, inverse * sums_6[4]);
-        let t126_k = -t124_k.mul_add(t125, inverse * sums_6[5]);
+        let t125_k = t124_k.mul_add(t126, inverse * sums_23[2]);
+        let t126_k = -t124_k.mul_add(t125, inverse * sums_23[3]);
         let t127_k = t126_k * R::literal(3.0);
         let t128_k = chain_theta_5_k - chain_theta_9_k;
-        let t129_k = t128_k.mul_add(t130, inverse * sums_6[6]);
-        let t130_k = -t128_k.mul_add(t129, inverse * sums_6[7]);
+        let t129_k = t128_k.mul_add(t130, inverse * sums_24[0]);
+        let t130_k = -t128_k.mul_add(t129, inverse * sums_24[1]);
         let t131_k = t130_k * R::literal(2.0);
         let t132_k = chain_theta_5_k - chain_theta_10_k;
-        let t133_k = t132_k.mul_add(t134, inverse * sums_6[8]);
-        let t134_k = -t132_k.mul_add(t133, inverse * sums_6[9]);
+        let t133_k = t132_k.mul_add(t134, inverse * sums_24[2]);
+        let t134_k = -t132_k.mul_add(t133, inverse * sums_24[3]);
         let t135_k = chain_theta_6_k - chain_theta_7_k;
-        let t136_k = t135_k.mul_add(t137, inverse * sums_7[0]);
-        let t137_k = -t135_k.mul_add(t136, inverse * sums_7[1]);
+        let t136_k = t135_k.mul_add(t137, inverse * sums_25[0]);
+        let t137_k = -t135_k.mul_add(t136, inverse * sums_25[1]);
         let t138_k = t137_k * R::literal(4.0);
         let t139_k = chain_theta_6_k - chain_theta_8_k;
-        let t140_k = t139_k.mul_add(t141, inverse * sums_7[2]);
-        let t141_k = -t139_k.mul_add(t140, inverse * sums_7[3]);
+        let t140_k = t139_k.mul_add(t141, inverse * sums_25[2]);
+        let t141_k = -t139_k.mul_add(t140, inverse * sums_25[3]);
         let t142_k = t141_k * R::literal(3.0);
         let t143_k = chain_theta_6_k - chain_theta_9_k;
-        let t144_k = t143_k.mul_add(t145, inverse * sums_7[4]);
-        let t145_k = -t143_k.mul_add(t144, inverse * sums_7[5]);
+        let t144_k = t143_k.mul_add(t145, inverse * sums_26[0]);
+        let t145_k = -t143_k.mul_add(t144, inverse * sums_26[1]);
         let t146_k = t145_k * R::literal(2.0);
         let t147_k = chain_theta_6_k - chain_theta_10_k;
-        let t148_k = t147_k.mul_add(t149, inverse * sums_7[6]);
-        let t149_k = -t147_k.mul_add(t148, inverse * sums_7[7]);
+        let t148_k = t147_k.mul_add(t149, inverse * sums_26[2]);
+        let t149_k = -t147_k.mul_add(t148, inverse * sums_26[3]);
         let t150_k = chain_theta_7_k - chain_theta_8_k;
-        let t151_k = t150_k.mul_add(t152, inverse * sums_7[8]);
-        let t152_k = -t150_k.mul_add(t151, inverse * sums_7[9]);
+        let t151_k = t150_k.mul_add(t152, inverse * sums_27[0]);
+        let t152_k = -t150_k.mul_add(t151, inverse * sums_27[1]);
         let t153_k = t152_k * R::literal(3.0);
         let t154_k = chain_theta_7_k - chain_theta_9_k;
-        let t155_k = t154_k.mul_add(t156, inverse * sums_8[0]);
-        let t156_k = -t154_k.mul_add(t155, inverse * sums_8[1]);
+        let t155_k = t154_k.mul_add(t156, inverse * sums_27[2]);
+        let t156_k = -t154_k.mul_add(t155, inverse * sums_27[3]);
         let t157_k = t156_k * R::literal(2.0);
         let t158_k = chain_theta_7_k - chain_theta_10_k;
-        let t159_k = t158_k.mul_add(t160, inverse * sums_8[2]);
-        let t160_k = -t158_k.mul_add(t159, inverse * sums_8[3]);
+        let t159_k = t158_k.mul_add(t160, inverse * sums_28[0]);
+        let t160_k = -t158_k.mul_add(t159, inverse * sums_28[1]);
         let t161_k = chain_theta_8_k - chain_theta_9_k;
-        let t162_k = t161_k.mul_add(t163, inverse * sums_8[4]);
-        let t163_k = -t161_k.mul_add(t162, inverse * sums_8[5]);
+        let t162_k = t161_k.mul_add(t163, inverse * sums_28[2]);
+        let t163_k = -t161_k.mul_add(t162, inverse * sums_28[3]);
         let t164_k = t163_k * R::literal(2.0);
         let t165_k = chain_theta_8_k - chain_theta_10_k;
-        let t166_k = t165_k.mul_add(t167, inverse * sums_8[6]);
-        let t167_k = -t165_k.mul_add(t166, inverse * sums_8[7]);
+        let t166_k = t165_k.mul_add(t167, inverse * sums_29[0]);
+        let t167_k = -t165_k.mul_add(t166, inverse * sums_29[1]);
         let t168_k = chain_theta_9_k - chain_theta_10_k;
-        let t169_k = t168_k.mul_add(t170, inverse * sums_8[8]);
-        let t170_k = -t168_k.mul_add(t169, inverse * sums_8[9]);
+        let t169_k = t168_k.mul_add(t170, inverse * sums_29[2]);
+        let t170_k = -t168_k.mul_add(t169, inverse * sums_29[3]);
         let sin_chain_theta_1_k = chain_theta_1_k
-            .mul_add(cos_chain_theta_1, inverse * sums_9[0]);
+            .mul_add(cos_chain_theta_1, inverse * sums_2[2]);
         let cos_chain_theta_1_k = -chain_theta_1_k
-            .mul_add(sin_chain_theta_1, inverse * sums_9[1]);
+            .mul_add(sin_chain_theta_1, inverse * sums_2[3]);
         let sin_chain_theta_2_k = chain_theta_2_k
-            .mul_add(cos_chain_theta_2, inverse * sums_9[2]);
+            .mul_add(cos_chain_theta_2, inverse * sums_3[0]);
         let cos_chain_theta_2_k = -chain_theta_2_k
-            .mul_add(sin_chain_theta_2, inverse * sums_9[3]);
+            .mul_add(sin_chain_theta_2, inverse * sums_3[1]);
         let sin_chain_theta_3_k = chain_theta_3_k
-            .mul_add(cos_chain_theta_3, inverse * sums_9[4]);
+            .mul_add(cos_chain_theta_3, inverse * sums_3[2]);
         let cos_chain_theta_3_k = -chain_theta_3_k
-            .mul_add(sin_chain_theta_3, inverse * sums_9[5]);
+            .mul_add(sin_chain_theta_3, inverse * sums_3[3]);
         let sin_chain_theta_4_k = chain_theta_4_k
-            .mul_add(cos_chain_theta_4, inverse * sums_9[6]);
+            .mul_add(cos_chain_theta_4, inverse * sums_4[0]);
         let cos_chain_theta_4_k = -chain_theta_4_k
-            .mul_add(sin_chain_theta_4, inverse * sums_9[7]);
+            .mul_add(sin_chain_theta_4, inverse * sums_4[1]);
         let sin_chain_theta_5_k = chain_theta_5_k
-            .mul_add(cos_chain_theta_5, inverse * sums_9[8]);
+            .mul_add(cos_chain_theta_5, inverse * sums_4[2]);
         let cos_chain_theta_5_k = -chain_theta_5_k
-            .mul_add(sin_chain_theta_5, inverse * sums_9[9]);
+            .mul_add(sin_chain_theta_5, inverse * sums_4[3]);
         let sin_chain_theta_6_k = chain_theta_6_k
-            .mul_add(cos_chain_theta_6, inverse * sums_10[0]);
+            .mul_add(cos_chain_theta_6, inverse * sums_5[0]);
         let cos_chain_theta_6_k = -chain_theta_6_k
-            .mul_add(sin_chain_theta_6, inverse * sums_10[1]);
+            .mul_add(sin_chain_theta_6, inverse * sums_5[1]);
         let sin_chain_theta_7_k = chain_theta_7_k
-            .mul_add(cos_chain_theta_7, inverse * sums_10[2]);
+            .mul_add(cos_chain_theta_7, inverse * sums_5[2]);
         let cos_chain_theta_7_k = -chain_theta_7_k
-            .mul_add(sin_chain_theta_7, inverse * sums_10[3]);
+            .mul_add(sin_chain_theta_7, inverse * sums_5[3]);
         let sin_chain_theta_8_k = chain_theta_8_k
-            .mul_add(cos_chain_theta_8, inverse * sums_10[4]);
+            .mul_add(cos_chain_theta_8, inverse * sums_6[0]);
         let cos_chain_theta_8_k = -chain_theta_8_k
-            .mul_add(sin_chain_theta_8, inverse * sums_10[5]);
+            .mul_add(sin_chain_theta_8, inverse * sums_6[1]);
         let sin_chain_theta_9_k = chain_theta_9_k
-            .mul_add(cos_chain_theta_9, inverse * sums_10[6]);
+            .mul_add(cos_chain_theta_9, inverse * sums_6[2]);
         let cos_chain_theta_9_k = -chain_theta_9_k
-            .mul_add(sin_chain_theta_9, inverse * sums_10[7]);
+            .mul_add(sin_chain_theta_9, inverse * sums_6[3]);
         let sin_chain_theta_10_k = chain_theta_10_k
-            .mul_add(cos_chain_theta_10, inverse * sums_10[8]);
+            .mul_add(cos_chain_theta_10, inverse * sums_7[0]);
         let cos_chain_theta_10_k = -chain_theta_10_k
-            .mul_add(sin_chain_theta_10, inverse * sums_10[9]);
+            .mul_add(sin_chain_theta_10, inverse * sums_7[1]);
         let t171_k = sin_chain_theta_1_k * R::literal(98.1);
-        let t172_k = chain_omega_2_k
-            .mul_add(chain_omega_2, chain_omega_2.mul_add(chain_omega_2_k, sums_11[0]));
+        let t172_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
         let t173_k = t172_k * R::literal(9.0);
-        let t174_k = t173_k.mul_add(t1, t173.mul_add(t1_k, sums_11[1]));
-        let t175_k = chain_omega_3_k
-            .mul_add(chain_omega_3, chain_omega_3.mul_add(chain_omega_3_k, sums_11[2]));
+        let t174_k = t173.mul_add(t1_k, t1.mul_add(t173_k, sums_30[0]));
+        let t175_k = (chain_omega_3 + chain_omega_3).mul_add(chain_omega_3_k, sums[1]);
         let t176_k = t175_k * R::literal(8.0);
-        let t177_k = t176_k.mul_add(t5, t176.mul_add(t5_k, sums_11[3]));
-        let t178_k = chain_omega_4_k
-            .mul_add(chain_omega_4, chain_omega_4.mul_add(chain_omega_4_k, sums_11[4]));
+        let t177_k = t176.mul_add(t5_k, t5.mul_add(t176_k, sums_30[1]));
+        let t178_k = (chain_omega_4 + chain_omega_4).mul_add(chain_omega_4_k, sums[2]);
         let t179_k = t178_k * R::literal(7.0);
-        let t180_k = t179_k.mul_add(t9, t179.mul_add(t9_k, sums_11[5]));
-        let t181_k = chain_omega_5_k
-            .mul_add(chain_omega_5, chain_omega_5.mul_add(chain_omega_5_k, sums_11[6]));
+        let t180_k = t179.mul_add(t9_k, t9.mul_add(t179_k, sums_30[2]));
+        let t181_k = (chain_omega_5 + chain_omega_5).mul_add(chain_omega_5_k, sums[3]);
         let t182_k = t181_k * R::literal(6.0);
-        let t183_k = t182_k.mul_add(t13, t182.mul_add(t13_k, sums_11[7]));
-        let t184_k = chain_omega_6_k
-            .mul_add(chain_omega_6, chain_omega_6.mul_add(chain_omega_6_k, sums_11[8]));
+        let t183_k = t182.mul_add(t13_k, t13.mul_add(t182_k, sums_30[3]));
+        let t184_k = (chain_omega_6 + chain_omega_6).mul_add(chain_omega_6_k, sums_1[0]);
         let t185_k = t184_k * R::literal(5.0);
-        let t186_k = t185_k.mul_add(t17, t185.mul_add(t17_k, sums_11[9]));
-        let t187_k = chain_omega_7_k
-            .mul_add(chain_omega_7, chain_omega_7.mul_add(chain_omega_7_k, sums_12[0]));
+        let t186_k = t185.mul_add(t17_k, t17.mul_add(t185_k, sums_31[0]));
+        let t187_k = (chain_omega_7 + chain_omega_7).mul_add(chain_omega_7_k, sums_1[1]);
         let t188_k = t187_k * R::literal(4.0);
-        let t189_k = t188_k.mul_add(t21, t188.mul_add(t21_k, sums_12[1]));
-        let t190_k = chain_omega_8_k
-            .mul_add(chain_omega_8, chain_omega_8.mul_add(chain_omega_8_k, sums_12[2]));
+        let t189_k = t188.mul_add(t21_k, t21.mul_add(t188_k, sums_31[1]));
+        let t190_k = (chain_omega_8 + chain_omega_8).mul_add(chain_omega_8_k, sums_1[2]);
         let t191_k = t190_k * R::literal(3.0);
-        let t192_k = t191_k.mul_add(t25, t191.mul_add(t25_k, sums_12[3]));
-        let t193_k = chain_omega_9_k
-            .mul_add(chain_omega_9, chain_omega_9.mul_add(chain_omega_9_k, sums_12[4]));
+        let t192_k = t191.mul_add(t25_k, t25.mul_add(t191_k, sums_31[2]));
+        let t193_k = (chain_omega_9 + chain_omega_9).mul_add(chain_omega_9_k, sums_1[3]);
         let t194_k = t193_k * R::literal(2.0);
-        let t195_k = t194_k.mul_add(t29, t194.mul_add(t29_k, sums_12[5]));
-        let t196_k = chain_omega_10_k
-            .mul_add(
-                chain_omega_10,
-                chain_omega_10.mul_add(chain_omega_10_k, sums_12[6]),
-            );
-        let t197_k = t196_k.mul_add(t33, t196.mul_add(t33_k, sums_12[7]));
+        let t195_k = t194.mul_add(t29_k, t29.mul_add(t194_k, sums_31[3]));
+        let t196_k = (chain_omega_10 + chain_omega_10)
+            .mul_add(chain_omega_10_k, sums_2[0]);
+        let t197_k = t196.mul_add(t33_k, t33.mul_add(t196_k, sums_32[0]));
         let t198_k = -t171_k;
         let t199_k = t198_k - t174_k;
         let t200_k = t199_k - t177_k;
@@ -7068,18 +7147,17 @@ pub fn series<R: Real>(
         let t205_k = t204_k - t192_k;
         let t206_k = t205_k - t195_k;
         let t207_k = t206_k - t197_k;
-        let t209_k = t176_k.mul_add(t36, t176.mul_add(t36_k, sums_12[8]));
-        let t210_k = t179_k.mul_add(t40, t179.mul_add(t40_k, sums_12[9]));
-        let t211_k = t182_k.mul_add(t44, t182.mul_add(t44_k, sums_13[0]));
-        let t212_k = t185_k.mul_add(t48, t185.mul_add(t48_k, sums_13[1]));
-        let t213_k = t188_k.mul_add(t52, t188.mul_add(t52_k, sums_13[2]));
-        let t214_k = t191_k.mul_add(t56, t191.mul_add(t56_k, sums_13[3]));
-        let t215_k = t194_k.mul_add(t60, t194.mul_add(t60_k, sums_13[4]));
-        let t216_k = t196_k.mul_add(t64, t196.mul_add(t64_k, sums_13[5]));
-        let t217_k = chain_omega_1_k
-            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_13[6]));
+        let t209_k = t176.mul_add(t36_k, t36.mul_add(t176_k, sums_32[1]));
+        let t210_k = t179.mul_add(t40_k, t40.mul_add(t179_k, sums_32[2]));
+        let t211_k = t182.mul_add(t44_k, t44.mul_add(t182_k, sums_32[3]));
+        let t212_k = t185.mul_add(t48_k, t48.mul_add(t185_k, sums_33[0]));
+        let t213_k = t188.mul_add(t52_k, t52.mul_add(t188_k, sums_33[1]));
+        let t214_k = t191.mul_add(t56_k, t56.mul_add(t191_k, sums_33[2]));
+        let t215_k = t194.mul_add(t60_k, t60.mul_add(t194_k, sums_33[3]));
+        let t216_k = t196.mul_add(t64_k, t64.mul_add(t196_k, sums_34[0]));
+        let t217_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums_2[1]);
         let t218_k = t217_k * R::literal(9.0);
-        let t219_k = t218_k.mul_add(t1, t218.mul_add(t1_k, sums_13[7]));
+        let t219_k = t218.mul_add(t1_k, t1.mul_add(t218_k, sums_34[1]));
         let t220_k = (-sin_chain_theta_2_k).mul_add(R::literal(88.29), t219_k);
         let t221_k = t220_k - t209_k;
         let t222_k = t221_k - t210_k;
@@ -7089,17 +7167,17 @@ pub fn series<R: Real>(
         let t226_k = t225_k - t214_k;
         let t227_k = t226_k - t215_k;
         let t228_k = t227_k - t216_k;
-        let t230_k = t179_k.mul_add(t67, t179.mul_add(t67_k, sums_13[8]));
-        let t231_k = t182_k.mul_add(t71, t182.mul_add(t71_k, sums_13[9]));
-        let t232_k = t185_k.mul_add(t75, t185.mul_add(t75_k, sums_14[0]));
-        let t233_k = t188_k.mul_add(t79, t188.mul_add(t79_k, sums_14[1]));
-        let t234_k = t191_k.mul_add(t83, t191.mul_add(t83_k, sums_14[2]));
-        let t235_k = t194_k.mul_add(t87, t194.mul_add(t87_k, sums_14[3]));
-        let t236_k = t196_k.mul_add(t91, t196.mul_add(t91_k, sums_14[4]));
+        let t230_k = t179.mul_add(t67_k, t67.mul_add(t179_k, sums_34[2]));
+        let t231_k = t182.mul_add(t71_k, t71.mul_add(t182_k, sums_34[3]));
+        let t232_k = t185.mul_add(t75_k, t75.mul_add(t185_k, sums_35[0]));
+        let t233_k = t188.mul_add(t79_k, t79.mul_add(t188_k, sums_35[1]));
+        let t234_k = t191.mul_add(t83_k, t83.mul_add(t191_k, sums_35[2]));
+        let t235_k = t194.mul_add(t87_k, t87.mul_add(t194_k, sums_35[3]));
+        let t236_k = t196.mul_add(t91_k, t91.mul_add(t196_k, sums_36[0]));
         let t237_k = t217_k * R::literal(8.0);
-        let t238_k = t237_k.mul_add(t5, t237.mul_add(t5_k, sums_14[5]));
+        let t238_k = t237.mul_add(t5_k, t5.mul_add(t237_k, sums_36[1]));
         let t239_k = t172_k * R::literal(8.0);
-        let t240_k = t239_k.mul_add(t36, t239.mul_add(t36_k, sums_14[6]));
+        let t240_k = t239.mul_add(t36_k, t36.mul_add(t239_k, sums_36[2]));
         let t241_k = t238_k + t240_k;
         let t242_k = (-sin_chain_theta_3_k).mul_add(R::literal(78.48), t241_k);
         let t243_k = t242_k - t230_k;
@@ -7109,18 +7187,18 @@ pub fn series<R: Real>(
         let t247_k = t246_k - t234_k;
         let t248_k = t247_k - t235_k;
         let t249_k = t248_k - t236_k;
-        let t251_k = t182_k.mul_add(t94, t182.mul_add(t94_k, sums_14[7]));
-        let t252_k = t185_k.mul_add(t98, t185.mul_add(t98_k, sums_14[8]));
-        let t253_k = t188_k.mul_add(t102, t188.mul_add(t102_k, sums_14[9]));
-        let t254_k = t191_k.mul_add(t106, t191.mul_add(t106_k, sums_15[0]));
-        let t255_k = t194_k.mul_add(t110, t194.mul_add(t110_k, sums_15[1]));
-        let t256_k = t196_k.mul_add(t114, t196.mul_add(t114_k, sums_15[2]));
+        let t251_k = t182.mul_add(t94_k, t94.mul_add(t182_k, sums_36[3]));
+        let t252_k = t185.mul_add(t98_k, t98.mul_add(t185_k, sums_37[0]));
+        let t253_k = t188.mul_add(t102_k, t102.mul_add(t188_k, sums_37[1]));
+        let t254_k = t191.mul_add(t106_k, t106.mul_add(t191_k, sums_37[2]));
+        let t255_k = t194.mul_add(t110_k, t110.mul_add(t194_k, sums_37[3]));
+        let t256_k = t196.mul_add(t114_k, t114.mul_add(t196_k, sums_38[0]));
         let t257_k = t217_k * R::literal(7.0);
-        let t258_k = t257_k.mul_add(t9, t257.mul_add(t9_k, sums_15[3]));
+        let t258_k = t257.mul_add(t9_k, t9.mul_add(t257_k, sums_38[1]));
         let t259_k = t172_k * R::literal(7.0);
-        let t260_k = t259_k.mul_add(t40, t259.mul_add(t40_k, sums_15[4]));
+        let t260_k = t259.mul_add(t40_k, t40.mul_add(t259_k, sums_38[2]));
         let t261_k = t175_k * R::literal(7.0);
-        let t262_k = t261_k.mul_add(t67, t261.mul_add(t67_k, sums_15[5]));
+        let t262_k = t261.mul_add(t67_k, t67.mul_add(t261_k, sums_38[3]));
         let t263_k = t258_k + t260_k;
         let t264_k = t263_k + t262_k;
         let t265_k = (-sin_chain_theta_4_k).mul_add(R::literal(68.67), t264_k);
@@ -7130,19 +7208,19 @@ pub fn series<R: Real>(
         let t269_k = t268_k - t254_k;
         let t270_k = t269_k - t255_k;
         let t271_k = t270_k - t256_k;
-        let t273_k = t185_k.mul_add(t117, t185.mul_add(t117_k, sums_15[6]));
-        let t274_k = t188_k.mul_add(t121, t188.mul_add(t121_k, sums_15[7]));
-        let t275_k = t191_k.mul_add(t125, t191.mul_add(t125_k, sums_15[8]));
-        let t276_k = t194_k.mul_add(t129, t194.mul_add(t129_k, sums_15[9]));
-        let t277_k = t196_k.mul_add(t133, t196.mul_add(t133_k, sums_16[0]));
+        let t273_k = t185.mul_add(t117_k, t117.mul_add(t185_k, sums_39[0]));
+        let t274_k = t188.mul_add(t121_k, t121.mul_add(t188_k, sums_39[1]));
+        let t275_k = t191.mul_add(t125_k, t125.mul_add(t191_k, sums_39[2]));
+        let t276_k = t194.mul_add(t129_k, t129.mul_add(t194_k, sums_39[3]));
+        let t277_k = t196.mul_add(t133_k, t133.mul_add(t196_k, sums_40[0]));
         let t278_k = t217_k * R::literal(6.0);
-        let t279_k = t278_k.mul_add(t13, t278.mul_add(t13_k, sums_16[1]));
+        let t279_k = t278.mul_add(t13_k, t13.mul_add(t278_k, sums_40[1]));
         let t280_k = t172_k * R::literal(6.0);
-        let t281_k = t280_k.mul_add(t44, t280.mul_add(t44_k, sums_16[2]));
+        let t281_k = t280.mul_add(t44_k, t44.mul_add(t280_k, sums_40[2]));
         let t282_k = t175_k * R::literal(6.0);
-        let t283_k = t282_k.mul_add(t71, t282.mul_add(t71_k, sums_16[3]));
+        let t283_k = t282.mul_add(t71_k, t71.mul_add(t282_k, sums_40[3]));
         let t284_k = t178_k * R::literal(6.0);
-        let t285_k = t284_k.mul_add(t94, t284.mul_add(t94_k, sums_16[4]));
+        let t285_k = t284.mul_add(t94_k, t94.mul_add(t284_k, sums_41[0]));
         let t286_k = t279_k + t281_k;
         let t287_k = t286_k + t283_k;
         let t288_k = t287_k + t285_k;
@@ -7152,20 +7230,20 @@ pub fn series<R: Real>(
         let t292_k = t291_k - t275_k;
         let t293_k = t292_k - t276_k;
         let t294_k = t293_k - t277_k;
-        let t296_k = t188_k.mul_add(t136, t188.mul_add(t136_k, sums_16[5]));
-        let t297_k = t191_k.mul_add(t140, t191.mul_add(t140_k, sums_16[6]));
-        let t298_k = t194_k.mul_add(t144, t194.mul_add(t144_k, sums_16[7]));
-        let t299_k = t196_k.mul_add(t148, t196.mul_add(t148_k, sums_16[8]));
+        let t296_k = t188.mul_add(t136_k, t136.mul_add(t188_k, sums_41[1]));
+        let t297_k = t191.mul_add(t140_k, t140.mul_add(t191_k, sums_41[2]));
+        let t298_k = t194.mul_add(t144_k, t144.mul_add(t194_k, sums_41[3]));
+        let t299_k = t196.mul_add(t148_k, t148.mul_add(t196_k, sums_42[0]));
         let t300_k = t217_k * R::literal(5.0);
-        let t301_k = t300_k.mul_add(t17, t300.mul_add(t17_k, sums_16[9]));
+        let t301_k = t300.mul_add(t17_k, t17.mul_add(t300_k, sums_42[1]));
         let t302_k = t172_k * R::literal(5.0);
-        let t303_k = t302_k.mul_add(t48, t302.mul_add(t48_k, sums_17[0]));
+        let t303_k = t302.mul_add(t48_k, t48.mul_add(t302_k, sums_42[2]));
         let t304_k = t175_k * R::literal(5.0);
-        let t305_k = t304_k.mul_add(t75, t304.mul_add(t75_k, sums_17[1]));
+        let t305_k = t304.mul_add(t75_k, t75.mul_add(t304_k, sums_42[3]));
         let t306_k = t178_k * R::literal(5.0);
-        let t307_k = t306_k.mul_add(t98, t306.mul_add(t98_k, sums_17[2]));
+        let t307_k = t306.mul_add(t98_k, t98.mul_add(t306_k, sums_43[0]));
         let t308_k = t181_k * R::literal(5.0);
-        let t309_k = t308_k.mul_add(t117, t308.mul_add(t117_k, sums_17[3]));
+        let t309_k = t308.mul_add(t117_k, t117.mul_add(t308_k, sums_43[1]));
         let t310_k = t301_k + t303_k;
         let t311_k = t310_k + t305_k;
         let t312_k = t311_k + t307_k;
@@ -7175,21 +7253,21 @@ pub fn series<R: Real>(
         let t316_k = t315_k - t297_k;
         let t317_k = t316_k - t298_k;
         let t318_k = t317_k - t299_k;
-        let t320_k = t191_k.mul_add(t151, t191.mul_add(t151_k, sums_17[4]));
-        let t321_k = t194_k.mul_add(t155, t194.mul_add(t155_k, sums_17[5]));
-        let t322_k = t196_k.mul_add(t159, t196.mul_add(t159_k, sums_17[6]));
+        let t320_k = t191.mul_add(t151_k, t151.mul_add(t191_k, sums_43[2]));
+        let t321_k = t194.mul_add(t155_k, t155.mul_add(t194_k, sums_43[3]));
+        let t322_k = t196.mul_add(t159_k, t159.mul_add(t196_k, sums_44[0]));
         let t323_k = t217_k * R::literal(4.0);
-        let t324_k = t323_k.mul_add(t21, t323.mul_add(t21_k, sums_17[7]));
+        let t324_k = t323.mul_add(t21_k, t21.mul_add(t323_k, sums_44[1]));
         let t325_k = t172_k * R::literal(4.0);
-        let t326_k = t325_k.mul_add(t52, t325.mul_add(t52_k, sums_17[8]));
+        let t326_k = t325.mul_add(t52_k, t52.mul_add(t325_k, sums_44[2]));
         let t327_k = t175_k * R::literal(4.0);
-        let t328_k = t327_k.mul_add(t79, t327.mul_add(t79_k, sums_17[9]));
+        let t328_k = t327.mul_add(t79_k, t79.mul_add(t327_k, sums_44[3]));
         let t329_k = t178_k * R::literal(4.0);
-        let t330_k = t329_k.mul_add(t102, t329.mul_add(t102_k, sums_18[0]));
+        let t330_k = t329.mul_add(t102_k, t102.mul_add(t329_k, sums_45[0]));
         let t331_k = t181_k * R::literal(4.0);
-        let t332_k = t331_k.mul_add(t121, t331.mul_add(t121_k, sums_18[1]));
+        let t332_k = t331.mul_add(t121_k, t121.mul_add(t331_k, sums_45[1]));
         let t333_k = t184_k * R::literal(4.0);
-        let t334_k = t333_k.mul_add(t136, t333.mul_add(t136_k, sums_18[2]));
+        let t334_k = t333.mul_add(t136_k, t136.mul_add(t333_k, sums_45[2]));
         let t335_k = t324_k + t326_k;
         let t336_k = t335_k + t328_k;
         let t337_k = t336_k + t330_k;
@@ -7199,22 +7277,22 @@ pub fn series<R: Real>(
         let t341_k = t340_k - t320_k;
         let t342_k = t341_k - t321_k;
         let t343_k = t342_k - t322_k;
-        let t345_k = t194_k.mul_add(t162, t194.mul_add(t162_k, sums_18[3]));
-        let t346_k = t196_k.mul_add(t166, t196.mul_add(t166_k, sums_18[4]));
+        let t345_k = t194.mul_add(t162_k, t162.mul_add(t194_k, sums_45[3]));
+        let t346_k = t196.mul_add(t166_k, t166.mul_add(t196_k, sums_46[0]));
         let t347_k = t217_k * R::literal(3.0);
-        let t348_k = t347_k.mul_add(t25, t347.mul_add(t25_k, sums_18[5]));
+        let t348_k = t347.mul_add(t25_k, t25.mul_add(t347_k, sums_46[1]));
         let t349_k = t172_k * R::literal(3.0);
-        let t350_k = t349_k.mul_add(t56, t349.mul_add(t56_k, sums_18[6]));
+        let t350_k = t349.mul_add(t56_k, t56.mul_add(t349_k, sums_46[2]));
         let t351_k = t175_k * R::literal(3.0);
-        let t352_k = t351_k.mul_add(t83, t351.mul_add(t83_k, sums_18[7]));
+        let t352_k = t351.mul_add(t83_k, t83.mul_add(t351_k, sums_46[3]));
         let t353_k = t178_k * R::literal(3.0);
-        let t354_k = t353_k.mul_add(t106, t353.mul_add(t106_k, sums_18[8]));
+        let t354_k = t353.mul_add(t106_k, t106.mul_add(t353_k, sums_47[0]));
         let t355_k = t181_k * R::literal(3.0);
-        let t356_k = t355_k.mul_add(t125, t355.mul_add(t125_k, sums_18[9]));
+        let t356_k = t355.mul_add(t125_k, t125.mul_add(t355_k, sums_47[1]));
         let t357_k = t184_k * R::literal(3.0);
-        let t358_k = t357_k.mul_add(t140, t357.mul_add(t140_k, sums_19[0]));
+        let t358_k = t357.mul_add(t140_k, t140.mul_add(t357_k, sums_47[2]));
         let t359_k = t187_k * R::literal(3.0);
-        let t360_k = t359_k.mul_add(t151, t359.mul_add(t151_k, sums_19[1]));
+        let t360_k = t359.mul_add(t151_k, t151.mul_add(t359_k, sums_47[3]));
         let t361_k = t348_k + t350_k;
         let t362_k = t361_k + t352_k;
         let t363_k = t362_k + t354_k;
@@ -7224,23 +7302,23 @@ pub fn series<R: Real>(
         let t367_k = (-sin_chain_theta_8_k).mul_add(R::literal(29.43), t366_k);
         let t368_k = t367_k - t345_k;
         let t369_k = t368_k - t346_k;
-        let t371_k = t196_k.mul_add(t169, t196.mul_add(t169_k, sums_19[2]));
+        let t371_k = t196.mul_add(t169_k, t169.mul_add(t196_k, sums_48[0]));
         let t372_k = t217_k * R::literal(2.0);
-        let t373_k = t372_k.mul_add(t29, t372.mul_add(t29_k, sums_19[3]));
+        let t373_k = t372.mul_add(t29_k, t29.mul_add(t372_k, sums_48[1]));
         let t374_k = t172_k * R::literal(2.0);
-        let t375_k = t374_k.mul_add(t60, t374.mul_add(t60_k, sums_19[4]));
+        let t375_k = t374.mul_add(t60_k, t60.mul_add(t374_k, sums_48[2]));
         let t376_k = t175_k * R::literal(2.0);
-        let t377_k = t376_k.mul_add(t87, t376.mul_add(t87_k, sums_19[5]));
+        let t377_k = t376.mul_add(t87_k, t87.mul_add(t376_k, sums_48[3]));
         let t378_k = t178_k * R::literal(2.0);
-        let t379_k = t378_k.mul_add(t110, t378.mul_add(t110_k, sums_19[6]));
+        let t379_k = t378.mul_add(t110_k, t110.mul_add(t378_k, sums_49[0]));
         let t380_k = t181_k * R::literal(2.0);
-        let t381_k = t380_k.mul_add(t129, t380.mul_add(t129_k, sums_19[7]));
+        let t381_k = t380.mul_add(t129_k, t129.mul_add(t380_k, sums_49[1]));
         let t382_k = t184_k * R::literal(2.0);
-        let t383_k = t382_k.mul_add(t144, t382.mul_add(t144_k, sums_19[8]));
+        let t383_k = t382.mul_add(t144_k, t144.mul_add(t382_k, sums_49[2]));
         let t384_k = t187_k * R::literal(2.0);
-        let t385_k = t384_k.mul_add(t155, t384.mul_add(t155_k, sums_19[9]));
+        let t385_k = t384.mul_add(t155_k, t155.mul_add(t384_k, sums_49[3]));
         let t386_k = t190_k * R::literal(2.0);
-        let t387_k = t386_k.mul_add(t162, t386.mul_add(t162_k, sums_20[0]));
+        let t387_k = t386.mul_add(t162_k, t162.mul_add(t386_k, sums_50[0]));
         let t388_k = t373_k + t375_k;
         let t389_k = t388_k + t377_k;
         let t390_k = t389_k + t379_k;
@@ -7250,15 +7328,15 @@ pub fn series<R: Real>(
         let t394_k = t393_k + t387_k;
         let t395_k = (-sin_chain_theta_9_k).mul_add(R::literal(19.62), t394_k);
         let t396_k = t395_k - t371_k;
-        let t398_k = t217_k.mul_add(t33, t217.mul_add(t33_k, sums_20[1]));
-        let t399_k = t172_k.mul_add(t64, t172.mul_add(t64_k, sums_20[2]));
-        let t400_k = t175_k.mul_add(t91, t175.mul_add(t91_k, sums_20[3]));
-        let t401_k = t178_k.mul_add(t114, t178.mul_add(t114_k, sums_20[4]));
-        let t402_k = t181_k.mul_add(t133, t181.mul_add(t133_k, sums_20[5]));
-        let t403_k = t184_k.mul_add(t148, t184.mul_add(t148_k, sums_20[6]));
-        let t404_k = t187_k.mul_add(t159, t187.mul_add(t159_k, sums_20[7]));
-        let t405_k = t190_k.mul_add(t166, t190.mul_add(t166_k, sums_20[8]));
-        let t406_k = t193_k.mul_add(t169, t193.mul_add(t169_k, sums_20[9]));
+        let t398_k = t217.mul_add(t33_k, t33.mul_add(t217_k, sums_50[1]));
+        let t399_k = t172.mul_add(t64_k, t64.mul_add(t172_k, sums_50[2]));
+        let t400_k = t175.mul_add(t91_k, t91.mul_add(t175_k, sums_50[3]));
+        let t401_k = t178.mul_add(t114_k, t114.mul_add(t178_k, sums_51[0]));
+        let t402_k = t181.mul_add(t133_k, t133.mul_add(t181_k, sums_51[1]));
+        let t403_k = t184.mul_add(t148_k, t148.mul_add(t184_k, sums_51[2]));
+        let t404_k = t187.mul_add(t159_k, t159.mul_add(t187_k, sums_51[3]));
+        let t405_k = t190.mul_add(t166_k, t166.mul_add(t190_k, sums_52[0]));
+        let t406_k = t193.mul_add(t169_k, t169.mul_add(t193_k, sums_52[1]));
         let t407_k = t398_k + t399_k;
         let t408_k = t407_k + t400_k;
         let t409_k = t408_k + t401_k;
@@ -7268,96 +7346,96 @@ pub fn series<R: Real>(
         let t413_k = t412_k + t405_k;
         let t414_k = t413_k + t406_k;
         let t415_k = (-sin_chain_theta_10_k).mul_add(R::literal(9.81), t414_k);
-        let n486_k = t3_k.mul_add(chain_omega_2_dot, sums_21[0]);
-        let n487_k = t7_k.mul_add(chain_omega_3_dot, sums_21[1]);
-        let n488_k = t11_k.mul_add(chain_omega_4_dot, sums_21[2]);
-        let n489_k = t15_k.mul_add(chain_omega_5_dot, sums_21[3]);
-        let n490_k = t19_k.mul_add(chain_omega_6_dot, sums_21[4]);
-        let n491_k = t23_k.mul_add(chain_omega_7_dot, sums_21[5]);
-        let n492_k = t27_k.mul_add(chain_omega_8_dot, sums_21[6]);
-        let n493_k = t31_k.mul_add(chain_omega_9_dot, sums_21[7]);
-        let n494_k = t34_k.mul_add(chain_omega_10_dot, sums_21[8]);
-        let n495_k = t3_k.mul_add(chain_omega_1_dot, sums_21[9]);
-        let n496_k = t38_k.mul_add(chain_omega_3_dot, sums_22[0]);
-        let n497_k = t42_k.mul_add(chain_omega_4_dot, sums_22[1]);
-        let n498_k = t46_k.mul_add(chain_omega_5_dot, sums_22[2]);
-        let n499_k = t50_k.mul_add(chain_omega_6_dot, sums_22[3]);
-        let n500_k = t54_k.mul_add(chain_omega_7_dot, sums_22[4]);
-        let n501_k = t58_k.mul_add(chain_omega_8_dot, sums_22[5]);
-        let n502_k = t62_k.mul_add(chain_omega_9_dot, sums_22[6]);
-        let n503_k = t65_k.mul_add(chain_omega_10_dot, sums_22[7]);
-        let n504_k = t7_k.mul_add(chain_omega_1_dot, sums_22[8]);
-        let n505_k = t38_k.mul_add(chain_omega_2_dot, sums_22[9]);
-        let n506_k = t69_k.mul_add(chain_omega_4_dot, sums_23[0]);
-        let n507_k = t73_k.mul_add(chain_omega_5_dot, sums_23[1]);
-        let n508_k = t77_k.mul_add(chain_omega_6_dot, sums_23[2]);
-        let n509_k = t81_k.mul_add(chain_omega_7_dot, sums_23[3]);
-        let n510_k = t85_k.mul_add(chain_omega_8_dot, sums_23[4]);
-        let n511_k = t89_k.mul_add(chain_omega_9_dot, sums_23[5]);
-        let n512_k = t92_k.mul_add(chain_omega_10_dot, sums_23[6]);
-        let n513_k = t11_k.mul_add(chain_omega_1_dot, sums_23[7]);
-        let n514_k = t42_k.mul_add(chain_omega_2_dot, sums_23[8]);
-        let n515_k = t69_k.mul_add(chain_omega_3_dot, sums_23[9]);
-        let n516_k = t96_k.mul_add(chain_omega_5_dot, sums_24[0]);
-        let n517_k = t100_k.mul_add(chain_omega_6_dot, sums_24[1]);
-        let n518_k = t104_k.mul_add(chain_omega_7_dot, sums_24[2]);
-        let n519_k = t108_k.mul_add(chain_omega_8_dot, sums_24[3]);
-        let n520_k = t112_k.mul_add(chain_omega_9_dot, sums_24[4]);
-        let n521_k = t115_k.mul_add(chain_omega_10_dot, sums_24[5]);
-        let n522_k = t15_k.mul_add(chain_omega_1_dot, sums_24[6]);
-        let n523_k = t46_k.mul_add(chain_omega_2_dot, sums_24[7]);
-        let n524_k = t73_k.mul_add(chain_omega_3_dot, sums_24[8]);
-        let n525_k = t96_k.mul_add(chain_omega_4_dot, sums_24[9]);
-        let n526_k = t119_k.mul_add(chain_omega_6_dot, sums_25[0]);
-        let n527_k = t123_k.mul_add(chain_omega_7_dot, sums_25[1]);
-        let n528_k = t127_k.mul_add(chain_omega_8_dot, sums_25[2]);
-        let n529_k = t131_k.mul_add(chain_omega_9_dot, sums_25[3]);
-        let n530_k = t134_k.mul_add(chain_omega_10_dot, sums_25[4]);
-        let n531_k = t19_k.mul_add(chain_omega_1_dot, sums_25[5]);
-        let n532_k = t50_k.mul_add(chain_omega_2_dot, sums_25[6]);
-        let n533_k = t77_k.mul_add(chain_omega_3_dot, sums_25[7]);
-        let n534_k = t100_k.mul_add(chain_omega_4_dot, sums_25[8]);
-        let n535_k = t119_k.mul_add(chain_omega_5_dot, sums_25[9]);
-        let n536_k = t138_k.mul_add(chain_omega_7_dot, sums_26[0]);
-        let n537_k = t142_k.mul_add(chain_omega_8_dot, sums_26[1]);
-        let n538_k = t146_k.mul_add(chain_omega_9_dot, sums_26[2]);
-        let n539_k = t149_k.mul_add(chain_omega_10_dot, sums_26[3]);
-        let n540_k = t23_k.mul_add(chain_omega_1_dot, sums_26[4]);
-        let n541_k = t54_k.mul_add(chain_omega_2_dot, sums_26[5]);
-        let n542_k = t81_k.mul_add(chain_omega_3_dot, sums_26[6]);
-        let n543_k = t104_k.mul_add(chain_omega_4_dot, sums_26[7]);
-        let n544_k = t123_k.mul_add(chain_omega_5_dot, sums_26[8]);
-        let n545_k = t138_k.mul_add(chain_omega_6_dot, sums_26[9]);
-        let n546_k = t153_k.mul_add(chain_omega_8_dot, sums_27[0]);
-        let n547_k = t157_k.mul_add(chain_omega_9_dot, sums_27[1]);
-        let n548_k = t160_k.mul_add(chain_omega_10_dot, sums_27[2]);
-        let n549_k = t27_k.mul_add(chain_omega_1_dot, sums_27[3]);
-        let n550_k = t58_k.mul_add(chain_omega_2_dot, sums_27[4]);
-        let n551_k = t85_k.mul_add(chain_omega_3_dot, sums_27[5]);
-        let n552_k = t108_k.mul_add(chain_omega_4_dot, sums_27[6]);
-        let n553_k = t127_k.mul_add(chain_omega_5_dot, sums_27[7]);
-        let n554_k = t142_k.mul_add(chain_omega_6_dot, sums_27[8]);
-        let n555_k = t153_k.mul_add(chain_omega_7_dot, sums_27[9]);
-        let n556_k = t164_k.mul_add(chain_omega_9_dot, sums_28[0]);
-        let n557_k = t167_k.mul_add(chain_omega_10_dot, sums_28[1]);
-        let n558_k = t31_k.mul_add(chain_omega_1_dot, sums_28[2]);
-        let n559_k = t62_k.mul_add(chain_omega_2_dot, sums_28[3]);
-        let n560_k = t89_k.mul_add(chain_omega_3_dot, sums_28[4]);
-        let n561_k = t112_k.mul_add(chain_omega_4_dot, sums_28[5]);
-        let n562_k = t131_k.mul_add(chain_omega_5_dot, sums_28[6]);
-        let n563_k = t146_k.mul_add(chain_omega_6_dot, sums_28[7]);
-        let n564_k = t157_k.mul_add(chain_omega_7_dot, sums_28[8]);
-        let n565_k = t164_k.mul_add(chain_omega_8_dot, sums_28[9]);
-        let n566_k = t170_k.mul_add(chain_omega_10_dot, sums_29[0]);
-        let n567_k = t34_k.mul_add(chain_omega_1_dot, sums_29[1]);
-        let n568_k = t65_k.mul_add(chain_omega_2_dot, sums_29[2]);
-        let n569_k = t92_k.mul_add(chain_omega_3_dot, sums_29[3]);
-        let n570_k = t115_k.mul_add(chain_omega_4_dot, sums_29[4]);
-        let n571_k = t134_k.mul_add(chain_omega_5_dot, sums_29[5]);
-        let n572_k = t149_k.mul_add(chain_omega_6_dot, sums_29[6]);
-        let n573_k = t160_k.mul_add(chain_omega_7_dot, sums_29[7]);
-        let n574_k = t167_k.mul_add(chain_omega_8_dot, sums_29[8]);
-        let n575_k = t170_k.mul_add(chain_omega_9_dot, sums_29[9]);
+        let n486_k = t3_k.mul_add(chain_omega_2_dot, sums_52[2]);
+        let n487_k = t7_k.mul_add(chain_omega_3_dot, sums_52[3]);
+        let n488_k = t11_k.mul_add(chain_omega_4_dot, sums_53[0]);
+        let n489_k = t15_k.mul_add(chain_omega_5_dot, sums_53[1]);
+        let n490_k = t19_k.mul_add(chain_omega_6_dot, sums_53[2]);
+        let n491_k = t23_k.mul_add(chain_omega_7_dot, sums_53[3]);
+        let n492_k = t27_k.mul_add(chain_omega_8_dot, sums_54[0]);
+        let n493_k = t31_k.mul_add(chain_omega_9_dot, sums_54[1]);
+        let n494_k = t34_k.mul_add(chain_omega_10_dot, sums_54[2]);
+        let n495_k = t3_k.mul_add(chain_omega_1_dot, sums_54[3]);
+        let n496_k = t38_k.mul_add(chain_omega_3_dot, sums_55[0]);
+        let n497_k = t42_k.mul_add(chain_omega_4_dot, sums_55[1]);
+        let n498_k = t46_k.mul_add(chain_omega_5_dot, sums_55[2]);
+        let n499_k = t50_k.mul_add(chain_omega_6_dot, sums_55[3]);
+        let n500_k = t54_k.mul_add(chain_omega_7_dot, sums_56[0]);
+        let n501_k = t58_k.mul_add(chain_omega_8_dot, sums_56[1]);
+        let n502_k = t62_k.mul_add(chain_omega_9_dot, sums_56[2]);
+        let n503_k = t65_k.mul_add(chain_omega_10_dot, sums_56[3]);
+        let n504_k = t7_k.mul_add(chain_omega_1_dot, sums_57[0]);
+        let n505_k = t38_k.mul_add(chain_omega_2_dot, sums_57[1]);
+        let n506_k = t69_k.mul_add(chain_omega_4_dot, sums_57[2]);
+        let n507_k = t73_k.mul_add(chain_omega_5_dot, sums_57[3]);
+        let n508_k = t77_k.mul_add(chain_omega_6_dot, sums_58[0]);
+        let n509_k = t81_k.mul_add(chain_omega_7_dot, sums_58[1]);
+        let n510_k = t85_k.mul_add(chain_omega_8_dot, sums_58[2]);
+        let n511_k = t89_k.mul_add(chain_omega_9_dot, sums_58[3]);
+        let n512_k = t92_k.mul_add(chain_omega_10_dot, sums_59[0]);
+        let n513_k = t11_k.mul_add(chain_omega_1_dot, sums_59[1]);
+        let n514_k = t42_k.mul_add(chain_omega_2_dot, sums_59[2]);
+        let n515_k = t69_k.mul_add(chain_omega_3_dot, sums_59[3]);
+        let n516_k = t96_k.mul_add(chain_omega_5_dot, sums_60[0]);
+        let n517_k = t100_k.mul_add(chain_omega_6_dot, sums_60[1]);
+        let n518_k = t104_k.mul_add(chain_omega_7_dot, sums_60[2]);
+        let n519_k = t108_k.mul_add(chain_omega_8_dot, sums_60[3]);
+        let n520_k = t112_k.mul_add(chain_omega_9_dot, sums_61[0]);
+        let n521_k = t115_k.mul_add(chain_omega_10_dot, sums_61[1]);
+        let n522_k = t15_k.mul_add(chain_omega_1_dot, sums_61[2]);
+        let n523_k = t46_k.mul_add(chain_omega_2_dot, sums_61[3]);
+        let n524_k = t73_k.mul_add(chain_omega_3_dot, sums_62[0]);
+        let n525_k = t96_k.mul_add(chain_omega_4_dot, sums_62[1]);
+        let n526_k = t119_k.mul_add(chain_omega_6_dot, sums_62[2]);
+        let n527_k = t123_k.mul_add(chain_omega_7_dot, sums_62[3]);
+        let n528_k = t127_k.mul_add(chain_omega_8_dot, sums_63[0]);
+        let n529_k = t131_k.mul_add(chain_omega_9_dot, sums_63[1]);
+        let n530_k = t134_k.mul_add(chain_omega_10_dot, sums_63[2]);
+        let n531_k = t19_k.mul_add(chain_omega_1_dot, sums_63[3]);
+        let n532_k = t50_k.mul_add(chain_omega_2_dot, sums_64[0]);
+        let n533_k = t77_k.mul_add(chain_omega_3_dot, sums_64[1]);
+        let n534_k = t100_k.mul_add(chain_omega_4_dot, sums_64[2]);
+        let n535_k = t119_k.mul_add(chain_omega_5_dot, sums_64[3]);
+        let n536_k = t138_k.mul_add(chain_omega_7_dot, sums_65[0]);
+        let n537_k = t142_k.mul_add(chain_omega_8_dot, sums_65[1]);
+        let n538_k = t146_k.mul_add(chain_omega_9_dot, sums_65[2]);
+        let n539_k = t149_k.mul_add(chain_omega_10_dot, sums_65[3]);
+        let n540_k = t23_k.mul_add(chain_omega_1_dot, sums_66[0]);
+        let n541_k = t54_k.mul_add(chain_omega_2_dot, sums_66[1]);
+        let n542_k = t81_k.mul_add(chain_omega_3_dot, sums_66[2]);
+        let n543_k = t104_k.mul_add(chain_omega_4_dot, sums_66[3]);
+        let n544_k = t123_k.mul_add(chain_omega_5_dot, sums_67[0]);
+        let n545_k = t138_k.mul_add(chain_omega_6_dot, sums_67[1]);
+        let n546_k = t153_k.mul_add(chain_omega_8_dot, sums_67[2]);
+        let n547_k = t157_k.mul_add(chain_omega_9_dot, sums_67[3]);
+        let n548_k = t160_k.mul_add(chain_omega_10_dot, sums_68[0]);
+        let n549_k = t27_k.mul_add(chain_omega_1_dot, sums_68[1]);
+        let n550_k = t58_k.mul_add(chain_omega_2_dot, sums_68[2]);
+        let n551_k = t85_k.mul_add(chain_omega_3_dot, sums_68[3]);
+        let n552_k = t108_k.mul_add(chain_omega_4_dot, sums_69[0]);
+        let n553_k = t127_k.mul_add(chain_omega_5_dot, sums_69[1]);
+        let n554_k = t142_k.mul_add(chain_omega_6_dot, sums_69[2]);
+        let n555_k = t153_k.mul_add(chain_omega_7_dot, sums_69[3]);
+        let n556_k = t164_k.mul_add(chain_omega_9_dot, sums_70[0]);
+        let n557_k = t167_k.mul_add(chain_omega_10_dot, sums_70[1]);
+        let n558_k = t31_k.mul_add(chain_omega_1_dot, sums_70[2]);
+        let n559_k = t62_k.mul_add(chain_omega_2_dot, sums_70[3]);
+        let n560_k = t89_k.mul_add(chain_omega_3_dot, sums_71[0]);
+        let n561_k = t112_k.mul_add(chain_omega_4_dot, sums_71[1]);
+        let n562_k = t131_k.mul_add(chain_omega_5_dot, sums_71[2]);
+        let n563_k = t146_k.mul_add(chain_omega_6_dot, sums_71[3]);
+        let n564_k = t157_k.mul_add(chain_omega_7_dot, sums_72[0]);
+        let n565_k = t164_k.mul_add(chain_omega_8_dot, sums_72[1]);
+        let n566_k = t170_k.mul_add(chain_omega_10_dot, sums_72[2]);
+        let n567_k = t34_k.mul_add(chain_omega_1_dot, sums_72[3]);
+        let n568_k = t65_k.mul_add(chain_omega_2_dot, sums_73[0]);
+        let n569_k = t92_k.mul_add(chain_omega_3_dot, sums_73[1]);
+        let n570_k = t115_k.mul_add(chain_omega_4_dot, sums_73[2]);
+        let n571_k = t134_k.mul_add(chain_omega_5_dot, sums_73[3]);
+        let n572_k = t149_k.mul_add(chain_omega_6_dot, sums_74[0]);
+        let n573_k = t160_k.mul_add(chain_omega_7_dot, sums_74[1]);
+        let n574_k = t167_k.mul_add(chain_omega_8_dot, sums_74[2]);
+        let n575_k = t170_k.mul_add(chain_omega_9_dot, sums_74[3]);
         let n576_k = n486_k + n487_k;
         let n577_k = n488_k + n489_k;
         let n578_k = n576_k + n577_k;
@@ -7467,229 +7545,64 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [
-                    k * t0_k,
-                    k * t0_k,
-                    k * t4_k,
-                    k * t4_k,
-                    k * t8_k,
-                    k * t8_k,
-                    k * t12_k,
-                    k * t12_k,
-                    k * t16_k,
-                    k * t16_k,
-                ],
-                [t2_k, t1_k, t6_k, t5_k, t10_k, t9_k, t14_k, t13_k, t18_k, t17_k],
+                [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
+                [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
             );
         lanes_1
             .set(
                 order,
-                [
-                    k * t20_k,
-                    k * t20_k,
-                    k * t24_k,
-                    k * t24_k,
-                    k * t28_k,
-                    k * t28_k,
-                    k * t32_k,
-                    k * t32_k,
-                    k * t35_k,
-                    k * t35_k,
-                ],
-                [t22_k, t21_k, t26_k, t25_k, t30_k, t29_k, t34_k, t33_k, t37_k, t36_k],
+                [chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k],
+                [chain_omega_6_k, chain_omega_7_k, chain_omega_8_k, chain_omega_9_k],
             );
         lanes_2
             .set(
                 order,
                 [
-                    k * t39_k,
-                    k * t39_k,
-                    k * t43_k,
-                    k * t43_k,
-                    k * t47_k,
-                    k * t47_k,
-                    k * t51_k,
-                    k * t51_k,
-                    k * t55_k,
-                    k * t55_k,
+                    chain_omega_10_k,
+                    chain_omega_1_k,
+                    k * chain_theta_1_k,
+                    k * chain_theta_1_k,
                 ],
-                [t41_k, t40_k, t45_k, t44_k, t49_k, t48_k, t53_k, t52_k, t57_k, t56_k],
+                [
+                    chain_omega_10_k,
+                    chain_omega_1_k,
+                    cos_chain_theta_1_k,
+                    sin_chain_theta_1_k,
+                ],
             );
         lanes_3
             .set(
                 order,
                 [
-                    k * t59_k,
-                    k * t59_k,
-                    k * t63_k,
-                    k * t63_k,
-                    k * t66_k,
-                    k * t66_k,
-                    k * t70_k,
-                    k * t70_k,
-                    k * t74_k,
-                    k * t74_k,
+                    k * chain_theta_2_k,
+                    k * chain_theta_2_k,
+                    k * chain_theta_3_k,
+                    k * chain_theta_3_k,
                 ],
-                [t61_k, t60_k, t65_k, t64_k, t68_k, t67_k, t72_k, t71_k, t76_k, t75_k],
+                [
+                    cos_chain_theta_2_k,
+                    sin_chain_theta_2_k,
+                    cos_chain_theta_3_k,
+                    sin_chain_theta_3_k,
+                ],
             );
         lanes_4
             .set(
                 order,
                 [
-                    k * t78_k,
-                    k * t78_k,
-                    k * t82_k,
-                    k * t82_k,
-                    k * t86_k,
-                    k * t86_k,
-                    k * t90_k,
-                    k * t90_k,
-                    k * t93_k,
-                    k * t93_k,
-                ],
-                [t80_k, t79_k, t84_k, t83_k, t88_k, t87_k, t92_k, t91_k, t95_k, t94_k],
-            );
-        lanes_5
-            .set(
-                order,
-                [
-                    k * t97_k,
-                    k * t97_k,
-                    k * t101_k,
-                    k * t101_k,
-                    k * t105_k,
-                    k * t105_k,
-                    k * t109_k,
-                    k * t109_k,
-                    k * t113_k,
-                    k * t113_k,
-                ],
-                [
-                    t99_k,
-                    t98_k,
-                    t103_k,
-                    t102_k,
-                    t107_k,
-                    t106_k,
-                    t111_k,
-                    t110_k,
-                    t115_k,
-                    t114_k,
-                ],
-            );
-        lanes_6
-            .set(
-                order,
-                [
-                    k * t116_k,
-                    k * t116_k,
-                    k * t120_k,
-                    k * t120_k,
-                    k * t124_k,
-                    k * t124_k,
-                    k * t128_k,
-                    k * t128_k,
-                    k * t132_k,
-                    k * t132_k,
-                ],
-                [
-                    t118_k,
-                    t117_k,
-                    t122_k,
-                    t121_k,
-                    t126_k,
-                    t125_k,
-                    t130_k,
-                    t129_k,
-                    t134_k,
-                    t133_k,
-                ],
-            );
-        lanes_7
-            .set(
-                order,
-                [
-                    k * t135_k,
-                    k * t135_k,
-                    k * t139_k,
-                    k * t139_k,
-                    k * t143_k,
-                    k * t143_k,
-                    k * t147_k,
-                    k * t147_k,
-                    k * t150_k,
-                    k * t150_k,
-                ],
-                [
-                    t137_k,
-                    t136_k,
-                    t141_k,
-                    t140_k,
-                    t145_k,
-                    t144_k,
-                    t149_k,
-                    t148_k,
-                    t152_k,
-                    t151_k,
-                ],
-            );
-        lanes_8
-            .set(
-                order,
-                [
-                    k * t154_k,
-                    k * t154_k,
-                    k * t158_k,
-                    k * t158_k,
-                    k * t161_k,
-                    k * t161_k,
-                    k * t165_k,
-                    k * t165_k,
-                    k * t168_k,
-                    k * t168_k,
-                ],
-                [
-                    t156_k,
-                    t155_k,
-                    t160_k,
-                    t159_k,
-                    t163_k,
-                    t162_k,
-                    t167_k,
-                    t166_k,
-                    t170_k,
-                    t169_k,
-                ],
-            );
-        lanes_9
-            .set(
-                order,
-                [
-                    k * chain_theta_1_k,
-                    k * chain_theta_1_k,
-                    k * chain_theta_2_k,
-                    k * chain_theta_2_k,
-                    k * chain_theta_3_k,
-                    k * chain_theta_3_k,
                     k * chain_theta_4_k,
                     k * chain_theta_4_k,
                     k * chain_theta_5_k,
                     k * chain_theta_5_k,
                 ],
                 [
-                    cos_chain_theta_1_k,
-                    sin_chain_theta_1_k,
-                    cos_chain_theta_2_k,
-                    sin_chain_theta_2_k,
-                    cos_chain_theta_3_k,
-                    sin_chain_theta_3_k,
                     cos_chain_theta_4_k,
                     sin_chain_theta_4_k,
                     cos_chain_theta_5_k,
                     sin_chain_theta_5_k,
                 ],
             );
-        lanes_10
+        lanes_5
             .set(
                 order,
                 [
@@ -7697,508 +7610,485 @@ pub fn series<R: Real>(
                     k * chain_theta_6_k,
                     k * chain_theta_7_k,
                     k * chain_theta_7_k,
-                    k * chain_theta_8_k,
-                    k * chain_theta_8_k,
-                    k * chain_theta_9_k,
-                    k * chain_theta_9_k,
-                    k * chain_theta_10_k,
-                    k * chain_theta_10_k,
                 ],
                 [
                     cos_chain_theta_6_k,
                     sin_chain_theta_6_k,
                     cos_chain_theta_7_k,
                     sin_chain_theta_7_k,
+                ],
+            );
+        lanes_6
+            .set(
+                order,
+                [
+                    k * chain_theta_8_k,
+                    k * chain_theta_8_k,
+                    k * chain_theta_9_k,
+                    k * chain_theta_9_k,
+                ],
+                [
                     cos_chain_theta_8_k,
                     sin_chain_theta_8_k,
                     cos_chain_theta_9_k,
                     sin_chain_theta_9_k,
-                    cos_chain_theta_10_k,
-                    sin_chain_theta_10_k,
                 ],
+            );
+        lanes_7
+            .set(
+                order,
+                [k * chain_theta_10_k, k * chain_theta_10_k, k * t0_k, k * t0_k],
+                [cos_chain_theta_10_k, sin_chain_theta_10_k, t2_k, t1_k],
+            );
+        lanes_8
+            .set(
+                order,
+                [k * t4_k, k * t4_k, k * t8_k, k * t8_k],
+                [t6_k, t5_k, t10_k, t9_k],
+            );
+        lanes_9
+            .set(
+                order,
+                [k * t12_k, k * t12_k, k * t16_k, k * t16_k],
+                [t14_k, t13_k, t18_k, t17_k],
+            );
+        lanes_10
+            .set(
+                order,
+                [k * t20_k, k * t20_k, k * t24_k, k * t24_k],
+                [t22_k, t21_k, t26_k, t25_k],
             );
         lanes_11
             .set(
                 order,
-                [
-                    chain_omega_2_k,
-                    t1_k,
-                    chain_omega_3_k,
-                    t5_k,
-                    chain_omega_4_k,
-                    t9_k,
-                    chain_omega_5_k,
-                    t13_k,
-                    chain_omega_6_k,
-                    t17_k,
-                ],
-                [
-                    chain_omega_2_k,
-                    t173_k,
-                    chain_omega_3_k,
-                    t176_k,
-                    chain_omega_4_k,
-                    t179_k,
-                    chain_omega_5_k,
-                    t182_k,
-                    chain_omega_6_k,
-                    t185_k,
-                ],
+                [k * t28_k, k * t28_k, k * t32_k, k * t32_k],
+                [t30_k, t29_k, t34_k, t33_k],
             );
         lanes_12
             .set(
                 order,
-                [
-                    chain_omega_7_k,
-                    t21_k,
-                    chain_omega_8_k,
-                    t25_k,
-                    chain_omega_9_k,
-                    t29_k,
-                    chain_omega_10_k,
-                    t33_k,
-                    t36_k,
-                    t40_k,
-                ],
-                [
-                    chain_omega_7_k,
-                    t188_k,
-                    chain_omega_8_k,
-                    t191_k,
-                    chain_omega_9_k,
-                    t194_k,
-                    chain_omega_10_k,
-                    t196_k,
-                    t176_k,
-                    t179_k,
-                ],
+                [k * t35_k, k * t35_k, k * t39_k, k * t39_k],
+                [t37_k, t36_k, t41_k, t40_k],
             );
         lanes_13
             .set(
                 order,
-                [
-                    t44_k,
-                    t48_k,
-                    t52_k,
-                    t56_k,
-                    t60_k,
-                    t64_k,
-                    chain_omega_1_k,
-                    t1_k,
-                    t67_k,
-                    t71_k,
-                ],
-                [
-                    t182_k,
-                    t185_k,
-                    t188_k,
-                    t191_k,
-                    t194_k,
-                    t196_k,
-                    chain_omega_1_k,
-                    t218_k,
-                    t179_k,
-                    t182_k,
-                ],
+                [k * t43_k, k * t43_k, k * t47_k, k * t47_k],
+                [t45_k, t44_k, t49_k, t48_k],
             );
         lanes_14
             .set(
                 order,
-                [t75_k, t79_k, t83_k, t87_k, t91_k, t5_k, t36_k, t94_k, t98_k, t102_k],
-                [
-                    t185_k,
-                    t188_k,
-                    t191_k,
-                    t194_k,
-                    t196_k,
-                    t237_k,
-                    t239_k,
-                    t182_k,
-                    t185_k,
-                    t188_k,
-                ],
+                [k * t51_k, k * t51_k, k * t55_k, k * t55_k],
+                [t53_k, t52_k, t57_k, t56_k],
             );
         lanes_15
             .set(
                 order,
-                [
-                    t106_k,
-                    t110_k,
-                    t114_k,
-                    t9_k,
-                    t40_k,
-                    t67_k,
-                    t117_k,
-                    t121_k,
-                    t125_k,
-                    t129_k,
-                ],
-                [
-                    t191_k,
-                    t194_k,
-                    t196_k,
-                    t257_k,
-                    t259_k,
-                    t261_k,
-                    t185_k,
-                    t188_k,
-                    t191_k,
-                    t194_k,
-                ],
+                [k * t59_k, k * t59_k, k * t63_k, k * t63_k],
+                [t61_k, t60_k, t65_k, t64_k],
             );
         lanes_16
             .set(
                 order,
-                [
-                    t133_k,
-                    t13_k,
-                    t44_k,
-                    t71_k,
-                    t94_k,
-                    t136_k,
-                    t140_k,
-                    t144_k,
-                    t148_k,
-                    t17_k,
-                ],
-                [
-                    t196_k,
-                    t278_k,
-                    t280_k,
-                    t282_k,
-                    t284_k,
-                    t188_k,
-                    t191_k,
-                    t194_k,
-                    t196_k,
-                    t300_k,
-                ],
+                [k * t66_k, k * t66_k, k * t70_k, k * t70_k],
+                [t68_k, t67_k, t72_k, t71_k],
             );
         lanes_17
             .set(
                 order,
-                [
-                    t48_k,
-                    t75_k,
-                    t98_k,
-                    t117_k,
-                    t151_k,
-                    t155_k,
-                    t159_k,
-                    t21_k,
-                    t52_k,
-                    t79_k,
-                ],
-                [
-                    t302_k,
-                    t304_k,
-                    t306_k,
-                    t308_k,
-                    t191_k,
-                    t194_k,
-                    t196_k,
-                    t323_k,
-                    t325_k,
-                    t327_k,
-                ],
+                [k * t74_k, k * t74_k, k * t78_k, k * t78_k],
+                [t76_k, t75_k, t80_k, t79_k],
             );
         lanes_18
             .set(
                 order,
-                [
-                    t102_k,
-                    t121_k,
-                    t136_k,
-                    t162_k,
-                    t166_k,
-                    t25_k,
-                    t56_k,
-                    t83_k,
-                    t106_k,
-                    t125_k,
-                ],
-                [
-                    t329_k,
-                    t331_k,
-                    t333_k,
-                    t194_k,
-                    t196_k,
-                    t347_k,
-                    t349_k,
-                    t351_k,
-                    t353_k,
-                    t355_k,
-                ],
+                [k * t82_k, k * t82_k, k * t86_k, k * t86_k],
+                [t84_k, t83_k, t88_k, t87_k],
             );
         lanes_19
             .set(
                 order,
-                [
-                    t140_k,
-                    t151_k,
-                    t169_k,
-                    t29_k,
-                    t60_k,
-                    t87_k,
-                    t110_k,
-                    t129_k,
-                    t144_k,
-                    t155_k,
-                ],
-                [
-                    t357_k,
-                    t359_k,
-                    t196_k,
-                    t372_k,
-                    t374_k,
-                    t376_k,
-                    t378_k,
-                    t380_k,
-                    t382_k,
-                    t384_k,
-                ],
+                [k * t90_k, k * t90_k, k * t93_k, k * t93_k],
+                [t92_k, t91_k, t95_k, t94_k],
             );
         lanes_20
             .set(
                 order,
-                [
-                    t162_k,
-                    t33_k,
-                    t64_k,
-                    t91_k,
-                    t114_k,
-                    t133_k,
-                    t148_k,
-                    t159_k,
-                    t166_k,
-                    t169_k,
-                ],
-                [
-                    t386_k,
-                    t217_k,
-                    t172_k,
-                    t175_k,
-                    t178_k,
-                    t181_k,
-                    t184_k,
-                    t187_k,
-                    t190_k,
-                    t193_k,
-                ],
+                [k * t97_k, k * t97_k, k * t101_k, k * t101_k],
+                [t99_k, t98_k, t103_k, t102_k],
             );
         lanes_21
             .set(
                 order,
-                [t3_k, t7_k, t11_k, t15_k, t19_k, t23_k, t27_k, t31_k, t34_k, t3_k],
-                [
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                ],
+                [k * t105_k, k * t105_k, k * t109_k, k * t109_k],
+                [t107_k, t106_k, t111_k, t110_k],
             );
         lanes_22
             .set(
                 order,
-                [t38_k, t42_k, t46_k, t50_k, t54_k, t58_k, t62_k, t65_k, t7_k, t38_k],
-                [
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                ],
+                [k * t113_k, k * t113_k, k * t116_k, k * t116_k],
+                [t115_k, t114_k, t118_k, t117_k],
             );
         lanes_23
             .set(
                 order,
-                [t69_k, t73_k, t77_k, t81_k, t85_k, t89_k, t92_k, t11_k, t42_k, t69_k],
-                [
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                ],
+                [k * t120_k, k * t120_k, k * t124_k, k * t124_k],
+                [t122_k, t121_k, t126_k, t125_k],
             );
         lanes_24
             .set(
                 order,
-                [
-                    t96_k,
-                    t100_k,
-                    t104_k,
-                    t108_k,
-                    t112_k,
-                    t115_k,
-                    t15_k,
-                    t46_k,
-                    t73_k,
-                    t96_k,
-                ],
-                [
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                ],
+                [k * t128_k, k * t128_k, k * t132_k, k * t132_k],
+                [t130_k, t129_k, t134_k, t133_k],
             );
         lanes_25
             .set(
                 order,
-                [
-                    t119_k,
-                    t123_k,
-                    t127_k,
-                    t131_k,
-                    t134_k,
-                    t19_k,
-                    t50_k,
-                    t77_k,
-                    t100_k,
-                    t119_k,
-                ],
-                [
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                ],
+                [k * t135_k, k * t135_k, k * t139_k, k * t139_k],
+                [t137_k, t136_k, t141_k, t140_k],
             );
         lanes_26
             .set(
                 order,
-                [
-                    t138_k,
-                    t142_k,
-                    t146_k,
-                    t149_k,
-                    t23_k,
-                    t54_k,
-                    t81_k,
-                    t104_k,
-                    t123_k,
-                    t138_k,
-                ],
-                [
-                    chain_omega_7_dot_k,
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                ],
+                [k * t143_k, k * t143_k, k * t147_k, k * t147_k],
+                [t145_k, t144_k, t149_k, t148_k],
             );
         lanes_27
             .set(
                 order,
-                [
-                    t153_k,
-                    t157_k,
-                    t160_k,
-                    t27_k,
-                    t58_k,
-                    t85_k,
-                    t108_k,
-                    t127_k,
-                    t142_k,
-                    t153_k,
-                ],
-                [
-                    chain_omega_8_dot_k,
-                    chain_omega_9_dot_k,
-                    chain_omega_10_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_6_dot_k,
-                    chain_omega_7_dot_k,
-                ],
+                [k * t150_k, k * t150_k, k * t154_k, k * t154_k],
+                [t152_k, t151_k, t156_k, t155_k],
             );
         lanes_28
             .set(
                 order,
+                [k * t158_k, k * t158_k, k * t161_k, k * t161_k],
+                [t160_k, t159_k, t163_k, t162_k],
+            );
+        lanes_29
+            .set(
+                order,
+                [k * t165_k, k * t165_k, k * t168_k, k * t168_k],
+                [t167_k, t166_k, t170_k, t169_k],
+            );
+        lanes_30.set(order, [t1_k, t5_k, t9_k, t13_k], [t173_k, t176_k, t179_k, t182_k]);
+        lanes_31
+            .set(order, [t17_k, t21_k, t25_k, t29_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_32
+            .set(order, [t33_k, t36_k, t40_k, t44_k], [t196_k, t176_k, t179_k, t182_k]);
+        lanes_33
+            .set(order, [t48_k, t52_k, t56_k, t60_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_34
+            .set(order, [t64_k, t1_k, t67_k, t71_k], [t196_k, t218_k, t179_k, t182_k]);
+        lanes_35
+            .set(order, [t75_k, t79_k, t83_k, t87_k], [t185_k, t188_k, t191_k, t194_k]);
+        lanes_36
+            .set(order, [t91_k, t5_k, t36_k, t94_k], [t196_k, t237_k, t239_k, t182_k]);
+        lanes_37
+            .set(
+                order,
+                [t98_k, t102_k, t106_k, t110_k],
+                [t185_k, t188_k, t191_k, t194_k],
+            );
+        lanes_38
+            .set(order, [t114_k, t9_k, t40_k, t67_k], [t196_k, t257_k, t259_k, t261_k]);
+        lanes_39
+            .set(
+                order,
+                [t117_k, t121_k, t125_k, t129_k],
+                [t185_k, t188_k, t191_k, t194_k],
+            );
+        lanes_40
+            .set(order, [t133_k, t13_k, t44_k, t71_k], [t196_k, t278_k, t280_k, t282_k]);
+        lanes_41
+            .set(
+                order,
+                [t94_k, t136_k, t140_k, t144_k],
+                [t284_k, t188_k, t191_k, t194_k],
+            );
+        lanes_42
+            .set(order, [t148_k, t17_k, t48_k, t75_k], [t196_k, t300_k, t302_k, t304_k]);
+        lanes_43
+            .set(
+                order,
+                [t98_k, t117_k, t151_k, t155_k],
+                [t306_k, t308_k, t191_k, t194_k],
+            );
+        lanes_44
+            .set(order, [t159_k, t21_k, t52_k, t79_k], [t196_k, t323_k, t325_k, t327_k]);
+        lanes_45
+            .set(
+                order,
+                [t102_k, t121_k, t136_k, t162_k],
+                [t329_k, t331_k, t333_k, t194_k],
+            );
+        lanes_46
+            .set(order, [t166_k, t25_k, t56_k, t83_k], [t196_k, t347_k, t349_k, t351_k]);
+        lanes_47
+            .set(
+                order,
+                [t106_k, t125_k, t140_k, t151_k],
+                [t353_k, t355_k, t357_k, t359_k],
+            );
+        lanes_48
+            .set(order, [t169_k, t29_k, t60_k, t87_k], [t196_k, t372_k, t374_k, t376_k]);
+        lanes_49
+            .set(
+                order,
+                [t110_k, t129_k, t144_k, t155_k],
+                [t378_k, t380_k, t382_k, t384_k],
+            );
+        lanes_50
+            .set(order, [t162_k, t33_k, t64_k, t91_k], [t386_k, t217_k, t172_k, t175_k]);
+        lanes_51
+            .set(
+                order,
+                [t114_k, t133_k, t148_k, t159_k],
+                [t178_k, t181_k, t184_k, t187_k],
+            );
+        lanes_52
+            .set(
+                order,
+                [t166_k, t169_k, t3_k, t7_k],
+                [t190_k, t193_k, chain_omega_2_dot_k, chain_omega_3_dot_k],
+            );
+        lanes_53
+            .set(
+                order,
+                [t11_k, t15_k, t19_k, t23_k],
                 [
-                    t164_k,
-                    t167_k,
-                    t31_k,
-                    t62_k,
-                    t89_k,
-                    t112_k,
-                    t131_k,
-                    t146_k,
-                    t157_k,
-                    t164_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                    chain_omega_6_dot_k,
+                    chain_omega_7_dot_k,
                 ],
+            );
+        lanes_54
+            .set(
+                order,
+                [t27_k, t31_k, t34_k, t3_k],
                 [
+                    chain_omega_8_dot_k,
                     chain_omega_9_dot_k,
+                    chain_omega_10_dot_k,
+                    chain_omega_1_dot_k,
+                ],
+            );
+        lanes_55
+            .set(
+                order,
+                [t38_k, t42_k, t46_k, t50_k],
+                [
+                    chain_omega_3_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                    chain_omega_6_dot_k,
+                ],
+            );
+        lanes_56
+            .set(
+                order,
+                [t54_k, t58_k, t62_k, t65_k],
+                [
+                    chain_omega_7_dot_k,
+                    chain_omega_8_dot_k,
+                    chain_omega_9_dot_k,
+                    chain_omega_10_dot_k,
+                ],
+            );
+        lanes_57
+            .set(
+                order,
+                [t7_k, t38_k, t69_k, t73_k],
+                [
+                    chain_omega_1_dot_k,
+                    chain_omega_2_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                ],
+            );
+        lanes_58
+            .set(
+                order,
+                [t77_k, t81_k, t85_k, t89_k],
+                [
+                    chain_omega_6_dot_k,
+                    chain_omega_7_dot_k,
+                    chain_omega_8_dot_k,
+                    chain_omega_9_dot_k,
+                ],
+            );
+        lanes_59
+            .set(
+                order,
+                [t92_k, t11_k, t42_k, t69_k],
+                [
                     chain_omega_10_dot_k,
                     chain_omega_1_dot_k,
                     chain_omega_2_dot_k,
                     chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
+                ],
+            );
+        lanes_60
+            .set(
+                order,
+                [t96_k, t100_k, t104_k, t108_k],
+                [
                     chain_omega_5_dot_k,
                     chain_omega_6_dot_k,
                     chain_omega_7_dot_k,
                     chain_omega_8_dot_k,
                 ],
             );
-        lanes_29
+        lanes_61
             .set(
                 order,
+                [t112_k, t115_k, t15_k, t46_k],
                 [
-                    t170_k,
-                    t34_k,
-                    t65_k,
-                    t92_k,
-                    t115_k,
-                    t134_k,
-                    t149_k,
-                    t160_k,
-                    t167_k,
-                    t170_k,
+                    chain_omega_9_dot_k,
+                    chain_omega_10_dot_k,
+                    chain_omega_1_dot_k,
+                    chain_omega_2_dot_k,
                 ],
+            );
+        lanes_62
+            .set(
+                order,
+                [t73_k, t96_k, t119_k, t123_k],
+                [
+                    chain_omega_3_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_6_dot_k,
+                    chain_omega_7_dot_k,
+                ],
+            );
+        lanes_63
+            .set(
+                order,
+                [t127_k, t131_k, t134_k, t19_k],
+                [
+                    chain_omega_8_dot_k,
+                    chain_omega_9_dot_k,
+                    chain_omega_10_dot_k,
+                    chain_omega_1_dot_k,
+                ],
+            );
+        lanes_64
+            .set(
+                order,
+                [t50_k, t77_k, t100_k, t119_k],
+                [
+                    chain_omega_2_dot_k,
+                    chain_omega_3_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                ],
+            );
+        lanes_65
+            .set(
+                order,
+                [t138_k, t142_k, t146_k, t149_k],
+                [
+                    chain_omega_7_dot_k,
+                    chain_omega_8_dot_k,
+                    chain_omega_9_dot_k,
+                    chain_omega_10_dot_k,
+                ],
+            );
+        lanes_66
+            .set(
+                order,
+                [t23_k, t54_k, t81_k, t104_k],
+                [
+                    chain_omega_1_dot_k,
+                    chain_omega_2_dot_k,
+                    chain_omega_3_dot_k,
+                    chain_omega_4_dot_k,
+                ],
+            );
+        lanes_67
+            .set(
+                order,
+                [t123_k, t138_k, t153_k, t157_k],
+                [
+                    chain_omega_5_dot_k,
+                    chain_omega_6_dot_k,
+                    chain_omega_8_dot_k,
+                    chain_omega_9_dot_k,
+                ],
+            );
+        lanes_68
+            .set(
+                order,
+                [t160_k, t27_k, t58_k, t85_k],
                 [
                     chain_omega_10_dot_k,
                     chain_omega_1_dot_k,
                     chain_omega_2_dot_k,
                     chain_omega_3_dot_k,
+                ],
+            );
+        lanes_69
+            .set(
+                order,
+                [t108_k, t127_k, t142_k, t153_k],
+                [
                     chain_omega_4_dot_k,
                     chain_omega_5_dot_k,
+                    chain_omega_6_dot_k,
+                    chain_omega_7_dot_k,
+                ],
+            );
+        lanes_70
+            .set(
+                order,
+                [t164_k, t167_k, t31_k, t62_k],
+                [
+                    chain_omega_9_dot_k,
+                    chain_omega_10_dot_k,
+                    chain_omega_1_dot_k,
+                    chain_omega_2_dot_k,
+                ],
+            );
+        lanes_71
+            .set(
+                order,
+                [t89_k, t112_k, t131_k, t146_k],
+                [
+                    chain_omega_3_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                    chain_omega_6_dot_k,
+                ],
+            );
+        lanes_72
+            .set(
+                order,
+                [t157_k, t164_k, t170_k, t34_k],
+                [
+                    chain_omega_7_dot_k,
+                    chain_omega_8_dot_k,
+                    chain_omega_10_dot_k,
+                    chain_omega_1_dot_k,
+                ],
+            );
+        lanes_73
+            .set(
+                order,
+                [t65_k, t92_k, t115_k, t134_k],
+                [
+                    chain_omega_2_dot_k,
+                    chain_omega_3_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                ],
+            );
+        lanes_74
+            .set(
+                order,
+                [t149_k, t160_k, t167_k, t170_k],
+                [
                     chain_omega_6_dot_k,
                     chain_omega_7_dot_k,
                     chain_omega_8_dot_k,
@@ -8232,21 +8122,44 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for M610 {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1)
     }
     fn series(
         &self,

@@ -470,8 +470,9 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 6>::new(workspace, coefficients.len());
-    let (mut lanes_1, _) = Lanes::<R, 6>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
     let t0 = chain_theta_1 - chain_theta_2;
     let t1 = t0.sin();
@@ -506,29 +507,28 @@ pub fn series<R: Real>(
         let [chain_theta_1_k, chain_theta_2_k, chain_omega_1_k, chain_omega_2_k] = *state_k;
         let sums = lanes.sums(order);
         let sums_1 = lanes_1.sums(order);
+        let sums_2 = lanes_2.sums(order);
         let t0_k = chain_theta_1_k - chain_theta_2_k;
-        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
-        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
+        let t1_k = t0_k.mul_add(t2, inverse * sums_1[2]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums_1[3]);
         let sin_chain_theta_1_k = chain_theta_1_k
             .mul_add(cos_chain_theta_1, inverse * sums[2]);
         let cos_chain_theta_1_k = -chain_theta_1_k
             .mul_add(sin_chain_theta_1, inverse * sums[3]);
         let sin_chain_theta_2_k = chain_theta_2_k
-            .mul_add(cos_chain_theta_2, inverse * sums[4]);
+            .mul_add(cos_chain_theta_2, inverse * sums_1[0]);
         let cos_chain_theta_2_k = -chain_theta_2_k
-            .mul_add(sin_chain_theta_2, inverse * sums[5]);
+            .mul_add(sin_chain_theta_2, inverse * sums_1[1]);
         let t3_k = sin_chain_theta_1_k * R::literal(19.62);
-        let t4_k = chain_omega_2_k
-            .mul_add(chain_omega_2, chain_omega_2.mul_add(chain_omega_2_k, sums_1[0]));
-        let t5_k = t4_k.mul_add(t1, t4.mul_add(t1_k, sums_1[1]));
+        let t4_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
+        let t5_k = t4.mul_add(t1_k, t1.mul_add(t4_k, sums_2[0]));
         let t6_k = -t3_k;
         let t7_k = t6_k - t5_k;
-        let t9_k = chain_omega_1_k
-            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_1[2]));
-        let t10_k = t9_k.mul_add(t1, t9.mul_add(t1_k, sums_1[3]));
+        let t9_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums[1]);
+        let t10_k = t9.mul_add(t1_k, t1.mul_add(t9_k, sums_2[1]));
         let t11_k = (-sin_chain_theta_2_k).mul_add(R::literal(9.81), t10_k);
-        let n26_k = t2_k.mul_add(chain_omega_2_dot, sums_1[4]);
-        let n27_k = t2_k.mul_add(chain_omega_1_dot, sums_1[5]);
+        let n26_k = t2_k.mul_add(chain_omega_2_dot, sums_2[2]);
+        let n27_k = t2_k.mul_add(chain_omega_1_dot, sums_2[3]);
         let t7_k_2 = t7_k - n26_k;
         let t11_k_2 = t11_k - n27_k;
         let [chain_omega_1_dot_k, chain_omega_2_dot_k] = factored
@@ -537,34 +537,29 @@ pub fn series<R: Real>(
             .set(
                 order,
                 [
-                    k * t0_k,
-                    k * t0_k,
+                    chain_omega_2_k,
+                    chain_omega_1_k,
                     k * chain_theta_1_k,
                     k * chain_theta_1_k,
-                    k * chain_theta_2_k,
-                    k * chain_theta_2_k,
                 ],
                 [
-                    t2_k,
-                    t1_k,
+                    chain_omega_2_k,
+                    chain_omega_1_k,
                     cos_chain_theta_1_k,
                     sin_chain_theta_1_k,
-                    cos_chain_theta_2_k,
-                    sin_chain_theta_2_k,
                 ],
             );
         lanes_1
             .set(
                 order,
-                [chain_omega_2_k, t1_k, chain_omega_1_k, t1_k, t2_k, t2_k],
-                [
-                    chain_omega_2_k,
-                    t4_k,
-                    chain_omega_1_k,
-                    t9_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_1_dot_k,
-                ],
+                [k * chain_theta_2_k, k * chain_theta_2_k, k * t0_k, k * t0_k],
+                [cos_chain_theta_2_k, sin_chain_theta_2_k, t2_k, t1_k],
+            );
+        lanes_2
+            .set(
+                order,
+                [t1_k, t1_k, t2_k, t2_k],
+                [t4_k, t9_k, chain_omega_2_dot_k, chain_omega_1_dot_k],
             );
         rates = [
             chain_omega_1_k,
@@ -577,7 +572,8 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for M62 {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 6>::workspace(order + 1) + Lanes::<R, 6>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1)
     }
     fn series(
         &self,

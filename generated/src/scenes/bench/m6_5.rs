@@ -1543,14 +1543,25 @@ pub fn series<R: Real>(
     coefficients: &mut [[R; STATES]],
     workspace: &mut [R],
 ) {
-    let (mut lanes, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_1, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_2, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_3, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_4, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_5, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_6, workspace) = Lanes::<R, 10>::new(workspace, coefficients.len());
-    let (mut lanes_7, _) = Lanes::<R, 5>::new(workspace, coefficients.len());
+    let (mut lanes, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_1, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_2, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_3, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_4, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_5, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_6, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_7, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_8, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_9, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_10, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_11, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_12, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_13, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_14, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_15, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_16, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_17, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
+    let (mut lanes_18, _) = Lanes::<R, 3>::new(workspace, coefficients.len());
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5,
     chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5] = *state;
     let t0 = chain_theta_1 - chain_theta_2;
@@ -1705,143 +1716,149 @@ pub fn series<R: Real>(
         let sums_5 = lanes_5.sums(order);
         let sums_6 = lanes_6.sums(order);
         let sums_7 = lanes_7.sums(order);
+        let sums_8 = lanes_8.sums(order);
+        let sums_9 = lanes_9.sums(order);
+        let sums_10 = lanes_10.sums(order);
+        let sums_11 = lanes_11.sums(order);
+        let sums_12 = lanes_12.sums(order);
+        let sums_13 = lanes_13.sums(order);
+        let sums_14 = lanes_14.sums(order);
+        let sums_15 = lanes_15.sums(order);
+        let sums_16 = lanes_16.sums(order);
+        let sums_17 = lanes_17.sums(order);
+        let sums_18 = lanes_18.sums(order);
         let t0_k = chain_theta_1_k - chain_theta_2_k;
-        let t1_k = t0_k.mul_add(t2, inverse * sums[0]);
-        let t2_k = -t0_k.mul_add(t1, inverse * sums[1]);
+        let t1_k = t0_k.mul_add(t2, inverse * sums_3[3]);
+        let t2_k = -t0_k.mul_add(t1, inverse * sums_4[0]);
         let t3_k = t2_k * R::literal(4.0);
         let t4_k = chain_theta_1_k - chain_theta_3_k;
-        let t5_k = t4_k.mul_add(t6, inverse * sums[2]);
-        let t6_k = -t4_k.mul_add(t5, inverse * sums[3]);
+        let t5_k = t4_k.mul_add(t6, inverse * sums_4[1]);
+        let t6_k = -t4_k.mul_add(t5, inverse * sums_4[2]);
         let t7_k = t6_k * R::literal(3.0);
         let t8_k = chain_theta_1_k - chain_theta_4_k;
-        let t9_k = t8_k.mul_add(t10, inverse * sums[4]);
-        let t10_k = -t8_k.mul_add(t9, inverse * sums[5]);
+        let t9_k = t8_k.mul_add(t10, inverse * sums_4[3]);
+        let t10_k = -t8_k.mul_add(t9, inverse * sums_5[0]);
         let t11_k = t10_k * R::literal(2.0);
         let t12_k = chain_theta_1_k - chain_theta_5_k;
-        let t13_k = t12_k.mul_add(t14, inverse * sums[6]);
-        let t14_k = -t12_k.mul_add(t13, inverse * sums[7]);
+        let t13_k = t12_k.mul_add(t14, inverse * sums_5[1]);
+        let t14_k = -t12_k.mul_add(t13, inverse * sums_5[2]);
         let t15_k = chain_theta_2_k - chain_theta_3_k;
-        let t16_k = t15_k.mul_add(t17, inverse * sums[8]);
-        let t17_k = -t15_k.mul_add(t16, inverse * sums[9]);
+        let t16_k = t15_k.mul_add(t17, inverse * sums_5[3]);
+        let t17_k = -t15_k.mul_add(t16, inverse * sums_6[0]);
         let t18_k = t17_k * R::literal(3.0);
         let t19_k = chain_theta_2_k - chain_theta_4_k;
-        let t20_k = t19_k.mul_add(t21, inverse * sums_1[0]);
-        let t21_k = -t19_k.mul_add(t20, inverse * sums_1[1]);
+        let t20_k = t19_k.mul_add(t21, inverse * sums_6[1]);
+        let t21_k = -t19_k.mul_add(t20, inverse * sums_6[2]);
         let t22_k = t21_k * R::literal(2.0);
         let t23_k = chain_theta_2_k - chain_theta_5_k;
-        let t24_k = t23_k.mul_add(t25, inverse * sums_1[2]);
-        let t25_k = -t23_k.mul_add(t24, inverse * sums_1[3]);
+        let t24_k = t23_k.mul_add(t25, inverse * sums_6[3]);
+        let t25_k = -t23_k.mul_add(t24, inverse * sums_7[0]);
         let t26_k = chain_theta_3_k - chain_theta_4_k;
-        let t27_k = t26_k.mul_add(t28, inverse * sums_1[4]);
-        let t28_k = -t26_k.mul_add(t27, inverse * sums_1[5]);
+        let t27_k = t26_k.mul_add(t28, inverse * sums_7[1]);
+        let t28_k = -t26_k.mul_add(t27, inverse * sums_7[2]);
         let t29_k = t28_k * R::literal(2.0);
         let t30_k = chain_theta_3_k - chain_theta_5_k;
-        let t31_k = t30_k.mul_add(t32, inverse * sums_1[6]);
-        let t32_k = -t30_k.mul_add(t31, inverse * sums_1[7]);
+        let t31_k = t30_k.mul_add(t32, inverse * sums_7[3]);
+        let t32_k = -t30_k.mul_add(t31, inverse * sums_8[0]);
         let t33_k = chain_theta_4_k - chain_theta_5_k;
-        let t34_k = t33_k.mul_add(t35, inverse * sums_1[8]);
-        let t35_k = -t33_k.mul_add(t34, inverse * sums_1[9]);
+        let t34_k = t33_k.mul_add(t35, inverse * sums_8[1]);
+        let t35_k = -t33_k.mul_add(t34, inverse * sums_8[2]);
         let sin_chain_theta_1_k = chain_theta_1_k
-            .mul_add(cos_chain_theta_1, inverse * sums_2[0]);
+            .mul_add(cos_chain_theta_1, inverse * sums_1[1]);
         let cos_chain_theta_1_k = -chain_theta_1_k
-            .mul_add(sin_chain_theta_1, inverse * sums_2[1]);
+            .mul_add(sin_chain_theta_1, inverse * sums_1[2]);
         let sin_chain_theta_2_k = chain_theta_2_k
-            .mul_add(cos_chain_theta_2, inverse * sums_2[2]);
+            .mul_add(cos_chain_theta_2, inverse * sums_1[3]);
         let cos_chain_theta_2_k = -chain_theta_2_k
-            .mul_add(sin_chain_theta_2, inverse * sums_2[3]);
+            .mul_add(sin_chain_theta_2, inverse * sums_2[0]);
         let sin_chain_theta_3_k = chain_theta_3_k
-            .mul_add(cos_chain_theta_3, inverse * sums_2[4]);
+            .mul_add(cos_chain_theta_3, inverse * sums_2[1]);
         let cos_chain_theta_3_k = -chain_theta_3_k
-            .mul_add(sin_chain_theta_3, inverse * sums_2[5]);
+            .mul_add(sin_chain_theta_3, inverse * sums_2[2]);
         let sin_chain_theta_4_k = chain_theta_4_k
-            .mul_add(cos_chain_theta_4, inverse * sums_2[6]);
+            .mul_add(cos_chain_theta_4, inverse * sums_2[3]);
         let cos_chain_theta_4_k = -chain_theta_4_k
-            .mul_add(sin_chain_theta_4, inverse * sums_2[7]);
+            .mul_add(sin_chain_theta_4, inverse * sums_3[0]);
         let sin_chain_theta_5_k = chain_theta_5_k
-            .mul_add(cos_chain_theta_5, inverse * sums_2[8]);
+            .mul_add(cos_chain_theta_5, inverse * sums_3[1]);
         let cos_chain_theta_5_k = -chain_theta_5_k
-            .mul_add(sin_chain_theta_5, inverse * sums_2[9]);
+            .mul_add(sin_chain_theta_5, inverse * sums_3[2]);
         let t36_k = sin_chain_theta_1_k * R::literal(49.05);
-        let t37_k = chain_omega_2_k
-            .mul_add(chain_omega_2, chain_omega_2.mul_add(chain_omega_2_k, sums_3[0]));
+        let t37_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
         let t38_k = t37_k * R::literal(4.0);
-        let t39_k = t38_k.mul_add(t1, t38.mul_add(t1_k, sums_3[1]));
-        let t40_k = chain_omega_3_k
-            .mul_add(chain_omega_3, chain_omega_3.mul_add(chain_omega_3_k, sums_3[2]));
+        let t39_k = t38.mul_add(t1_k, t1.mul_add(t38_k, sums_8[3]));
+        let t40_k = (chain_omega_3 + chain_omega_3).mul_add(chain_omega_3_k, sums[1]);
         let t41_k = t40_k * R::literal(3.0);
-        let t42_k = t41_k.mul_add(t5, t41.mul_add(t5_k, sums_3[3]));
-        let t43_k = chain_omega_4_k
-            .mul_add(chain_omega_4, chain_omega_4.mul_add(chain_omega_4_k, sums_3[4]));
+        let t42_k = t41.mul_add(t5_k, t5.mul_add(t41_k, sums_9[0]));
+        let t43_k = (chain_omega_4 + chain_omega_4).mul_add(chain_omega_4_k, sums[2]);
         let t44_k = t43_k * R::literal(2.0);
-        let t45_k = t44_k.mul_add(t9, t44.mul_add(t9_k, sums_3[5]));
-        let t46_k = chain_omega_5_k
-            .mul_add(chain_omega_5, chain_omega_5.mul_add(chain_omega_5_k, sums_3[6]));
-        let t47_k = t46_k.mul_add(t13, t46.mul_add(t13_k, sums_3[7]));
+        let t45_k = t44.mul_add(t9_k, t9.mul_add(t44_k, sums_9[1]));
+        let t46_k = (chain_omega_5 + chain_omega_5).mul_add(chain_omega_5_k, sums[3]);
+        let t47_k = t46.mul_add(t13_k, t13.mul_add(t46_k, sums_9[2]));
         let t48_k = -t36_k;
         let t49_k = t48_k - t39_k;
         let t50_k = t49_k - t42_k;
         let t51_k = t50_k - t45_k;
         let t52_k = t51_k - t47_k;
-        let t54_k = t41_k.mul_add(t16, t41.mul_add(t16_k, sums_3[8]));
-        let t55_k = t44_k.mul_add(t20, t44.mul_add(t20_k, sums_3[9]));
-        let t56_k = t46_k.mul_add(t24, t46.mul_add(t24_k, sums_4[0]));
-        let t57_k = chain_omega_1_k
-            .mul_add(chain_omega_1, chain_omega_1.mul_add(chain_omega_1_k, sums_4[1]));
+        let t54_k = t41.mul_add(t16_k, t16.mul_add(t41_k, sums_9[3]));
+        let t55_k = t44.mul_add(t20_k, t20.mul_add(t44_k, sums_10[0]));
+        let t56_k = t46.mul_add(t24_k, t24.mul_add(t46_k, sums_10[1]));
+        let t57_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums_1[0]);
         let t58_k = t57_k * R::literal(4.0);
-        let t59_k = t58_k.mul_add(t1, t58.mul_add(t1_k, sums_4[2]));
+        let t59_k = t58.mul_add(t1_k, t1.mul_add(t58_k, sums_10[2]));
         let t60_k = (-sin_chain_theta_2_k).mul_add(R::literal(39.24), t59_k);
         let t61_k = t60_k - t54_k;
         let t62_k = t61_k - t55_k;
         let t63_k = t62_k - t56_k;
-        let t65_k = t44_k.mul_add(t27, t44.mul_add(t27_k, sums_4[3]));
-        let t66_k = t46_k.mul_add(t31, t46.mul_add(t31_k, sums_4[4]));
+        let t65_k = t44.mul_add(t27_k, t27.mul_add(t44_k, sums_10[3]));
+        let t66_k = t46.mul_add(t31_k, t31.mul_add(t46_k, sums_11[0]));
         let t67_k = t57_k * R::literal(3.0);
-        let t68_k = t67_k.mul_add(t5, t67.mul_add(t5_k, sums_4[5]));
+        let t68_k = t67.mul_add(t5_k, t5.mul_add(t67_k, sums_11[1]));
         let t69_k = t37_k * R::literal(3.0);
-        let t70_k = t69_k.mul_add(t16, t69.mul_add(t16_k, sums_4[6]));
+        let t70_k = t69.mul_add(t16_k, t16.mul_add(t69_k, sums_11[2]));
         let t71_k = t68_k + t70_k;
         let t72_k = (-sin_chain_theta_3_k).mul_add(R::literal(29.43), t71_k);
         let t73_k = t72_k - t65_k;
         let t74_k = t73_k - t66_k;
-        let t76_k = t46_k.mul_add(t34, t46.mul_add(t34_k, sums_4[7]));
+        let t76_k = t46.mul_add(t34_k, t34.mul_add(t46_k, sums_11[3]));
         let t77_k = t57_k * R::literal(2.0);
-        let t78_k = t77_k.mul_add(t9, t77.mul_add(t9_k, sums_4[8]));
+        let t78_k = t77.mul_add(t9_k, t9.mul_add(t77_k, sums_12[0]));
         let t79_k = t37_k * R::literal(2.0);
-        let t80_k = t79_k.mul_add(t20, t79.mul_add(t20_k, sums_4[9]));
+        let t80_k = t79.mul_add(t20_k, t20.mul_add(t79_k, sums_12[1]));
         let t81_k = t40_k * R::literal(2.0);
-        let t82_k = t81_k.mul_add(t27, t81.mul_add(t27_k, sums_5[0]));
+        let t82_k = t81.mul_add(t27_k, t27.mul_add(t81_k, sums_12[2]));
         let t83_k = t78_k + t80_k;
         let t84_k = t83_k + t82_k;
         let t85_k = (-sin_chain_theta_4_k).mul_add(R::literal(19.62), t84_k);
         let t86_k = t85_k - t76_k;
-        let t88_k = t57_k.mul_add(t13, t57.mul_add(t13_k, sums_5[1]));
-        let t89_k = t37_k.mul_add(t24, t37.mul_add(t24_k, sums_5[2]));
-        let t90_k = t40_k.mul_add(t31, t40.mul_add(t31_k, sums_5[3]));
-        let t91_k = t43_k.mul_add(t34, t43.mul_add(t34_k, sums_5[4]));
+        let t88_k = t57.mul_add(t13_k, t13.mul_add(t57_k, sums_12[3]));
+        let t89_k = t37.mul_add(t24_k, t24.mul_add(t37_k, sums_13[0]));
+        let t90_k = t40.mul_add(t31_k, t31.mul_add(t40_k, sums_13[1]));
+        let t91_k = t43.mul_add(t34_k, t34.mul_add(t43_k, sums_13[2]));
         let t92_k = t88_k + t89_k;
         let t93_k = t92_k + t90_k;
         let t94_k = t93_k + t91_k;
         let t95_k = (-sin_chain_theta_5_k).mul_add(R::literal(9.81), t94_k);
-        let n131_k = t3_k.mul_add(chain_omega_2_dot, sums_5[5]);
-        let n132_k = t7_k.mul_add(chain_omega_3_dot, sums_5[6]);
-        let n133_k = t11_k.mul_add(chain_omega_4_dot, sums_5[7]);
-        let n134_k = t14_k.mul_add(chain_omega_5_dot, sums_5[8]);
-        let n135_k = t3_k.mul_add(chain_omega_1_dot, sums_5[9]);
-        let n136_k = t18_k.mul_add(chain_omega_3_dot, sums_6[0]);
-        let n137_k = t22_k.mul_add(chain_omega_4_dot, sums_6[1]);
-        let n138_k = t25_k.mul_add(chain_omega_5_dot, sums_6[2]);
-        let n139_k = t7_k.mul_add(chain_omega_1_dot, sums_6[3]);
-        let n140_k = t18_k.mul_add(chain_omega_2_dot, sums_6[4]);
-        let n141_k = t29_k.mul_add(chain_omega_4_dot, sums_6[5]);
-        let n142_k = t32_k.mul_add(chain_omega_5_dot, sums_6[6]);
-        let n143_k = t11_k.mul_add(chain_omega_1_dot, sums_6[7]);
-        let n144_k = t22_k.mul_add(chain_omega_2_dot, sums_6[8]);
-        let n145_k = t29_k.mul_add(chain_omega_3_dot, sums_6[9]);
-        let n146_k = t35_k.mul_add(chain_omega_5_dot, sums_7[0]);
-        let n147_k = t14_k.mul_add(chain_omega_1_dot, sums_7[1]);
-        let n148_k = t25_k.mul_add(chain_omega_2_dot, sums_7[2]);
-        let n149_k = t32_k.mul_add(chain_omega_3_dot, sums_7[3]);
-        let n150_k = t35_k.mul_add(chain_omega_4_dot, sums_7[4]);
+        let n131_k = t3_k.mul_add(chain_omega_2_dot, sums_13[3]);
+        let n132_k = t7_k.mul_add(chain_omega_3_dot, sums_14[0]);
+        let n133_k = t11_k.mul_add(chain_omega_4_dot, sums_14[1]);
+        let n134_k = t14_k.mul_add(chain_omega_5_dot, sums_14[2]);
+        let n135_k = t3_k.mul_add(chain_omega_1_dot, sums_14[3]);
+        let n136_k = t18_k.mul_add(chain_omega_3_dot, sums_15[0]);
+        let n137_k = t22_k.mul_add(chain_omega_4_dot, sums_15[1]);
+        let n138_k = t25_k.mul_add(chain_omega_5_dot, sums_15[2]);
+        let n139_k = t7_k.mul_add(chain_omega_1_dot, sums_15[3]);
+        let n140_k = t18_k.mul_add(chain_omega_2_dot, sums_16[0]);
+        let n141_k = t29_k.mul_add(chain_omega_4_dot, sums_16[1]);
+        let n142_k = t32_k.mul_add(chain_omega_5_dot, sums_16[2]);
+        let n143_k = t11_k.mul_add(chain_omega_1_dot, sums_16[3]);
+        let n144_k = t22_k.mul_add(chain_omega_2_dot, sums_17[0]);
+        let n145_k = t29_k.mul_add(chain_omega_3_dot, sums_17[1]);
+        let n146_k = t35_k.mul_add(chain_omega_5_dot, sums_17[2]);
+        let n147_k = t14_k.mul_add(chain_omega_1_dot, sums_17[3]);
+        let n148_k = t25_k.mul_add(chain_omega_2_dot, sums_18[0]);
+        let n149_k = t32_k.mul_add(chain_omega_3_dot, sums_18[1]);
+        let n150_k = t35_k.mul_add(chain_omega_4_dot, sums_18[2]);
         let n151_k = n131_k + n132_k;
         let n152_k = n133_k + n134_k;
         let n153_k = n151_k + n152_k;
@@ -1868,166 +1885,141 @@ pub fn series<R: Real>(
         lanes
             .set(
                 order,
-                [
-                    k * t0_k,
-                    k * t0_k,
-                    k * t4_k,
-                    k * t4_k,
-                    k * t8_k,
-                    k * t8_k,
-                    k * t12_k,
-                    k * t12_k,
-                    k * t15_k,
-                    k * t15_k,
-                ],
-                [t2_k, t1_k, t6_k, t5_k, t10_k, t9_k, t14_k, t13_k, t17_k, t16_k],
+                [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
+                [chain_omega_2_k, chain_omega_3_k, chain_omega_4_k, chain_omega_5_k],
             );
         lanes_1
             .set(
                 order,
                 [
-                    k * t19_k,
-                    k * t19_k,
-                    k * t23_k,
-                    k * t23_k,
-                    k * t26_k,
-                    k * t26_k,
-                    k * t30_k,
-                    k * t30_k,
-                    k * t33_k,
-                    k * t33_k,
+                    chain_omega_1_k,
+                    k * chain_theta_1_k,
+                    k * chain_theta_1_k,
+                    k * chain_theta_2_k,
                 ],
-                [t21_k, t20_k, t25_k, t24_k, t28_k, t27_k, t32_k, t31_k, t35_k, t34_k],
+                [
+                    chain_omega_1_k,
+                    cos_chain_theta_1_k,
+                    sin_chain_theta_1_k,
+                    cos_chain_theta_2_k,
+                ],
             );
         lanes_2
             .set(
                 order,
                 [
-                    k * chain_theta_1_k,
-                    k * chain_theta_1_k,
-                    k * chain_theta_2_k,
                     k * chain_theta_2_k,
                     k * chain_theta_3_k,
                     k * chain_theta_3_k,
                     k * chain_theta_4_k,
-                    k * chain_theta_4_k,
-                    k * chain_theta_5_k,
-                    k * chain_theta_5_k,
                 ],
                 [
-                    cos_chain_theta_1_k,
-                    sin_chain_theta_1_k,
-                    cos_chain_theta_2_k,
                     sin_chain_theta_2_k,
                     cos_chain_theta_3_k,
                     sin_chain_theta_3_k,
                     cos_chain_theta_4_k,
-                    sin_chain_theta_4_k,
-                    cos_chain_theta_5_k,
-                    sin_chain_theta_5_k,
                 ],
             );
         lanes_3
             .set(
                 order,
                 [
-                    chain_omega_2_k,
-                    t1_k,
-                    chain_omega_3_k,
-                    t5_k,
-                    chain_omega_4_k,
-                    t9_k,
-                    chain_omega_5_k,
-                    t13_k,
-                    t16_k,
-                    t20_k,
+                    k * chain_theta_4_k,
+                    k * chain_theta_5_k,
+                    k * chain_theta_5_k,
+                    k * t0_k,
                 ],
-                [
-                    chain_omega_2_k,
-                    t38_k,
-                    chain_omega_3_k,
-                    t41_k,
-                    chain_omega_4_k,
-                    t44_k,
-                    chain_omega_5_k,
-                    t46_k,
-                    t41_k,
-                    t44_k,
-                ],
+                [sin_chain_theta_4_k, cos_chain_theta_5_k, sin_chain_theta_5_k, t2_k],
             );
         lanes_4
             .set(
                 order,
-                [
-                    t24_k,
-                    chain_omega_1_k,
-                    t1_k,
-                    t27_k,
-                    t31_k,
-                    t5_k,
-                    t16_k,
-                    t34_k,
-                    t9_k,
-                    t20_k,
-                ],
-                [
-                    t46_k,
-                    chain_omega_1_k,
-                    t58_k,
-                    t44_k,
-                    t46_k,
-                    t67_k,
-                    t69_k,
-                    t46_k,
-                    t77_k,
-                    t79_k,
-                ],
+                [k * t0_k, k * t4_k, k * t4_k, k * t8_k],
+                [t1_k, t6_k, t5_k, t10_k],
             );
         lanes_5
             .set(
                 order,
-                [t27_k, t13_k, t24_k, t31_k, t34_k, t3_k, t7_k, t11_k, t14_k, t3_k],
-                [
-                    t81_k,
-                    t57_k,
-                    t37_k,
-                    t40_k,
-                    t43_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_1_dot_k,
-                ],
+                [k * t8_k, k * t12_k, k * t12_k, k * t15_k],
+                [t9_k, t14_k, t13_k, t17_k],
             );
         lanes_6
             .set(
                 order,
-                [t18_k, t22_k, t25_k, t7_k, t18_k, t29_k, t32_k, t11_k, t22_k, t29_k],
-                [
-                    chain_omega_3_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_4_dot_k,
-                    chain_omega_5_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
-                    chain_omega_3_dot_k,
-                ],
+                [k * t15_k, k * t19_k, k * t19_k, k * t23_k],
+                [t16_k, t21_k, t20_k, t25_k],
             );
         lanes_7
             .set(
                 order,
-                [t35_k, t14_k, t25_k, t32_k, t35_k],
+                [k * t23_k, k * t26_k, k * t26_k, k * t30_k],
+                [t24_k, t28_k, t27_k, t32_k],
+            );
+        lanes_8
+            .set(
+                order,
+                [k * t30_k, k * t33_k, k * t33_k, t1_k],
+                [t31_k, t35_k, t34_k, t38_k],
+            );
+        lanes_9.set(order, [t5_k, t9_k, t13_k, t16_k], [t41_k, t44_k, t46_k, t41_k]);
+        lanes_10.set(order, [t20_k, t24_k, t1_k, t27_k], [t44_k, t46_k, t58_k, t44_k]);
+        lanes_11.set(order, [t31_k, t5_k, t16_k, t34_k], [t46_k, t67_k, t69_k, t46_k]);
+        lanes_12.set(order, [t9_k, t20_k, t27_k, t13_k], [t77_k, t79_k, t81_k, t57_k]);
+        lanes_13
+            .set(
+                order,
+                [t24_k, t31_k, t34_k, t3_k],
+                [t37_k, t40_k, t43_k, chain_omega_2_dot_k],
+            );
+        lanes_14
+            .set(
+                order,
+                [t7_k, t11_k, t14_k, t3_k],
                 [
-                    chain_omega_5_dot_k,
-                    chain_omega_1_dot_k,
-                    chain_omega_2_dot_k,
                     chain_omega_3_dot_k,
                     chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                    chain_omega_1_dot_k,
                 ],
+            );
+        lanes_15
+            .set(
+                order,
+                [t18_k, t22_k, t25_k, t7_k],
+                [
+                    chain_omega_3_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                    chain_omega_1_dot_k,
+                ],
+            );
+        lanes_16
+            .set(
+                order,
+                [t18_k, t29_k, t32_k, t11_k],
+                [
+                    chain_omega_2_dot_k,
+                    chain_omega_4_dot_k,
+                    chain_omega_5_dot_k,
+                    chain_omega_1_dot_k,
+                ],
+            );
+        lanes_17
+            .set(
+                order,
+                [t22_k, t29_k, t35_k, t14_k],
+                [
+                    chain_omega_2_dot_k,
+                    chain_omega_3_dot_k,
+                    chain_omega_5_dot_k,
+                    chain_omega_1_dot_k,
+                ],
+            );
+        lanes_18
+            .set(
+                order,
+                [t25_k, t32_k, t35_k],
+                [chain_omega_2_dot_k, chain_omega_3_dot_k, chain_omega_4_dot_k],
             );
         rates = [
             chain_omega_1_k,
@@ -2046,10 +2038,16 @@ pub fn series<R: Real>(
 
 impl<R: Real> TaylorSeries<R> for M65 {
     fn series_workspace(&self, order: usize) -> usize {
-        Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 10>::workspace(order + 1)
-            + Lanes::<R, 10>::workspace(order + 1) + Lanes::<R, 5>::workspace(order + 1)
+        Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
+            + Lanes::<R, 3>::workspace(order + 1)
     }
     fn series(
         &self,

@@ -3,8 +3,8 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::Names;
 use super::needs::{Needs, in_order, line_and_other};
+use super::{LANES, Names};
 use crate::emit::EmitError;
 use crate::emit::literal::constant_or_literal;
 use crate::emit::rust::Scene;
@@ -271,7 +271,7 @@ impl<'a> Writer<'a> {
             }
             Recurrence::Neg(_) => return linear(&recurrence, |id| self.newest[index(id)].clone()),
             Recurrence::Scaled { .. } => return (self.newest_or_product(id), false),
-            Recurrence::Product(a, b) => self.product(id, a, b, &sums),
+            Recurrence::Product(a, b) => self.product(id, [a, b], &sums),
             Recurrence::Tail(..) => return (Some(quote!(#(#sums)*)), true),
             Recurrence::Quotient(a, b) => {
                 let ratio = self.value(id);
@@ -354,15 +354,24 @@ impl<'a> Writer<'a> {
         Some(quote!(#series.mul_add(#factor, #minus #b)))
     }
 
-    fn product(&self, id: NodeId, a: NodeId, b: NodeId, sums: &[TokenStream]) -> TokenStream {
+    fn product(&self, id: NodeId, [id_a, id_b]: [NodeId; 2], sums: &[TokenStream]) -> TokenStream {
         if let Some((line, other)) = line_and_other(self.tape, id) {
             let (value, slope) = (self.value(line), self.slope_name(line));
             let (newest, before) = (self.newest_or_zero(other), &self.befores[index(other)]);
             return quote!(#value.mul_add(#newest, #slope * #before));
         }
         let ([a_value, b_value], [a, b]) =
-            ([a, b].map(|id| self.value(id)), [a, b].map(|id| self.newest_or_zero(id)));
-        quote!(#a.mul_add(#b_value, #a_value.mul_add(#b, #(#sums)*)))
+            ([id_a, id_b].map(|id| self.value(id)), [id_a, id_b].map(|id| self.newest_or_zero(id)));
+        if id_a == id_b {
+            return quote!((#a_value + #a_value).mul_add(#a, #(#sums)*));
+        }
+        // What is there last is multiplied last.
+        let depth = |id| self.needs.depth[index(id)];
+        if depth(id_a) > depth(id_b) {
+            quote!(#b_value.mul_add(#a, #a_value.mul_add(#b, #(#sums)*)))
+        } else {
+            quote!(#a_value.mul_add(#b, #b_value.mul_add(#a, #(#sums)*)))
+        }
     }
 
     fn integral(
@@ -392,9 +401,8 @@ impl<'a> Writer<'a> {
         let lane = self.needs.convolutions.iter().position(|known| *known == convolution);
         let lane = lane.unwrap_or_default();
         self.reads.order |= convolution.weighted;
-        let size = super::group_size(self.needs);
-        let sums = self.names.sums(lane / size);
-        let lane = Literal::usize_unsuffixed(lane % size);
+        let sums = self.names.sums(lane / LANES);
+        let lane = Literal::usize_unsuffixed(lane % LANES);
         quote!(#sums[#lane])
     }
 

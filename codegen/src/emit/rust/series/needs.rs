@@ -12,8 +12,12 @@ pub(super) struct Needs {
     /// Whether a node is a product with a constant that one sum or difference alone
     /// reads, so that it is written within that.
     pub(super) within: Vec<bool>,
-    /// Every sum, once; the place is the lane.
+    /// Every sum, once; the place is the lane. Neighbours are formed together, so those
+    /// whose factors are ready early stand before those that wait for the end of an order.
     pub(super) convolutions: Vec<Convolution>,
+    /// How many dependent operations after the states' the newest coefficient of a node is
+    /// there.
+    pub(super) depth: Vec<u32>,
 }
 
 /// Follows what the rates read, order by order.
@@ -48,6 +52,9 @@ pub(super) fn needs(tape: &TaylorTape) -> Needs {
             }
         }
     }
+    let depth = depths(tape);
+    let of = |id: NodeId| depth[id.0 as usize];
+    convolutions.sort_by_key(|sum| (of(sum.left) + u32::from(sum.weighted)).max(of(sum.right)));
     let mut within = vec![false; count];
     for node in tape.nodes.iter().zip(&newest).filter(|(_, needed)| **needed).map(|(n, _)| n) {
         if let Recurrence::Add(a, b) | Recurrence::Sub(a, b) = node.recurrence {
@@ -57,7 +64,27 @@ pub(super) fn needs(tape: &TaylorTape) -> Needs {
             }
         }
     }
-    Needs { newest, before, within, convolutions }
+    Needs { newest, before, within, convolutions, depth }
+}
+
+/// The depth of every node; accelerations come after all else.
+fn depths(tape: &TaylorTape) -> Vec<u32> {
+    let mut depths = vec![0_u32; tape.nodes.len()];
+    for index in 0..tape.nodes.len() {
+        let id = NodeId(index as u32);
+        let known = |id: &NodeId| depths[id.0 as usize];
+        let operands = newest_operands(tape, id);
+        depths[index] = match tape[id].recurrence {
+            Recurrence::Constant(_) | Recurrence::State(_) | Recurrence::Time => 0,
+            _ => operands.iter().map(known).max().unwrap_or(0) + 1,
+        };
+    }
+    let last = depths.iter().max().copied().unwrap_or(0);
+    let accelerations = tape.mass_matrix.iter().flat_map(|mass| &mass.accelerations);
+    for acceleration in accelerations {
+        depths[acceleration.0 as usize] = last + 1;
+    }
+    depths
 }
 
 /// S(a, b) is S(b, a), if neither factor is weighted.

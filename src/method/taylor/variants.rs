@@ -160,6 +160,8 @@ struct Bundle<'a, R> {
     /// Where `following` is computed.
     time: R,
     end: Vec<R>,
+    /// Ends of the steps that lanes try, for those that do.
+    aimed: Vec<R>,
     slope: Vec<R>,
     /// Zero in the lanes whose coefficients are finite, NaN in others.
     zeros: R,
@@ -180,6 +182,7 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             workspace: zeros(series.series_workspace(order)),
             time: R::literal(0.0),
             end: zeros(states),
+            aimed: zeros(states),
             slope: zeros(states),
             zeros: R::literal(0.0),
             scratch: vec![0.0; step::JUDGED.max(3) * states],
@@ -331,14 +334,9 @@ impl<'a, R: Lanes> Bundle<'a, R> {
                 self.time.set_lane(index, lane.within(lane.time + lane.step));
             }
         }
-        for state in 0..self.states {
-            let (mut value, mut slope) = (zero, zero);
-            for term in self.current.iter().skip(state).step_by(self.states).rev() {
-                slope = slope.mul_add(steps, value);
-                value = value.mul_add(steps, *term);
-            }
-            self.end[state] = R::select_less(waits, half, value, self.end[state]);
-            self.slope[state] = slope;
+        step::value_and_slope(&self.current, steps, &mut self.aimed, &mut self.slope);
+        for (end, aimed) in self.end.iter_mut().zip(&self.aimed) {
+            *end = R::select_less(waits, half, *aimed, *end);
         }
     }
 

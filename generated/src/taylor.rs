@@ -127,31 +127,24 @@ impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
             let high = order / 2 + 1..order - 2;
             let low = left[low.clone()].iter().zip(&right[low]).rev();
             let high = left[high.clone()].iter().zip(&right[high]);
-            // One sum a loop: of two, compilers make pieces of blocks.
-            for (low, high) in low.clone().zip(high.clone()) {
-                add_products(&mut sums[0], low.0, high.1);
-            }
             for (low, high) in low.zip(high) {
-                add_products(&mut sums[1], high.0, low.1);
+                add_pair(&mut sums, [low.0, low.1], [high.0, high.1]);
             }
         }
-        // Numbers that are blocks themselves are read as they were written.
-        let is_block = size_of::<R>() > size_of::<f64>();
-        if order > 4 {
-            let high = if is_block {
-                [&left[order - 2], &right[order - 2]]
+        let at_hand = |back: usize, [new_left, new_right]: &[[R; N]; 2]| {
+            // Numbers that are blocks themselves are read as they were written.
+            let is_block = size_of::<R>() > size_of::<f64>();
+            if is_block {
+                [left[order - back], right[order - back]]
             } else {
-                self.before.each_ref()
-            };
-            add_pair(&mut sums, [&left[2], &right[2]], high);
-        }
-        if order > 2 {
-            let high = if is_block {
-                [&left[order - 1], &right[order - 1]]
-            } else {
-                self.newest.each_ref()
-            };
-            add_pair(&mut sums, [&left[1], &right[1]], high);
+                [*new_left, *new_right]
+            }
+        };
+        for (back, kept) in [(2, &self.before), (1, &self.newest)] {
+            if order > 2 * back {
+                let [high_left, high_right] = at_hand(back, kept);
+                add_pair(&mut sums, [&left[back], &right[back]], [&high_left, &high_right]);
+            }
         }
         let [mut sums, others] = sums;
         for lane in 0..N {

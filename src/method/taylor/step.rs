@@ -78,14 +78,20 @@ impl Tolerance {
     /// As [`Tolerance::step_length`], from the newest coefficients alone, the last of
     /// which are those of `order`.
     pub(super) fn step_length_by(&self, newest: &[f64], order: usize) -> f64 {
-        let judges = match self.judges {
-            (known, judges) if known == order => judges,
-            _ => judges(order, self.decay),
-        };
         let mut sizes = [0.0; JUDGED];
         for (size, terms) in sizes.iter_mut().zip(newest.chunks_exact(self.atol.len()).rev()) {
             *size = self.size(terms);
         }
+        self.step_length_of(sizes, order)
+    }
+
+    /// As [`Tolerance::step_length`], from the sizes of the last coefficients, from the last
+    /// one back, in units of the tolerance.
+    pub(super) fn step_length_of(&self, sizes: [f64; JUDGED], order: usize) -> f64 {
+        let judges = match self.judges {
+            (known, judges) if known == order => judges,
+            _ => judges(order, self.decay),
+        };
         // All logarithms side by side, then the least.
         let mut logs = [0.0; JUDGED];
         for ((log, size), (a, b)) in logs.iter_mut().zip(sizes).zip(judges) {
@@ -94,10 +100,22 @@ impl Tolerance {
         exp2(logs.into_iter().take(order).fold(f64::INFINITY, smaller))
     }
 
-    /// Error of a step in units of the tolerance: the defect y' - f at its end
-    /// is `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
-    fn error(&self, slope: &[f64], rate: &[f64], step: f64, order: usize) -> f64 {
-        self.defect(slope, rate) * step / (order + 1) as f64
+    /// One over what is allowed of every state.
+    #[cfg(feature = "sweep")]
+    pub(super) fn inverse_weights(&mut self) -> &mut [f64] {
+        &mut self.inverse_weights
+    }
+
+    /// Of a state, what is allowed is this plus the next times its size.
+    #[cfg(feature = "sweep")]
+    pub(super) fn absolute(&self) -> &[f64] {
+        &self.atol
+    }
+
+    /// The share of a state's size that is allowed.
+    #[cfg(feature = "sweep")]
+    pub(super) fn relative(&self) -> f64 {
+        self.rtol
     }
 
     /// Error of a step over what is allowed, by a defect that lasts for a part of it.
@@ -184,12 +202,23 @@ pub(super) fn trial(
     (step, order): (f64, usize),
 ) -> Trial {
     let states = slope.len();
-    let error = tolerance.error(slope, &begin[states..], step, order);
+    let error = error(tolerance.defect(slope, &begin[states..]), step, order);
     if (error <= LARGEST_ERROR || !error.is_finite()) && !all_finite(begin) {
         let index = begin.iter().position(|value| !value.is_finite()).unwrap_or_default();
         let what = if index < states { "the state" } else { "the rate of" };
         return Trial::NotFinite { what, index: index % states };
     }
+    passing(error)
+}
+
+/// Error of a step in units of the tolerance: the defect y' - f at its end is
+/// `(p + 1) y_(p+1) h^p`, the error `y_(p+1) h^(p+1)`.
+pub(super) fn error(defect: f64, step: f64, order: usize) -> f64 {
+    defect * step / (order + 1) as f64
+}
+
+/// What came of a step with finite state and rate at its end.
+pub(super) fn passing(error: f64) -> Trial {
     Trial::Error(error / LARGEST_ERROR)
 }
 

@@ -165,6 +165,13 @@ struct Bundle<'a, R> {
     slope: Vec<R>,
     /// Zero in the lanes whose coefficients are finite, NaN in others.
     zeros: R,
+    /// What every lane allows of every state, apart from its size.
+    absolute: Vec<R>,
+    relative: R,
+    /// One over what is allowed at the start of each lane's step.
+    inverse_weights: Vec<R>,
+    /// Sizes of the last coefficients, from the last one back, in units of the tolerance.
+    sizes: [R; step::JUDGED],
     scratch: Vec<f64>,
 }
 
@@ -185,6 +192,10 @@ impl<'a, R: Lanes> Bundle<'a, R> {
             aimed: zeros(states),
             slope: zeros(states),
             zeros: R::literal(0.0),
+            absolute: vec![R::literal(1.0); states],
+            relative: R::literal(0.0),
+            inverse_weights: vec![R::literal(1.0); states],
+            sizes: [R::literal(0.0); step::JUDGED],
             scratch: vec![0.0; step::JUDGED.max(3) * states],
         }
     }
@@ -197,6 +208,10 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         for (into, value) in self.end.iter_mut().zip(&lane.variant.initial) {
             into.set_lane(index, *value);
         }
+        for (into, value) in self.absolute.iter_mut().zip(lane.tolerance.absolute()) {
+            into.set_lane(index, *value);
+        }
+        self.relative.set_lane(index, lane.tolerance.relative());
         while lane.next_sample_until(lane.time).is_some() {
             lane.rows.extend_from_slice(&lane.variant.initial);
             lane.taken += 1;
@@ -232,11 +247,17 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     fn judge(&mut self, lanes: &mut [Option<Lane>]) {
         let mut rejected = R::literal(0.0);
         let mut is_any = false;
+        let (defects, finite) = self.defects();
         for (index, lane) in lanes.iter_mut().enumerate() {
             let Some(lane) = lane else { continue };
             lane.work.rate_evaluations += self.order as u64;
             let Trial::Step { now } = lane.trial else { continue };
-            let trial = self.trial(index, lane);
+            let trial = if finite.lane(index) == 0.0 {
+                let error = step::error(defects.lane(index), lane.step, lane.order);
+                step::passing(error)
+            } else {
+                self.trial(index, lane)
+            };
             if matches!(trial, one_step::Trial::Error(error) if error <= 1.0) {
                 self.record(index, lane, now);
                 lane.trial = Trial::Accepted;
@@ -266,10 +287,44 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
         let zero = R::literal(0.0);
         self.zeros = self.current.iter().fold(zero, |zeros, value| zeros + *value * zero);
+        self.weigh();
     }
 
-    /// What came of a lane's step.
-    fn trial(&mut self, index: usize, lane: &Lane) -> one_step::Trial {
+    /// The largest defect of every lane's step in units of its tolerance, and zero in the
+    /// lanes in which state and rate at the end are finite.
+    fn defects(&self) -> (R, R) {
+        let zero = R::literal(0.0);
+        let begin = &self.following[..2 * self.states];
+        let rates = self.slope.iter().zip(&begin[self.states..]);
+        let defects = rates.zip(&self.inverse_weights);
+        let largest = defects.fold(zero, |largest, ((slope, rate), inverse)| {
+            larger(largest, ((*slope - *rate) * *inverse).abs())
+        });
+        (largest, begin.iter().fold(zero, |zeros, value| zeros + *value * zero))
+    }
+
+    /// Weighs by the tolerances at the start of every lane's step, and measures the last
+    /// coefficients by that.
+    fn weigh(&mut self) {
+        let one = R::literal(1.0);
+        let allowed = self.absolute.iter().zip(&self.current);
+        for (inverse, (absolute, value)) in self.inverse_weights.iter_mut().zip(allowed) {
+            *inverse = one / (*absolute + self.relative * value.abs());
+        }
+        for (size, terms) in self.sizes.iter_mut().zip(self.current.chunks_exact(self.states).rev())
+        {
+            *size = terms
+                .iter()
+                .zip(&self.inverse_weights)
+                .fold(R::literal(0.0), |largest, (term, inverse)| {
+                    larger(largest, (*term * *inverse).abs())
+                });
+        }
+    }
+
+    /// What came of a lane's step to where something is not finite.
+    fn trial(&mut self, index: usize, lane: &mut Lane) -> one_step::Trial {
+        gather(&self.inverse_weights, index, lane.tolerance.inverse_weights());
         let (slope, begin) = self.scratch.split_at_mut(self.states);
         let begin = &mut begin[..2 * self.states];
         gather(&self.slope, index, slope);
@@ -313,6 +368,11 @@ impl<'a, R: Lanes> Bundle<'a, R> {
     /// Orders and length of a step from new coefficients.
     fn measure(&mut self, index: usize, lane: &mut Lane) {
         lane.order = self.finite_orders(index, lane);
+        if lane.order == self.order {
+            let sizes = self.sizes.map(|size| size.lane(index));
+            lane.step = lane.tolerance.step_length_of(sizes, lane.order).min(lane.longest);
+            return;
+        }
         let state = &mut self.scratch[..self.states];
         gather(&self.current, index, state);
         lane.tolerance.weigh(state);
@@ -385,6 +445,11 @@ impl<'a, R: Lanes> Bundle<'a, R> {
         }
         order
     }
+}
+
+/// The larger number in every lane; one that is not a number does not count.
+fn larger<R: Lanes>(size: R, value: R) -> R {
+    R::select_less(size, value, value, size)
 }
 
 /// Numbers of one lane, as many as there is room for.

@@ -183,7 +183,7 @@ macro_rules! lanes {
             #[inline(always)]
             fn turn(n: Self, sine: Self, cosine: Self) -> (Self, Self) {
                 let n: $bits = cast(n.0);
-                let [one, two] = [1, 2].map(<$bits>::splat);
+                let (one, two) = (<$bits>::splat(1), <$bits>::splat(2));
                 let is_odd: $vector = cast((n & one).simd_eq(one));
                 let (s, c) = (is_odd.bitselect(cosine.0, sine.0), is_odd.bitselect(sine.0, cosine.0));
                 let sign = |n: $bits| -> $vector { cast((n & two) << 62_u32) };

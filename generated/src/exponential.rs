@@ -58,7 +58,7 @@ pub fn exponential_near<R: Digits>(x: R) -> R {
 #[inline(always)]
 pub fn exponential<R: Digits>(x: R) -> R {
     let l = R::literal;
-    let [lowest, highest] = ENDS.map(l);
+    let [lowest, highest] = [l(ENDS[0]), l(ENDS[1])];
     // Written so that what is no number stays none.
     let x = R::select_less(x, lowest, lowest, x);
     let x = R::select_less(highest, x, highest, x);
@@ -90,8 +90,9 @@ pub fn hyperbolic_tangent<R: Digits>(x: R) -> R {
 #[inline(always)]
 fn reduced<R: Digits>(x: R) -> (R, R, R) {
     let l = R::literal;
-    let [ln_2, ln_2_rest] = LN_2.map(l);
-    let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = SERIES.map(l);
+    let (ln_2, ln_2_rest) = (l(LN_2[0]), l(LN_2[1]));
+    // One by one, as in `sine`.
+    let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = SERIES;
     let n = x.mul_add(l(core::f64::consts::LOG2_E), l(ROUNDING)) - l(ROUNDING);
     let near = (-n).mul_add(ln_2, x);
     let r = (-n).mul_add(ln_2_rest, near);
@@ -99,9 +100,9 @@ fn reduced<R: Digits>(x: R) -> (R, R, R) {
     // Side by side rather than one after the other.
     let z = r * r;
     let w = z * z;
-    let low = z.mul_add(c3.mul_add(r, c2), c1.mul_add(r, c0));
-    let high = z.mul_add(c7.mul_add(r, c6), c5.mul_add(r, c4));
-    let q = w.mul_add(w.mul_add(c9.mul_add(r, c8), high), low);
+    let low = z.mul_add(l(c3).mul_add(r, l(c2)), l(c1).mul_add(r, l(c0)));
+    let high = z.mul_add(l(c7).mul_add(r, l(c6)), l(c5).mul_add(r, l(c4)));
+    let q = w.mul_add(w.mul_add(l(c9).mul_add(r, l(c8)), high), low);
     (n, r, z.mul_add(q, tail))
 }
 

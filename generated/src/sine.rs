@@ -61,19 +61,24 @@ pub fn sine_and_cosine<R: Digits>(x: R) -> (R, R) {
 /// x - n pi/2 and, with the other sign, what its last digit leaves out.
 #[inline(always)]
 fn remainder<R: Real>(x: R, n: R) -> (R, R) {
-    let [first, second, rest] = HALF_PI.map(R::literal);
-    let near = (-n).mul_add(first, x);
-    let r = (-n).mul_add(second, near);
-    (r, n.mul_add(rest, n.mul_add(second, r - near)))
+    let l = R::literal;
+    let [first, second, rest] = HALF_PI;
+    let near = (-n).mul_add(l(first), x);
+    let r = (-n).mul_add(l(second), near);
+    (r, n.mul_add(l(rest), n.mul_add(l(second), r - near)))
 }
+
+// Literals are made one by one: what `array::map` gives is not always inlined, and moves
+// lanes through memory; a loop over them keeps compilers from seeing vectors elsewhere.
 
 /// sin(r + tail) = sin r + tail cos r, of -tail cos r and r^2.
 #[inline(always)]
 fn sine<R: Real>(r: R, minus_rest: R, z: R) -> R {
-    let [s1, s2, s3, s4, s5, s6] = SINE.map(R::literal);
+    let l = R::literal;
+    let [s1, s2, s3, s4, s5, s6] = SINE;
     let w = z * z;
-    let high = w.mul_add(s6.mul_add(z, s5), s4.mul_add(z, s3));
-    let p = w.mul_add(high, s2.mul_add(z, s1));
+    let high = w.mul_add(l(s6).mul_add(z, l(s5)), l(s4).mul_add(z, l(s3)));
+    let p = w.mul_add(high, l(s2).mul_add(z, l(s1)));
     // Subtracted, so that zero keeps its sign.
     r - (-(z * r)).mul_add(p, minus_rest)
 }
@@ -81,10 +86,11 @@ fn sine<R: Real>(r: R, minus_rest: R, z: R) -> R {
 /// cos(r + tail) = cos r - tail sin r, of -tail r, r^2, and 1 - r^2/2 with r^2/2.
 #[inline(always)]
 fn cosine<R: Real>(rest: R, z: R, near: R, below_one: R) -> R {
-    let [c1, c2, c3, c4, c5, c6] = COSINE.map(R::literal);
+    let l = R::literal;
+    let [c1, c2, c3, c4, c5, c6] = COSINE;
     let w = z * z;
-    let high = w.mul_add(c6.mul_add(z, c5), c4.mul_add(z, c3));
-    let p = w.mul_add(high, c2.mul_add(z, c1));
+    let high = w.mul_add(l(c6).mul_add(z, l(c5)), l(c4).mul_add(z, l(c3)));
+    let p = w.mul_add(high, l(c2).mul_add(z, l(c1)));
     let lost = (R::literal(1.0) - near) - below_one;
     near + (w.mul_add(p, lost) + rest)
 }

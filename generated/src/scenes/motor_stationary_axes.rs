@@ -37,19 +37,19 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                    121
+//   rate                    128
 //   mass_matrix              13
-//   forcing                  73
-//   rate_jacobian           321
-//   parameter_jacobian      580
+//   forcing                  81
+//   rate_jacobian           335
+//   parameter_jacobian      578
 //   time_derivative          63
 //   outputs                  25
 //   energy                   33
-//   power_balance           173
+//   power_balance           185
 // With constants of the parameters, prepared once a run:
-//   prepare                  35
-//   prepared_rate           101
-//   prepared_rate_jacobian  286
+//   prepare                  41
+//   prepared_rate           104
+//   prepared_rate_jacobian  294
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -347,7 +347,7 @@ pub mod state {
 }
 
 /// Constants that `prepare` computes.
-pub const CONSTANTS: usize = 16;
+pub const CONSTANTS: usize = 19;
 
 #[allow(missing_docs, reason = "`prepare` says what each is")]
 /// What parameters alone decide; `prepare` says what each is.
@@ -360,15 +360,18 @@ pub struct Constants<R> {
     pub t3: R,
     pub inverse_motor_inertia: R,
     pub t4: R,
+    pub t5: R,
     pub t6: R,
     pub t7: R,
-    pub motor_pole_pairs_squared: R,
     pub t8: R,
     pub t9: R,
+    pub motor_pole_pairs_squared: R,
+    pub t10: R,
     pub t11: R,
-    pub t12: R,
     pub t13: R,
     pub t14: R,
+    pub t15: R,
+    pub t16: R,
 }
 
 impl<R: Real> Constants<R> {
@@ -384,15 +387,18 @@ impl<R: Real> Constants<R> {
             t3: values[4],
             inverse_motor_inertia: values[5],
             t4: values[6],
-            t6: values[7],
-            t7: values[8],
-            motor_pole_pairs_squared: values[9],
+            t5: values[7],
+            t6: values[8],
+            t7: values[9],
             t8: values[10],
             t9: values[11],
-            t11: values[12],
-            t12: values[13],
-            t13: values[14],
-            t14: values[15],
+            motor_pole_pairs_squared: values[12],
+            t10: values[13],
+            t11: values[14],
+            t13: values[15],
+            t14: values[16],
+            t15: values[17],
+            t16: values[18],
         }
     }
     /// The numbers in their order.
@@ -407,22 +413,25 @@ impl<R: Real> Constants<R> {
             self.t3,
             self.inverse_motor_inertia,
             self.t4,
+            self.t5,
             self.t6,
             self.t7,
-            self.motor_pole_pairs_squared,
             self.t8,
             self.t9,
+            self.motor_pole_pairs_squared,
+            self.t10,
             self.t11,
-            self.t12,
             self.t13,
             self.t14,
+            self.t15,
+            self.t16,
         ]
     }
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run.
 ///
-/// 35 operations.
+/// 41 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -436,21 +445,23 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t3 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let motor_x_s_times_motor_alpha_s = p.motor_x_s * p.motor_alpha_s;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_R_s = motor_x_s_times_motor_alpha_s * motor_sigma;
     let t4 = R::literal(1.5) * motor_R_s;
-    let t5 = p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
-    let motor_R_r = t5 * motor_sigma / p.motor_k_r;
-    let t6 = R::literal(1.5) * motor_R_r;
-    let t7 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
+    let t5 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
+    let t6 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
+    let t7 = R::literal(0.75) * p.motor_k_s * p.motor_k_r * p.motor_alpha_r
+        * motor_omega_0;
+    let t8 = R::literal(2.0) * motor_L_r;
+    let t9 = R::literal(1.5) * p.motor_pole_pairs * motor_M;
     let motor_pole_pairs_squared = p.motor_pole_pairs * p.motor_pole_pairs;
-    let t8 = t1 * motor_pole_pairs_squared;
-    let t9 = R::literal(2.0) * motor_M * motor_pole_pairs_squared;
-    let t10 = R::literal(1.5) * p.motor_k_s * p.motor_k_r - R::literal(1.5);
-    let t11 = motor_x_s_times_motor_alpha_s * t10;
-    let t12 = t11 * t3;
-    let t13 = t5 * t10 / p.motor_k_r;
-    let t14 = R::literal(2.0) * p.motor_pole_pairs * motor_M;
+    let t10 = t1 * motor_pole_pairs_squared;
+    let t11 = R::literal(2.0) * motor_M * motor_pole_pairs_squared;
+    let t12 = R::literal(-1.5).add_product(R::literal(1.5) * p.motor_k_s, p.motor_k_r);
+    let t13 = motor_x_s_times_motor_alpha_s * t12;
+    let t14 = t13 * t3;
+    let t15 = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * t12 / p.motor_k_r;
+    let t16 = R::literal(2.0) * p.motor_pole_pairs * motor_M;
     Constants {
         motor_omega_0,
         t0,
@@ -459,15 +470,18 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         t3,
         inverse_motor_inertia,
         t4,
+        t5,
         t6,
         t7,
-        motor_pole_pairs_squared,
         t8,
         t9,
+        motor_pole_pairs_squared,
+        t10,
         t11,
-        t12,
         t13,
         t14,
+        t15,
+        t16,
     }
 }
 
@@ -496,7 +510,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 121 operations.
+/// 128 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
@@ -505,7 +519,7 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STA
 
 /// As `rate`, with the constants of the parameters from `prepare`.
 ///
-/// 101 operations.
+/// 104 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(
@@ -516,52 +530,70 @@ pub fn prepared_rate<R: Real>(
 ) -> [R; STATES] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
-    let t0 = p.motor_supply_phase + c.motor_omega_0 * time;
-    let motor_u_a = c.t0 * t0.cos();
-    let motor_u_b = c.t0 * t0.sin();
-    let sin_motor_theta = motor_theta.sin();
-    let cos_motor_theta = motor_theta.cos();
-    let t1 = c.t1 * cos_motor_theta;
-    let t2 = c.t1 * sin_motor_theta;
-    let t3 = t1 * c.t3;
-    let t4 = t2 * c.t3;
-    let t5 = t3 * t1;
-    let t6 = t4 * t2;
-    let t7 = R::literal(1.0) / (c.t2 - t5 - t6);
-    let t8 = t4 * t1 - t3 * t2;
-    let t9 = t8 * t7;
+    let t0 = p.motor_supply_phase.add_product(c.motor_omega_0, time);
+    let [(t1, t2), (sin_motor_theta, cos_motor_theta)] = R::sin_cos_each([
+        t0,
+        motor_theta,
+    ]);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
+    let motor_u_a = c.t0 * t2;
+    let motor_u_b = c.t0 * t1;
+    let t3 = c.t1 * cos_motor_theta;
+    let t4 = c.t1 * sin_motor_theta;
+    let t5 = t3 * c.t3;
+    let t6 = t4 * c.t3;
+    let t7 = t5 * t3;
+    let t8 = t6 * t4;
+    let t9 = R::literal(1.0) / (c.t2 - t7 - t8);
+    let t10 = (t6 * t3).sub_product(t5, t4);
+    let t11 = t10 * t9;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t10 = c.t1 * motor_omega;
-    let t11 = R::literal(1.5) * motor_u_a - c.t4 * motor_i_sa
-        - t10
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t12 = R::literal(1.5) * motor_u_b - c.t4 * motor_i_sb
-        - t10
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
-    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
-    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t13 = -(c.t6 * motor_i_ra)
-        - t10
-            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t3 * t11
-        - t4 * t12;
-    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)
-        - t10
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t4 * t11
-        - t3 * t12 - t9 * t13) * (R::literal(1.0) / (c.t2 - t6 - t5 - t9 * t8));
+    let t12 = c.t1 * motor_omega;
+    let t13 = (-(c.t4 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t12,
+            (-(motor_pole_pairs_times_motor_i_rb * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_ra, sin_motor_theta),
+        );
+    let t14 = (-(c.t4 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t12,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
+    let t15 = c.t5 * motor_i_sb * motor_omega;
+    let t16 = c.t5 * motor_i_sa * motor_omega;
+    let t17 = (c.t8
+        * (c.t7 * motor_i_ra)
+            .add_product(t16, sin_motor_theta)
+            .sub_product(t15, cos_motor_theta)
+            .sub_product(c.t6, motor_i_ra))
+        .sub_product(t5, t13)
+        .sub_product(t6, t14);
+    let motor_i_rb_dot = (c.t8
+        * (t16 * cos_motor_theta)
+            .add_product(t15, sin_motor_theta)
+            .add_product(c.t7, motor_i_rb)
+            .sub_product(c.t6, motor_i_rb))
+        .add_product(t6, t13)
+        .sub_product(t5, t14)
+        .sub_product(t11, t17)
+        * (R::literal(1.0) / (c.t2 - t8 - t7).sub_product(t11, t10));
     let motor_omega_dot = c.t1
-        * (p.motor_pole_pairs * motor_across * cos_motor_theta
-            - p.motor_pole_pairs * motor_along * sin_motor_theta)
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta)
         * c.inverse_motor_inertia;
-    let motor_i_ra_dot = t13 * t7 - t9 * motor_i_rb_dot;
-    let motor_i_sb_dot = t12 * c.t3 - t4 * motor_i_ra_dot - t3 * motor_i_rb_dot;
-    let motor_i_sa_dot = t11 * c.t3 - t3 * motor_i_ra_dot + t4 * motor_i_rb_dot;
+    let motor_i_ra_dot = (t17 * t9).sub_product(t11, motor_i_rb_dot);
+    let motor_i_sb_dot = (t14 * c.t3)
+        .sub_product(t6, motor_i_ra_dot)
+        .sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t13 * c.t3)
+        .sub_product(t5, motor_i_ra_dot)
+        .add_product(t6, motor_i_rb_dot);
     [
         motor_omega,
         motor_i_sa_dot,
@@ -583,14 +615,15 @@ pub fn mass_matrix<R: Real>(
 ) -> [R; 13] {
     let [motor_phi, ..] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
+    let (sin_motor_theta, cos_motor_theta) = motor_theta.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_M = p.motor_k_s * motor_L_s;
     let motor_L_r = motor_M / p.motor_k_r;
     let t0 = R::literal(1.5) * motor_L_s;
     let t1 = R::literal(1.5) * motor_M;
-    let t2 = t1 * motor_theta.cos();
-    let t3 = t1 * motor_theta.sin();
+    let t2 = t1 * cos_motor_theta;
+    let t3 = t1 * sin_motor_theta;
     let t4 = -t3;
     let t5 = R::literal(1.5) * motor_L_r;
     [t0, t2, t4, t0, t3, t2, t2, t3, t5, t4, t2, t5, p.motor_inertia]
@@ -598,7 +631,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 73 operations.
+/// 81 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     time: R,
@@ -608,47 +641,60 @@ pub fn forcing<R: Real>(
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
+    let [(t1, t2), (sin_motor_theta, cos_motor_theta)] = R::sin_cos_each([
+        t0,
+        motor_theta,
+    ]);
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
-    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t1 * t0.cos();
-    let motor_u_b = t1 * t0.sin();
-    let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma
-        / p.motor_k_r;
-    let sin_motor_theta = motor_theta.sin();
-    let cos_motor_theta = motor_theta.cos();
-    let t2 = R::literal(1.5) * motor_M;
-    let t3 = R::literal(1.5) * motor_R_s;
+    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t3 * t2;
+    let motor_u_b = t3 * t1;
+    let motor_L_r = motor_M / p.motor_k_r;
+    let t4 = R::literal(1.5) * motor_M;
+    let t5 = R::literal(1.5) * motor_R_s;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t4 = t2 * motor_omega;
-    let motor_q_sa_forcing = R::literal(1.5) * motor_u_a - t3 * motor_i_sa
-        - t4
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let motor_q_sb_forcing = R::literal(1.5) * motor_u_b - t3 * motor_i_sb
-        - t4
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
-    let t5 = R::literal(1.5) * motor_R_r;
-    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
-    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let motor_q_ra_forcing = -(t5 * motor_i_ra)
-        - t4
-            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta);
-    let motor_q_rb_forcing = -(t5 * motor_i_rb)
-        - t4
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta);
-    let motor_phi_forcing = t2
-        * (p.motor_pole_pairs * motor_across * cos_motor_theta
-            - p.motor_pole_pairs * motor_along * sin_motor_theta);
+    let t6 = t4 * motor_omega;
+    let motor_q_sa_forcing = (-(t5 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t6,
+            (-(motor_pole_pairs_times_motor_i_rb * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_ra, sin_motor_theta),
+        );
+    let motor_q_sb_forcing = (-(t5 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t6,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
+    let t7 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
+    let t8 = t7 * motor_i_sb * motor_omega;
+    let t9 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
+    let t10 = t7 * motor_i_sa * motor_omega;
+    let t11 = R::literal(0.75) * p.motor_k_s * p.motor_k_r * p.motor_alpha_r
+        * motor_omega_0;
+    let t12 = R::literal(2.0) * motor_L_r;
+    let motor_q_ra_forcing = t12
+        * (t11 * motor_i_ra)
+            .add_product(t10, sin_motor_theta)
+            .sub_product(t8, cos_motor_theta)
+            .sub_product(t9, motor_i_ra);
+    let motor_q_rb_forcing = t12
+        * (t10 * cos_motor_theta)
+            .add_product(t8, sin_motor_theta)
+            .add_product(t11, motor_i_rb)
+            .sub_product(t9, motor_i_rb);
+    let motor_phi_forcing = t4
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
     [
         motor_q_sa_forcing,
         motor_q_sb_forcing,
@@ -660,7 +706,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 321 operations.
+/// 335 operations.
 #[must_use]
 #[inline]
 pub fn rate_jacobian<R: Real>(
@@ -673,7 +719,7 @@ pub fn rate_jacobian<R: Real>(
 
 /// As `rate_jacobian`, with the constants of the parameters from `prepare`.
 ///
-/// 286 operations.
+/// 294 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(
     time: R,
@@ -683,125 +729,181 @@ pub fn prepared_rate_jacobian<R: Real>(
 ) -> [R; 30] {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
-    let t0 = p.motor_supply_phase + c.motor_omega_0 * time;
-    let motor_u_a = c.t0 * t0.cos();
-    let motor_u_b = c.t0 * t0.sin();
-    let sin_motor_theta = motor_theta.sin();
-    let cos_motor_theta = motor_theta.cos();
-    let t1 = c.t1 * cos_motor_theta;
-    let t2 = c.t1 * sin_motor_theta;
-    let t3 = t1 * c.t3;
-    let t4 = t2 * c.t3;
-    let t5 = t3 * t1;
-    let t6 = t4 * t2;
-    let t7 = R::literal(1.0) / (c.t2 - t5 - t6);
-    let t8 = t4 * t1 - t3 * t2;
-    let t9 = t8 * t7;
-    let t10 = R::literal(1.0) / (c.t2 - t6 - t5 - t9 * t8);
+    let t0 = p.motor_supply_phase.add_product(c.motor_omega_0, time);
+    let [(t1, t2), (sin_motor_theta, cos_motor_theta)] = R::sin_cos_each([
+        t0,
+        motor_theta,
+    ]);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
+    let motor_u_a = c.t0 * t2;
+    let motor_u_b = c.t0 * t1;
+    let t3 = c.t1 * cos_motor_theta;
+    let t4 = c.t1 * sin_motor_theta;
+    let t5 = t3 * c.t3;
+    let t6 = t4 * c.t3;
+    let t7 = t5 * t3;
+    let t8 = t6 * t4;
+    let t9 = R::literal(1.0) / (c.t2 - t7 - t8);
+    let t10 = (t6 * t3).sub_product(t5, t4);
+    let t11 = t10 * t9;
+    let t12 = R::literal(1.0) / (c.t2 - t8 - t7).sub_product(t11, t10);
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t11 = c.t1 * motor_omega;
-    let t12 = R::literal(1.5) * motor_u_a - c.t4 * motor_i_sa
-        - t11
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t13 = R::literal(1.5) * motor_u_b - c.t4 * motor_i_sb
-        - t11
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
-    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
-    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t14 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-        - motor_pole_pairs_times_motor_i_sa * sin_motor_theta;
-    let t15 = -(c.t6 * motor_i_ra) - t11 * t14 - t3 * t12 - t4 * t13;
-    let motor_i_rb_dot = (-(c.t6 * motor_i_rb)
-        - t11
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t4 * t12
-        - t3 * t13 - t9 * t15) * t10;
-    let motor_i_ra_dot = t15 * t7 - t9 * motor_i_rb_dot;
-    let motor_i_sb_dot = t13 * c.t3 - t4 * motor_i_ra_dot - t3 * motor_i_rb_dot;
-    let motor_i_sa_dot = t12 * c.t3 - t3 * motor_i_ra_dot + t4 * motor_i_rb_dot;
-    let t16 = motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta;
-    let t17 = c.t8 * motor_omega;
-    let t18 = motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta;
-    let t19 = motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta;
-    let t20 = c.t7 * sin_motor_theta;
-    let t21 = c.t7 * cos_motor_theta;
-    let t22 = t17 * t16 + t20 * motor_i_ra_dot + t21 * motor_i_rb_dot;
-    let t23 = t17 * t18 - t21 * motor_i_ra_dot + t20 * motor_i_rb_dot;
-    let t24 = t17 * t19 + t20 * motor_i_sa_dot - t21 * motor_i_sb_dot - t3 * t22
-        - t4 * t23;
-    let motor_i_rb_dot_by_motor_phi = (c.t9 * motor_omega
-        * (R::literal(0.75) * motor_i_sb * cos_motor_theta
-            - R::literal(0.75) * motor_i_sa * sin_motor_theta) + t21 * motor_i_sa_dot
-        + t20 * motor_i_sb_dot + t4 * t22 - t3 * t23 - t9 * t24) * t10;
+    let t13 = c.t1 * motor_omega;
+    let t14 = (-(c.t4 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t13,
+            (-(motor_pole_pairs_times_motor_i_rb * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_ra, sin_motor_theta),
+        );
+    let t15 = (-(c.t4 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t13,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
+    let t16 = c.t5 * motor_i_sb * motor_omega;
+    let t17 = c.t5 * motor_i_sa * motor_omega;
+    let t18 = (c.t8
+        * (c.t7 * motor_i_ra)
+            .add_product(t17, sin_motor_theta)
+            .sub_product(t16, cos_motor_theta)
+            .sub_product(c.t6, motor_i_ra))
+        .sub_product(t5, t14)
+        .sub_product(t6, t15);
+    let motor_i_rb_dot = (c.t8
+        * (t17 * cos_motor_theta)
+            .add_product(t16, sin_motor_theta)
+            .add_product(c.t7, motor_i_rb)
+            .sub_product(c.t6, motor_i_rb))
+        .add_product(t6, t14)
+        .sub_product(t5, t15)
+        .sub_product(t11, t18) * t12;
+    let motor_i_ra_dot = (t18 * t9).sub_product(t11, motor_i_rb_dot);
+    let motor_i_sb_dot = (t15 * c.t3)
+        .sub_product(t6, motor_i_ra_dot)
+        .sub_product(t5, motor_i_rb_dot);
+    let motor_i_sa_dot = (t14 * c.t3)
+        .sub_product(t5, motor_i_ra_dot)
+        .add_product(t6, motor_i_rb_dot);
+    let t19 = (motor_i_ra * cos_motor_theta).sub_product(motor_i_rb, sin_motor_theta);
+    let t20 = c.t10 * motor_omega;
+    let t21 = (motor_i_ra * sin_motor_theta).add_product(motor_i_rb, cos_motor_theta);
+    let t22 = (motor_i_sa * cos_motor_theta).add_product(motor_i_sb, sin_motor_theta);
+    let t23 = c.t9 * sin_motor_theta;
+    let t24 = c.t9 * cos_motor_theta;
+    let t25 = (t20 * t19)
+        .add_product(t23, motor_i_ra_dot)
+        .add_product(t24, motor_i_rb_dot);
+    let t26 = (t20 * t21)
+        .sub_product(t24, motor_i_ra_dot)
+        .add_product(t23, motor_i_rb_dot);
+    let t27 = (t20 * t22)
+        .add_product(t23, motor_i_sa_dot)
+        .sub_product(t24, motor_i_sb_dot)
+        .sub_product(t5, t25)
+        .sub_product(t6, t26);
+    let motor_i_rb_dot_by_motor_phi = (c.t11 * motor_omega
+        * (R::literal(0.75) * motor_i_sb * cos_motor_theta)
+            .sub_product(R::literal(0.75) * motor_i_sa, sin_motor_theta))
+        .add_product(t24, motor_i_sa_dot)
+        .add_product(t23, motor_i_sb_dot)
+        .add_product(t6, t25)
+        .sub_product(t5, t26)
+        .sub_product(t11, t27) * t12;
     let motor_omega_dot_by_motor_phi = c.t1
-        * (-(c.motor_pole_pairs_squared * motor_along * cos_motor_theta)
-            - c.motor_pole_pairs_squared * motor_across * sin_motor_theta)
+        * (-(c.motor_pole_pairs_squared * motor_across * sin_motor_theta))
+            .sub_product(c.motor_pole_pairs_squared * motor_along, cos_motor_theta)
         * c.inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_phi = t24 * t7 - t9 * motor_i_rb_dot_by_motor_phi;
-    let motor_i_sb_dot_by_motor_phi = t23 * c.t3 - t4 * motor_i_ra_dot_by_motor_phi
-        - t3 * motor_i_rb_dot_by_motor_phi;
-    let motor_i_sa_dot_by_motor_phi = t22 * c.t3 - t3 * motor_i_ra_dot_by_motor_phi
-        + t4 * motor_i_rb_dot_by_motor_phi;
-    let t25 = c.t7 * motor_omega;
-    let t26 = t25 * sin_motor_theta;
-    let t27 = t25 * cos_motor_theta;
-    let t28 = c.t7 * t18;
-    let t29 = t26 - t3 * c.t11;
-    let t30 = t4 * c.t11;
-    let motor_i_rb_dot_by_motor_i_sa = (t27 + t30 - t9 * t29) * t10;
-    let motor_omega_dot_by_motor_i_sa = -(t28 * c.inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_i_sa = t29 * t7 - t9 * motor_i_rb_dot_by_motor_i_sa;
-    let motor_i_sb_dot_by_motor_i_sa = -(t4 * motor_i_ra_dot_by_motor_i_sa)
-        - t3 * motor_i_rb_dot_by_motor_i_sa;
-    let motor_i_sa_dot_by_motor_i_sa = c.t12 - t3 * motor_i_ra_dot_by_motor_i_sa
-        + t4 * motor_i_rb_dot_by_motor_i_sa;
-    let t31 = -t27 - t30;
-    let motor_i_rb_dot_by_motor_i_sb = (t29 - t9 * t31) * t10;
-    let motor_omega_dot_by_motor_i_sb = c.t7 * t16 * c.inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_i_sb = t31 * t7 - t9 * motor_i_rb_dot_by_motor_i_sb;
-    let motor_i_sb_dot_by_motor_i_sb = c.t12 - t4 * motor_i_ra_dot_by_motor_i_sb
-        - t3 * motor_i_rb_dot_by_motor_i_sb;
-    let motor_i_sa_dot_by_motor_i_sb = t4 * motor_i_rb_dot_by_motor_i_sb
-        - t3 * motor_i_ra_dot_by_motor_i_sb;
-    let t32 = t3 * t26;
-    let t33 = t4 * t27;
-    let t34 = c.t13 - t32 + t33;
-    let t35 = t4 * t26;
-    let t36 = t3 * t27;
-    let t37 = t26 * c.t3;
-    let t38 = t27 * c.t3;
-    let motor_i_rb_dot_by_motor_i_ra = (t35 + t36 - t9 * t34) * t10;
-    let motor_omega_dot_by_motor_i_ra = c.t1 * t14 * c.inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_i_ra = t34 * t7 - t9 * motor_i_rb_dot_by_motor_i_ra;
-    let motor_i_sb_dot_by_motor_i_ra = -t38 - t4 * motor_i_ra_dot_by_motor_i_ra
-        - t3 * motor_i_rb_dot_by_motor_i_ra;
-    let motor_i_sa_dot_by_motor_i_ra = t37 - t3 * motor_i_ra_dot_by_motor_i_ra
-        + t4 * motor_i_rb_dot_by_motor_i_ra;
-    let t39 = c.t7 * t19;
-    let t40 = -t36 - t35;
-    let motor_i_rb_dot_by_motor_i_rb = (c.t13 + t33 - t32 - t9 * t40) * t10;
-    let motor_omega_dot_by_motor_i_rb = -(t39 * c.inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_i_rb = t40 * t7 - t9 * motor_i_rb_dot_by_motor_i_rb;
-    let motor_i_sb_dot_by_motor_i_rb = t37 - t4 * motor_i_ra_dot_by_motor_i_rb
-        - t3 * motor_i_rb_dot_by_motor_i_rb;
-    let motor_i_sa_dot_by_motor_i_rb = t38 - t3 * motor_i_ra_dot_by_motor_i_rb
-        + t4 * motor_i_rb_dot_by_motor_i_rb;
-    let t41 = c.t14
-        * (R::literal(0.75) * motor_i_rb * sin_motor_theta
-            - R::literal(0.75) * motor_i_ra * cos_motor_theta);
-    let t42 = c.t7 * (motor_i_sa * sin_motor_theta - motor_i_sb * cos_motor_theta)
-        - t3 * t28 - t4 * t41;
-    let motor_i_rb_dot_by_motor_omega = (t39 + t4 * t28 - t3 * t41 - t9 * t42) * t10;
-    let motor_i_ra_dot_by_motor_omega = t42 * t7 - t9 * motor_i_rb_dot_by_motor_omega;
-    let motor_i_sb_dot_by_motor_omega = t41 * c.t3 - t4 * motor_i_ra_dot_by_motor_omega
-        - t3 * motor_i_rb_dot_by_motor_omega;
-    let motor_i_sa_dot_by_motor_omega = t28 * c.t3 - t3 * motor_i_ra_dot_by_motor_omega
-        + t4 * motor_i_rb_dot_by_motor_omega;
+    let motor_i_ra_dot_by_motor_phi = (t27 * t9)
+        .sub_product(t11, motor_i_rb_dot_by_motor_phi);
+    let motor_i_sb_dot_by_motor_phi = (t26 * c.t3)
+        .sub_product(t6, motor_i_ra_dot_by_motor_phi)
+        .sub_product(t5, motor_i_rb_dot_by_motor_phi);
+    let motor_i_sa_dot_by_motor_phi = (t25 * c.t3)
+        .sub_product(t5, motor_i_ra_dot_by_motor_phi)
+        .add_product(t6, motor_i_rb_dot_by_motor_phi);
+    let t28 = c.t9 * motor_omega;
+    let t29 = t28 * sin_motor_theta;
+    let t30 = t28 * cos_motor_theta;
+    let t31 = c.t9 * t21;
+    let t32 = t29.sub_product(t5, c.t13);
+    let t33 = t6 * c.t13;
+    let motor_i_rb_dot_by_motor_i_sa = (t30 + t33).sub_product(t11, t32) * t12;
+    let motor_omega_dot_by_motor_i_sa = -(t31 * c.inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_i_sa = (t32 * t9)
+        .sub_product(t11, motor_i_rb_dot_by_motor_i_sa);
+    let motor_i_sb_dot_by_motor_i_sa = (-(t5 * motor_i_rb_dot_by_motor_i_sa))
+        .sub_product(t6, motor_i_ra_dot_by_motor_i_sa);
+    let motor_i_sa_dot_by_motor_i_sa = c
+        .t14
+        .sub_product(t5, motor_i_ra_dot_by_motor_i_sa)
+        .add_product(t6, motor_i_rb_dot_by_motor_i_sa);
+    let t34 = -t30 - t33;
+    let motor_i_rb_dot_by_motor_i_sb = t32.sub_product(t11, t34) * t12;
+    let motor_omega_dot_by_motor_i_sb = c.t9 * t19 * c.inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_i_sb = (t34 * t9)
+        .sub_product(t11, motor_i_rb_dot_by_motor_i_sb);
+    let motor_i_sb_dot_by_motor_i_sb = c
+        .t14
+        .sub_product(t6, motor_i_ra_dot_by_motor_i_sb)
+        .sub_product(t5, motor_i_rb_dot_by_motor_i_sb);
+    let motor_i_sa_dot_by_motor_i_sb = (t6 * motor_i_rb_dot_by_motor_i_sb)
+        .sub_product(t5, motor_i_ra_dot_by_motor_i_sb);
+    let t35 = t5 * t29;
+    let t36 = t6 * t30;
+    let t37 = c.t15 - t35 + t36;
+    let t38 = t6 * t29;
+    let t39 = t5 * t30;
+    let t40 = t29 * c.t3;
+    let t41 = t30 * c.t3;
+    let motor_i_rb_dot_by_motor_i_ra = (t38 + t39).sub_product(t11, t37) * t12;
+    let motor_omega_dot_by_motor_i_ra = c.t1
+        * (p.motor_pole_pairs * motor_i_sb * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_i_sa, sin_motor_theta)
+        * c.inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_i_ra = (t37 * t9)
+        .sub_product(t11, motor_i_rb_dot_by_motor_i_ra);
+    let motor_i_sb_dot_by_motor_i_ra = (-t41)
+        .sub_product(t6, motor_i_ra_dot_by_motor_i_ra)
+        .sub_product(t5, motor_i_rb_dot_by_motor_i_ra);
+    let motor_i_sa_dot_by_motor_i_ra = t40
+        .sub_product(t5, motor_i_ra_dot_by_motor_i_ra)
+        .add_product(t6, motor_i_rb_dot_by_motor_i_ra);
+    let t42 = c.t9 * t22;
+    let t43 = -t39 - t38;
+    let motor_i_rb_dot_by_motor_i_rb = (c.t15 + t36 - t35).sub_product(t11, t43) * t12;
+    let motor_omega_dot_by_motor_i_rb = -(t42 * c.inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_i_rb = (t43 * t9)
+        .sub_product(t11, motor_i_rb_dot_by_motor_i_rb);
+    let motor_i_sb_dot_by_motor_i_rb = t40
+        .sub_product(t6, motor_i_ra_dot_by_motor_i_rb)
+        .sub_product(t5, motor_i_rb_dot_by_motor_i_rb);
+    let motor_i_sa_dot_by_motor_i_rb = t41
+        .sub_product(t5, motor_i_ra_dot_by_motor_i_rb)
+        .add_product(t6, motor_i_rb_dot_by_motor_i_rb);
+    let t44 = c.t16
+        * (R::literal(0.75) * motor_i_rb * sin_motor_theta)
+            .sub_product(R::literal(0.75) * motor_i_ra, cos_motor_theta);
+    let t45 = (c.t9
+        * (motor_i_sa * sin_motor_theta).sub_product(motor_i_sb, cos_motor_theta))
+        .sub_product(t5, t31)
+        .sub_product(t6, t44);
+    let motor_i_rb_dot_by_motor_omega = t42
+        .add_product(t6, t31)
+        .sub_product(t5, t44)
+        .sub_product(t11, t45) * t12;
+    let motor_i_ra_dot_by_motor_omega = (t45 * t9)
+        .sub_product(t11, motor_i_rb_dot_by_motor_omega);
+    let motor_i_sb_dot_by_motor_omega = (t44 * c.t3)
+        .sub_product(t6, motor_i_ra_dot_by_motor_omega)
+        .sub_product(t5, motor_i_rb_dot_by_motor_omega);
+    let motor_i_sa_dot_by_motor_omega = (t31 * c.t3)
+        .sub_product(t5, motor_i_ra_dot_by_motor_omega)
+        .add_product(t6, motor_i_rb_dot_by_motor_omega);
     [
         R::literal(1.0),
         motor_i_sa_dot_by_motor_phi,
@@ -838,7 +940,7 @@ pub fn prepared_rate_jacobian<R: Real>(
 
 /// `dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.
 ///
-/// 580 operations.
+/// 578 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(
     time: R,
@@ -848,247 +950,331 @@ pub fn parameter_jacobian<R: Real>(
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
+    let [(t1, t2), (sin_motor_theta, cos_motor_theta)] = R::sin_cos_each([
+        t0,
+        motor_theta,
+    ]);
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
-    let t1 = t0.cos();
-    let t2 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t2 * t1;
-    let t3 = t0.sin();
-    let motor_u_b = t2 * t3;
+    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t3 * t2;
+    let motor_u_b = t3 * t1;
     let motor_L_r = motor_M / p.motor_k_r;
-    let motor_k_s_times_motor_x_s = p.motor_k_s * p.motor_x_s;
-    let motor_R_r = motor_k_s_times_motor_x_s * p.motor_alpha_r * motor_sigma
-        / p.motor_k_r;
-    let sin_motor_theta = motor_theta.sin();
-    let cos_motor_theta = motor_theta.cos();
-    let t4 = R::literal(1.5) * p.motor_pole_pairs;
-    let t5 = R::literal(1.5) * motor_L_s;
-    let t6 = R::literal(1.5) * motor_M;
-    let t7 = t6 * cos_motor_theta;
-    let t8 = t6 * sin_motor_theta;
-    let t9 = R::literal(1.5) * motor_L_r;
-    let t10 = R::literal(1.0) / t5;
-    let t11 = t7 * t10;
-    let t12 = t8 * t10;
+    let t4 = R::literal(1.5) * motor_L_s;
+    let t5 = R::literal(1.5) * motor_M;
+    let t6 = t5 * cos_motor_theta;
+    let t7 = t5 * sin_motor_theta;
+    let t8 = R::literal(1.5) * motor_L_r;
+    let t9 = R::literal(1.0) / t4;
+    let t10 = t6 * t9;
+    let t11 = t7 * t9;
+    let t12 = t10 * t6;
     let t13 = t11 * t7;
-    let t14 = t12 * t8;
-    let t15 = R::literal(1.0) / (t9 - t13 - t14);
-    let t16 = t12 * t7 - t11 * t8;
-    let t17 = t16 * t15;
-    let t18 = R::literal(1.0) / (t9 - t14 - t13 - t17 * t16);
+    let t14 = R::literal(1.0) / (t8 - t12 - t13);
+    let t15 = (t11 * t6).sub_product(t10, t7);
+    let t16 = t15 * t14;
+    let t17 = R::literal(1.0) / (t8 - t13 - t12).sub_product(t16, t15);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let t19 = R::literal(1.5) * motor_R_s;
+    let t18 = R::literal(1.5) * motor_R_s;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t20 = -(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-        - motor_pole_pairs_times_motor_i_rb * cos_motor_theta;
-    let t21 = t6 * motor_omega;
-    let t22 = R::literal(1.5) * motor_u_a;
-    let t23 = t22 - t19 * motor_i_sa - t21 * t20;
-    let t24 = motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-        - motor_pole_pairs_times_motor_i_rb * sin_motor_theta;
-    let t25 = R::literal(1.5) * motor_u_b;
-    let t26 = t25 - t19 * motor_i_sb - t21 * t24;
-    let t27 = R::literal(1.5) * motor_R_r;
-    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
-    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t28 = motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-        - motor_pole_pairs_times_motor_i_sa * sin_motor_theta;
-    let t29 = -(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-        - motor_pole_pairs_times_motor_i_sb * sin_motor_theta;
-    let t30 = p.motor_pole_pairs * motor_across * cos_motor_theta
-        - p.motor_pole_pairs * motor_along * sin_motor_theta;
-    let t31 = -(t27 * motor_i_ra) - t21 * t28 - t11 * t23 - t12 * t26;
-    let motor_i_rb_dot = (-(t27 * motor_i_rb) - t21 * t29 + t12 * t23 - t11 * t26
-        - t17 * t31) * t18;
-    let motor_omega_dot = t6 * t30 * inverse_motor_inertia;
-    let motor_i_ra_dot = t31 * t15 - t17 * motor_i_rb_dot;
-    let motor_i_sb_dot = t26 * t10 - t12 * motor_i_ra_dot - t11 * motor_i_rb_dot;
-    let motor_i_sa_dot = t23 * t10 - t11 * motor_i_ra_dot + t12 * motor_i_rb_dot;
+    let t19 = (-(motor_pole_pairs_times_motor_i_rb * cos_motor_theta))
+        .sub_product(motor_pole_pairs_times_motor_i_ra, sin_motor_theta);
+    let t20 = t5 * motor_omega;
+    let t21 = R::literal(1.5) * motor_u_a;
+    let t22 = t21.sub_product(t18, motor_i_sa).sub_product(t20, t19);
+    let t23 = (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+        .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta);
+    let t24 = R::literal(1.5) * motor_u_b;
+    let t25 = t24.sub_product(t18, motor_i_sb).sub_product(t20, t23);
+    let t26 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
+    let t27 = t26 * motor_i_sb * motor_omega;
+    let t28 = t27 * cos_motor_theta;
+    let t29 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
+    let t30 = t29 * motor_i_ra;
+    let t31 = t26 * motor_i_sa * motor_omega;
+    let t32 = t31 * sin_motor_theta;
+    let t33 = R::literal(0.75) * p.motor_k_s * p.motor_k_r * p.motor_alpha_r
+        * motor_omega_0;
+    let t34 = t32.add_product(t33, motor_i_ra) - t28 - t30;
+    let t35 = R::literal(2.0) * motor_L_r;
+    let t36 = t29 * motor_i_rb;
+    let t37 = (t31 * cos_motor_theta).add_product(t27, sin_motor_theta);
+    let t38 = t37.add_product(t33, motor_i_rb) - t36;
+    let t39 = (p.motor_pole_pairs * motor_across * cos_motor_theta)
+        .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
+    let t40 = (t35 * t34).sub_product(t10, t22).sub_product(t11, t25);
+    let motor_i_rb_dot = (t35 * t38)
+        .add_product(t11, t22)
+        .sub_product(t10, t25)
+        .sub_product(t16, t40) * t17;
+    let motor_omega_dot = t5 * t39 * inverse_motor_inertia;
+    let motor_i_ra_dot = (t40 * t14).sub_product(t16, motor_i_rb_dot);
+    let motor_i_sb_dot = (t25 * t9)
+        .sub_product(t11, motor_i_ra_dot)
+        .sub_product(t10, motor_i_rb_dot);
+    let motor_i_sa_dot = (t22 * t9)
+        .sub_product(t10, motor_i_ra_dot)
+        .add_product(t11, motor_i_rb_dot);
     let motor_i_sa_times_cos_motor_theta = motor_i_sa * cos_motor_theta;
     let motor_i_sb_times_sin_motor_theta = motor_i_sb * sin_motor_theta;
-    let t32 = R::literal(1.5) * p.motor_k_s;
-    let t33 = t32 * p.motor_k_r - R::literal(1.5);
+    let t41 = R::literal(1.5) * p.motor_k_s;
+    let t42 = t41 * p.motor_k_r;
+    let t43 = t42 - R::literal(1.5);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
-    let t34 = R::literal(2.121_320_343_559_643) * t1;
-    let t35 = R::literal(2.121_320_343_559_643) * t3;
-    let t36 = -(t11 * t34) - t12 * t35;
-    let motor_i_rb_dot_by_motor_phase_voltage = (t12 * t34 - t11 * t35 - t17 * t36)
-        * t18;
-    let motor_i_ra_dot_by_motor_phase_voltage = t36 * t15
-        - t17 * motor_i_rb_dot_by_motor_phase_voltage;
-    let motor_i_sb_dot_by_motor_phase_voltage = t35 * t10
-        - t12 * motor_i_ra_dot_by_motor_phase_voltage
-        - t11 * motor_i_rb_dot_by_motor_phase_voltage;
-    let motor_i_sa_dot_by_motor_phase_voltage = t34 * t10
-        - t11 * motor_i_ra_dot_by_motor_phase_voltage
-        + t12 * motor_i_rb_dot_by_motor_phase_voltage;
-    let t37 = R::literal(3.0 * core::f64::consts::PI) * time;
-    let t38 = t6 / p.motor_supply_frequency;
-    let t39 = t38 * motor_omega;
-    let t40 = t5 / p.motor_supply_frequency;
-    let t41 = t38 * cos_motor_theta;
-    let t42 = t38 * sin_motor_theta;
-    let t43 = t39 * t20 - t37 * motor_u_b + t40 * motor_i_sa_dot + t41 * motor_i_ra_dot
-        - t42 * motor_i_rb_dot;
-    let t44 = t39 * t24 + t37 * motor_u_a + t40 * motor_i_sb_dot + t42 * motor_i_ra_dot
-        + t41 * motor_i_rb_dot;
-    let t45 = t9 / p.motor_supply_frequency;
-    let t46 = t39 * t28 + t41 * motor_i_sa_dot + t42 * motor_i_sb_dot
-        + t45 * motor_i_ra_dot - t11 * t43 - t12 * t44;
-    let motor_i_rb_dot_by_motor_supply_frequency = (-(t4 * motor_M
-        / p.motor_supply_frequency * motor_omega
-        * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta))
-        - t42 * motor_i_sa_dot + t41 * motor_i_sb_dot + t45 * motor_i_rb_dot + t12 * t43
-        - t11 * t44 - t17 * t46) * t18;
-    let motor_omega_dot_by_motor_supply_frequency = -(t38 * t30 * inverse_motor_inertia);
-    let motor_i_ra_dot_by_motor_supply_frequency = t46 * t15
-        - t17 * motor_i_rb_dot_by_motor_supply_frequency;
-    let motor_i_sb_dot_by_motor_supply_frequency = t44 * t10
-        - t12 * motor_i_ra_dot_by_motor_supply_frequency
-        - t11 * motor_i_rb_dot_by_motor_supply_frequency;
-    let motor_i_sa_dot_by_motor_supply_frequency = t43 * t10
-        - t11 * motor_i_ra_dot_by_motor_supply_frequency
-        + t12 * motor_i_rb_dot_by_motor_supply_frequency;
-    let t47 = t11 * t25 - t12 * t22;
-    let motor_i_rb_dot_by_motor_supply_phase = (-(t12 * t25) - t11 * t22 - t17 * t47)
-        * t18;
-    let motor_i_ra_dot_by_motor_supply_phase = t47 * t15
-        - t17 * motor_i_rb_dot_by_motor_supply_phase;
-    let motor_i_sb_dot_by_motor_supply_phase = t22 * t10
-        - t12 * motor_i_ra_dot_by_motor_supply_phase
-        - t11 * motor_i_rb_dot_by_motor_supply_phase;
-    let motor_i_sa_dot_by_motor_supply_phase = -(t25 * t10)
-        - t11 * motor_i_ra_dot_by_motor_supply_phase
-        + t12 * motor_i_rb_dot_by_motor_supply_phase;
+    let t44 = R::literal(2.121_320_343_559_643) * t2;
+    let t45 = R::literal(2.121_320_343_559_643) * t1;
+    let t46 = (-(t11 * t45)).sub_product(t10, t44);
+    let motor_i_rb_dot_by_motor_phase_voltage = (t11 * t44)
+        .sub_product(t10, t45)
+        .sub_product(t16, t46) * t17;
+    let motor_i_ra_dot_by_motor_phase_voltage = (t46 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_phase_voltage);
+    let motor_i_sb_dot_by_motor_phase_voltage = (t45 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_phase_voltage)
+        .sub_product(t10, motor_i_rb_dot_by_motor_phase_voltage);
+    let motor_i_sa_dot_by_motor_phase_voltage = (t44 * t9)
+        .sub_product(t10, motor_i_ra_dot_by_motor_phase_voltage)
+        .add_product(t11, motor_i_rb_dot_by_motor_phase_voltage);
+    let t47 = R::literal(3.0 * core::f64::consts::PI) * time;
+    let t48 = t5 / p.motor_supply_frequency;
+    let t49 = t48 * motor_omega;
+    let t50 = t4 / p.motor_supply_frequency;
+    let t51 = t48 * cos_motor_theta;
+    let t52 = t48 * sin_motor_theta;
+    let t53 = (t49 * t19)
+        .sub_product(t47, motor_u_b)
+        .add_product(t50, motor_i_sa_dot)
+        .add_product(t51, motor_i_ra_dot)
+        .sub_product(t52, motor_i_rb_dot);
+    let t54 = (t49 * t23)
+        .add_product(t47, motor_u_a)
+        .add_product(t50, motor_i_sb_dot)
+        .add_product(t52, motor_i_ra_dot)
+        .add_product(t51, motor_i_rb_dot);
+    let t55 = t8 / p.motor_supply_frequency;
+    let t56 = (R::literal(2.0) * p.motor_pole_pairs * motor_M / p.motor_supply_frequency
+        * motor_omega
+        * (R::literal(0.75) * motor_i_sb * cos_motor_theta)
+            .sub_product(R::literal(0.75) * motor_i_sa, sin_motor_theta))
+        .add_product(t51, motor_i_sa_dot)
+        .add_product(t52, motor_i_sb_dot)
+        .add_product(t55, motor_i_ra_dot)
+        .sub_product(t10, t53)
+        .sub_product(t11, t54);
+    let motor_i_rb_dot_by_motor_supply_frequency = (-(R::literal(1.5)
+        * p.motor_pole_pairs * motor_M / p.motor_supply_frequency * motor_omega
+        * (motor_i_sa_times_cos_motor_theta + motor_i_sb_times_sin_motor_theta)))
+        .sub_product(t52, motor_i_sa_dot)
+        .add_product(t51, motor_i_sb_dot)
+        .add_product(t55, motor_i_rb_dot)
+        .add_product(t11, t53)
+        .sub_product(t10, t54)
+        .sub_product(t16, t56) * t17;
+    let motor_omega_dot_by_motor_supply_frequency = -(t48 * t39 * inverse_motor_inertia);
+    let motor_i_ra_dot_by_motor_supply_frequency = (t56 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_supply_frequency);
+    let motor_i_sb_dot_by_motor_supply_frequency = (t54 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_supply_frequency)
+        .sub_product(t10, motor_i_rb_dot_by_motor_supply_frequency);
+    let motor_i_sa_dot_by_motor_supply_frequency = (t53 * t9)
+        .sub_product(t10, motor_i_ra_dot_by_motor_supply_frequency)
+        .add_product(t11, motor_i_rb_dot_by_motor_supply_frequency);
+    let t57 = (t10 * t24).sub_product(t11, t21);
+    let motor_i_rb_dot_by_motor_supply_phase = (-(t10 * t21))
+        .sub_product(t11, t24)
+        .sub_product(t16, t57) * t17;
+    let motor_i_ra_dot_by_motor_supply_phase = (t57 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_supply_phase);
+    let motor_i_sb_dot_by_motor_supply_phase = (t21 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_supply_phase)
+        .sub_product(t10, motor_i_rb_dot_by_motor_supply_phase);
+    let motor_i_sa_dot_by_motor_supply_phase = (-(t24 * t9))
+        .sub_product(t10, motor_i_ra_dot_by_motor_supply_phase)
+        .add_product(t11, motor_i_rb_dot_by_motor_supply_phase);
     let motor_i_rb_times_motor_theta = motor_i_rb * motor_theta;
     let motor_i_ra_times_motor_theta = motor_i_ra * motor_theta;
     let motor_i_sa_times_motor_theta = motor_i_sa * motor_theta;
     let motor_i_sb_times_motor_theta = motor_i_sb * motor_theta;
-    let t48 = t6 * motor_phi;
-    let t49 = t48 * sin_motor_theta;
-    let t50 = t48 * cos_motor_theta;
-    let t51 = t21
-        * (motor_i_ra_times_motor_theta * cos_motor_theta + motor_i_ra * sin_motor_theta
-            + motor_i_rb * cos_motor_theta
-            - motor_i_rb_times_motor_theta * sin_motor_theta) + t49 * motor_i_ra_dot
-        + t50 * motor_i_rb_dot;
-    let t52 = t21
-        * (motor_i_ra_times_motor_theta * sin_motor_theta
-            + motor_i_rb_times_motor_theta * cos_motor_theta
-            + motor_i_rb * sin_motor_theta - motor_i_ra * cos_motor_theta)
-        - t50 * motor_i_ra_dot + t49 * motor_i_rb_dot;
-    let t53 = t21
-        * (motor_i_sa_times_motor_theta * cos_motor_theta + motor_i_sa * sin_motor_theta
-            + motor_i_sb_times_motor_theta * sin_motor_theta
-            - motor_i_sb * cos_motor_theta) + t49 * motor_i_sa_dot - t50 * motor_i_sb_dot
-        - t11 * t51 - t12 * t52;
-    let motor_i_rb_dot_by_motor_pole_pairs = (t50 * motor_i_sa_dot
-        - t21
-            * (motor_i_sa_times_motor_theta * sin_motor_theta
-                - motor_i_sa_times_cos_motor_theta
-                - motor_i_sb_times_motor_theta * cos_motor_theta
-                - motor_i_sb_times_sin_motor_theta) + t49 * motor_i_sb_dot + t12 * t51
-        - t11 * t52 - t17 * t53) * t18;
-    let motor_omega_dot_by_motor_pole_pairs = t6
-        * (motor_across * cos_motor_theta - motor_theta * motor_along * cos_motor_theta
-            - motor_theta * motor_across * sin_motor_theta
-            - motor_along * sin_motor_theta) * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_pole_pairs = t53 * t15
-        - t17 * motor_i_rb_dot_by_motor_pole_pairs;
-    let motor_i_sb_dot_by_motor_pole_pairs = t52 * t10
-        - t12 * motor_i_ra_dot_by_motor_pole_pairs
-        - t11 * motor_i_rb_dot_by_motor_pole_pairs;
-    let motor_i_sa_dot_by_motor_pole_pairs = t51 * t10
-        - t11 * motor_i_ra_dot_by_motor_pole_pairs
-        + t12 * motor_i_rb_dot_by_motor_pole_pairs;
-    let t54 = t5 * motor_omega;
-    let t55 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
-    let t56 = t4 * motor_L_s;
-    let t57 = t56 * motor_i_sb * motor_omega;
-    let t58 = R::literal(1.5) * p.motor_x_s * p.motor_alpha_r / p.motor_k_r;
-    let t59 = t56 * motor_i_sa * motor_omega;
-    let t60 = R::literal(3.0) * p.motor_k_s * p.motor_x_s * p.motor_alpha_r;
-    let t61 = t5 * cos_motor_theta;
-    let t62 = t5 * sin_motor_theta;
-    let t63 = t55 * motor_i_sa - t54 * t20 - t61 * motor_i_ra_dot + t62 * motor_i_rb_dot;
-    let t64 = t55 * motor_i_sb - t54 * t24 - t62 * motor_i_ra_dot - t61 * motor_i_rb_dot;
-    let t65 = t5 / p.motor_k_r;
-    let t66 = t59 * sin_motor_theta + t60 * motor_i_ra - t57 * cos_motor_theta
-        - t58 * motor_i_ra - t61 * motor_i_sa_dot - t62 * motor_i_sb_dot
-        - t65 * motor_i_ra_dot - t11 * t63 - t12 * t64;
-    let motor_i_rb_dot_by_motor_k_s = (t59 * cos_motor_theta + t57 * sin_motor_theta
-        + t60 * motor_i_rb - t58 * motor_i_rb + t62 * motor_i_sa_dot
-        - t61 * motor_i_sb_dot - t65 * motor_i_rb_dot + t12 * t63 - t11 * t64
-        - t17 * t66) * t18;
-    let motor_omega_dot_by_motor_k_s = t5 * t30 * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_k_s = t66 * t15 - t17 * motor_i_rb_dot_by_motor_k_s;
-    let motor_i_sb_dot_by_motor_k_s = t64 * t10 - t12 * motor_i_ra_dot_by_motor_k_s
-        - t11 * motor_i_rb_dot_by_motor_k_s;
-    let motor_i_sa_dot_by_motor_k_s = t63 * t10 - t11 * motor_i_ra_dot_by_motor_k_s
-        + t12 * motor_i_rb_dot_by_motor_k_s;
-    let t67 = t32 * p.motor_x_s;
-    let t68 = t67 * p.motor_alpha_s;
-    let t69 = t68 * motor_i_sa;
-    let t70 = t68 * motor_i_sb;
-    let t71 = t67 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
-    let t72 = t9 / p.motor_k_r;
-    let t73 = t71 * motor_i_ra + t72 * motor_i_ra_dot - t11 * t69 - t12 * t70;
-    let motor_i_rb_dot_by_motor_k_r = (t71 * motor_i_rb + t72 * motor_i_rb_dot
-        + t12 * t69 - t11 * t70 - t17 * t73) * t18;
-    let motor_i_ra_dot_by_motor_k_r = t73 * t15 - t17 * motor_i_rb_dot_by_motor_k_r;
-    let motor_i_sb_dot_by_motor_k_r = t70 * t10 - t12 * motor_i_ra_dot_by_motor_k_r
-        - t11 * motor_i_rb_dot_by_motor_k_r;
-    let motor_i_sa_dot_by_motor_k_r = t69 * t10 - t11 * motor_i_ra_dot_by_motor_k_r
-        + t12 * motor_i_rb_dot_by_motor_k_r;
-    let t74 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
-    let t75 = t32 / motor_omega_0;
-    let t76 = t75 * motor_omega;
-    let t77 = t32 * p.motor_alpha_r * motor_sigma / p.motor_k_r;
-    let t78 = R::literal(1.5) / motor_omega_0;
-    let t79 = t75 * cos_motor_theta;
-    let t80 = t75 * sin_motor_theta;
-    let t81 = -(t74 * motor_i_sa) - t76 * t20 - t78 * motor_i_sa_dot
-        - t79 * motor_i_ra_dot + t80 * motor_i_rb_dot;
-    let t82 = -(t74 * motor_i_sb) - t76 * t24 - t78 * motor_i_sb_dot
-        - t80 * motor_i_ra_dot - t79 * motor_i_rb_dot;
-    let t83 = t32 / (p.motor_k_r * motor_omega_0);
-    let t84 = -(t77 * motor_i_ra) - t76 * t28 - t79 * motor_i_sa_dot
-        - t80 * motor_i_sb_dot - t83 * motor_i_ra_dot - t11 * t81 - t12 * t82;
-    let motor_i_rb_dot_by_motor_x_s = (-(t77 * motor_i_rb) - t76 * t29
-        + t80 * motor_i_sa_dot - t79 * motor_i_sb_dot - t83 * motor_i_rb_dot + t12 * t81
-        - t11 * t82 - t17 * t84) * t18;
-    let motor_omega_dot_by_motor_x_s = t75 * t30 * inverse_motor_inertia;
-    let motor_i_ra_dot_by_motor_x_s = t84 * t15 - t17 * motor_i_rb_dot_by_motor_x_s;
-    let motor_i_sb_dot_by_motor_x_s = t82 * t10 - t12 * motor_i_ra_dot_by_motor_x_s
-        - t11 * motor_i_rb_dot_by_motor_x_s;
-    let motor_i_sa_dot_by_motor_x_s = t81 * t10 - t11 * motor_i_ra_dot_by_motor_x_s
-        + t12 * motor_i_rb_dot_by_motor_x_s;
-    let t85 = p.motor_x_s * t33;
-    let t86 = t85 * motor_i_sa;
-    let t87 = t85 * motor_i_sb;
-    let t88 = -(t11 * t86) - t12 * t87;
-    let motor_i_rb_dot_by_motor_alpha_s = (t12 * t86 - t11 * t87 - t17 * t88) * t18;
-    let motor_i_ra_dot_by_motor_alpha_s = t88 * t15
-        - t17 * motor_i_rb_dot_by_motor_alpha_s;
-    let motor_i_sb_dot_by_motor_alpha_s = t87 * t10
-        - t12 * motor_i_ra_dot_by_motor_alpha_s - t11 * motor_i_rb_dot_by_motor_alpha_s;
-    let motor_i_sa_dot_by_motor_alpha_s = t86 * t10
-        - t11 * motor_i_ra_dot_by_motor_alpha_s + t12 * motor_i_rb_dot_by_motor_alpha_s;
-    let t89 = motor_k_s_times_motor_x_s * t33 / p.motor_k_r;
-    let t90 = t89 * motor_i_ra;
-    let motor_i_rb_dot_by_motor_alpha_r = (t89 * motor_i_rb - t17 * t90) * t18;
-    let motor_i_ra_dot_by_motor_alpha_r = t90 * t15
-        - t17 * motor_i_rb_dot_by_motor_alpha_r;
-    let motor_i_sb_dot_by_motor_alpha_r = -(t12 * motor_i_ra_dot_by_motor_alpha_r)
-        - t11 * motor_i_rb_dot_by_motor_alpha_r;
-    let motor_i_sa_dot_by_motor_alpha_r = t12 * motor_i_rb_dot_by_motor_alpha_r
-        - t11 * motor_i_ra_dot_by_motor_alpha_r;
+    let t58 = t5 * motor_phi;
+    let t59 = t58 * sin_motor_theta;
+    let t60 = t58 * cos_motor_theta;
+    let t61 = (t20
+        * (motor_i_ra_times_motor_theta * cos_motor_theta)
+            .add_product(motor_i_ra, sin_motor_theta)
+            .add_product(motor_i_rb, cos_motor_theta)
+            .sub_product(motor_i_rb_times_motor_theta, sin_motor_theta))
+        .add_product(t59, motor_i_ra_dot)
+        .add_product(t60, motor_i_rb_dot);
+    let t62 = (t20
+        * (motor_i_ra_times_motor_theta * sin_motor_theta)
+            .add_product(motor_i_rb_times_motor_theta, cos_motor_theta)
+            .add_product(motor_i_rb, sin_motor_theta)
+            .sub_product(motor_i_ra, cos_motor_theta))
+        .sub_product(t60, motor_i_ra_dot)
+        .add_product(t59, motor_i_rb_dot);
+    let t63 = (t20
+        * (motor_i_sa_times_motor_theta * cos_motor_theta)
+            .add_product(motor_i_sa, sin_motor_theta)
+            .add_product(motor_i_sb_times_motor_theta, sin_motor_theta)
+            .sub_product(motor_i_sb, cos_motor_theta))
+        .add_product(t59, motor_i_sa_dot)
+        .sub_product(t60, motor_i_sb_dot)
+        .sub_product(t10, t61)
+        .sub_product(t11, t62);
+    let motor_i_rb_dot_by_motor_pole_pairs = (-(t20
+        * ((-motor_i_sa_times_cos_motor_theta)
+            .add_product(motor_i_sa_times_motor_theta, sin_motor_theta)
+            .sub_product(motor_i_sb_times_motor_theta, cos_motor_theta)
+            - motor_i_sb_times_sin_motor_theta)))
+        .add_product(t60, motor_i_sa_dot)
+        .add_product(t59, motor_i_sb_dot)
+        .add_product(t11, t61)
+        .sub_product(t10, t62)
+        .sub_product(t16, t63) * t17;
+    let motor_omega_dot_by_motor_pole_pairs = t5
+        * (motor_across * cos_motor_theta)
+            .sub_product(motor_theta * motor_along, cos_motor_theta)
+            .sub_product(motor_theta * motor_across, sin_motor_theta)
+            .sub_product(motor_along, sin_motor_theta) * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_pole_pairs = (t63 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_pole_pairs);
+    let motor_i_sb_dot_by_motor_pole_pairs = (t62 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_pole_pairs)
+        .sub_product(t10, motor_i_rb_dot_by_motor_pole_pairs);
+    let motor_i_sa_dot_by_motor_pole_pairs = (t61 * t9)
+        .sub_product(t10, motor_i_ra_dot_by_motor_pole_pairs)
+        .add_product(t11, motor_i_rb_dot_by_motor_pole_pairs);
+    let t64 = t4 * motor_omega;
+    let t65 = R::literal(1.5) * p.motor_k_r * p.motor_x_s * p.motor_alpha_s;
+    let t66 = t42 * p.motor_alpha_r * motor_omega_0;
+    let t67 = R::literal(2.0) * motor_L_s / p.motor_k_r;
+    let t68 = t4 * cos_motor_theta;
+    let t69 = t4 * sin_motor_theta;
+    let t70 = (t65 * motor_i_sa)
+        .sub_product(t64, t19)
+        .sub_product(t68, motor_i_ra_dot)
+        .add_product(t69, motor_i_rb_dot);
+    let t71 = (t65 * motor_i_sb)
+        .sub_product(t64, t23)
+        .sub_product(t69, motor_i_ra_dot)
+        .sub_product(t68, motor_i_rb_dot);
+    let t72 = t4 / p.motor_k_r;
+    let t73 = (t67 * (t32.add_product(t66, motor_i_ra) - t28 - t30))
+        .sub_product(t68, motor_i_sa_dot)
+        .sub_product(t69, motor_i_sb_dot)
+        .sub_product(t72, motor_i_ra_dot)
+        .sub_product(t10, t70)
+        .sub_product(t11, t71);
+    let motor_i_rb_dot_by_motor_k_s = (t67 * (t37.add_product(t66, motor_i_rb) - t36))
+        .add_product(t69, motor_i_sa_dot)
+        .sub_product(t68, motor_i_sb_dot)
+        .sub_product(t72, motor_i_rb_dot)
+        .add_product(t11, t70)
+        .sub_product(t10, t71)
+        .sub_product(t16, t73) * t17;
+    let motor_omega_dot_by_motor_k_s = t4 * t39 * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_k_s = (t73 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sb_dot_by_motor_k_s = (t71 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_k_s)
+        .sub_product(t10, motor_i_rb_dot_by_motor_k_s);
+    let motor_i_sa_dot_by_motor_k_s = (t70 * t9)
+        .sub_product(t10, motor_i_ra_dot_by_motor_k_s)
+        .add_product(t11, motor_i_rb_dot_by_motor_k_s);
+    let t74 = t41 * p.motor_x_s;
+    let t75 = t74 * p.motor_alpha_s;
+    let t76 = t75 * motor_i_sa;
+    let t77 = t75 * motor_i_sb;
+    let t78 = t74 * p.motor_alpha_r / (p.motor_k_r * p.motor_k_r);
+    let t79 = t8 / p.motor_k_r;
+    let t80 = (t78 * motor_i_ra)
+        .add_product(t79, motor_i_ra_dot)
+        .sub_product(t10, t76)
+        .sub_product(t11, t77);
+    let motor_i_rb_dot_by_motor_k_r = (t78 * motor_i_rb)
+        .add_product(t79, motor_i_rb_dot)
+        .add_product(t11, t76)
+        .sub_product(t10, t77)
+        .sub_product(t16, t80) * t17;
+    let motor_i_ra_dot_by_motor_k_r = (t80 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sb_dot_by_motor_k_r = (t77 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_k_r)
+        .sub_product(t10, motor_i_rb_dot_by_motor_k_r);
+    let motor_i_sa_dot_by_motor_k_r = (t76 * t9)
+        .sub_product(t10, motor_i_ra_dot_by_motor_k_r)
+        .add_product(t11, motor_i_rb_dot_by_motor_k_r);
+    let t81 = R::literal(1.5) * p.motor_alpha_s * motor_sigma;
+    let t82 = t41 / motor_omega_0;
+    let t83 = t82 * motor_omega;
+    let motor_k_r_times_motor_omega_0 = p.motor_k_r * motor_omega_0;
+    let t84 = R::literal(2.0) * p.motor_k_s / motor_k_r_times_motor_omega_0;
+    let t85 = R::literal(1.5) / motor_omega_0;
+    let t86 = t82 * cos_motor_theta;
+    let t87 = t82 * sin_motor_theta;
+    let t88 = (-(t81 * motor_i_sa))
+        .sub_product(t83, t19)
+        .sub_product(t85, motor_i_sa_dot)
+        .sub_product(t86, motor_i_ra_dot)
+        .add_product(t87, motor_i_rb_dot);
+    let t89 = (-(t81 * motor_i_sb))
+        .sub_product(t83, t23)
+        .sub_product(t85, motor_i_sb_dot)
+        .sub_product(t87, motor_i_ra_dot)
+        .sub_product(t86, motor_i_rb_dot);
+    let t90 = t41 / motor_k_r_times_motor_omega_0;
+    let t91 = (t84 * t34)
+        .sub_product(t86, motor_i_sa_dot)
+        .sub_product(t87, motor_i_sb_dot)
+        .sub_product(t90, motor_i_ra_dot)
+        .sub_product(t10, t88)
+        .sub_product(t11, t89);
+    let motor_i_rb_dot_by_motor_x_s = (t84 * t38)
+        .add_product(t87, motor_i_sa_dot)
+        .sub_product(t86, motor_i_sb_dot)
+        .sub_product(t90, motor_i_rb_dot)
+        .add_product(t11, t88)
+        .sub_product(t10, t89)
+        .sub_product(t16, t91) * t17;
+    let motor_omega_dot_by_motor_x_s = t82 * t39 * inverse_motor_inertia;
+    let motor_i_ra_dot_by_motor_x_s = (t91 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sb_dot_by_motor_x_s = (t89 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_x_s)
+        .sub_product(t10, motor_i_rb_dot_by_motor_x_s);
+    let motor_i_sa_dot_by_motor_x_s = (t88 * t9)
+        .sub_product(t10, motor_i_ra_dot_by_motor_x_s)
+        .add_product(t11, motor_i_rb_dot_by_motor_x_s);
+    let t92 = p.motor_x_s * t43;
+    let t93 = t92 * motor_i_sa;
+    let t94 = t92 * motor_i_sb;
+    let t95 = (-(t11 * t94)).sub_product(t10, t93);
+    let motor_i_rb_dot_by_motor_alpha_s = (t11 * t93)
+        .sub_product(t10, t94)
+        .sub_product(t16, t95) * t17;
+    let motor_i_ra_dot_by_motor_alpha_s = (t95 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_alpha_s);
+    let motor_i_sb_dot_by_motor_alpha_s = (t94 * t9)
+        .sub_product(t11, motor_i_ra_dot_by_motor_alpha_s)
+        .sub_product(t10, motor_i_rb_dot_by_motor_alpha_s);
+    let motor_i_sa_dot_by_motor_alpha_s = (t93 * t9)
+        .sub_product(t10, motor_i_ra_dot_by_motor_alpha_s)
+        .add_product(t11, motor_i_rb_dot_by_motor_alpha_s);
+    let t96 = p.motor_k_s * p.motor_x_s * t43 / p.motor_k_r;
+    let t97 = t96 * motor_i_ra;
+    let motor_i_rb_dot_by_motor_alpha_r = (t96 * motor_i_rb).sub_product(t16, t97) * t17;
+    let motor_i_ra_dot_by_motor_alpha_r = (t97 * t14)
+        .sub_product(t16, motor_i_rb_dot_by_motor_alpha_r);
+    let motor_i_sb_dot_by_motor_alpha_r = (-(t10 * motor_i_rb_dot_by_motor_alpha_r))
+        .sub_product(t11, motor_i_ra_dot_by_motor_alpha_r);
+    let motor_i_sa_dot_by_motor_alpha_r = (t11 * motor_i_rb_dot_by_motor_alpha_r)
+        .sub_product(t10, motor_i_ra_dot_by_motor_alpha_r);
     [
         motor_i_sa_dot_by_motor_phase_voltage,
         motor_i_sa_dot_by_motor_supply_frequency,
@@ -1146,36 +1332,44 @@ pub fn time_derivative<R: Real>(
     let [motor_phi, ..] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
+    let [(t1, t2), (sin_motor_theta, cos_motor_theta)] = R::sin_cos_each([
+        t0,
+        motor_theta,
+    ]);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
-    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t1 * t0.cos();
-    let motor_u_b = t1 * t0.sin();
+    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t3 * t2;
+    let motor_u_b = t3 * t1;
     let motor_L_r = motor_M / p.motor_k_r;
-    let t2 = R::literal(1.5) * motor_M;
-    let t3 = t2 * motor_theta.cos();
-    let t4 = t2 * motor_theta.sin();
-    let t5 = R::literal(1.5) * motor_L_r;
-    let t6 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
-    let t7 = t3 * t6;
-    let t8 = t4 * t6;
-    let t9 = t7 * t3;
-    let t10 = t8 * t4;
-    let t11 = R::literal(1.0) / (t5 - t9 - t10);
-    let t12 = t8 * t3 - t7 * t4;
-    let t13 = t12 * t11;
-    let t14 = R::literal(1.5) * motor_omega_0;
-    let t15 = t14 * motor_u_b;
-    let t16 = t14 * motor_u_a;
-    let t17 = t7 * t15 - t8 * t16;
-    let motor_i_rb_dot_by_time = (-(t8 * t15) - t7 * t16 - t13 * t17)
-        * (R::literal(1.0) / (t5 - t10 - t9 - t13 * t12));
-    let motor_i_ra_dot_by_time = t17 * t11 - t13 * motor_i_rb_dot_by_time;
-    let motor_i_sb_dot_by_time = t16 * t6 - t8 * motor_i_ra_dot_by_time
-        - t7 * motor_i_rb_dot_by_time;
-    let motor_i_sa_dot_by_time = -(t15 * t6) - t7 * motor_i_ra_dot_by_time
-        + t8 * motor_i_rb_dot_by_time;
+    let t4 = R::literal(1.5) * motor_M;
+    let t5 = t4 * cos_motor_theta;
+    let t6 = t4 * sin_motor_theta;
+    let t7 = R::literal(1.5) * motor_L_r;
+    let t8 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
+    let t9 = t5 * t8;
+    let t10 = t6 * t8;
+    let t11 = t9 * t5;
+    let t12 = t10 * t6;
+    let t13 = R::literal(1.0) / (t7 - t11 - t12);
+    let t14 = (t10 * t5).sub_product(t9, t6);
+    let t15 = t14 * t13;
+    let t16 = R::literal(1.5) * motor_omega_0;
+    let t17 = t16 * motor_u_b;
+    let t18 = t16 * motor_u_a;
+    let t19 = (t9 * t17).sub_product(t10, t18);
+    let motor_i_rb_dot_by_time = (-(t9 * t18))
+        .sub_product(t10, t17)
+        .sub_product(t15, t19)
+        * (R::literal(1.0) / (t7 - t12 - t11).sub_product(t15, t14));
+    let motor_i_ra_dot_by_time = (t19 * t13).sub_product(t15, motor_i_rb_dot_by_time);
+    let motor_i_sb_dot_by_time = (t18 * t8)
+        .sub_product(t10, motor_i_ra_dot_by_time)
+        .sub_product(t9, motor_i_rb_dot_by_time);
+    let motor_i_sa_dot_by_time = (-(t17 * t8))
+        .sub_product(t9, motor_i_ra_dot_by_time)
+        .add_product(t10, motor_i_rb_dot_by_time);
     [
         R::literal(0.0),
         motor_i_sa_dot_by_time,
@@ -1193,18 +1387,22 @@ pub fn time_derivative<R: Real>(
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
+    let (sin_motor_theta, cos_motor_theta) = motor_theta.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_M = p.motor_k_s * motor_L_s;
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * motor_M
-        * (motor_across * motor_theta.cos() - motor_along * motor_theta.sin());
+        * (motor_across * cos_motor_theta).sub_product(motor_along, sin_motor_theta);
     Outputs {
         speed: motor_omega,
         torque: motor_torque,
-        slip: R::literal(1.0) - p.motor_pole_pairs / motor_omega_0 * motor_omega,
-        stator_current: (motor_i_sa * motor_i_sa + motor_i_sb * motor_i_sb).sqrt(),
+        slip: R::literal(1.0)
+            .sub_product(p.motor_pole_pairs / motor_omega_0, motor_omega),
+        stator_current: (motor_i_sa * motor_i_sa)
+            .add_product(motor_i_sb, motor_i_sb)
+            .sqrt(),
         stator_alpha: motor_i_sa,
         stator_beta: motor_i_sb,
         rotor_first: motor_i_ra,
@@ -1220,19 +1418,29 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Energy<R> {
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
+    let (sin_motor_theta, cos_motor_theta) = motor_theta.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_M = p.motor_k_s * motor_L_s;
     let motor_L_r = motor_M / p.motor_k_r;
     Energy {
-        kinetic: R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega)
-            + R::literal(0.75)
-                * (motor_L_s * (motor_i_sa * motor_i_sa + motor_i_sb * motor_i_sb)
-                    + motor_L_r * (motor_i_ra * motor_i_ra + motor_i_rb * motor_i_rb))
-            + R::literal(1.5) * motor_M
-                * (motor_along * motor_theta.cos() + motor_across * motor_theta.sin()),
+        kinetic: (R::literal(0.5) * p.motor_inertia * (motor_omega * motor_omega))
+            .add_product(
+                R::literal(0.75),
+                (motor_L_s
+                    * (motor_i_sa * motor_i_sa).add_product(motor_i_sb, motor_i_sb))
+                    .add_product(
+                        motor_L_r,
+                        (motor_i_ra * motor_i_ra).add_product(motor_i_rb, motor_i_rb),
+                    ),
+            )
+            .add_product(
+                R::literal(1.5) * motor_M,
+                (motor_along * cos_motor_theta)
+                    .add_product(motor_across, sin_motor_theta),
+            ),
         potential: R::literal(0.0),
         stored: R::literal(0.0),
     }
@@ -1240,7 +1448,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 173 operations.
+/// 185 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     time: R,
@@ -1250,85 +1458,134 @@ pub fn power_balance<R: Real>(
     let [motor_phi, motor_i_sa, motor_i_sb, motor_i_ra, motor_i_rb, motor_omega] = *state;
     let motor_theta = p.motor_pole_pairs * motor_phi;
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_sigma = R::literal(1.0) - p.motor_k_s * p.motor_k_r;
-    let motor_along = motor_i_sa * motor_i_ra + motor_i_sb * motor_i_rb;
-    let motor_across = motor_i_sb * motor_i_ra - motor_i_sa * motor_i_rb;
+    let t0 = p.motor_supply_phase.add_product(motor_omega_0, time);
+    let [(t1, t2), (sin_motor_theta, cos_motor_theta)] = R::sin_cos_each([
+        t0,
+        motor_theta,
+    ]);
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
+    let motor_along = (motor_i_sa * motor_i_ra).add_product(motor_i_sb, motor_i_rb);
+    let motor_across = (motor_i_sb * motor_i_ra).sub_product(motor_i_sa, motor_i_rb);
     let motor_L_s = p.motor_x_s / motor_omega_0;
     let motor_R_s = p.motor_x_s * p.motor_alpha_s * motor_sigma;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t0 = p.motor_supply_phase + motor_omega_0 * time;
-    let t1 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let motor_u_a = t1 * t0.cos();
-    let motor_u_b = t1 * t0.sin();
+    let t3 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_u_a = t3 * t2;
+    let motor_u_b = t3 * t1;
     let motor_L_r = motor_M / p.motor_k_r;
     let motor_R_r = p.motor_k_s * p.motor_x_s * p.motor_alpha_r * motor_sigma
         / p.motor_k_r;
-    let sin_motor_theta = motor_theta.sin();
-    let cos_motor_theta = motor_theta.cos();
-    let t2 = R::literal(1.5) * motor_L_s;
-    let t3 = R::literal(1.5) * motor_M;
-    let t4 = t3 * cos_motor_theta;
-    let t5 = t3 * sin_motor_theta;
-    let t6 = R::literal(1.5) * motor_L_r;
-    let t7 = R::literal(1.0) / t2;
-    let t8 = t4 * t7;
-    let t9 = t5 * t7;
-    let t10 = t8 * t4;
-    let t11 = t9 * t5;
-    let t12 = R::literal(1.0) / (t6 - t10 - t11);
-    let t13 = t9 * t4 - t8 * t5;
-    let t14 = t13 * t12;
-    let t15 = R::literal(1.5) * motor_R_s;
+    let t4 = R::literal(1.5) * motor_L_s;
+    let t5 = R::literal(1.5) * motor_M;
+    let t6 = t5 * cos_motor_theta;
+    let t7 = t5 * sin_motor_theta;
+    let t8 = R::literal(1.5) * motor_L_r;
+    let t9 = R::literal(1.0) / t4;
+    let t10 = t6 * t9;
+    let t11 = t7 * t9;
+    let t12 = t10 * t6;
+    let t13 = t11 * t7;
+    let t14 = R::literal(1.0) / (t8 - t12 - t13);
+    let t15 = (t11 * t6).sub_product(t10, t7);
+    let t16 = t15 * t14;
+    let t17 = R::literal(1.5) * motor_R_s;
     let motor_pole_pairs_times_motor_i_ra = p.motor_pole_pairs * motor_i_ra;
     let motor_pole_pairs_times_motor_i_rb = p.motor_pole_pairs * motor_i_rb;
-    let t16 = t3 * motor_omega;
-    let t17 = R::literal(1.5) * motor_u_a - t15 * motor_i_sa
-        - t16
-            * (-(motor_pole_pairs_times_motor_i_ra * sin_motor_theta)
-                - motor_pole_pairs_times_motor_i_rb * cos_motor_theta);
-    let t18 = R::literal(1.5) * motor_u_b - t15 * motor_i_sb
-        - t16
-            * (motor_pole_pairs_times_motor_i_ra * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_rb * sin_motor_theta);
-    let t19 = R::literal(1.5) * motor_R_r;
-    let motor_pole_pairs_times_motor_i_sa = p.motor_pole_pairs * motor_i_sa;
-    let motor_pole_pairs_times_motor_i_sb = p.motor_pole_pairs * motor_i_sb;
-    let t20 = t3
-        * (p.motor_pole_pairs * motor_across * cos_motor_theta
-            - p.motor_pole_pairs * motor_along * sin_motor_theta);
-    let t21 = -(t19 * motor_i_ra)
-        - t16
-            * (motor_pole_pairs_times_motor_i_sb * cos_motor_theta
-                - motor_pole_pairs_times_motor_i_sa * sin_motor_theta) - t8 * t17
-        - t9 * t18;
-    let motor_i_rb_dot = (-(t19 * motor_i_rb)
-        - t16
-            * (-(motor_pole_pairs_times_motor_i_sa * cos_motor_theta)
-                - motor_pole_pairs_times_motor_i_sb * sin_motor_theta) + t9 * t17
-        - t8 * t18 - t14 * t21) * (R::literal(1.0) / (t6 - t11 - t10 - t14 * t13));
-    let motor_omega_dot = t20 * (R::literal(1.0) / p.motor_inertia);
-    let motor_i_ra_dot = t21 * t12 - t14 * motor_i_rb_dot;
-    let motor_i_sb_dot = t18 * t7 - t9 * motor_i_ra_dot - t8 * motor_i_rb_dot;
-    let motor_i_sa_dot = t17 * t7 - t8 * motor_i_ra_dot + t9 * motor_i_rb_dot;
-    let t22 = t20 * motor_omega
-        + (t2 * motor_i_sa
-            + t3 * (motor_i_ra * cos_motor_theta - motor_i_rb * sin_motor_theta))
-            * motor_i_sa_dot
-        + (t2 * motor_i_sb
-            + t3 * (motor_i_ra * sin_motor_theta + motor_i_rb * cos_motor_theta))
-            * motor_i_sb_dot;
+    let t18 = t5 * motor_omega;
+    let t19 = (-(t17 * motor_i_sa))
+        .add_product(R::literal(1.5), motor_u_a)
+        .sub_product(
+            t18,
+            (-(motor_pole_pairs_times_motor_i_rb * cos_motor_theta))
+                .sub_product(motor_pole_pairs_times_motor_i_ra, sin_motor_theta),
+        );
+    let t20 = (-(t17 * motor_i_sb))
+        .add_product(R::literal(1.5), motor_u_b)
+        .sub_product(
+            t18,
+            (motor_pole_pairs_times_motor_i_ra * cos_motor_theta)
+                .sub_product(motor_pole_pairs_times_motor_i_rb, sin_motor_theta),
+        );
+    let t21 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
+    let t22 = t21 * motor_i_sb * motor_omega;
+    let t23 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;
+    let t24 = t21 * motor_i_sa * motor_omega;
+    let t25 = R::literal(0.75) * p.motor_k_s * p.motor_k_r * p.motor_alpha_r
+        * motor_omega_0;
+    let t26 = R::literal(2.0) * motor_L_r;
+    let t27 = t5
+        * (p.motor_pole_pairs * motor_across * cos_motor_theta)
+            .sub_product(p.motor_pole_pairs * motor_along, sin_motor_theta);
+    let t28 = (t26
+        * (t25 * motor_i_ra)
+            .add_product(t24, sin_motor_theta)
+            .sub_product(t22, cos_motor_theta)
+            .sub_product(t23, motor_i_ra))
+        .sub_product(t10, t19)
+        .sub_product(t11, t20);
+    let motor_i_rb_dot = (t26
+        * (t24 * cos_motor_theta)
+            .add_product(t22, sin_motor_theta)
+            .add_product(t25, motor_i_rb)
+            .sub_product(t23, motor_i_rb))
+        .add_product(t11, t19)
+        .sub_product(t10, t20)
+        .sub_product(t16, t28)
+        * (R::literal(1.0) / (t8 - t13 - t12).sub_product(t16, t15));
+    let motor_omega_dot = t27 * (R::literal(1.0) / p.motor_inertia);
+    let motor_i_ra_dot = (t28 * t14).sub_product(t16, motor_i_rb_dot);
+    let motor_i_sb_dot = (t20 * t9)
+        .sub_product(t11, motor_i_ra_dot)
+        .sub_product(t10, motor_i_rb_dot);
+    let motor_i_sa_dot = (t19 * t9)
+        .sub_product(t10, motor_i_ra_dot)
+        .add_product(t11, motor_i_rb_dot);
+    let t29 = R::literal(1.5) * motor_R_r;
     PowerBalance {
-        stored_rate: t22
-            + (t6 * motor_i_ra
-                + t3 * (motor_i_sa * cos_motor_theta + motor_i_sb * sin_motor_theta))
-                * motor_i_ra_dot
-            + (t6 * motor_i_rb
-                + t3 * (motor_i_sb * cos_motor_theta - motor_i_sa * sin_motor_theta))
-                * motor_i_rb_dot + p.motor_inertia * motor_omega * motor_omega_dot,
-        supplied: R::literal(1.5) * motor_i_sa * motor_u_a
-            + R::literal(1.5) * motor_i_sb * motor_u_b,
-        dissipated: t15 * (motor_i_sa * motor_i_sa) + t15 * (motor_i_sb * motor_i_sb)
-            + t19 * (motor_i_ra * motor_i_ra) + t19 * (motor_i_rb * motor_i_rb),
+        stored_rate: (t27 * motor_omega)
+            .add_product(
+                (t4 * motor_i_sa)
+                    .add_product(
+                        t5,
+                        (motor_i_ra * cos_motor_theta)
+                            .sub_product(motor_i_rb, sin_motor_theta),
+                    ),
+                motor_i_sa_dot,
+            )
+            .add_product(
+                (t4 * motor_i_sb)
+                    .add_product(
+                        t5,
+                        (motor_i_ra * sin_motor_theta)
+                            .add_product(motor_i_rb, cos_motor_theta),
+                    ),
+                motor_i_sb_dot,
+            )
+            .add_product(
+                (t8 * motor_i_ra)
+                    .add_product(
+                        t5,
+                        (motor_i_sa * cos_motor_theta)
+                            .add_product(motor_i_sb, sin_motor_theta),
+                    ),
+                motor_i_ra_dot,
+            )
+            .add_product(
+                (t8 * motor_i_rb)
+                    .add_product(
+                        t5,
+                        (motor_i_sb * cos_motor_theta)
+                            .sub_product(motor_i_sa, sin_motor_theta),
+                    ),
+                motor_i_rb_dot,
+            )
+            .add_product(p.motor_inertia * motor_omega, motor_omega_dot),
+        supplied: (R::literal(1.5) * motor_i_sa * motor_u_a)
+            .add_product(R::literal(1.5) * motor_i_sb, motor_u_b),
+        dissipated: (t17 * (motor_i_sa * motor_i_sa))
+            .add_product(t17, motor_i_sb * motor_i_sb)
+            .add_product(t29, motor_i_ra * motor_i_ra)
+            .add_product(t29, motor_i_rb * motor_i_rb),
     }
 }
 
@@ -1337,7 +1594,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 120 recurrences. 28 sums of products an order.
+/// 129 recurrences. 28 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1384,56 +1641,63 @@ pub fn series<R: Real>(
     let t14 = t13.sin();
     let t15 = t13.cos();
     let t16 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
-    let t17 = p.motor_k_s * p.motor_x_s;
-    let t18 = t17 * p.motor_alpha_r;
-    let t19 = t18 * motor_sigma;
-    let motor_R_r = t19 / p.motor_k_r;
-    let t20 = R::literal(1.5) * motor_R_s;
-    let t21 = motor_i_sa * t20;
-    let t22 = motor_i_ra * p.motor_pole_pairs;
-    let t23 = t22 * sin_motor_theta;
-    let t24 = motor_i_rb * p.motor_pole_pairs;
-    let t25 = t24 * cos_motor_theta;
-    let t26 = -t23;
-    let t27 = t26 - t25;
-    let t28 = motor_omega * t1;
-    let t29 = t28 * t27;
-    let t30 = t16 * R::literal(1.5);
-    let t31 = t15 * t30;
-    let t32 = t31 - t21;
-    let t33 = t32 - t29;
-    let t34 = motor_i_sb * t20;
-    let t35 = t24 * sin_motor_theta;
-    let t36 = t22 * cos_motor_theta;
-    let t37 = t36 - t35;
-    let t38 = t28 * t37;
-    let t39 = t14 * t30;
-    let t40 = t39 - t34;
-    let t41 = t40 - t38;
-    let t42 = R::literal(1.5) * motor_R_r;
-    let t43 = motor_i_ra * t42;
-    let t44 = motor_i_sa * p.motor_pole_pairs;
-    let t45 = t44 * sin_motor_theta;
-    let t46 = motor_i_sb * p.motor_pole_pairs;
-    let t47 = t46 * cos_motor_theta;
-    let t48 = t47 - t45;
-    let t49 = t28 * t48;
-    let t50 = -t43;
-    let t51 = t50 - t49;
-    let t52 = motor_i_rb * t42;
-    let t53 = t44 * cos_motor_theta;
-    let t54 = t46 * sin_motor_theta;
-    let t55 = -t53;
-    let t56 = t55 - t54;
-    let t57 = t28 * t56;
-    let t58 = -t52;
-    let t59 = t58 - t57;
-    let t60 = motor_along * p.motor_pole_pairs;
-    let t61 = t60 * sin_motor_theta;
-    let t62 = motor_across * p.motor_pole_pairs;
-    let t63 = t62 * cos_motor_theta;
-    let t64 = t63 - t61;
-    let t65 = t64 * t1;
+    let t17 = R::literal(1.5) * motor_R_s;
+    let t18 = motor_i_sa * t17;
+    let t19 = motor_i_ra * p.motor_pole_pairs;
+    let t20 = t19 * sin_motor_theta;
+    let t21 = motor_i_rb * p.motor_pole_pairs;
+    let t22 = t21 * cos_motor_theta;
+    let t23 = -t20;
+    let t24 = t23 - t22;
+    let t25 = motor_omega * t1;
+    let t26 = t25 * t24;
+    let t27 = t16 * R::literal(1.5);
+    let t28 = t15 * t27;
+    let t29 = t28 - t18;
+    let t30 = t29 - t26;
+    let t31 = motor_i_sb * t17;
+    let t32 = t21 * sin_motor_theta;
+    let t33 = t19 * cos_motor_theta;
+    let t34 = t33 - t32;
+    let t35 = t25 * t34;
+    let t36 = t14 * t27;
+    let t37 = t36 - t31;
+    let t38 = t37 - t35;
+    let t39 = R::literal(0.75) * p.motor_pole_pairs;
+    let t40 = t39 * p.motor_k_r;
+    let t41 = motor_i_sb * t40;
+    let t42 = t41 * motor_omega;
+    let t43 = t42 * cos_motor_theta;
+    let t44 = R::literal(0.75) * p.motor_alpha_r;
+    let t45 = t44 * motor_omega_0;
+    let t46 = motor_i_ra * t45;
+    let t47 = motor_i_sa * t40;
+    let t48 = t47 * motor_omega;
+    let t49 = t48 * sin_motor_theta;
+    let t50 = R::literal(0.75) * p.motor_k_s;
+    let t51 = t50 * p.motor_k_r;
+    let t52 = t51 * p.motor_alpha_r;
+    let t53 = t52 * motor_omega_0;
+    let t54 = motor_i_ra * t53;
+    let t55 = t49 + t54;
+    let t56 = t55 - t43;
+    let t57 = t56 - t46;
+    let t58 = R::literal(2.0) * motor_L_r;
+    let t59 = t57 * t58;
+    let t60 = motor_i_rb * t45;
+    let t61 = t48 * cos_motor_theta;
+    let t62 = t42 * sin_motor_theta;
+    let t63 = motor_i_rb * t53;
+    let t64 = t61 + t62;
+    let t65 = t64 + t63;
+    let t66 = t65 - t60;
+    let t67 = t66 * t58;
+    let t68 = motor_along * p.motor_pole_pairs;
+    let t69 = t68 * sin_motor_theta;
+    let t70 = motor_across * p.motor_pole_pairs;
+    let t71 = t70 * cos_motor_theta;
+    let t72 = t71 - t69;
+    let t73 = t72 * t1;
     let factored = Factored::new([
         [t0, R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)],
         [R::literal(0.0), t0, R::literal(0.0), R::literal(0.0), R::literal(0.0)],
@@ -1448,7 +1712,7 @@ pub fn series<R: Real>(
         ],
     ]);
     let [motor_i_sa_dot, motor_i_sb_dot, motor_i_ra_dot, motor_i_rb_dot, motor_omega_dot,
-    ] = factored.solve([t33, t41, t51, t59, t65]);
+    ] = factored.solve([t30, t38, t59, t67, t73]);
     let mut t14_before = t14;
     let mut t15_before = t15;
     let mut rates = [
@@ -1478,9 +1742,9 @@ pub fn series<R: Real>(
         let sums_6 = lanes_6.sums(order);
         let motor_theta_k = motor_phi_k * p.motor_pole_pairs;
         let sin_motor_theta_k = motor_theta_k
-            .mul_add(cos_motor_theta, inverse * sums_1[0]);
+            .mul_add(cos_motor_theta, inverse * sums_1[2]);
         let cos_motor_theta_k = -motor_theta_k
-            .mul_add(sin_motor_theta, inverse * sums_1[1]);
+            .mul_add(sin_motor_theta, inverse * sums_1[3]);
         let t2_k = cos_motor_theta_k * t1;
         let t3_k = sin_motor_theta_k * t1;
         let t4_k = -t3_k;
@@ -1496,73 +1760,70 @@ pub fn series<R: Real>(
         let motor_across_k = t10_k - t9_k;
         let t14_k = inverse * motor_omega_0 * t15_before;
         let t15_k = -inverse * motor_omega_0 * t14_before;
-        let t22_k = motor_i_ra_k * p.motor_pole_pairs;
-        let t23_k = t22
-            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t22_k, sums_1[2]));
-        let t24_k = motor_i_rb_k * p.motor_pole_pairs;
-        let t25_k = t24
-            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t24_k, sums_1[3]));
-        let t26_k = -t23_k;
-        let t27_k = t26_k - t25_k;
-        let t28_k = motor_omega_k * t1;
-        let t29_k = t28.mul_add(t27_k, t27.mul_add(t28_k, sums_4[2]));
-        let t32_k = (-motor_i_sa_k).mul_add(t20, t15_k * t30);
-        let t33_k = t32_k - t29_k;
-        let t35_k = t24
-            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t24_k, sums_2[0]));
-        let t36_k = t22
-            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t22_k, sums_2[1]));
-        let t37_k = t36_k - t35_k;
-        let t38_k = t28.mul_add(t37_k, t37.mul_add(t28_k, sums_4[0]));
-        let t40_k = (-motor_i_sb_k).mul_add(t20, t14_k * t30);
-        let t41_k = t40_k - t38_k;
-        let t43_k = motor_i_ra_k * t42;
-        let t44_k = motor_i_sa_k * p.motor_pole_pairs;
-        let t45_k = t44
-            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t44_k, sums_2[2]));
-        let t46_k = motor_i_sb_k * p.motor_pole_pairs;
-        let t47_k = t46
-            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t46_k, sums_2[3]));
-        let t48_k = t47_k - t45_k;
-        let t49_k = t28.mul_add(t48_k, t48.mul_add(t28_k, sums_4[1]));
-        let t50_k = -t43_k;
-        let t51_k = t50_k - t49_k;
-        let t52_k = motor_i_rb_k * t42;
-        let t53_k = t44
-            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t44_k, sums_3[0]));
-        let t54_k = t46
-            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t46_k, sums_3[1]));
-        let t55_k = -t53_k;
-        let t56_k = t55_k - t54_k;
-        let t57_k = t28.mul_add(t56_k, t56.mul_add(t28_k, sums_4[3]));
-        let t58_k = -t52_k;
-        let t59_k = t58_k - t57_k;
-        let t60_k = motor_along_k * p.motor_pole_pairs;
-        let t61_k = sin_motor_theta
-            .mul_add(t60_k, t60.mul_add(sin_motor_theta_k, sums_3[2]));
-        let t62_k = motor_across_k * p.motor_pole_pairs;
-        let t63_k = cos_motor_theta
-            .mul_add(t62_k, t62.mul_add(cos_motor_theta_k, sums_3[3]));
-        let t64_k = t63_k - t61_k;
-        let t65_k = t64_k * t1;
-        let n104_k = t2_k.mul_add(motor_i_ra_dot, sums_5[0]);
-        let n105_k = t4_k.mul_add(motor_i_rb_dot, sums_5[1]);
-        let n106_k = t3_k.mul_add(motor_i_ra_dot, sums_5[2]);
-        let n107_k = t2_k.mul_add(motor_i_rb_dot, sums_5[3]);
-        let n108_k = t2_k.mul_add(motor_i_sa_dot, sums_6[0]);
-        let n109_k = t3_k.mul_add(motor_i_sb_dot, sums_6[1]);
-        let n110_k = t4_k.mul_add(motor_i_sa_dot, sums_6[2]);
-        let n111_k = t2_k.mul_add(motor_i_sb_dot, sums_6[3]);
-        let n112_k = n104_k + n105_k;
-        let t33_k_2 = t33_k - n112_k;
-        let n114_k = n106_k + n107_k;
-        let t41_k_2 = t41_k - n114_k;
-        let n116_k = n108_k + n109_k;
-        let t51_k_2 = t51_k - n116_k;
-        let n118_k = n110_k + n111_k;
-        let t59_k_2 = t59_k - n118_k;
+        let t19_k = motor_i_ra_k * p.motor_pole_pairs;
+        let t20_k = t19
+            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t19_k, sums_2[0]));
+        let t21_k = motor_i_rb_k * p.motor_pole_pairs;
+        let t22_k = t21
+            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t21_k, sums_2[1]));
+        let t23_k = -t20_k;
+        let t24_k = t23_k - t22_k;
+        let t25_k = motor_omega_k * t1;
+        let t26_k = t25.mul_add(t24_k, t24.mul_add(t25_k, sums_4[3]));
+        let t29_k = (-motor_i_sa_k).mul_add(t17, t15_k * t27);
+        let t30_k = t29_k - t26_k;
+        let t32_k = t21
+            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t21_k, sums_2[2]));
+        let t33_k = t19
+            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t19_k, sums_2[3]));
+        let t34_k = t33_k - t32_k;
+        let t35_k = t25.mul_add(t34_k, t34.mul_add(t25_k, sums_4[2]));
+        let t37_k = (-motor_i_sb_k).mul_add(t17, t14_k * t27);
+        let t38_k = t37_k - t35_k;
+        let t41_k = motor_i_sb_k * t40;
+        let t42_k = motor_omega.mul_add(t41_k, t41.mul_add(motor_omega_k, sums_1[0]));
+        let t43_k = t42
+            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t42_k, sums_3[0]));
+        let t47_k = motor_i_sa_k * t40;
+        let t48_k = motor_omega.mul_add(t47_k, t47.mul_add(motor_omega_k, sums_1[1]));
+        let t49_k = t48
+            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t48_k, sums_3[1]));
+        let t55_k = motor_i_ra_k.mul_add(t53, t49_k);
+        let t56_k = t55_k - t43_k;
+        let t57_k = (-motor_i_ra_k).mul_add(t45, t56_k);
+        let t61_k = t48
+            .mul_add(cos_motor_theta_k, cos_motor_theta.mul_add(t48_k, sums_3[2]));
+        let t62_k = t42
+            .mul_add(sin_motor_theta_k, sin_motor_theta.mul_add(t42_k, sums_3[3]));
+        let t64_k = t61_k + t62_k;
+        let t65_k = motor_i_rb_k.mul_add(t53, t64_k);
+        let t66_k = (-motor_i_rb_k).mul_add(t45, t65_k);
+        let t68_k = motor_along_k * p.motor_pole_pairs;
+        let t69_k = sin_motor_theta
+            .mul_add(t68_k, t68.mul_add(sin_motor_theta_k, sums_4[0]));
+        let t70_k = motor_across_k * p.motor_pole_pairs;
+        let t71_k = cos_motor_theta
+            .mul_add(t70_k, t70.mul_add(cos_motor_theta_k, sums_4[1]));
+        let t72_k = t71_k - t69_k;
+        let t73_k = t72_k * t1;
+        let n113_k = t2_k.mul_add(motor_i_ra_dot, sums_5[0]);
+        let n114_k = t4_k.mul_add(motor_i_rb_dot, sums_5[1]);
+        let n115_k = t3_k.mul_add(motor_i_ra_dot, sums_5[2]);
+        let n116_k = t2_k.mul_add(motor_i_rb_dot, sums_5[3]);
+        let n117_k = t2_k.mul_add(motor_i_sa_dot, sums_6[0]);
+        let n118_k = t3_k.mul_add(motor_i_sb_dot, sums_6[1]);
+        let n119_k = t4_k.mul_add(motor_i_sa_dot, sums_6[2]);
+        let n120_k = t2_k.mul_add(motor_i_sb_dot, sums_6[3]);
+        let n121_k = n113_k + n114_k;
+        let t30_k_2 = t30_k - n121_k;
+        let n123_k = n115_k + n116_k;
+        let t38_k_2 = t38_k - n123_k;
+        let n125_k = n117_k + n118_k;
+        let t59_k = t57_k.mul_add(t58, -n125_k);
+        let n127_k = n119_k + n120_k;
+        let t67_k = t66_k.mul_add(t58, -n127_k);
         let [motor_i_sa_dot_k, motor_i_sb_dot_k, motor_i_ra_dot_k, motor_i_rb_dot_k,
-        motor_omega_dot_k] = factored.solve([t33_k_2, t41_k_2, t51_k_2, t59_k_2, t65_k]);
+        motor_omega_dot_k] = factored.solve([t30_k_2, t38_k_2, t59_k, t67_k, t73_k]);
         lanes
             .set(
                 order,
@@ -1572,13 +1833,8 @@ pub fn series<R: Real>(
         lanes_1
             .set(
                 order,
-                [
-                    k * motor_theta_k,
-                    k * motor_theta_k,
-                    sin_motor_theta_k,
-                    cos_motor_theta_k,
-                ],
-                [cos_motor_theta_k, sin_motor_theta_k, t22_k, t24_k],
+                [motor_omega_k, motor_omega_k, k * motor_theta_k, k * motor_theta_k],
+                [t41_k, t47_k, cos_motor_theta_k, sin_motor_theta_k],
             );
         lanes_2
             .set(
@@ -1589,7 +1845,7 @@ pub fn series<R: Real>(
                     sin_motor_theta_k,
                     cos_motor_theta_k,
                 ],
-                [t24_k, t22_k, t44_k, t46_k],
+                [t19_k, t21_k, t21_k, t19_k],
             );
         lanes_3
             .set(
@@ -1597,12 +1853,17 @@ pub fn series<R: Real>(
                 [
                     cos_motor_theta_k,
                     sin_motor_theta_k,
-                    sin_motor_theta_k,
                     cos_motor_theta_k,
+                    sin_motor_theta_k,
                 ],
-                [t44_k, t46_k, t60_k, t62_k],
+                [t42_k, t48_k, t48_k, t42_k],
             );
-        lanes_4.set(order, [t28_k, t28_k, t27_k, t28_k], [t37_k, t48_k, t28_k, t56_k]);
+        lanes_4
+            .set(
+                order,
+                [sin_motor_theta_k, cos_motor_theta_k, t25_k, t24_k],
+                [t68_k, t70_k, t34_k, t25_k],
+            );
         lanes_5
             .set(
                 order,
@@ -1708,7 +1969,7 @@ impl<R: Real> Simulator<R> for MotorStationaryAxes {
         CONSTANTS
     }
     fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+        *array_of(constants) = prepare(&parameters_of(parameters)).to_array();
     }
     fn prepared_rate(
         &self,
@@ -1719,7 +1980,7 @@ impl<R: Real> Simulator<R> for MotorStationaryAxes {
         values: &mut [R],
     ) {
         let (p, c) = (parameters_of(parameters), constants_of(constants));
-        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+        *array_of(values) = prepared_rate(time, state_of(state), &p, &c);
     }
     fn prepared_rate_jacobian(
         &self,
@@ -1730,21 +1991,23 @@ impl<R: Real> Simulator<R> for MotorStationaryAxes {
         values: &mut [R],
     ) {
         let (p, c) = (parameters_of(parameters), constants_of(constants));
-        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+        *array_of(values) = prepared_rate_jacobian(time, state_of(state), &p, &c);
     }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+        *array_of(values) = initial_state(&parameters_of(parameters));
     }
     fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+        *array_of(values) = discontinuities(&parameters_of(parameters));
     }
     fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
     }
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn parameter_jacobian(
         &self,
@@ -1753,28 +2016,32 @@ impl<R: Real> Simulator<R> for MotorStationaryAxes {
         parameters: &[R],
         values: &mut [R],
     ) {
-        let result = parameter_jacobian(
+        *array_of(values) = parameter_jacobian(
             time,
             state_of(state),
             &parameters_of(parameters),
         );
-        values.copy_from_slice(&result);
     }
     fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = time_derivative(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = mass_matrix(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = forcing(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
     }
     fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = outputs(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result.to_array());
+        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
+            .to_array();
     }
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
         energy(time, state_of(state), &parameters_of(parameters))
@@ -1793,6 +2060,11 @@ fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
         .try_into()
         .expect("there are CONSTANTS constants");
     Constants::from_array(*values)
+}
+
+#[inline]
+fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
+    values.try_into().expect("there is one place for each value")
 }
 
 #[inline]

@@ -1099,7 +1099,7 @@ impl<R: Real> Simulator<R> for WinderLinear {
         CONSTANTS
     }
     fn prepare(&self, parameters: &[R], constants: &mut [R]) {
-        constants.copy_from_slice(&prepare(&parameters_of(parameters)).to_array());
+        *array_of(constants) = prepare(&parameters_of(parameters)).to_array();
     }
     fn prepared_rate(
         &self,
@@ -1110,7 +1110,7 @@ impl<R: Real> Simulator<R> for WinderLinear {
         values: &mut [R],
     ) {
         let (p, c) = (parameters_of(parameters), constants_of(constants));
-        values.copy_from_slice(&prepared_rate(time, state_of(state), &p, &c));
+        *array_of(values) = prepared_rate(time, state_of(state), &p, &c);
     }
     fn prepared_rate_jacobian(
         &self,
@@ -1121,21 +1121,23 @@ impl<R: Real> Simulator<R> for WinderLinear {
         values: &mut [R],
     ) {
         let (p, c) = (parameters_of(parameters), constants_of(constants));
-        values.copy_from_slice(&prepared_rate_jacobian(time, state_of(state), &p, &c));
+        *array_of(values) = prepared_rate_jacobian(time, state_of(state), &p, &c);
     }
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+        *array_of(values) = initial_state(&parameters_of(parameters));
     }
     fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+        *array_of(values) = discontinuities(&parameters_of(parameters));
     }
     fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
     }
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn parameter_jacobian(
         &self,
@@ -1144,28 +1146,32 @@ impl<R: Real> Simulator<R> for WinderLinear {
         parameters: &[R],
         values: &mut [R],
     ) {
-        let result = parameter_jacobian(
+        *array_of(values) = parameter_jacobian(
             time,
             state_of(state),
             &parameters_of(parameters),
         );
-        values.copy_from_slice(&result);
     }
     fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = time_derivative(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = mass_matrix(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = forcing(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
     }
     fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = outputs(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result.to_array());
+        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
+            .to_array();
     }
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
         energy(time, state_of(state), &parameters_of(parameters))
@@ -1187,6 +1193,11 @@ fn constants_of<R: Real>(constants: &[R]) -> Constants<R> {
         .try_into()
         .expect("there are CONSTANTS constants");
     Constants::from_array(*values)
+}
+
+#[inline]
+fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
+    values.try_into().expect("there is one place for each value")
 }
 
 #[inline]

@@ -61,15 +61,15 @@
 // Operations:
 //   initial_state             0
 //   discontinuities           0
-//   rate                    192
+//   rate                    179
 //   mass_matrix               0
-//   forcing                 146
-//   rate_jacobian           115
+//   forcing                 133
+//   rate_jacobian           103
 //   parameter_jacobian        0
-//   time_derivative         109
+//   time_derivative          96
 //   outputs                  10
 //   energy                   90
-//   power_balance           333
+//   power_balance           318
 
 use crate::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
@@ -492,7 +492,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
 
 /// `y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.
 ///
-/// 192 operations.
+/// 179 operations.
 #[must_use]
 #[inline]
 pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
@@ -503,99 +503,109 @@ pub fn rate<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; ST
     piece_4_omega, piece_5_omega, piece_6_omega, piece_7_omega, piece_8_omega,
     piece_9_omega, piece_10_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry, ..] = *state;
+    let [t0, t1, t2, t3, t4, t5, t6, t7, t8, t9] = R::tanh_each([
+        R::literal(2.0) * piece_1_omega,
+        R::literal(2.0) * piece_2_omega,
+        R::literal(2.0) * piece_3_omega,
+        R::literal(2.0) * piece_4_omega,
+        R::literal(2.0) * piece_5_omega,
+        R::literal(2.0) * piece_6_omega,
+        R::literal(2.0) * piece_7_omega,
+        R::literal(2.0) * piece_8_omega,
+        R::literal(2.0) * piece_9_omega,
+        R::literal(2.0) * piece_10_omega,
+    ]);
     let coupling_twist = motor_phi_relative - piece_1_phi_relative;
     let coupling_twist_rate = motor_omega - piece_1_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let t0 = R::literal(128.5346) * coupling_twist_rate;
-    let t1 = R::literal(23065.2) * coupling_twist;
-    let coupling_torque = t0 + t1;
-    let t2 = R::literal(7.878) * (R::literal(241.805_307_826_689_27) * time).sin();
-    let t3 = load_1_engagement * (R::literal(84.372) + t2);
-    let load_1_resistance = t3 * (R::literal(2.0) * piece_1_omega).tanh();
-    let load_2_resistance = t3 * (R::literal(2.0) * piece_2_omega).tanh();
-    let load_3_resistance = t3 * (R::literal(2.0) * piece_3_omega).tanh();
-    let load_4_resistance = t3 * (R::literal(2.0) * piece_4_omega).tanh();
-    let load_5_resistance = t3 * (R::literal(2.0) * piece_5_omega).tanh();
-    let load_6_resistance = t3 * (R::literal(2.0) * piece_6_omega).tanh();
-    let load_7_resistance = t3 * (R::literal(2.0) * piece_7_omega).tanh();
-    let load_8_resistance = t3 * (R::literal(2.0) * piece_8_omega).tanh();
-    let t4 = (R::literal(2.0) * piece_9_omega).tanh();
-    let load_10_resistance = t3 * (R::literal(2.0) * piece_10_omega).tanh();
-    let t5 = R::literal(3_382_256.675_279_931)
-        * (piece_1_phi_relative - piece_2_phi_relative);
-    let t6 = R::literal(67.645_133_505_598_62) * (piece_1_omega - piece_2_omega);
-    let t7 = R::literal(3_382_256.675_279_931)
-        * (piece_2_phi_relative - piece_3_phi_relative);
-    let t8 = R::literal(67.645_133_505_598_62) * (piece_2_omega - piece_3_omega);
-    let t9 = R::literal(3_382_256.675_279_931)
-        * (piece_3_phi_relative - piece_4_phi_relative);
-    let t10 = R::literal(67.645_133_505_598_62) * (piece_3_omega - piece_4_omega);
-    let t11 = R::literal(3_382_256.675_279_931)
-        * (piece_4_phi_relative - piece_5_phi_relative);
-    let t12 = R::literal(67.645_133_505_598_62) * (piece_4_omega - piece_5_omega);
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let t10 = R::literal(128.5346) * coupling_twist_rate;
+    let t11 = R::literal(23065.2) * coupling_twist;
+    let coupling_torque = t10 + t11;
+    let t12 = load_1_engagement
+        * R::literal(84.372)
+            .add_product(
+                R::literal(7.878),
+                (R::literal(241.805_307_826_689_27) * time).sin(),
+            );
+    let load_1_resistance = t12 * t0;
+    let load_2_resistance = t12 * t1;
+    let load_3_resistance = t12 * t2;
+    let load_4_resistance = t12 * t3;
+    let load_5_resistance = t12 * t4;
+    let load_6_resistance = t12 * t5;
+    let load_7_resistance = t12 * t6;
+    let load_8_resistance = t12 * t7;
+    let load_9_resistance = t12 * t8;
+    let load_10_resistance = t12 * t9;
     let t13 = R::literal(3_382_256.675_279_931)
-        * (piece_5_phi_relative - piece_6_phi_relative);
-    let t14 = R::literal(67.645_133_505_598_62) * (piece_5_omega - piece_6_omega);
+        * (piece_1_phi_relative - piece_2_phi_relative);
+    let t14 = R::literal(67.645_133_505_598_62) * (piece_1_omega - piece_2_omega);
     let t15 = R::literal(3_382_256.675_279_931)
-        * (piece_6_phi_relative - piece_7_phi_relative);
-    let t16 = R::literal(67.645_133_505_598_62) * (piece_6_omega - piece_7_omega);
+        * (piece_2_phi_relative - piece_3_phi_relative);
+    let t16 = R::literal(67.645_133_505_598_62) * (piece_2_omega - piece_3_omega);
     let t17 = R::literal(3_382_256.675_279_931)
+        * (piece_3_phi_relative - piece_4_phi_relative);
+    let t18 = R::literal(67.645_133_505_598_62) * (piece_3_omega - piece_4_omega);
+    let t19 = R::literal(3_382_256.675_279_931)
+        * (piece_4_phi_relative - piece_5_phi_relative);
+    let t20 = R::literal(67.645_133_505_598_62) * (piece_4_omega - piece_5_omega);
+    let t21 = R::literal(3_382_256.675_279_931)
+        * (piece_5_phi_relative - piece_6_phi_relative);
+    let t22 = R::literal(67.645_133_505_598_62) * (piece_5_omega - piece_6_omega);
+    let t23 = R::literal(3_382_256.675_279_931)
+        * (piece_6_phi_relative - piece_7_phi_relative);
+    let t24 = R::literal(67.645_133_505_598_62) * (piece_6_omega - piece_7_omega);
+    let t25 = R::literal(3_382_256.675_279_931)
         * (piece_7_phi_relative - piece_8_phi_relative);
-    let t18 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
-    let t19 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
+    let t26 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
+    let t27 = R::literal(3_382_256.675_279_931)
+        * (piece_8_phi_relative - piece_9_phi_relative);
+    let t28 = R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega);
+    let t29 = R::literal(3_382_256.675_279_931) * piece_9_phi_relative;
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
+    let t30 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * R::literal(0.238_095_238_095_238_08);
-    let piece_1_omega_dot = (-load_1_resistance - (t5 - t1) - (t6 - t0))
+    let piece_1_omega_dot = (-load_1_resistance - (t13 - t11) - (t14 - t10))
         * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot = (-load_2_resistance - (t7 - t5) - (t8 - t6))
+    let piece_2_omega_dot = (-load_2_resistance - (t15 - t13) - (t16 - t14))
         * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot = (-load_3_resistance - (t9 - t7) - (t10 - t8))
+    let piece_3_omega_dot = (-load_3_resistance - (t17 - t15) - (t18 - t16))
         * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot = (-load_4_resistance - (t11 - t9) - (t12 - t10))
+    let piece_4_omega_dot = (-load_4_resistance - (t19 - t17) - (t20 - t18))
         * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot = (-load_5_resistance - (t13 - t11) - (t14 - t12))
+    let piece_5_omega_dot = (-load_5_resistance - (t21 - t19) - (t22 - t20))
         * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot = (-load_6_resistance - (t15 - t13) - (t16 - t14))
+    let piece_6_omega_dot = (-load_6_resistance - (t23 - t21) - (t24 - t22))
         * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot = (-load_7_resistance - (t17 - t15) - (t18 - t16))
+    let piece_7_omega_dot = (-load_7_resistance - (t25 - t23) - (t26 - t24))
         * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot = (-load_8_resistance
-        - (R::literal(3_382_256.675_279_931)
-            * (piece_8_phi_relative - piece_9_phi_relative) - t17)
-        - (R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega) - t18))
+    let piece_8_omega_dot = (-load_8_resistance - (t27 - t25) - (t28 - t26))
         * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = (R::literal(67.645_133_505_598_62) * piece_8_omega
-        + R::literal(67.645_133_505_598_62) * piece_10_omega
-        + R::literal(3_382_256.675_279_931) * piece_8_phi_relative
-        - R::literal(6_764_513.350_559_862) * piece_9_phi_relative
-        - R::literal(135.290_267_011_197_24) * piece_9_omega
-        - R::literal(84.372) * t4 / t19 - t2 * t4 / t19)
+    let piece_9_omega_dot = (-load_9_resistance - (t29 - t27) - (t30 - t28))
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot = (R::literal(67.645_133_505_598_62)
-        * piece_9_omega_minus_piece_10_omega
-        + R::literal(3_382_256.675_279_931) * piece_9_phi_relative - load_10_resistance)
+    let piece_10_omega_dot = (t30 + t29 - load_10_resistance)
         * R::literal(8.038_585_209_003_216);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sx - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425)
-        * (R::literal(0.956) * motor_psi_sy - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_rx).add_product(R::literal(0.956), motor_psi_sx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425)
+        * (-motor_psi_ry).add_product(R::literal(0.956), motor_psi_sy))
+        .sub_product(motor_psi_rx, motor_slip_speed);
     let motor_phi_relative_dot = motor_omega - piece_10_omega;
     let piece_1_phi_relative_dot = piece_1_omega - piece_10_omega;
     let piece_2_phi_relative_dot = piece_2_omega - piece_10_omega;
@@ -661,7 +671,7 @@ pub fn mass_matrix<R: Real>(
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
 ///
-/// 146 operations.
+/// 133 operations.
 #[must_use]
 pub fn forcing<R: Real>(
     time: R,
@@ -675,70 +685,80 @@ pub fn forcing<R: Real>(
     piece_4_omega, piece_5_omega, piece_6_omega, piece_7_omega, piece_8_omega,
     piece_9_omega, piece_10_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry, ..] = *state;
+    let [t0, t1, t2, t3, t4, t5, t6, t7, t8, t9] = R::tanh_each([
+        R::literal(2.0) * piece_1_omega,
+        R::literal(2.0) * piece_2_omega,
+        R::literal(2.0) * piece_3_omega,
+        R::literal(2.0) * piece_4_omega,
+        R::literal(2.0) * piece_5_omega,
+        R::literal(2.0) * piece_6_omega,
+        R::literal(2.0) * piece_7_omega,
+        R::literal(2.0) * piece_8_omega,
+        R::literal(2.0) * piece_9_omega,
+        R::literal(2.0) * piece_10_omega,
+    ]);
     let coupling_twist = motor_phi_relative - piece_1_phi_relative;
     let coupling_twist_rate = motor_omega - piece_1_omega;
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let t0 = R::literal(128.5346) * coupling_twist_rate;
-    let t1 = R::literal(23065.2) * coupling_twist;
-    let coupling_torque = t0 + t1;
-    let t2 = R::literal(7.878) * (R::literal(241.805_307_826_689_27) * time).sin();
-    let t3 = load_1_engagement * (R::literal(84.372) + t2);
-    let load_1_resistance = t3 * (R::literal(2.0) * piece_1_omega).tanh();
-    let load_2_resistance = t3 * (R::literal(2.0) * piece_2_omega).tanh();
-    let load_3_resistance = t3 * (R::literal(2.0) * piece_3_omega).tanh();
-    let load_4_resistance = t3 * (R::literal(2.0) * piece_4_omega).tanh();
-    let load_5_resistance = t3 * (R::literal(2.0) * piece_5_omega).tanh();
-    let load_6_resistance = t3 * (R::literal(2.0) * piece_6_omega).tanh();
-    let load_7_resistance = t3 * (R::literal(2.0) * piece_7_omega).tanh();
-    let load_8_resistance = t3 * (R::literal(2.0) * piece_8_omega).tanh();
-    let t4 = (R::literal(2.0) * piece_9_omega).tanh();
-    let load_10_resistance = t3 * (R::literal(2.0) * piece_10_omega).tanh();
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let t10 = R::literal(128.5346) * coupling_twist_rate;
+    let t11 = R::literal(23065.2) * coupling_twist;
+    let coupling_torque = t10 + t11;
+    let t12 = load_1_engagement
+        * R::literal(84.372)
+            .add_product(
+                R::literal(7.878),
+                (R::literal(241.805_307_826_689_27) * time).sin(),
+            );
+    let load_1_resistance = t12 * t0;
+    let load_2_resistance = t12 * t1;
+    let load_3_resistance = t12 * t2;
+    let load_4_resistance = t12 * t3;
+    let load_5_resistance = t12 * t4;
+    let load_6_resistance = t12 * t5;
+    let load_7_resistance = t12 * t6;
+    let load_8_resistance = t12 * t7;
+    let load_9_resistance = t12 * t8;
+    let load_10_resistance = t12 * t9;
     let motor_phi_forcing = motor_torque - coupling_torque;
-    let t5 = R::literal(3_382_256.675_279_931)
-        * (piece_1_phi_relative - piece_2_phi_relative);
-    let t6 = R::literal(67.645_133_505_598_62) * (piece_1_omega - piece_2_omega);
-    let piece_1_phi_forcing = -load_1_resistance - (t5 - t1) - (t6 - t0);
-    let t7 = R::literal(3_382_256.675_279_931)
-        * (piece_2_phi_relative - piece_3_phi_relative);
-    let t8 = R::literal(67.645_133_505_598_62) * (piece_2_omega - piece_3_omega);
-    let piece_2_phi_forcing = -load_2_resistance - (t7 - t5) - (t8 - t6);
-    let t9 = R::literal(3_382_256.675_279_931)
-        * (piece_3_phi_relative - piece_4_phi_relative);
-    let t10 = R::literal(67.645_133_505_598_62) * (piece_3_omega - piece_4_omega);
-    let piece_3_phi_forcing = -load_3_resistance - (t9 - t7) - (t10 - t8);
-    let t11 = R::literal(3_382_256.675_279_931)
-        * (piece_4_phi_relative - piece_5_phi_relative);
-    let t12 = R::literal(67.645_133_505_598_62) * (piece_4_omega - piece_5_omega);
-    let piece_4_phi_forcing = -load_4_resistance - (t11 - t9) - (t12 - t10);
     let t13 = R::literal(3_382_256.675_279_931)
-        * (piece_5_phi_relative - piece_6_phi_relative);
-    let t14 = R::literal(67.645_133_505_598_62) * (piece_5_omega - piece_6_omega);
-    let piece_5_phi_forcing = -load_5_resistance - (t13 - t11) - (t14 - t12);
+        * (piece_1_phi_relative - piece_2_phi_relative);
+    let t14 = R::literal(67.645_133_505_598_62) * (piece_1_omega - piece_2_omega);
+    let piece_1_phi_forcing = -load_1_resistance - (t13 - t11) - (t14 - t10);
     let t15 = R::literal(3_382_256.675_279_931)
-        * (piece_6_phi_relative - piece_7_phi_relative);
-    let t16 = R::literal(67.645_133_505_598_62) * (piece_6_omega - piece_7_omega);
-    let piece_6_phi_forcing = -load_6_resistance - (t15 - t13) - (t16 - t14);
+        * (piece_2_phi_relative - piece_3_phi_relative);
+    let t16 = R::literal(67.645_133_505_598_62) * (piece_2_omega - piece_3_omega);
+    let piece_2_phi_forcing = -load_2_resistance - (t15 - t13) - (t16 - t14);
     let t17 = R::literal(3_382_256.675_279_931)
+        * (piece_3_phi_relative - piece_4_phi_relative);
+    let t18 = R::literal(67.645_133_505_598_62) * (piece_3_omega - piece_4_omega);
+    let piece_3_phi_forcing = -load_3_resistance - (t17 - t15) - (t18 - t16);
+    let t19 = R::literal(3_382_256.675_279_931)
+        * (piece_4_phi_relative - piece_5_phi_relative);
+    let t20 = R::literal(67.645_133_505_598_62) * (piece_4_omega - piece_5_omega);
+    let piece_4_phi_forcing = -load_4_resistance - (t19 - t17) - (t20 - t18);
+    let t21 = R::literal(3_382_256.675_279_931)
+        * (piece_5_phi_relative - piece_6_phi_relative);
+    let t22 = R::literal(67.645_133_505_598_62) * (piece_5_omega - piece_6_omega);
+    let piece_5_phi_forcing = -load_5_resistance - (t21 - t19) - (t22 - t20);
+    let t23 = R::literal(3_382_256.675_279_931)
+        * (piece_6_phi_relative - piece_7_phi_relative);
+    let t24 = R::literal(67.645_133_505_598_62) * (piece_6_omega - piece_7_omega);
+    let piece_6_phi_forcing = -load_6_resistance - (t23 - t21) - (t24 - t22);
+    let t25 = R::literal(3_382_256.675_279_931)
         * (piece_7_phi_relative - piece_8_phi_relative);
-    let t18 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
-    let piece_7_phi_forcing = -load_7_resistance - (t17 - t15) - (t18 - t16);
-    let piece_8_phi_forcing = -load_8_resistance
-        - (R::literal(3_382_256.675_279_931)
-            * (piece_8_phi_relative - piece_9_phi_relative) - t17)
-        - (R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega) - t18);
-    let t19 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
-    let piece_9_phi_forcing = R::literal(67.645_133_505_598_62) * piece_8_omega
-        + R::literal(67.645_133_505_598_62) * piece_10_omega
-        + R::literal(3_382_256.675_279_931) * piece_8_phi_relative
-        - R::literal(6_764_513.350_559_862) * piece_9_phi_relative
-        - R::literal(135.290_267_011_197_24) * piece_9_omega
-        - R::literal(84.372) * t4 / t19 - t2 * t4 / t19;
-    let piece_10_phi_forcing = R::literal(67.645_133_505_598_62)
-        * (piece_9_omega - piece_10_omega)
-        + R::literal(3_382_256.675_279_931) * piece_9_phi_relative - load_10_resistance;
+    let t26 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
+    let piece_7_phi_forcing = -load_7_resistance - (t25 - t23) - (t26 - t24);
+    let t27 = R::literal(3_382_256.675_279_931)
+        * (piece_8_phi_relative - piece_9_phi_relative);
+    let t28 = R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega);
+    let piece_8_phi_forcing = -load_8_resistance - (t27 - t25) - (t28 - t26);
+    let t29 = R::literal(3_382_256.675_279_931) * piece_9_phi_relative;
+    let t30 = R::literal(67.645_133_505_598_62) * (piece_9_omega - piece_10_omega);
+    let piece_9_phi_forcing = -load_9_resistance - (t29 - t27) - (t30 - t28);
+    let piece_10_phi_forcing = t30 + t29 - load_10_resistance;
     [
         motor_phi_forcing,
         piece_1_phi_forcing,
@@ -756,7 +776,7 @@ pub fn forcing<R: Real>(
 
 /// `dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.
 ///
-/// 115 operations.
+/// 103 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(
     time: R,
@@ -767,57 +787,69 @@ pub fn rate_jacobian<R: Real>(
     piece_3_omega, piece_4_omega, piece_5_omega, piece_6_omega, piece_7_omega,
     piece_8_omega, piece_9_omega, piece_10_omega, motor_psi_sx, motor_psi_sy,
     motor_psi_rx, motor_psi_ry, ..] = *state;
-    let t0 = R::literal(4.0) * motor_omega;
-    let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
+    let [t0, t1, t2, t3, t4, t5, t6, t7, t8, t9] = R::tanh_each([
+        R::literal(2.0) * piece_1_omega,
+        R::literal(2.0) * piece_2_omega,
+        R::literal(2.0) * piece_3_omega,
+        R::literal(2.0) * piece_4_omega,
+        R::literal(2.0) * piece_5_omega,
+        R::literal(2.0) * piece_6_omega,
+        R::literal(2.0) * piece_7_omega,
+        R::literal(2.0) * piece_8_omega,
+        R::literal(2.0) * piece_9_omega,
+        R::literal(2.0) * piece_10_omega,
+    ]);
+    let t10 = R::literal(4.0) * motor_omega;
+    let motor_slip_speed = R::literal(314.159_265_358_979_3) - t10;
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
-    let t1 = (R::literal(241.805_307_826_689_27) * time).sin();
-    let t2 = R::literal(84.372) + R::literal(7.878) * t1;
-    let t3 = (R::literal(2.0) * piece_1_omega).tanh();
-    let t4 = (R::literal(2.0) * piece_2_omega).tanh();
-    let t5 = (R::literal(2.0) * piece_3_omega).tanh();
-    let t6 = (R::literal(2.0) * piece_4_omega).tanh();
-    let t7 = (R::literal(2.0) * piece_5_omega).tanh();
-    let t8 = (R::literal(2.0) * piece_6_omega).tanh();
-    let t9 = (R::literal(2.0) * piece_7_omega).tanh();
-    let t10 = (R::literal(2.0) * piece_8_omega).tanh();
-    let t11 = (R::literal(2.0) * piece_9_omega).tanh();
-    let t12 = (R::literal(2.0) * piece_10_omega).tanh();
-    let t13 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
+    let t11 = R::literal(84.372)
+        .add_product(
+            R::literal(7.878),
+            (R::literal(241.805_307_826_689_27) * time).sin(),
+        );
     let motor_psi_rx_dot_by_motor_omega = -(R::literal(4.0) * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
-    let t14 = R::literal(2.0) * load_1_engagement;
-    let piece_1_omega_dot_by_piece_1_omega = (R::literal(-196.179_733_505_598_62)
-        - t14 * (R::literal(1.0) - t3 * t3) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot_by_piece_2_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t4 * t4) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot_by_piece_3_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t5 * t5) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot_by_piece_4_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t6 * t6) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot_by_piece_5_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t7 * t7) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot_by_piece_6_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t8 * t8) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot_by_piece_7_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t9 * t9) * t2) * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot_by_piece_8_omega = (R::literal(-135.290_267_011_197_24)
-        - t14 * (R::literal(1.0) - t10 * t10) * t2) * R::literal(8.038_585_209_003_216);
-    let t15 = R::literal(1.0) - t11 * t11;
-    let piece_9_omega_dot_by_piece_9_omega = (R::literal(-135.290_267_011_197_24)
-        - R::literal(168.744) * t15 / t13 - R::literal(15.756) * t15 * t1 / t13)
+    let t12 = R::literal(2.0) * load_1_engagement;
+    let piece_1_omega_dot_by_piece_1_omega = R::literal(-196.179_733_505_598_62)
+        .sub_product(t12 * R::literal(1.0).sub_product(t0, t0), t11)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot_by_piece_10_omega = (R::literal(-67.645_133_505_598_62)
-        - t14 * (R::literal(1.0) - t12 * t12) * t2) * R::literal(8.038_585_209_003_216);
-    let motor_omega_dot_by_motor_psi_sx = -(R::literal(4_822.097_783_227_635)
-        * motor_psi_ry * R::literal(0.238_095_238_095_238_08));
-    let motor_omega_dot_by_motor_psi_sy = R::literal(4_822.097_783_227_635)
-        * motor_psi_rx * R::literal(0.238_095_238_095_238_08);
-    let motor_omega_dot_by_motor_psi_rx = R::literal(4_822.097_783_227_635)
-        * motor_psi_sy * R::literal(0.238_095_238_095_238_08);
-    let motor_psi_ry_dot_by_motor_psi_rx = t0 - R::literal(314.159_265_358_979_3);
-    let motor_omega_dot_by_motor_psi_ry = -(R::literal(4_822.097_783_227_635)
-        * motor_psi_sx * R::literal(0.238_095_238_095_238_08));
+    let piece_2_omega_dot_by_piece_2_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t1, t1), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_3_omega_dot_by_piece_3_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t2, t2), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_4_omega_dot_by_piece_4_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t3, t3), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_5_omega_dot_by_piece_5_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t4, t4), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_6_omega_dot_by_piece_6_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t5, t5), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_7_omega_dot_by_piece_7_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t6, t6), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_8_omega_dot_by_piece_8_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t7, t7), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_9_omega_dot_by_piece_9_omega = R::literal(-135.290_267_011_197_24)
+        .sub_product(t12 * R::literal(1.0).sub_product(t8, t8), t11)
+        * R::literal(8.038_585_209_003_216);
+    let piece_10_omega_dot_by_piece_10_omega = R::literal(-67.645_133_505_598_62)
+        .sub_product(t12 * R::literal(1.0).sub_product(t9, t9), t11)
+        * R::literal(8.038_585_209_003_216);
+    let motor_omega_dot_by_motor_psi_sx = -(R::literal(1_148.118_519_816_103_6)
+        * motor_psi_ry);
+    let motor_omega_dot_by_motor_psi_sy = R::literal(1_148.118_519_816_103_6)
+        * motor_psi_rx;
+    let motor_omega_dot_by_motor_psi_rx = R::literal(1_148.118_519_816_103_6)
+        * motor_psi_sy;
+    let motor_psi_ry_dot_by_motor_psi_rx = t10 - R::literal(314.159_265_358_979_3);
+    let motor_omega_dot_by_motor_psi_ry = -(R::literal(1_148.118_519_816_103_6)
+        * motor_psi_sx);
     [
         R::literal(1.0),
         R::literal(-1.0),
@@ -935,7 +967,7 @@ pub fn parameter_jacobian<R: Real>(
 
 /// Partial derivative of `y'` with respect to time.
 ///
-/// 109 operations.
+/// 96 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(
     time: R,
@@ -945,49 +977,46 @@ pub fn time_derivative<R: Real>(
     let [_, _, _, _, _, _, _, _, _, _, _, piece_1_omega, piece_2_omega, piece_3_omega,
     piece_4_omega, piece_5_omega, piece_6_omega, piece_7_omega, piece_8_omega,
     piece_9_omega, piece_10_omega, ..] = *state;
-    let t0 = (-(R::literal(50.0) * (time - R::literal(0.15)))).exp();
-    let t1 = R::literal(1.0) + t0;
-    let load_1_engagement = R::literal(1.0) / t1;
-    let t2 = R::literal(241.805_307_826_689_27) * time;
-    let t3 = t2.sin();
-    let t4 = (R::literal(2.0) * piece_1_omega).tanh();
-    let t5 = (R::literal(2.0) * piece_2_omega).tanh();
-    let t6 = (R::literal(2.0) * piece_3_omega).tanh();
-    let t7 = (R::literal(2.0) * piece_4_omega).tanh();
-    let t8 = (R::literal(2.0) * piece_5_omega).tanh();
-    let t9 = (R::literal(2.0) * piece_6_omega).tanh();
-    let t10 = (R::literal(2.0) * piece_7_omega).tanh();
-    let t11 = (R::literal(2.0) * piece_8_omega).tanh();
-    let t12 = (R::literal(2.0) * piece_9_omega).tanh();
-    let t13 = (R::literal(2.0) * piece_10_omega).tanh();
-    let t14 = (R::literal(7.5) - R::literal(50.0) * time).exp();
-    let t15 = R::literal(1.0) + t14;
-    let t16 = t2.cos();
-    let t17 = R::literal(1_904.942_215_058_658_1) * load_1_engagement * t16;
-    let t18 = t1 * t1;
-    let t19 = R::literal(50.0) * (R::literal(84.372) + R::literal(7.878) * t3) * t0;
-    let t20 = t15 * t15;
-    let piece_1_omega_dot_by_time = (-(t17 * t4) - t19 * t4 / t18)
+    let t0 = R::literal(241.805_307_826_689_27) * time;
+    let (t1, t2) = t0.sin_cos();
+    let [t3, t4, t5, t6, t7, t8, t9, t10, t11, t12] = R::tanh_each([
+        R::literal(2.0) * piece_1_omega,
+        R::literal(2.0) * piece_2_omega,
+        R::literal(2.0) * piece_3_omega,
+        R::literal(2.0) * piece_4_omega,
+        R::literal(2.0) * piece_5_omega,
+        R::literal(2.0) * piece_6_omega,
+        R::literal(2.0) * piece_7_omega,
+        R::literal(2.0) * piece_8_omega,
+        R::literal(2.0) * piece_9_omega,
+        R::literal(2.0) * piece_10_omega,
+    ]);
+    let t13 = (-(R::literal(50.0) * (time - R::literal(0.15)))).exp();
+    let t14 = R::literal(1.0) + t13;
+    let load_1_engagement = R::literal(1.0) / t14;
+    let t15 = R::literal(1_904.942_215_058_658_1) * load_1_engagement * t2;
+    let t16 = t14 * t14;
+    let t17 = R::literal(50.0) * R::literal(84.372).add_product(R::literal(7.878), t1)
+        * t13;
+    let piece_1_omega_dot_by_time = (-(t17 * t3 / t16)).sub_product(t15, t3)
         * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot_by_time = (-(t17 * t5) - t19 * t5 / t18)
+    let piece_2_omega_dot_by_time = (-(t17 * t4 / t16)).sub_product(t15, t4)
         * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot_by_time = (-(t17 * t6) - t19 * t6 / t18)
+    let piece_3_omega_dot_by_time = (-(t17 * t5 / t16)).sub_product(t15, t5)
         * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot_by_time = (-(t17 * t7) - t19 * t7 / t18)
+    let piece_4_omega_dot_by_time = (-(t17 * t6 / t16)).sub_product(t15, t6)
         * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot_by_time = (-(t17 * t8) - t19 * t8 / t18)
+    let piece_5_omega_dot_by_time = (-(t17 * t7 / t16)).sub_product(t15, t7)
         * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot_by_time = (-(t17 * t9) - t19 * t9 / t18)
+    let piece_6_omega_dot_by_time = (-(t17 * t8 / t16)).sub_product(t15, t8)
         * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot_by_time = (-(t17 * t10) - t19 * t10 / t18)
+    let piece_7_omega_dot_by_time = (-(t17 * t9 / t16)).sub_product(t15, t9)
         * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot_by_time = (-(t17 * t11) - t19 * t11 / t18)
+    let piece_8_omega_dot_by_time = (-(t17 * t10 / t16)).sub_product(t15, t10)
         * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot_by_time = (-(R::literal(4218.6) * t14 * t12 / t20)
-        - R::literal(393.9) * t14 * t3 * t12 / t20
-        - R::literal(1_904.942_215_058_658_1) * t16 * t12 / t15)
+    let piece_9_omega_dot_by_time = (-(t17 * t11 / t16)).sub_product(t15, t11)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot_by_time = (-(t17 * t13) - t19 * t13 / t18)
+    let piece_10_omega_dot_by_time = (-(t17 * t12 / t16)).sub_product(t15, t12)
         * R::literal(8.038_585_209_003_216);
     [
         R::literal(0.0),
@@ -1079,13 +1108,13 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     motor_psi_ry, ..] = *state;
     let coupling_twist = motor_phi_relative - piece_1_phi_relative;
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
     let motor_i_rx = R::literal(840.672_556_350_703_5)
-        * (motor_psi_rx - R::literal(0.956) * motor_psi_sx);
+        * motor_psi_rx.sub_product(R::literal(0.956), motor_psi_sx);
     let motor_i_ry = R::literal(840.672_556_350_703_5)
-        * (motor_psi_ry - R::literal(0.956) * motor_psi_sy);
+        * motor_psi_ry.sub_product(R::literal(0.956), motor_psi_sy);
     let t0 = piece_1_phi_relative - piece_2_phi_relative;
     let t1 = piece_2_phi_relative - piece_3_phi_relative;
     let t2 = piece_3_phi_relative - piece_4_phi_relative;
@@ -1094,38 +1123,40 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     let t5 = piece_6_phi_relative - piece_7_phi_relative;
     let t6 = piece_7_phi_relative - piece_8_phi_relative;
     let t7 = piece_8_phi_relative - piece_9_phi_relative;
-    let t8 = R::literal(0.0622) * (piece_1_omega * piece_1_omega)
-        + R::literal(0.0622) * (piece_2_omega * piece_2_omega)
-        + R::literal(0.0622) * (piece_3_omega * piece_3_omega)
-        + R::literal(0.0622) * (piece_4_omega * piece_4_omega)
-        + R::literal(0.0622) * (piece_5_omega * piece_5_omega)
-        + R::literal(0.0622) * (piece_6_omega * piece_6_omega)
-        + R::literal(0.0622) * (piece_7_omega * piece_7_omega)
-        + R::literal(0.0622) * (piece_8_omega * piece_8_omega);
-    let t9 = R::literal(11532.6) * (coupling_twist * coupling_twist)
-        + R::literal(1_691_128.337_639_965_6)
-            * (piece_9_phi_relative * piece_9_phi_relative)
-        + R::literal(1_691_128.337_639_965_6) * (t0 * t0)
-        + R::literal(1_691_128.337_639_965_6) * (t1 * t1)
-        + R::literal(1_691_128.337_639_965_6) * (t2 * t2)
-        + R::literal(1_691_128.337_639_965_6) * (t3 * t3)
-        + R::literal(1_691_128.337_639_965_6) * (t4 * t4)
-        + R::literal(1_691_128.337_639_965_6) * (t5 * t5);
     Energy {
-        kinetic: t8 + R::literal(0.0622) * (piece_9_omega * piece_9_omega)
-            + R::literal(0.0622) * (piece_10_omega * piece_10_omega)
-            + R::literal(2.1) * (motor_omega * motor_omega),
-        potential: t9 + R::literal(1_691_128.337_639_965_6) * (t6 * t6)
-            + R::literal(1_691_128.337_639_965_6) * (t7 * t7),
+        kinetic: (R::literal(0.0622) * (piece_1_omega * piece_1_omega))
+            .add_product(R::literal(0.0622), piece_2_omega * piece_2_omega)
+            .add_product(R::literal(0.0622), piece_3_omega * piece_3_omega)
+            .add_product(R::literal(0.0622), piece_4_omega * piece_4_omega)
+            .add_product(R::literal(0.0622), piece_5_omega * piece_5_omega)
+            .add_product(R::literal(0.0622), piece_6_omega * piece_6_omega)
+            .add_product(R::literal(0.0622), piece_7_omega * piece_7_omega)
+            .add_product(R::literal(0.0622), piece_8_omega * piece_8_omega)
+            .add_product(R::literal(0.0622), piece_9_omega * piece_9_omega)
+            .add_product(R::literal(0.0622), piece_10_omega * piece_10_omega)
+            .add_product(R::literal(2.1), motor_omega * motor_omega),
+        potential: (R::literal(1_691_128.337_639_965_6)
+            * (piece_9_phi_relative * piece_9_phi_relative))
+            .add_product(R::literal(11532.6), coupling_twist * coupling_twist)
+            .add_product(R::literal(1_691_128.337_639_965_6), t0 * t0)
+            .add_product(R::literal(1_691_128.337_639_965_6), t1 * t1)
+            .add_product(R::literal(1_691_128.337_639_965_6), t2 * t2)
+            .add_product(R::literal(1_691_128.337_639_965_6), t3 * t3)
+            .add_product(R::literal(1_691_128.337_639_965_6), t4 * t4)
+            .add_product(R::literal(1_691_128.337_639_965_6), t5 * t5)
+            .add_product(R::literal(1_691_128.337_639_965_6), t6 * t6)
+            .add_product(R::literal(1_691_128.337_639_965_6), t7 * t7),
         stored: R::literal(0.75)
-            * (motor_psi_sx * motor_i_sx + motor_psi_sy * motor_i_sy
-                + motor_psi_rx * motor_i_rx + motor_psi_ry * motor_i_ry),
+            * (motor_psi_sx * motor_i_sx)
+                .add_product(motor_psi_sy, motor_i_sy)
+                .add_product(motor_psi_rx, motor_i_rx)
+                .add_product(motor_psi_ry, motor_i_ry),
     }
 }
 
 /// `dE/dt`, power supplied and power dissipated \[W\].
 ///
-/// 333 operations.
+/// 318 operations.
 #[must_use]
 pub fn power_balance<R: Real>(
     time: R,
@@ -1139,169 +1170,215 @@ pub fn power_balance<R: Real>(
     piece_4_omega, piece_5_omega, piece_6_omega, piece_7_omega, piece_8_omega,
     piece_9_omega, piece_10_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
     motor_psi_ry, ..] = *state;
+    let [t0, t1, t2, t3, t4, t5, t6, t7, t8, t9] = R::tanh_each([
+        R::literal(2.0) * piece_1_omega,
+        R::literal(2.0) * piece_2_omega,
+        R::literal(2.0) * piece_3_omega,
+        R::literal(2.0) * piece_4_omega,
+        R::literal(2.0) * piece_5_omega,
+        R::literal(2.0) * piece_6_omega,
+        R::literal(2.0) * piece_7_omega,
+        R::literal(2.0) * piece_8_omega,
+        R::literal(2.0) * piece_9_omega,
+        R::literal(2.0) * piece_10_omega,
+    ]);
     let coupling_twist = motor_phi_relative - piece_1_phi_relative;
     let coupling_twist_rate = motor_omega - piece_1_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3)
-        - R::literal(4.0) * motor_omega;
+        .sub_product(R::literal(4.0), motor_omega);
     let motor_i_sx = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sx - R::literal(0.952) * motor_psi_rx);
+        * motor_psi_sx.sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1)
-        * (motor_psi_sy - R::literal(0.952) * motor_psi_ry);
-    let t0 = R::literal(0.956) * motor_psi_sx;
-    let motor_i_rx = R::literal(840.672_556_350_703_5) * (motor_psi_rx - t0);
-    let t1 = R::literal(0.956) * motor_psi_sy;
-    let motor_i_ry = R::literal(840.672_556_350_703_5) * (motor_psi_ry - t1);
+        * motor_psi_sy.sub_product(R::literal(0.952), motor_psi_ry);
+    let t10 = R::literal(0.956) * motor_psi_sx;
+    let motor_i_rx = R::literal(840.672_556_350_703_5) * (motor_psi_rx - t10);
+    let t11 = R::literal(0.956) * motor_psi_sy;
+    let motor_i_ry = R::literal(840.672_556_350_703_5) * (motor_psi_ry - t11);
     let load_1_engagement = R::literal(1.0)
         / (R::literal(1.0) + (-(R::literal(50.0) * (time - R::literal(0.15)))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635)
-        * (motor_psi_sy * motor_psi_rx - motor_psi_sx * motor_psi_ry);
-    let t2 = R::literal(128.5346) * coupling_twist_rate;
-    let t3 = R::literal(23065.2) * coupling_twist;
-    let coupling_torque = t2 + t3;
-    let t4 = R::literal(7.878) * (R::literal(241.805_307_826_689_27) * time).sin();
-    let t5 = load_1_engagement * (R::literal(84.372) + t4);
-    let load_1_resistance = t5 * (R::literal(2.0) * piece_1_omega).tanh();
-    let load_2_resistance = t5 * (R::literal(2.0) * piece_2_omega).tanh();
-    let load_3_resistance = t5 * (R::literal(2.0) * piece_3_omega).tanh();
-    let load_4_resistance = t5 * (R::literal(2.0) * piece_4_omega).tanh();
-    let load_5_resistance = t5 * (R::literal(2.0) * piece_5_omega).tanh();
-    let load_6_resistance = t5 * (R::literal(2.0) * piece_6_omega).tanh();
-    let load_7_resistance = t5 * (R::literal(2.0) * piece_7_omega).tanh();
-    let load_8_resistance = t5 * (R::literal(2.0) * piece_8_omega).tanh();
-    let t6 = (R::literal(2.0) * piece_9_omega).tanh();
-    let load_9_resistance = t5 * t6;
-    let load_10_resistance = t5 * (R::literal(2.0) * piece_10_omega).tanh();
-    let t7 = R::literal(3_382_256.675_279_931)
-        * (piece_1_phi_relative - piece_2_phi_relative);
-    let t8 = t7 - t3;
-    let t9 = R::literal(67.645_133_505_598_62) * (piece_1_omega - piece_2_omega);
-    let t10 = t9 - t2;
-    let t11 = R::literal(3_382_256.675_279_931)
-        * (piece_2_phi_relative - piece_3_phi_relative);
-    let t12 = t11 - t7;
-    let t13 = R::literal(67.645_133_505_598_62) * (piece_2_omega - piece_3_omega);
-    let t14 = t13 - t9;
+        * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let t12 = R::literal(128.5346) * coupling_twist_rate;
+    let t13 = R::literal(23065.2) * coupling_twist;
+    let coupling_torque = t12 + t13;
+    let t14 = load_1_engagement
+        * R::literal(84.372)
+            .add_product(
+                R::literal(7.878),
+                (R::literal(241.805_307_826_689_27) * time).sin(),
+            );
+    let load_1_resistance = t14 * t0;
+    let load_2_resistance = t14 * t1;
+    let load_3_resistance = t14 * t2;
+    let load_4_resistance = t14 * t3;
+    let load_5_resistance = t14 * t4;
+    let load_6_resistance = t14 * t5;
+    let load_7_resistance = t14 * t6;
+    let load_8_resistance = t14 * t7;
+    let load_9_resistance = t14 * t8;
+    let load_10_resistance = t14 * t9;
     let t15 = R::literal(3_382_256.675_279_931)
-        * (piece_3_phi_relative - piece_4_phi_relative);
-    let t16 = t15 - t11;
-    let t17 = R::literal(67.645_133_505_598_62) * (piece_3_omega - piece_4_omega);
-    let t18 = t17 - t13;
+        * (piece_1_phi_relative - piece_2_phi_relative);
+    let t16 = t15 - t13;
+    let t17 = R::literal(67.645_133_505_598_62) * (piece_1_omega - piece_2_omega);
+    let t18 = t17 - t12;
     let t19 = R::literal(3_382_256.675_279_931)
-        * (piece_4_phi_relative - piece_5_phi_relative);
+        * (piece_2_phi_relative - piece_3_phi_relative);
     let t20 = t19 - t15;
-    let t21 = R::literal(67.645_133_505_598_62) * (piece_4_omega - piece_5_omega);
+    let t21 = R::literal(67.645_133_505_598_62) * (piece_2_omega - piece_3_omega);
     let t22 = t21 - t17;
     let t23 = R::literal(3_382_256.675_279_931)
-        * (piece_5_phi_relative - piece_6_phi_relative);
+        * (piece_3_phi_relative - piece_4_phi_relative);
     let t24 = t23 - t19;
-    let t25 = R::literal(67.645_133_505_598_62) * (piece_5_omega - piece_6_omega);
+    let t25 = R::literal(67.645_133_505_598_62) * (piece_3_omega - piece_4_omega);
     let t26 = t25 - t21;
     let t27 = R::literal(3_382_256.675_279_931)
-        * (piece_6_phi_relative - piece_7_phi_relative);
+        * (piece_4_phi_relative - piece_5_phi_relative);
     let t28 = t27 - t23;
-    let t29 = R::literal(67.645_133_505_598_62) * (piece_6_omega - piece_7_omega);
+    let t29 = R::literal(67.645_133_505_598_62) * (piece_4_omega - piece_5_omega);
     let t30 = t29 - t25;
     let t31 = R::literal(3_382_256.675_279_931)
-        * (piece_7_phi_relative - piece_8_phi_relative);
+        * (piece_5_phi_relative - piece_6_phi_relative);
     let t32 = t31 - t27;
-    let t33 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
+    let t33 = R::literal(67.645_133_505_598_62) * (piece_5_omega - piece_6_omega);
     let t34 = t33 - t29;
     let t35 = R::literal(3_382_256.675_279_931)
-        * (piece_8_phi_relative - piece_9_phi_relative);
+        * (piece_6_phi_relative - piece_7_phi_relative);
     let t36 = t35 - t31;
-    let t37 = R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega);
+    let t37 = R::literal(67.645_133_505_598_62) * (piece_6_omega - piece_7_omega);
     let t38 = t37 - t33;
-    let t39 = R::literal(1.0) + (R::literal(7.5) - R::literal(50.0) * time).exp();
-    let t40 = R::literal(67.645_133_505_598_62) * piece_10_omega;
+    let t39 = R::literal(3_382_256.675_279_931)
+        * (piece_7_phi_relative - piece_8_phi_relative);
+    let t40 = t39 - t35;
+    let t41 = R::literal(67.645_133_505_598_62) * (piece_7_omega - piece_8_omega);
+    let t42 = t41 - t37;
+    let t43 = R::literal(3_382_256.675_279_931)
+        * (piece_8_phi_relative - piece_9_phi_relative);
+    let t44 = t43 - t39;
+    let t45 = R::literal(67.645_133_505_598_62) * (piece_8_omega - piece_9_omega);
+    let t46 = t45 - t41;
+    let t47 = R::literal(3_382_256.675_279_931) * piece_9_phi_relative;
+    let t48 = t47 - t43;
     let piece_9_omega_minus_piece_10_omega = piece_9_omega - piece_10_omega;
-    let t41 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
-    let t42 = R::literal(3_382_256.675_279_931) * piece_9_phi_relative;
+    let t49 = R::literal(67.645_133_505_598_62) * piece_9_omega_minus_piece_10_omega;
+    let t50 = t49 - t45;
     let motor_omega_dot = (motor_torque - coupling_torque)
         * R::literal(0.238_095_238_095_238_08);
-    let piece_1_omega_dot = (-load_1_resistance - t8 - t10)
+    let piece_1_omega_dot = (-load_1_resistance - t16 - t18)
         * R::literal(8.038_585_209_003_216);
-    let piece_2_omega_dot = (-load_2_resistance - t12 - t14)
+    let piece_2_omega_dot = (-load_2_resistance - t20 - t22)
         * R::literal(8.038_585_209_003_216);
-    let piece_3_omega_dot = (-load_3_resistance - t16 - t18)
+    let piece_3_omega_dot = (-load_3_resistance - t24 - t26)
         * R::literal(8.038_585_209_003_216);
-    let piece_4_omega_dot = (-load_4_resistance - t20 - t22)
+    let piece_4_omega_dot = (-load_4_resistance - t28 - t30)
         * R::literal(8.038_585_209_003_216);
-    let piece_5_omega_dot = (-load_5_resistance - t24 - t26)
+    let piece_5_omega_dot = (-load_5_resistance - t32 - t34)
         * R::literal(8.038_585_209_003_216);
-    let piece_6_omega_dot = (-load_6_resistance - t28 - t30)
+    let piece_6_omega_dot = (-load_6_resistance - t36 - t38)
         * R::literal(8.038_585_209_003_216);
-    let piece_7_omega_dot = (-load_7_resistance - t32 - t34)
+    let piece_7_omega_dot = (-load_7_resistance - t40 - t42)
         * R::literal(8.038_585_209_003_216);
-    let piece_8_omega_dot = (-load_8_resistance - t36 - t38)
+    let piece_8_omega_dot = (-load_8_resistance - t44 - t46)
         * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = (R::literal(67.645_133_505_598_62) * piece_8_omega + t40
-        + R::literal(3_382_256.675_279_931) * piece_8_phi_relative
-        - R::literal(6_764_513.350_559_862) * piece_9_phi_relative
-        - R::literal(135.290_267_011_197_24) * piece_9_omega
-        - R::literal(84.372) * t6 / t39 - t4 * t6 / t39)
+    let piece_9_omega_dot = (-load_9_resistance - t48 - t50)
         * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot = (t41 + t42 - load_10_resistance)
+    let piece_10_omega_dot = (t49 + t47 - load_10_resistance)
         * R::literal(8.038_585_209_003_216);
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
-        + R::literal(314.159_265_358_979_3) * motor_psi_sy
-        - R::literal(0.042_795_676_8) * motor_i_sx;
-    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
-        - R::literal(0.042_795_676_8) * motor_i_sy;
-    let motor_psi_rx_dot = R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx)
-        + motor_psi_ry * motor_slip_speed;
-    let motor_psi_ry_dot = R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry)
-        - motor_psi_rx * motor_slip_speed;
-    let t43 = t3 * (motor_omega - piece_10_omega) + t8 * (piece_1_omega - piece_10_omega)
-        + t12 * (piece_2_omega - piece_10_omega) + t16 * (piece_3_omega - piece_10_omega)
-        + t20 * (piece_4_omega - piece_10_omega) + t24 * (piece_5_omega - piece_10_omega)
-        + t28 * (piece_6_omega - piece_10_omega)
-        + t32 * (piece_7_omega - piece_10_omega);
-    let t44 = t43 + t36 * (piece_8_omega - piece_10_omega)
-        + (t42 - t35) * piece_9_omega_minus_piece_10_omega
-        + R::literal(4.2) * motor_omega * motor_omega_dot
-        + R::literal(0.1244) * piece_1_omega * piece_1_omega_dot
-        + R::literal(0.1244) * piece_2_omega * piece_2_omega_dot
-        + R::literal(0.1244) * piece_3_omega * piece_3_omega_dot
-        + R::literal(0.1244) * piece_4_omega * piece_4_omega_dot
-        + R::literal(0.1244) * piece_5_omega * piece_5_omega_dot;
-    let t45 = t44 + R::literal(0.1244) * piece_6_omega * piece_6_omega_dot
-        + R::literal(0.1244) * piece_7_omega * piece_7_omega_dot
-        + R::literal(0.1244) * piece_8_omega * piece_8_omega_dot
-        + R::literal(0.1244) * piece_9_omega * piece_9_omega_dot
-        + R::literal(0.1244) * piece_10_omega * piece_10_omega_dot
-        + R::literal(0.75)
-            * (motor_i_sx + R::literal(844.204_793_982_429_1) * motor_psi_sx
-                - R::literal(803.682_963_871_272_6) * motor_psi_rx) * motor_psi_sx_dot;
-    let t46 = R::literal(1.5)
-        * (R::literal(0.032_063_452_962_957_98)
-            * (motor_i_rx * motor_i_rx + motor_i_ry * motor_i_ry)
-            + R::literal(0.042_795_676_8)
-                * (motor_i_sx * motor_i_sx + motor_i_sy * motor_i_sy))
-        + R::literal(128.5346) * motor_omega * coupling_twist_rate + piece_1_omega * t10
-        + piece_2_omega * t14 + piece_3_omega * t18 + piece_4_omega * t22
-        + piece_5_omega * t26;
+        .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
+    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
+        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (t10 - motor_psi_rx))
+        .add_product(motor_psi_ry, motor_slip_speed);
+    let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (t11 - motor_psi_ry))
+        .sub_product(motor_psi_rx, motor_slip_speed);
+    let t51 = (t13 * (motor_omega - piece_10_omega))
+        .add_product(t16, piece_1_omega - piece_10_omega)
+        .add_product(t20, piece_2_omega - piece_10_omega)
+        .add_product(t24, piece_3_omega - piece_10_omega)
+        .add_product(t28, piece_4_omega - piece_10_omega)
+        .add_product(t32, piece_5_omega - piece_10_omega)
+        .add_product(t36, piece_6_omega - piece_10_omega)
+        .add_product(t40, piece_7_omega - piece_10_omega)
+        .add_product(t44, piece_8_omega - piece_10_omega)
+        .add_product(t48, piece_9_omega_minus_piece_10_omega)
+        .add_product(R::literal(4.2) * motor_omega, motor_omega_dot)
+        .add_product(R::literal(0.1244) * piece_1_omega, piece_1_omega_dot);
+    let t52 = t51
+        .add_product(R::literal(0.1244) * piece_2_omega, piece_2_omega_dot)
+        .add_product(R::literal(0.1244) * piece_3_omega, piece_3_omega_dot)
+        .add_product(R::literal(0.1244) * piece_4_omega, piece_4_omega_dot)
+        .add_product(R::literal(0.1244) * piece_5_omega, piece_5_omega_dot)
+        .add_product(R::literal(0.1244) * piece_6_omega, piece_6_omega_dot)
+        .add_product(R::literal(0.1244) * piece_7_omega, piece_7_omega_dot)
+        .add_product(R::literal(0.1244) * piece_8_omega, piece_8_omega_dot)
+        .add_product(R::literal(0.1244) * piece_9_omega, piece_9_omega_dot)
+        .add_product(R::literal(0.1244) * piece_10_omega, piece_10_omega_dot)
+        .add_product(
+            R::literal(0.75)
+                * motor_i_sx
+                    .add_product(R::literal(844.204_793_982_429_1), motor_psi_sx)
+                    .sub_product(R::literal(803.682_963_871_272_6), motor_psi_rx),
+            motor_psi_sx_dot,
+        );
     PowerBalance {
-        stored_rate: t45
-            + R::literal(0.75)
-                * (motor_i_sy + R::literal(844.204_793_982_429_1) * motor_psi_sy
-                    - R::literal(803.682_963_871_272_6) * motor_psi_ry)
-                * motor_psi_sy_dot
-            + R::literal(0.75)
-                * (motor_i_rx + R::literal(840.672_556_350_703_5) * motor_psi_rx
-                    - R::literal(803.682_963_871_272_6) * motor_psi_sx)
-                * motor_psi_rx_dot
-            + R::literal(0.75)
-                * (motor_i_ry + R::literal(840.672_556_350_703_5) * motor_psi_ry
-                    - R::literal(803.682_963_871_272_6) * motor_psi_sy)
-                * motor_psi_ry_dot,
-        supplied: R::literal(466.690_475_583_121_4) * motor_i_sx
-            - piece_1_omega * load_1_resistance - piece_2_omega * load_2_resistance
-            - piece_3_omega * load_3_resistance - piece_4_omega * load_4_resistance
-            - piece_5_omega * load_5_resistance - piece_6_omega * load_6_resistance
-            - piece_7_omega * load_7_resistance - piece_8_omega * load_8_resistance
-            - piece_9_omega * load_9_resistance - piece_10_omega * load_10_resistance,
-        dissipated: t46 + piece_6_omega * t30 + piece_7_omega * t34 + piece_8_omega * t38
-            + piece_9_omega * (t41 - t37) - t40 * piece_9_omega_minus_piece_10_omega,
+        stored_rate: t52
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_sy
+                        .add_product(R::literal(844.204_793_982_429_1), motor_psi_sy)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry),
+                motor_psi_sy_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_rx
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sx),
+                motor_psi_rx_dot,
+            )
+            .add_product(
+                R::literal(0.75)
+                    * motor_i_ry
+                        .add_product(R::literal(840.672_556_350_703_5), motor_psi_ry)
+                        .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sy),
+                motor_psi_ry_dot,
+            ),
+        supplied: (R::literal(466.690_475_583_121_4) * motor_i_sx)
+            .sub_product(piece_1_omega, load_1_resistance)
+            .sub_product(piece_2_omega, load_2_resistance)
+            .sub_product(piece_3_omega, load_3_resistance)
+            .sub_product(piece_4_omega, load_4_resistance)
+            .sub_product(piece_5_omega, load_5_resistance)
+            .sub_product(piece_6_omega, load_6_resistance)
+            .sub_product(piece_7_omega, load_7_resistance)
+            .sub_product(piece_8_omega, load_8_resistance)
+            .sub_product(piece_9_omega, load_9_resistance)
+            .sub_product(piece_10_omega, load_10_resistance),
+        dissipated: (R::literal(128.5346) * motor_omega * coupling_twist_rate)
+            .add_product(
+                R::literal(1.5),
+                (R::literal(0.032_063_452_962_957_98)
+                    * (motor_i_rx * motor_i_rx).add_product(motor_i_ry, motor_i_ry))
+                    .add_product(
+                        R::literal(0.042_795_676_8),
+                        (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy),
+                    ),
+            )
+            .add_product(piece_1_omega, t18)
+            .add_product(piece_2_omega, t22)
+            .add_product(piece_3_omega, t26)
+            .add_product(piece_4_omega, t30)
+            .add_product(piece_5_omega, t34)
+            .add_product(piece_6_omega, t38)
+            .add_product(piece_7_omega, t42)
+            .add_product(piece_8_omega, t46)
+            .add_product(piece_9_omega, t50)
+            .sub_product(
+                R::literal(67.645_133_505_598_62) * piece_10_omega,
+                piece_9_omega_minus_piece_10_omega,
+            ),
     }
 }
 
@@ -1310,7 +1387,7 @@ pub fn power_balance<R: Real>(
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 261 recurrences. 38 sums of products an order.
+/// 245 recurrences. 36 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1329,8 +1406,7 @@ pub fn series<R: Real>(
     let (mut lanes_5, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_6, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let (mut lanes_7, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
-    let (mut lanes_8, workspace) = Lanes::<R, 4>::new(workspace, coefficients.len());
-    let (mut lanes_9, _) = Lanes::<R, 2>::new(workspace, coefficients.len());
+    let (mut lanes_8, _) = Lanes::<R, 4>::new(workspace, coefficients.len());
     let [motor_phi_relative, piece_1_phi_relative, piece_2_phi_relative,
     piece_3_phi_relative, piece_4_phi_relative, piece_5_phi_relative,
     piece_6_phi_relative, piece_7_phi_relative, piece_8_phi_relative,
@@ -1411,6 +1487,7 @@ pub fn series<R: Real>(
     let t56 = t55.tanh();
     let t57 = t56 * t56;
     let t58 = R::literal(1.0) - t57;
+    let load_9_resistance = t26 * t56;
     let t59 = piece_10_omega * R::literal(2.0);
     let t60 = t59.tanh();
     let t61 = t60 * t60;
@@ -1489,30 +1566,16 @@ pub fn series<R: Real>(
     let t133 = -load_8_resistance;
     let t134 = t133 - t129;
     let t135 = t134 - t132;
-    let t136 = piece_9_phi_relative * R::literal(6_764_513.350_559_862);
-    let t137 = piece_9_omega * R::literal(135.290_267_011_197_24);
-    let t138 = time * R::literal(50.0);
-    let t139 = R::literal(7.5) - t138;
-    let t140 = t139.exp();
-    let t141 = R::literal(1.0) + t140;
-    let t142 = t56 * R::literal(84.372);
-    let t143 = t142 / t141;
-    let t144 = t20 * t56;
-    let t145 = t144 / t141;
-    let t146 = piece_8_omega * R::literal(67.645_133_505_598_62);
-    let t147 = piece_10_omega * R::literal(67.645_133_505_598_62);
-    let t148 = piece_8_phi_relative * R::literal(3_382_256.675_279_931);
-    let t149 = t146 + t147;
-    let t150 = t149 + t148;
-    let t151 = t150 - t136;
-    let t152 = t151 - t137;
-    let t153 = t152 - t143;
-    let t154 = t153 - t145;
-    let t155 = piece_9_omega - piece_10_omega;
-    let t156 = t155 * R::literal(67.645_133_505_598_62);
-    let t157 = piece_9_phi_relative * R::literal(3_382_256.675_279_931);
-    let t158 = t156 + t157;
-    let t159 = t158 - load_10_resistance;
+    let t136 = piece_9_phi_relative * R::literal(3_382_256.675_279_931);
+    let t137 = t136 - t128;
+    let t138 = piece_9_omega - piece_10_omega;
+    let t139 = t138 * R::literal(67.645_133_505_598_62);
+    let t140 = t139 - t131;
+    let t141 = -load_9_resistance;
+    let t142 = t141 - t137;
+    let t143 = t142 - t140;
+    let t144 = t139 + t136;
+    let t145 = t144 - load_10_resistance;
     let motor_omega_dot = t63 * R::literal(0.238_095_238_095_238_08);
     let piece_1_omega_dot = t72 * R::literal(8.038_585_209_003_216);
     let piece_2_omega_dot = t81 * R::literal(8.038_585_209_003_216);
@@ -1522,54 +1585,50 @@ pub fn series<R: Real>(
     let piece_6_omega_dot = t117 * R::literal(8.038_585_209_003_216);
     let piece_7_omega_dot = t126 * R::literal(8.038_585_209_003_216);
     let piece_8_omega_dot = t135 * R::literal(8.038_585_209_003_216);
-    let piece_9_omega_dot = t154 * R::literal(8.038_585_209_003_216);
-    let piece_10_omega_dot = t159 * R::literal(8.038_585_209_003_216);
-    let t160 = t2 * R::literal(36.128_315_516_282_626);
-    let t161 = motor_psi_sy * R::literal(314.159_265_358_979_3);
-    let t162 = R::literal(311.126_983_722_080_9) + t161;
-    let motor_psi_sx_dot = t162 - t160;
-    let t163 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t164 = t4 * R::literal(36.128_315_516_282_626);
-    let t165 = -t163;
-    let motor_psi_sy_dot = t165 - t164;
-    let t166 = t5 - motor_psi_rx;
-    let t167 = t166 * R::literal(26.954_864_967_800_425);
-    let t168 = motor_psi_ry * motor_slip_speed;
-    let motor_psi_rx_dot = t167 + t168;
-    let t169 = motor_psi_rx * motor_slip_speed;
-    let t170 = t6 - motor_psi_ry;
-    let t171 = t170 * R::literal(26.954_864_967_800_425);
-    let motor_psi_ry_dot = t171 - t169;
-    let t172 = motor_omega - piece_10_omega;
-    let t173 = piece_1_omega - piece_10_omega;
-    let t174 = piece_2_omega - piece_10_omega;
-    let t175 = piece_3_omega - piece_10_omega;
-    let t176 = piece_4_omega - piece_10_omega;
-    let t177 = piece_5_omega - piece_10_omega;
-    let t178 = piece_6_omega - piece_10_omega;
-    let t179 = piece_7_omega - piece_10_omega;
-    let t180 = piece_8_omega - piece_10_omega;
+    let piece_9_omega_dot = t143 * R::literal(8.038_585_209_003_216);
+    let piece_10_omega_dot = t145 * R::literal(8.038_585_209_003_216);
+    let t146 = t2 * R::literal(36.128_315_516_282_626);
+    let t147 = motor_psi_sy * R::literal(314.159_265_358_979_3);
+    let t148 = R::literal(311.126_983_722_080_9) + t147;
+    let motor_psi_sx_dot = t148 - t146;
+    let t149 = motor_psi_sx * R::literal(314.159_265_358_979_3);
+    let t150 = t4 * R::literal(36.128_315_516_282_626);
+    let t151 = -t149;
+    let motor_psi_sy_dot = t151 - t150;
+    let t152 = t5 - motor_psi_rx;
+    let t153 = t152 * R::literal(26.954_864_967_800_425);
+    let t154 = motor_psi_ry * motor_slip_speed;
+    let motor_psi_rx_dot = t153 + t154;
+    let t155 = motor_psi_rx * motor_slip_speed;
+    let t156 = t6 - motor_psi_ry;
+    let t157 = t156 * R::literal(26.954_864_967_800_425);
+    let motor_psi_ry_dot = t157 - t155;
+    let t158 = motor_omega - piece_10_omega;
+    let t159 = piece_1_omega - piece_10_omega;
+    let t160 = piece_2_omega - piece_10_omega;
+    let t161 = piece_3_omega - piece_10_omega;
+    let t162 = piece_4_omega - piece_10_omega;
+    let t163 = piece_5_omega - piece_10_omega;
+    let t164 = piece_6_omega - piece_10_omega;
+    let t165 = piece_7_omega - piece_10_omega;
+    let t166 = piece_8_omega - piece_10_omega;
     let t8_slope = R::literal(1.0) * R::literal(50.0);
     let t9_slope = -t8_slope;
     let inverse_t11 = R::literal(1.0) / t11;
-    let t139_slope = -R::literal(50.0);
-    let inverse_t141 = R::literal(1.0) / t141;
-    let inverse_t141_2 = R::literal(1.0) / t141;
     let mut t10_before = t10;
     let mut t18_before = t18;
     let mut t19_before = t19;
-    let mut t140_before = t140;
     let mut rates = [
-        t172,
-        t173,
-        t174,
-        t175,
-        t176,
-        t177,
-        t178,
-        t179,
-        t180,
-        t155,
+        t158,
+        t159,
+        t160,
+        t161,
+        t162,
+        t163,
+        t164,
+        t165,
+        t166,
+        t138,
         motor_omega_dot,
         piece_1_omega_dot,
         piece_2_omega_dot,
@@ -1611,14 +1670,13 @@ pub fn series<R: Real>(
         let sums_6 = lanes_6.sums(order);
         let sums_7 = lanes_7.sums(order);
         let sums_8 = lanes_8.sums(order);
-        let sums_9 = lanes_9.sums(order);
         let coupling_twist_k = motor_phi_relative_k - piece_1_phi_relative_k;
         let coupling_twist_rate_k = motor_omega_k - piece_1_omega_k;
         let motor_slip_speed_k = -motor_omega_k * R::literal(4.0);
         let t2_k = (-motor_psi_rx_k).mul_add(R::literal(0.952), motor_psi_sx_k);
         let t4_k = (-motor_psi_ry_k).mul_add(R::literal(0.952), motor_psi_sy_k);
         let t10_k = inverse * t9_slope * t10_before;
-        let load_1_engagement_k = -t10_k.mul_add(load_1_engagement, sums_3[3])
+        let load_1_engagement_k = -t10_k.mul_add(load_1_engagement, sums_3[2])
             * inverse_t11;
         let t12_k = motor_psi_sx
             .mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k, sums[0]));
@@ -1630,53 +1688,56 @@ pub fn series<R: Real>(
         let coupling_torque_k = t15_k + t16_k;
         let t18_k = inverse * R::literal(241.805_307_826_689_27) * t19_before;
         let t19_k = -inverse * R::literal(241.805_307_826_689_27) * t18_before;
-        let t20_k = t18_k * R::literal(7.878);
         let t22_k = piece_1_omega_k * R::literal(2.0);
-        let t23_k = t22_k.mul_add(t25, inverse * sums_4[1]);
+        let t23_k = t22_k.mul_add(t25, inverse * sums_4[0]);
         let t24_k = (t23 + t23).mul_add(t23_k, sums[2]);
         let t25_k = -t24_k;
         let t26_k = load_1_engagement
-            .mul_add(t20_k, t21.mul_add(load_1_engagement_k, sums_4[0]));
-        let load_1_resistance_k = t23.mul_add(t26_k, t26.mul_add(t23_k, sums_4[2]));
+            .mul_add(
+                t18_k * R::literal(7.878),
+                t21.mul_add(load_1_engagement_k, sums_3[3]),
+            );
+        let load_1_resistance_k = t23.mul_add(t26_k, t26.mul_add(t23_k, sums_4[1]));
         let t27_k = piece_2_omega_k * R::literal(2.0);
-        let t28_k = t27_k.mul_add(t30, inverse * sums_4[3]);
+        let t28_k = t27_k.mul_add(t30, inverse * sums_4[2]);
         let t29_k = (t28 + t28).mul_add(t28_k, sums[3]);
         let t30_k = -t29_k;
-        let load_2_resistance_k = t28.mul_add(t26_k, t26.mul_add(t28_k, sums_5[0]));
+        let load_2_resistance_k = t28.mul_add(t26_k, t26.mul_add(t28_k, sums_4[3]));
         let t31_k = piece_3_omega_k * R::literal(2.0);
-        let t32_k = t31_k.mul_add(t34, inverse * sums_5[1]);
+        let t32_k = t31_k.mul_add(t34, inverse * sums_5[0]);
         let t33_k = (t32 + t32).mul_add(t32_k, sums_1[0]);
         let t34_k = -t33_k;
-        let load_3_resistance_k = t32.mul_add(t26_k, t26.mul_add(t32_k, sums_5[2]));
+        let load_3_resistance_k = t32.mul_add(t26_k, t26.mul_add(t32_k, sums_5[1]));
         let t35_k = piece_4_omega_k * R::literal(2.0);
-        let t36_k = t35_k.mul_add(t38, inverse * sums_5[3]);
+        let t36_k = t35_k.mul_add(t38, inverse * sums_5[2]);
         let t37_k = (t36 + t36).mul_add(t36_k, sums_1[1]);
         let t38_k = -t37_k;
-        let load_4_resistance_k = t36.mul_add(t26_k, t26.mul_add(t36_k, sums_6[0]));
+        let load_4_resistance_k = t36.mul_add(t26_k, t26.mul_add(t36_k, sums_5[3]));
         let t39_k = piece_5_omega_k * R::literal(2.0);
-        let t40_k = t39_k.mul_add(t42, inverse * sums_6[1]);
+        let t40_k = t39_k.mul_add(t42, inverse * sums_6[0]);
         let t41_k = (t40 + t40).mul_add(t40_k, sums_1[2]);
         let t42_k = -t41_k;
-        let load_5_resistance_k = t40.mul_add(t26_k, t26.mul_add(t40_k, sums_6[2]));
+        let load_5_resistance_k = t40.mul_add(t26_k, t26.mul_add(t40_k, sums_6[1]));
         let t43_k = piece_6_omega_k * R::literal(2.0);
-        let t44_k = t43_k.mul_add(t46, inverse * sums_6[3]);
+        let t44_k = t43_k.mul_add(t46, inverse * sums_6[2]);
         let t45_k = (t44 + t44).mul_add(t44_k, sums_1[3]);
         let t46_k = -t45_k;
-        let load_6_resistance_k = t44.mul_add(t26_k, t26.mul_add(t44_k, sums_7[0]));
+        let load_6_resistance_k = t44.mul_add(t26_k, t26.mul_add(t44_k, sums_6[3]));
         let t47_k = piece_7_omega_k * R::literal(2.0);
-        let t48_k = t47_k.mul_add(t50, inverse * sums_7[1]);
+        let t48_k = t47_k.mul_add(t50, inverse * sums_7[0]);
         let t49_k = (t48 + t48).mul_add(t48_k, sums_2[0]);
         let t50_k = -t49_k;
-        let load_7_resistance_k = t48.mul_add(t26_k, t26.mul_add(t48_k, sums_7[2]));
+        let load_7_resistance_k = t48.mul_add(t26_k, t26.mul_add(t48_k, sums_7[1]));
         let t51_k = piece_8_omega_k * R::literal(2.0);
-        let t52_k = t51_k.mul_add(t54, inverse * sums_7[3]);
+        let t52_k = t51_k.mul_add(t54, inverse * sums_7[2]);
         let t53_k = (t52 + t52).mul_add(t52_k, sums_2[1]);
         let t54_k = -t53_k;
-        let load_8_resistance_k = t52.mul_add(t26_k, t26.mul_add(t52_k, sums_8[0]));
+        let load_8_resistance_k = t52.mul_add(t26_k, t26.mul_add(t52_k, sums_7[3]));
         let t55_k = piece_9_omega_k * R::literal(2.0);
-        let t56_k = t55_k.mul_add(t58, inverse * sums_8[1]);
+        let t56_k = t55_k.mul_add(t58, inverse * sums_8[0]);
         let t57_k = (t56 + t56).mul_add(t56_k, sums_2[2]);
         let t58_k = -t57_k;
+        let load_9_resistance_k = t56.mul_add(t26_k, t26.mul_add(t56_k, sums_8[1]));
         let t59_k = piece_10_omega_k * R::literal(2.0);
         let t60_k = t59_k.mul_add(t62, inverse * sums_8[2]);
         let t61_k = (t60 + t60).mul_add(t60_k, sums_2[3]);
@@ -1747,37 +1808,24 @@ pub fn series<R: Real>(
         let t125_k = t124_k - t120_k;
         let t126_k = t125_k - t123_k;
         let t127_k = piece_8_phi_relative_k - piece_9_phi_relative_k;
-        let t129_k = t127_k.mul_add(R::literal(3_382_256.675_279_931), -t119_k);
+        let t128_k = t127_k * R::literal(3_382_256.675_279_931);
+        let t129_k = t128_k - t119_k;
         let t130_k = piece_8_omega_k - piece_9_omega_k;
-        let t132_k = t130_k.mul_add(R::literal(67.645_133_505_598_62), -t122_k);
+        let t131_k = t130_k * R::literal(67.645_133_505_598_62);
+        let t132_k = t131_k - t122_k;
         let t133_k = -load_8_resistance_k;
         let t134_k = t133_k - t129_k;
         let t135_k = t134_k - t132_k;
-        let t140_k = inverse * t139_slope * t140_before;
-        let t142_k = t56_k * R::literal(84.372);
-        let t143_k = (-t140_k).mul_add(t143, t142_k - sums_9[0]) * inverse_t141;
-        let t144_k = t20.mul_add(t56_k, t56.mul_add(t20_k, sums_3[0]));
-        let t145_k = (-t140_k).mul_add(t145, t144_k - sums_9[1]) * inverse_t141_2;
-        let t149_k = piece_10_omega_k
-            .mul_add(
-                R::literal(67.645_133_505_598_62),
-                piece_8_omega_k * R::literal(67.645_133_505_598_62),
-            );
-        let t150_k = piece_8_phi_relative_k
-            .mul_add(R::literal(3_382_256.675_279_931), t149_k);
-        let t151_k = (-piece_9_phi_relative_k)
-            .mul_add(R::literal(6_764_513.350_559_862), t150_k);
-        let t152_k = (-piece_9_omega_k)
-            .mul_add(R::literal(135.290_267_011_197_24), t151_k);
-        let t153_k = t152_k - t143_k;
-        let t154_k = t153_k - t145_k;
-        let t155_k = piece_9_omega_k - piece_10_omega_k;
-        let t158_k = piece_9_phi_relative_k
-            .mul_add(
-                R::literal(3_382_256.675_279_931),
-                t155_k * R::literal(67.645_133_505_598_62),
-            );
-        let t159_k = t158_k - load_10_resistance_k;
+        let t136_k = piece_9_phi_relative_k * R::literal(3_382_256.675_279_931);
+        let t137_k = t136_k - t128_k;
+        let t138_k = piece_9_omega_k - piece_10_omega_k;
+        let t139_k = t138_k * R::literal(67.645_133_505_598_62);
+        let t140_k = t139_k - t131_k;
+        let t141_k = -load_9_resistance_k;
+        let t142_k = t141_k - t137_k;
+        let t143_k = t142_k - t140_k;
+        let t144_k = t139_k + t136_k;
+        let t145_k = t144_k - load_10_resistance_k;
         let motor_omega_dot_k = t63_k * R::literal(0.238_095_238_095_238_08);
         let piece_1_omega_dot_k = t72_k * R::literal(8.038_585_209_003_216);
         let piece_2_omega_dot_k = t81_k * R::literal(8.038_585_209_003_216);
@@ -1787,42 +1835,42 @@ pub fn series<R: Real>(
         let piece_6_omega_dot_k = t117_k * R::literal(8.038_585_209_003_216);
         let piece_7_omega_dot_k = t126_k * R::literal(8.038_585_209_003_216);
         let piece_8_omega_dot_k = t135_k * R::literal(8.038_585_209_003_216);
-        let piece_9_omega_dot_k = t154_k * R::literal(8.038_585_209_003_216);
-        let piece_10_omega_dot_k = t159_k * R::literal(8.038_585_209_003_216);
+        let piece_9_omega_dot_k = t143_k * R::literal(8.038_585_209_003_216);
+        let piece_10_omega_dot_k = t145_k * R::literal(8.038_585_209_003_216);
         let motor_psi_sx_dot_k = (-t2_k)
             .mul_add(
                 R::literal(36.128_315_516_282_626),
                 motor_psi_sy_k * R::literal(314.159_265_358_979_3),
             );
-        let t163_k = motor_psi_sx_k * R::literal(314.159_265_358_979_3);
-        let t165_k = -t163_k;
+        let t149_k = motor_psi_sx_k * R::literal(314.159_265_358_979_3);
+        let t151_k = -t149_k;
         let motor_psi_sy_dot_k = (-t4_k)
-            .mul_add(R::literal(36.128_315_516_282_626), t165_k);
-        let t166_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
-        let t168_k = motor_psi_ry
+            .mul_add(R::literal(36.128_315_516_282_626), t151_k);
+        let t152_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t154_k = motor_psi_ry
             .mul_add(
                 motor_slip_speed_k,
-                motor_slip_speed.mul_add(motor_psi_ry_k, sums_3[1]),
+                motor_slip_speed.mul_add(motor_psi_ry_k, sums_3[0]),
             );
-        let motor_psi_rx_dot_k = t166_k
-            .mul_add(R::literal(26.954_864_967_800_425), t168_k);
-        let t169_k = motor_psi_rx
+        let motor_psi_rx_dot_k = t152_k
+            .mul_add(R::literal(26.954_864_967_800_425), t154_k);
+        let t155_k = motor_psi_rx
             .mul_add(
                 motor_slip_speed_k,
-                motor_slip_speed.mul_add(motor_psi_rx_k, sums_3[2]),
+                motor_slip_speed.mul_add(motor_psi_rx_k, sums_3[1]),
             );
-        let t170_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
-        let motor_psi_ry_dot_k = t170_k
-            .mul_add(R::literal(26.954_864_967_800_425), -t169_k);
-        let t172_k = motor_omega_k - piece_10_omega_k;
-        let t173_k = piece_1_omega_k - piece_10_omega_k;
-        let t174_k = piece_2_omega_k - piece_10_omega_k;
-        let t175_k = piece_3_omega_k - piece_10_omega_k;
-        let t176_k = piece_4_omega_k - piece_10_omega_k;
-        let t177_k = piece_5_omega_k - piece_10_omega_k;
-        let t178_k = piece_6_omega_k - piece_10_omega_k;
-        let t179_k = piece_7_omega_k - piece_10_omega_k;
-        let t180_k = piece_8_omega_k - piece_10_omega_k;
+        let t156_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t156_k
+            .mul_add(R::literal(26.954_864_967_800_425), -t155_k);
+        let t158_k = motor_omega_k - piece_10_omega_k;
+        let t159_k = piece_1_omega_k - piece_10_omega_k;
+        let t160_k = piece_2_omega_k - piece_10_omega_k;
+        let t161_k = piece_3_omega_k - piece_10_omega_k;
+        let t162_k = piece_4_omega_k - piece_10_omega_k;
+        let t163_k = piece_5_omega_k - piece_10_omega_k;
+        let t164_k = piece_6_omega_k - piece_10_omega_k;
+        let t165_k = piece_7_omega_k - piece_10_omega_k;
+        let t166_k = piece_8_omega_k - piece_10_omega_k;
         lanes
             .set(
                 order,
@@ -1834,55 +1882,58 @@ pub fn series<R: Real>(
         lanes_3
             .set(
                 order,
-                [t20_k, motor_slip_speed_k, motor_slip_speed_k, t10_k],
-                [t56_k, motor_psi_ry_k, motor_psi_rx_k, load_1_engagement_k],
+                [motor_slip_speed_k, motor_slip_speed_k, t10_k, load_1_engagement_k],
+                [
+                    motor_psi_ry_k,
+                    motor_psi_rx_k,
+                    load_1_engagement_k,
+                    t18_k * R::literal(7.878),
+                ],
             );
         lanes_4
             .set(
                 order,
-                [load_1_engagement_k, k * t22_k, t23_k, k * t27_k],
-                [t20_k, t25_k, t26_k, t30_k],
+                [k * t22_k, t23_k, k * t27_k, t26_k],
+                [t25_k, t26_k, t30_k, t28_k],
             );
         lanes_5
             .set(
                 order,
-                [t26_k, k * t31_k, t26_k, k * t35_k],
-                [t28_k, t34_k, t32_k, t38_k],
+                [k * t31_k, t26_k, k * t35_k, t26_k],
+                [t34_k, t32_k, t38_k, t36_k],
             );
         lanes_6
             .set(
                 order,
-                [t26_k, k * t39_k, t26_k, k * t43_k],
-                [t36_k, t42_k, t40_k, t46_k],
+                [k * t39_k, t26_k, k * t43_k, t26_k],
+                [t42_k, t40_k, t46_k, t44_k],
             );
         lanes_7
             .set(
                 order,
-                [t26_k, k * t47_k, t26_k, k * t51_k],
-                [t44_k, t50_k, t48_k, t54_k],
+                [k * t47_k, t26_k, k * t51_k, t26_k],
+                [t50_k, t48_k, t54_k, t52_k],
             );
         lanes_8
             .set(
                 order,
-                [t26_k, k * t55_k, k * t59_k, t26_k],
-                [t52_k, t58_k, t62_k, t60_k],
+                [k * t55_k, t26_k, k * t59_k, t26_k],
+                [t58_k, t56_k, t62_k, t60_k],
             );
-        lanes_9.set(order, [t140_k, t140_k], [t143_k, t145_k]);
         t10_before = t10_k;
         t18_before = t18_k;
         t19_before = t19_k;
-        t140_before = t140_k;
         rates = [
-            t172_k,
-            t173_k,
-            t174_k,
-            t175_k,
-            t176_k,
-            t177_k,
-            t178_k,
-            t179_k,
-            t180_k,
-            t155_k,
+            t158_k,
+            t159_k,
+            t160_k,
+            t161_k,
+            t162_k,
+            t163_k,
+            t164_k,
+            t165_k,
+            t166_k,
+            t138_k,
             motor_omega_dot_k,
             piece_1_omega_dot_k,
             piece_2_omega_dot_k,
@@ -1909,7 +1960,7 @@ impl<R: Real> TaylorSeries<R> for M310 {
             + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
             + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
             + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 4>::workspace(order + 1)
-            + Lanes::<R, 4>::workspace(order + 1) + Lanes::<R, 2>::workspace(order + 1)
+            + Lanes::<R, 4>::workspace(order + 1)
     }
     fn series(
         &self,
@@ -1984,18 +2035,20 @@ impl Describe for M310 {
 
 impl<R: Real> Simulator<R> for M310 {
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+        *array_of(values) = initial_state(&parameters_of(parameters));
     }
     fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+        *array_of(values) = discontinuities(&parameters_of(parameters));
     }
     fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
     }
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn parameter_jacobian(
         &self,
@@ -2004,28 +2057,32 @@ impl<R: Real> Simulator<R> for M310 {
         parameters: &[R],
         values: &mut [R],
     ) {
-        let result = parameter_jacobian(
+        *array_of(values) = parameter_jacobian(
             time,
             state_of(state),
             &parameters_of(parameters),
         );
-        values.copy_from_slice(&result);
     }
     fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = time_derivative(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = mass_matrix(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = forcing(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
     }
     fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = outputs(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result.to_array());
+        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
+            .to_array();
     }
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
         energy(time, state_of(state), &parameters_of(parameters))
@@ -2036,6 +2093,11 @@ impl<R: Real> Simulator<R> for M310 {
     fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
+    values.try_into().expect("there is one place for each value")
 }
 
 #[inline]

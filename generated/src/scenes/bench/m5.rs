@@ -510,18 +510,20 @@ impl Describe for M5 {
 
 impl<R: Real> Simulator<R> for M5 {
     fn initial_state(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&initial_state(&parameters_of(parameters)));
+        *array_of(values) = initial_state(&parameters_of(parameters));
     }
     fn discontinuities(&self, parameters: &[R], values: &mut [R]) {
-        values.copy_from_slice(&discontinuities(&parameters_of(parameters)));
+        *array_of(values) = discontinuities(&parameters_of(parameters));
     }
     fn rate(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate(time, state_of(state), &parameters_of(parameters));
     }
     fn rate_jacobian(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = rate_jacobian(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = rate_jacobian(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn parameter_jacobian(
         &self,
@@ -530,28 +532,32 @@ impl<R: Real> Simulator<R> for M5 {
         parameters: &[R],
         values: &mut [R],
     ) {
-        let result = parameter_jacobian(
+        *array_of(values) = parameter_jacobian(
             time,
             state_of(state),
             &parameters_of(parameters),
         );
-        values.copy_from_slice(&result);
     }
     fn time_derivative(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = time_derivative(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = time_derivative(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn mass_matrix(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = mass_matrix(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = mass_matrix(
+            time,
+            state_of(state),
+            &parameters_of(parameters),
+        );
     }
     fn forcing(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = forcing(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result);
+        *array_of(values) = forcing(time, state_of(state), &parameters_of(parameters));
     }
     fn outputs(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
-        let result = outputs(time, state_of(state), &parameters_of(parameters));
-        values.copy_from_slice(&result.to_array());
+        *array_of(values) = outputs(time, state_of(state), &parameters_of(parameters))
+            .to_array();
     }
     fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
         energy(time, state_of(state), &parameters_of(parameters))
@@ -565,6 +571,11 @@ impl<R: Real> Simulator<R> for M5 {
     fn linear(&self) -> Option<&dyn LinearEquations<R>> {
         Some(self)
     }
+}
+
+#[inline]
+fn array_of<R, const N: usize>(values: &mut [R]) -> &mut [R; N] {
+    values.try_into().expect("there is one place for each value")
 }
 
 #[inline]

@@ -1,7 +1,9 @@
 //! Functions of several numbers at once, four by four, as wide as the target has vectors.
 //!
 //! Every number gets the bits it would get alone. Functions of four are not inlined:
-//! among other code compilers take their loops apart again.
+//! among other code compilers take their loops apart again. They take their numbers one by
+//! one, in registers: numbers that are written one by one and read as a vector make the
+//! processor wait.
 
 use core::array::from_fn;
 
@@ -13,8 +15,8 @@ use crate::sine::{FARTHEST, sine_and_cosine};
 #[inline(always)]
 pub fn sines_and_cosines<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     let mut pairs = [(0.0, 0.0); N];
-    by_fours(&angles, |first, four| {
-        let (sines, cosines) = sine_and_cosine_of_four(four);
+    by_fours(&angles, |first, [a, b, c, d]| {
+        let (sines, cosines) = sine_and_cosine_of_four(a, b, c, d);
         for (pair, four) in pairs[first..].iter_mut().zip(sines.into_iter().zip(cosines)) {
             *pair = four;
         }
@@ -26,9 +28,10 @@ pub fn sines_and_cosines<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
 #[inline(always)]
 pub fn hyperbolic_tangents<const N: usize>(arguments: [f64; N]) -> [f64; N] {
     let mut tangents = [0.0; N];
-    by_fours(&arguments, |first, four| {
-        for (tangent, four) in tangents[first..].iter_mut().zip(hyperbolic_tangent_of_four(four)) {
-            *tangent = four;
+    by_fours(&arguments, |first, [a, b, c, d]| {
+        let four = hyperbolic_tangent_of_four(a, b, c, d);
+        for (tangent, one) in tangents[first..].iter_mut().zip(four) {
+            *tangent = one;
         }
     });
     tangents
@@ -37,14 +40,15 @@ pub fn hyperbolic_tangents<const N: usize>(arguments: [f64; N]) -> [f64; N] {
 /// Hands over four numbers after the other, with where they begin; the last is repeated
 /// where there are none left.
 #[inline(always)]
-fn by_fours<const N: usize>(numbers: &[f64; N], mut take: impl FnMut(usize, &[f64; 4])) {
+fn by_fours<const N: usize>(numbers: &[f64; N], mut take: impl FnMut(usize, [f64; 4])) {
     for first in (0..N).step_by(4) {
-        take(first, &from_fn(|index| numbers[(first + index).min(N - 1)]));
+        take(first, from_fn(|index| numbers[(first + index).min(N - 1)]));
     }
 }
 
 #[inline(never)]
-fn sine_and_cosine_of_four(angles: &[f64; 4]) -> ([f64; 4], [f64; 4]) {
+fn sine_and_cosine_of_four(a: f64, b: f64, c: f64, d: f64) -> ([f64; 4], [f64; 4]) {
+    let angles = [a, b, c, d];
     let (mut sines, mut cosines) = ([0.0; 4], [0.0; 4]);
     let is_near = angles.iter().fold(true, |is_near, x| is_near & (x.abs() <= FARTHEST));
     for index in 0..4 {
@@ -56,10 +60,10 @@ fn sine_and_cosine_of_four(angles: &[f64; 4]) -> ([f64; 4], [f64; 4]) {
 }
 
 #[inline(never)]
-fn hyperbolic_tangent_of_four(arguments: &[f64; 4]) -> [f64; 4] {
+fn hyperbolic_tangent_of_four(a: f64, b: f64, c: f64, d: f64) -> [f64; 4] {
     let mut tangents = [0.0; 4];
-    for (tangent, x) in tangents.iter_mut().zip(arguments) {
-        *tangent = hyperbolic_tangent(*x);
+    for (tangent, x) in tangents.iter_mut().zip([a, b, c, d]) {
+        *tangent = hyperbolic_tangent(x);
     }
     tangents
 }

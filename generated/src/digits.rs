@@ -11,6 +11,7 @@ pub trait Digits: Real {
     /// 2^n for a whole number n from -1022 to 1023; anything else gives anything.
     fn power_of_two(n: Self) -> Self;
     /// A number that is not below zero with the sign of another, of zero too.
+    #[must_use]
     fn with_sign_of(self, other: Self) -> Self;
     /// Sine and cosine of n quarters of a turn more, n being the last digits of a number.
     fn turn(n: Self, sine: Self, cosine: Self) -> (Self, Self);

@@ -98,6 +98,7 @@ impl<'a, R: Real, const N: usize> Lanes<'a, R, N> {
     }
 
     /// Takes the coefficients of one order.
+    #[allow(clippy::needless_range_loop, reason = "what is stored and where, by one index")]
     #[inline(always)]
     pub fn set(&mut self, order: usize, left: [R; N], right: [R; N]) {
         self.before = self.newest;

@@ -4,7 +4,7 @@
 //! next to nothing: work arrays are made once, stages lie in lanes of four, and
 //! no zero coefficient is ever multiplied.
 
-use super::lanes::{LANES, Sum, combine, sum};
+use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{OneStep, Pace, Trial, drive_all, first_step};
 use super::tableau::{DOP853, Pair, Row, TSIT5};
 use super::{Integrator, Samples, Stopped, Stretch};
@@ -62,7 +62,7 @@ pub(super) struct ExplicitSteps<'a> {
 impl<'a> ExplicitSteps<'a> {
     pub(super) fn new(pair: &'static Pair, stretch: &'a Stretch<'a>) -> Self {
         let size = stretch.system.len();
-        let width = size.next_multiple_of(LANES);
+        let width = padded(size);
         let count = pair.nodes.len();
         let offsets = |row: &Row| sum(row, width);
         let zeros = || vec![0.0; width];

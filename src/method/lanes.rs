@@ -2,8 +2,13 @@
 
 use machinist_scenes::Real;
 
-/// Stages are padded to a multiple of so many states, and summed so many at once.
-pub(super) const LANES: usize = 4;
+/// How many places a stage of so many states takes: as many as [`combine`] sums at once.
+pub(super) fn padded(size: usize) -> usize {
+    size.next_multiple_of(if size <= 6 { 2 } else { LANES })
+}
+
+/// Longer stages are padded to a multiple of so many states.
+const LANES: usize = 4;
 
 /// Weights of stages, as (offset of the stage, weight).
 pub(super) type Sum = Vec<(usize, f64)>;
@@ -22,11 +27,18 @@ pub(super) fn combine(
     start: Option<&[f64]>,
     into: &mut [f64],
 ) {
-    // Long states by wide blocks, so that a weight is fetched for many of them.
-    let wide = into.len() / WIDE * WIDE;
-    let (first, rest) = into.split_at_mut(wide);
-    blocks::<WIDE>(sum, stages, step, (start, 0), first);
-    blocks::<LANES>(sum, stages, step, (start, wide), rest);
+    match into.len() {
+        2 => blocks::<2>(sum, stages, step, (start, 0), into),
+        4 => blocks::<4>(sum, stages, step, (start, 0), into),
+        6 => blocks::<6>(sum, stages, step, (start, 0), into),
+        8 => blocks::<8>(sum, stages, step, (start, 0), into),
+        len => {
+            // Long states by wide blocks, so that a weight is fetched for many of them.
+            let (first, rest) = into.split_at_mut(len / WIDE * WIDE);
+            blocks::<WIDE>(sum, stages, step, (start, 0), first);
+            blocks::<LANES>(sum, stages, step, (start, first.len()), rest);
+        }
+    }
 }
 
 /// States summed at once where there are many.
@@ -44,10 +56,23 @@ fn blocks<const COUNT: usize>(
     for (block, into) in into.chunks_exact_mut(COUNT).enumerate() {
         let at = first + block * COUNT;
         let mut total = [0.0; COUNT];
-        for &(offset, weight) in sum {
-            let stage = &stages[offset + at..][..COUNT];
-            for (total, stage) in total.iter_mut().zip(stage) {
-                *total = Real::mul_add(weight, *stage, *total);
+        if COUNT <= LANES {
+            for term in sum {
+                add(term, stages, at, &mut total);
+            }
+        } else {
+            // Two sums side by side, so that each term waits for half of the others only.
+            let mut other = [0.0; COUNT];
+            let (pairs, last) = sum.as_chunks();
+            for [first, second] in pairs {
+                add(first, stages, at, &mut other);
+                add(second, stages, at, &mut total);
+            }
+            for term in last {
+                add(term, stages, at, &mut other);
+            }
+            for (total, other) in total.iter_mut().zip(other) {
+                *total += other;
             }
         }
         match start {
@@ -62,5 +87,19 @@ fn blocks<const COUNT: usize>(
                 }
             }
         }
+    }
+}
+
+/// Adds the term of a stage to its sum.
+#[inline(always)]
+fn add<const COUNT: usize>(
+    &(offset, weight): &(usize, f64),
+    stages: &[f64],
+    at: usize,
+    total: &mut [f64; COUNT],
+) {
+    let stage = &stages[offset + at..][..COUNT];
+    for (total, stage) in total.iter_mut().zip(stage) {
+        *total = Real::mul_add(weight, *stage, *total);
     }
 }

@@ -1,7 +1,7 @@
 //! Rosenbrock methods: implicit, but each stage solves one linear system with
 //! the emitted Jacobian, so that nothing is iterated.
 
-use super::lanes::{LANES, Sum, combine, sum};
+use super::lanes::{Sum, combine, padded, sum};
 use super::one_step::{
     BETWEEN, OneStep, Pace, Trial, drive_all, finite_jacobian, first_step, require_finite,
     weighted_norm,
@@ -61,7 +61,7 @@ pub(super) struct RosenbrockSteps<'a> {
 impl<'a> RosenbrockSteps<'a> {
     pub(super) fn new(method: &'static Rosenbrock, stretch: &'a Stretch<'a>) -> Self {
         let (size, len) = (stretch.system.states(), stretch.system.len());
-        let width = size.next_multiple_of(LANES);
+        let width = padded(size);
         let zeros = || vec![0.0; width];
         let everything = || vec![0.0; width.max(len)];
         Self {

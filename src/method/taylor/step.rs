@@ -267,21 +267,29 @@ pub(super) fn value_and_slope<R: Real>(
     value: &mut [R],
     slope: &mut [R],
 ) {
-    let states = value.len();
-    let (values, few_values) = value.as_chunks_mut();
-    let (slopes, few_slopes) = slope.as_chunks_mut();
-    for ((value, slope), block) in values.iter_mut().zip(slopes).zip(0..) {
-        (*value, *slope) = sum::<R, BLOCK>(coefficients, states, block * BLOCK, time);
-    }
-    let done = states - few_values.len();
-    for ((value, slope), index) in few_values.iter_mut().zip(few_slopes).zip(done..) {
-        let ([only], [only_slope]) = sum::<R, 1>(coefficients, states, index, time);
-        (*value, *slope) = (only, only_slope);
-    }
+    let done = by_blocks::<R, 4>(coefficients, time, value, slope, 0);
+    let done = by_blocks::<R, 2>(coefficients, time, value, slope, done);
+    by_blocks::<R, 1>(coefficients, time, value, slope, done);
 }
 
-/// States summed together, so that the sums stay in registers.
-const BLOCK: usize = 4;
+/// Sums states from the `first` on as long as there are `N` left, so many together that the
+/// sums stay in registers; gives how many states are done.
+fn by_blocks<R: Real, const N: usize>(
+    coefficients: &[R],
+    time: R,
+    value: &mut [R],
+    slope: &mut [R],
+    first: usize,
+) -> usize {
+    let states = value.len();
+    let (values, _) = value[first..].as_chunks_mut();
+    let (slopes, _) = slope[first..].as_chunks_mut();
+    let done = first + N * values.len();
+    for ((value, slope), first) in values.iter_mut().zip(slopes).zip((first..).step_by(N)) {
+        (*value, *slope) = sum::<R, N>(coefficients, states, first, time);
+    }
+    done
+}
 
 /// Sums of `N` neighbouring states from `first` on.
 ///

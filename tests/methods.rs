@@ -187,7 +187,7 @@ fn auto_says_what_it_chose_and_why() {
     // Looser steps would add up.
     assert_eq!(run(&HardSpring, 1e-2), ["starts with dop853, for a relative tolerance of 1e-5"]);
     assert_eq!(run(&HardSpring, 1e-6), ["starts with dop853, for a relative tolerance of 1e-6"]);
-    for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
+    for (rtol, implicit) in [(1e-5, "rodas5p"), (1e-6, "radau")] {
         let notes = run(&VAN_DER_POL, rtol);
         assert!(notes[1].starts_with(implicit), "{notes:?}");
         assert!(notes[1].contains("held by stability"), "{notes:?}");
@@ -216,7 +216,7 @@ fn auto_leaves_series_where_they_are_held_by_stability() {
     let base = Simulation::new(simulator).parameter("coupling.damping", 1e6).unwrap();
     let base = base.parameter("coupling.stiffness", 1e5).unwrap().until(0.1).points(11);
     let exact = base.clone().method(Method::Radau).rtol(1e-11).run().unwrap();
-    for (rtol, implicit) in [(1e-6, "rodas5p"), (1e-9, "radau")] {
+    for (rtol, implicit) in [(1e-5, "rodas5p"), (1e-6, "radau")] {
         let run = base.clone().method(Method::Auto).rtol(rtol).run().unwrap();
         println!("{:?}, {:?}", run.notes, run.work);
         assert!(
@@ -238,13 +238,14 @@ fn auto_returns_to_the_explicit_method_when_stiffness_ends() {
         |t, _| -(1.0 + 1e5 / (1.0 + (40.0 * (t - 1.0)).exp())),
         0.0,
     );
-    let run = Simulation::new(&scalar).method(Method::Auto).until(20.0).run().unwrap();
+    let run = Simulation::new(&scalar).method(Method::Auto).rtol(1e-5).until(20.0).run();
+    let run = run.unwrap();
     println!("{:?} {:?}", run.notes, run.work);
     assert_eq!(run.notes.len(), 3, "{:?}", run.notes);
     assert!(run.notes[2].starts_with("dop853 instead of rodas5p"), "{:?}", run.notes);
     let exact = Simulation::new(&scalar).method(Method::Radau).rtol(1e-11).until(20.0).run();
     let difference = run.last("y").unwrap() - exact.unwrap().last("y").unwrap();
-    assert!(difference.abs() < 1e-5, "{difference:e}");
+    assert!(difference.abs() < 1e-4, "{difference:e}");
 }
 
 #[test]

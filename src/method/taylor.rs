@@ -9,7 +9,7 @@
 #[cfg(all(test, feature = "scenes"))]
 mod order;
 pub(super) mod quadrature;
-mod step;
+pub(crate) mod step;
 #[cfg(feature = "sweep")]
 pub(crate) mod variants;
 

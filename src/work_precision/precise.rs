@@ -6,6 +6,7 @@ use machinist_scenes::{Real, Simulator};
 
 use super::worse;
 use crate::double_double::DoubleDouble;
+use crate::method::taylor::step;
 use crate::trajectory::{ColumnKind, Trajectory};
 
 /// Order of the series, and the size of what they leave out, relative to the largest
@@ -117,16 +118,20 @@ impl<'a> Run<'a> {
             let stop = next.filter(|next| (end - *next).to_f64() > 0.0).unwrap_or(end);
             let is_cut = (stop - time).to_f64() <= step;
             let until = if is_cut { stop } else { time + lift(step) };
+            let at = |moment: DoubleDouble| {
+                let mut state = vec![lift(0.0); self.start.len()];
+                step::value(&coefficients, moment - time, &mut state);
+                state
+            };
             while let Some(&wanted) = self.times.get(found.len())
                 && (lift(wanted) - until).to_f64() <= 0.0
             {
-                found.push(sum(&coefficients, state.len(), lift(wanted) - time));
+                found.push(at(lift(wanted)));
             }
             if found.len() == self.times.len() {
                 return Some(found);
             }
-            state = sum(&coefficients, state.len(), until - time);
-            time = until;
+            (state, time) = (at(until), until);
         }
         None
     }
@@ -141,15 +146,4 @@ impl<'a> Run<'a> {
         };
         orders.rev().take(JUDGED).map(length).fold(f64::INFINITY, f64::min)
     }
-}
-
-/// The polynomial at `after`.
-fn sum(coefficients: &[DoubleDouble], states: usize, after: DoubleDouble) -> Vec<DoubleDouble> {
-    let mut sums = vec![DoubleDouble::literal(0.0); states];
-    for terms in coefficients.chunks_exact(states).rev() {
-        for (sum, term) in sums.iter_mut().zip(terms) {
-            *sum = *sum * after + *term;
-        }
-    }
-    sums
 }

@@ -249,13 +249,13 @@ pub(super) fn all_finite(values: &[f64]) -> bool {
 }
 
 /// The polynomial at `time` after the start of the step.
-pub(super) fn value(coefficients: &[f64], time: f64, value: &mut [f64]) {
+pub(crate) fn value<R: Real>(coefficients: &[R], time: R, value: &mut [R]) {
     let states = value.len();
     let mut orders = coefficients.chunks_exact(states).rev();
     value.copy_from_slice(orders.next().unwrap_or_default());
     for terms in orders {
         for (value, term) in value.iter_mut().zip(terms) {
-            *value = Real::mul_add(*value, time, *term);
+            *value = value.mul_add(time, *term);
         }
     }
 }

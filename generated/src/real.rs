@@ -153,11 +153,11 @@ acos = acos, atan = atan, sinh = sinh, cosh = cosh; pow; {
     }
     #[inline]
     fn sin(self) -> Self {
-        if self.abs() <= FARTHEST { sine_and_cosine(self).0 } else { sine_and_cosine_far_away(self).0 }
+        Real::sin_cos(self).0
     }
     #[inline]
     fn cos(self) -> Self {
-        if self.abs() <= FARTHEST { sine_and_cosine(self).1 } else { sine_and_cosine_far_away(self).1 }
+        Real::sin_cos(self).1
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {

@@ -5,6 +5,7 @@ mod program;
 mod terms;
 
 use crate::expr::Expr;
+use crate::tape::Op;
 
 pub use graph::Graph;
 pub use program::lower;
@@ -12,15 +13,16 @@ pub use program::lower;
 /// Operations of the tape of one expression.
 #[must_use]
 pub fn operations(expr: &Expr) -> usize {
-    let mut graph = Graph::new();
-    let root = graph.lower(expr);
-    graph.tape(&[root]).nodes.iter().filter(|node| node.op.is_arithmetic()).count()
+    weigh(expr).0
 }
 
-/// Time that the tape of one expression takes, in that of a sum, roughly.
+/// Operations of the tape of one expression, and the time that they take in that of a sum,
+/// roughly.
 #[must_use]
-pub fn cost(expr: &Expr) -> u32 {
+pub fn weigh(expr: &Expr) -> (usize, u32) {
     let mut graph = Graph::new();
     let root = graph.lower(expr);
-    graph.tape(&[root]).nodes.iter().map(|node| node.op.cost()).sum()
+    let ops = graph.tape(&[root]).nodes.into_iter().map(|node| node.op);
+    let ops = ops.filter(Op::is_arithmetic);
+    ops.fold((0, 0), |(count, time), op| (count + 1, time + op.cost()))
 }

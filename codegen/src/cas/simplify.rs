@@ -7,7 +7,7 @@ use symbolica::atom::{Atom, AtomCore};
 use super::convert::{to_atom, to_expr};
 use super::functions::Vocabulary;
 use crate::expr::{Expr, Function};
-use crate::lower::{cost, operations};
+use crate::lower::{operations, weigh};
 use crate::trigonometry::{combine, has_sine};
 
 /// Forms larger than this are not factored: the cost of factoring grows much
@@ -21,13 +21,13 @@ const EXPAND_LIMIT: usize = 2000;
 /// trigonometric identities applied, with common factors collected, or factored.
 pub(super) fn cheapest(vocabulary: &mut Vocabulary, atom: &Atom) -> Expr {
     let expr = to_expr(vocabulary, atom.as_view());
-    let size = operations(&expr);
-    let mut best = (cost(&expr), expr);
+    let (size, cost) = weigh(&expr);
+    let mut best = (cost, expr);
     if size <= 1 {
         return best.1;
     }
     let mut offer = |candidate: Expr| {
-        let cost = cost(&candidate);
+        let (_, cost) = weigh(&candidate);
         if cost < best.0 {
             best = (cost, candidate);
         }

@@ -1,8 +1,9 @@
 //! One tape as the body of a function.
 //!
 //! Statements come in the tape's order but for calls that come together
-//! ([`super::batch`]), and expressions keep the tape's association, so that emitted code and [`crate::evaluate`] agree bit for bit where the
-//! target has no fused products; see [`super::fuse`].
+//! ([`super::batch`]), and expressions keep the tape's association, so that emitted code
+//! and [`crate::evaluate`] agree bit for bit where the target has no fused products; see
+//! [`super::fuse`].
 //! A body is one function however long; splitting it would start here, by
 //! cutting `statements` where few variables are alive.
 

@@ -8,7 +8,7 @@ use super::Scene;
 use super::body::{Body, ResultNames, Scope, body};
 use super::check::check_tape;
 use super::items::meaning;
-use super::names::{Namer, distinct};
+use super::names::{Namer, argument, distinct};
 use super::points;
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
@@ -188,13 +188,10 @@ fn function(
     let result_names = ResultNames { spread: false, names };
     let Body { statements, results, reads } = body(name, tape, scope, &result_names)?;
     let place = scope.states.len() - 1;
-    let binds = |read: bool, name: &str| {
-        if read { format_ident!("{name}") } else { format_ident!("_{name}") }
-    };
-    let (time, x) = (binds(reads.time, "time"), binds(reads.state.contains(&place), "x"));
-    let p = binds(reads.parameters, "p");
+    let (time, x) = (argument(reads.time, "time"), argument(reads.state.contains(&place), "x"));
+    let p = argument(reads.parameters, "p");
     let of_point: Vec<usize> = reads.state.iter().copied().filter(|entry| *entry < place).collect();
-    let point = binds(!of_point.is_empty(), "point");
+    let point = argument(!of_point.is_empty(), "point");
     let arguments = match manner.of {
         Of::Motion => quote!(#time: R, #x: R, #point: &FieldPoint<R>,),
         Of::Place => quote!(#x: R,),

@@ -53,9 +53,7 @@ pub(super) fn fuse(tape: &Tape) -> Vec<Option<Fused>> {
         // What is ready last is multiplied last.
         let is_first = match (product(a), product(b)) {
             (None, None) => return None,
-            (first, second) if first.is_some() && second.is_some() => {
-                delays[a.0 as usize] > delays[b.0 as usize]
-            }
+            (Some(_), Some(_)) => delays[a.0 as usize] > delays[b.0 as usize],
             (first, _) => first.is_some(),
         };
         let (own, summand) = if is_first { (a, b) } else { (b, a) };
@@ -68,11 +66,8 @@ pub(super) fn fuse(tape: &Tape) -> Vec<Option<Fused>> {
             swallowed,
         })
     };
-    let mut fused: Vec<Option<Fused>> = vec![None; tape.nodes.len()];
-    for (index, node) in tape.nodes.iter().enumerate().filter(|(index, _)| uses[*index] > 0) {
-        fused[index] = sum(node.op);
-    }
-    fused
+    let nodes = tape.nodes.iter().zip(&uses);
+    nodes.map(|(node, uses)| if *uses > 0 { sum(node.op) } else { None }).collect()
 }
 
 /// Of every node, whether it disappears into a fused sum.

@@ -3,8 +3,14 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span};
+use quote::format_ident;
 
 use crate::emit::EmitError;
+
+/// An argument, with an underscore in front where the function does not read it.
+pub(super) fn argument(is_read: bool, name: &str) -> Ident {
+    if is_read { format_ident!("{name}") } else { format_ident!("_{name}") }
+}
 
 /// Names that a local variable must not take: what signatures bind, what the
 /// prelude and the module let patterns match, and what would mislead a reader.

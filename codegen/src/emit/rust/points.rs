@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 use super::Scene;
 use super::body::{Body, ResultNames, Scope, body};
 use super::check::check_tape;
+use super::names::argument;
 use crate::emit::text::doc;
 use crate::emit::{EmitError, tape_operations};
 use crate::hoist::apart_from_state;
@@ -108,12 +109,9 @@ fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<Token
     let result_names = ResultNames { spread: false, names: result_names };
     let Body { statements, results, reads } = body(name, &at_point, &inner, &result_names)?;
 
-    let is_read = |read: bool, name: &str| {
-        if read { format_ident!("{name}") } else { format_ident!("_{name}") }
-    };
-    let time = is_read(reads.time || shared.reads.time, "time");
+    let time = argument(reads.time || shared.reads.time, "time");
     let time = of.takes_time.then(|| quote!(#time: R,));
-    let p = is_read(reads.parameters || shared.reads.parameters, "p");
+    let p = argument(reads.parameters || shared.reads.parameters, "p");
     let slices: Vec<Ident> = of.point.iter().map(|(_, name)| format_ident!("{name}")).collect();
     let outputs: Vec<Ident> = of.results.iter().map(|name| format_ident!("{name}")).collect();
     let points = of.point.iter().map(|(entry, _)| {

@@ -8,7 +8,8 @@ use std::f64::consts::FRAC_PI_4;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use machinist_scenes::{Simulator, bench, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::{bench, scenes};
 
 /// States that a measurement cycles through, so that no branch is learnt by heart.
 const STATES: usize = 16;

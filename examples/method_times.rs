@@ -8,7 +8,8 @@
 use std::time::Instant;
 
 use machinist::{Method, SimulateError, Simulation, Trajectory};
-use machinist_scenes::{Simulator, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 fn main() -> Result<(), SimulateError> {
     let wanted = std::env::args().nth(1).unwrap_or_else(|| "saw_gin".to_owned());

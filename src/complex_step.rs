@@ -8,7 +8,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_scenes::{Real, Shape, Simulator, SparsityPattern};
+use machinist_contract::{Real, Shape, Simulator, SparsityPattern};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 

@@ -16,7 +16,7 @@ mod start;
 
 use std::cell::Cell;
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 

@@ -8,7 +8,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use machinist_scenes::Real;
+use machinist_contract::Real;
 use qd::Quad;
 
 /// A real number of 31 digits.

@@ -13,7 +13,7 @@ use machinist_codegen::pipeline::Stages;
 use machinist_codegen::program::Program;
 use machinist_codegen::reduce::{Keep, Reduction};
 use machinist_codegen::structure::Structure;
-use machinist_scenes::Describe as _;
+use machinist_contract::Describe as _;
 use serde::Serialize;
 
 use crate::freeze::{self, Candidate};

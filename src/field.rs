@@ -22,8 +22,8 @@ mod simulator;
 
 use std::cell::RefCell;
 
-use machinist_scenes::field::{FieldScene, HANDED, MAX_ORDER};
-use machinist_scenes::{Real, Shape};
+use machinist_contract::field::{FieldScene, HANDED, MAX_ORDER};
+use machinist_contract::{Real, Shape};
 
 use chain::{Chain, columns_beside};
 pub use lobatto::Lobatto;

@@ -27,7 +27,7 @@ mod response;
 mod rest;
 mod within;
 
-use machinist_scenes::{Quantity, Simulator};
+use machinist_contract::{Quantity, Simulator};
 use motions::Motions;
 use nalgebra::{DMatrix, DVector};
 use within::Within;

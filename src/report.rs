@@ -33,7 +33,8 @@ use machinist_codegen::document::{Document, Notation};
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
-use machinist_scenes::{Simulator, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 use crate::cli::Failure;
 use crate::cli::progress::during;

@@ -1,7 +1,7 @@
 //! Runs a simulator: checks what is asked, integrates, and hands back a
 //! [`Trajectory`].
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 
 use crate::constraints::{Constraints, consistent, require_independent};
 use crate::error::{NotCompiledIn, SimulateError, did_you_mean};
@@ -505,7 +505,7 @@ impl<'a> Table<'a> {
 
     fn into_columns(self, balance: Option<&EnergyBalance>) -> Vec<Column> {
         let simulator = self.simulator;
-        let column = |kind, quantity: machinist_scenes::Quantity<'_>, values| Column {
+        let column = |kind, quantity: machinist_contract::Quantity<'_>, values| Column {
             name: quantity.name.to_owned(),
             unit: quantity.unit.to_owned(),
             kind,

@@ -18,7 +18,7 @@ pub mod machines;
 mod order;
 mod truth;
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
 use crate::error::{SimulateError, StopCause};

@@ -5,8 +5,8 @@
 //! variants out. None of this changes a result: every variant is, to the last bit,
 //! what a run of its own gives, whatever the number of threads.
 
-use machinist_scenes::Simulator;
-use machinist_scenes::taylor::Bends;
+use machinist_contract::Simulator;
+use machinist_contract::taylor::Bends;
 use rayon::prelude::*;
 
 use crate::error::SimulateError;
@@ -166,7 +166,7 @@ impl<'a, S: Sweepable> Sweep<'a, S> {
         &self,
         chunk: &[Vec<f64>],
         rtol: f64,
-        series: &dyn machinist_scenes::taylor::TaylorSeries<F64x8>,
+        series: &dyn machinist_contract::taylor::TaylorSeries<F64x8>,
     ) -> Vec<Result<VariantRun, SimulateError>> {
         let mut results: Vec<Option<Result<VariantRun, SimulateError>>> = vec![None; chunk.len()];
         let mut valid = Vec::with_capacity(chunk.len());

@@ -10,7 +10,7 @@ mod reference;
 
 use std::time::Instant;
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
 use crate::double_double::DoubleDouble;

@@ -6,8 +6,8 @@ use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
-use machinist_scenes::Simulator as _;
-use machinist_scenes::taylor::{Bends, TaylorSeries};
+use machinist_contract::Simulator as _;
+use machinist_contract::taylor::{Bends, TaylorSeries};
 
 /// x'' + x = cos(1.3 t) - 0.2 `law`, where the law turns at v = 0 within `width`.
 fn rubbing(law: &str) -> InterpretedSimulator {

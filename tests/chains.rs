@@ -3,7 +3,8 @@
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Trajectory};
-use machinist_scenes::{Simulator, bench, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::{bench, scenes};
 
 fn cut(name: &str, elements: usize, order: usize) -> FieldSimulator<'static, f64> {
     let scene = bench::find_field(name).or_else(|| scenes::find_field(name)).expect("a scene");

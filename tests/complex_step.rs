@@ -5,7 +5,7 @@ mod common;
 
 use common::Oscillator;
 use machinist::complex_step::{dense, parameter_jacobian, rate_jacobian, time_derivative};
-use machinist_scenes::{Describe, Simulator};
+use machinist_contract::{Describe, Simulator};
 
 const PARAMETERS: [f64; 5] = [2.0, 0.8, 50.0, 30.0, 0.7];
 const STATE: [f64; 2] = [0.31, -1.7];

@@ -43,7 +43,7 @@ fn of_text(text: &str) -> InterpretedSimulator {
 }
 
 fn start_of(scene: &InterpretedSimulator) -> Result<Vec<f64>, SimulateError> {
-    use machinist_scenes::Describe as _;
+    use machinist_contract::Describe as _;
     let count = scene.shape().parameters;
     let parameters: Vec<f64> = (0..count).map(|index| scene.parameter_default(index)).collect();
     start(scene, &parameters, 0.0)
@@ -222,7 +222,7 @@ fn an_event_is_followed_by_the_impulse_of_constraints() {
 
 /// Natural motions about the equilibrium near the start.
 fn modes_near_the_start(scene: &InterpretedSimulator) -> (Vec<f64>, Vec<Mode>) {
-    use machinist_scenes::Describe as _;
+    use machinist_contract::Describe as _;
     let count = scene.shape().parameters;
     let parameters = (0..count).map(|index| scene.parameter_default(index)).collect();
     let state = start_of(scene).expect("it starts");

@@ -7,7 +7,7 @@ use machinist::method::{Problem, System};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
-use machinist_scenes::Describe;
+use machinist_contract::Describe;
 
 /// A scene of one unit `ball` of coordinate `x`, mass 1 kg, with more of the unit.
 fn scene(more: &str) -> InterpretedSimulator {

@@ -6,7 +6,8 @@ use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
-use machinist_scenes::{Describe, Simulator, scenes};
+use machinist_contract::{Describe, Simulator};
+use machinist_scenes::scenes;
 
 /// The machine of a spec in one file, nothing left out.
 fn machine(text: &str) -> InterpretedSimulator {

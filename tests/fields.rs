@@ -6,7 +6,7 @@ use machinist::error::StopCause;
 use machinist::field::{Discretisation, FieldError, FieldSimulator, MAX_ELEMENTS};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
-use machinist_scenes::{Describe as _, Simulator};
+use machinist_contract::{Describe as _, Simulator};
 
 fn cut(elements: usize, order: usize) -> FieldSimulator<'static, f64> {
     let wanted = Discretisation { elements: Some(elements), order: Some(order) };

@@ -1,7 +1,8 @@
 //! What parameters alone decide is computed once a run and changes no bit.
 #![cfg(feature = "scenes")]
 
-use machinist_scenes::{Simulator, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 fn filled(length: usize, write: impl FnOnce(&mut [f64])) -> Vec<f64> {
     let mut values = vec![f64::NAN; length];

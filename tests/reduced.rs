@@ -12,7 +12,7 @@ use machinist_codegen::pipeline;
 use machinist_codegen::program::Program;
 use machinist_codegen::reduce::{Keep, What, Why};
 use machinist_codegen::structure::Structure;
-use machinist_scenes::{Describe as _, Simulator as _};
+use machinist_contract::{Describe as _, Simulator as _};
 
 /// A scene file with the given text, in a folder that lasts as long as it.
 struct Spec {

@@ -10,7 +10,7 @@ use machinist::error::StopCause;
 use machinist::method::Work;
 use machinist::trajectory::ColumnKind;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 
 /// Largest error of the oscillator's angle \[rad\] over all output times.
 fn oscillator_error(trajectory: &Trajectory) -> f64 {

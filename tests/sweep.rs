@@ -8,7 +8,7 @@ use machinist::{Method, SimulateError, Simulation, Sweep};
 use machinist_scenes::scenes::{
     bouncing_mass, pendulum_chain, saw_gin, two_mass, winder_nonlinear,
 };
-use machinist_scenes::{Describe, Real, Simulator};
+use machinist_contract::{Describe, Real, Simulator};
 
 /// What one run after another gives.
 fn one_by_one<'a, S: Sweepable>(

@@ -6,7 +6,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use machinist::error::StopCause;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
-use machinist_scenes::{Simulator, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 mod common;
 

@@ -11,7 +11,7 @@
 //!
 //! ```text
 //! mod drive {
-//!     machinist_scenes::include_scene!("drive");
+//!     machinist_contract::include_scene!("drive");
 //! }
 //! ```
 

@@ -95,44 +95,6 @@ impl Frequency {
     }
 }
 
-/// For each node, whether it depends on time and whether on the state.
-pub(crate) struct Dependence(Vec<(bool, bool)>);
-
-impl Dependence {
-    pub(crate) fn of(tape: &Tape) -> Self {
-        Self::with_varying(tape, &[])
-    }
-
-    /// As if these parameters were entries of the state.
-    pub(crate) fn with_varying(tape: &Tape, varying: &[u32]) -> Self {
-        let mut known: Vec<(bool, bool)> = Vec::with_capacity(tape.nodes.len());
-        for node in &tape.nodes {
-            known.push(match node.op {
-                Op::Time => (true, false),
-                Op::State(_) => (false, true),
-                Op::Parameter(index) if varying.contains(&index) => (false, true),
-                ref op => op.operands().iter().fold((false, false), |(time, state), id| {
-                    let of = known[id.0 as usize];
-                    (time || of.0, state || of.1)
-                }),
-            });
-        }
-        Dependence(known)
-    }
-
-    fn on_time(&self, id: NodeId) -> bool {
-        self.0[id.0 as usize].0
-    }
-
-    pub(crate) fn on_state(&self, id: NodeId) -> bool {
-        self.0[id.0 as usize].1
-    }
-
-    pub(crate) fn on_anything(&self, id: NodeId) -> bool {
-        self.0[id.0 as usize] != (false, false)
-    }
-}
-
 /// Entries of a matrix that depend on parameters only.
 fn constants(matrix: &MatrixTape) -> usize {
     let dependence = Dependence::of(&matrix.tape);

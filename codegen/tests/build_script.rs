@@ -17,7 +17,7 @@ fn a_scene_is_emitted_under_its_name_and_touched_only_if_it_changes() {
     let emitted = folder.path().join("drive.rs");
     let text = fs::read_to_string(&emitted).expect("the emitted file");
     assert!(syn::parse_file(&text).is_ok());
-    assert!(text.contains("use ::machinist_scenes::{"));
+    assert!(text.contains("use ::machinist_contract::{"));
     assert!(!text.contains(env!("CARGO_MANIFEST_DIR")), "no absolute path");
 
     let long_ago = std::time::SystemTime::UNIX_EPOCH + std::time::Duration::from_secs(86400);

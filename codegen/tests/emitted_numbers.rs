@@ -7,7 +7,7 @@ mod support;
 use machinist_codegen::evaluate::Evaluator;
 use machinist_codegen::program::Program;
 use machinist_codegen::tape::Tape;
-use machinist_scenes::{Describe, Simulator};
+use machinist_contract::{Describe, Simulator};
 use proptest::prelude::*;
 
 #[deny(warnings, clippy::pedantic, missing_docs)]
@@ -215,7 +215,7 @@ fn a_state_of_another_length_is_refused() {
 /// Simulators are found at run time, whatever they compute with.
 #[test]
 fn a_simulator_can_be_an_object() {
-    fn find<R: machinist_scenes::Real>() -> &'static dyn Simulator<R> {
+    fn find<R: machinist_contract::Real>() -> &'static dyn Simulator<R> {
         &pendulum::Pendulum
     }
     assert_eq!(find::<f64>().shape(), find::<f32>().shape());

@@ -6,7 +6,7 @@ mod support;
 use machinist_codegen::evaluate::Evaluator;
 use machinist_codegen::program::Program;
 use machinist_codegen::taylor::{Recurrence, SeriesEvaluator, recurrences};
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 
 #[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod every_recurrence {

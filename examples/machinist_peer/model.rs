@@ -4,7 +4,8 @@
 //! another order.
 
 use machinist::field::{Discretisation, FieldSimulator};
-use machinist_scenes::{Describe as _, Simulator, bench};
+use machinist_contract::{Describe as _, Simulator};
+use machinist_scenes::bench;
 
 /// A benchmark model and the simulator that stands for it.
 pub struct Model {

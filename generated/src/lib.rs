@@ -1,53 +1,13 @@
-//! Simulators emitted by Machinist, and the contract they fulfil.
+//! Simulators emitted by Machinist.
 //!
-//! This crate is `no_std`, allocates nothing and depends on nothing but `core`
-//! (and `libm` where there is no `std`). The modules under [`scenes`] are
-//! emitted from the specs in `specs/` by `machinist gen`; everything else here
-//! is written by hand.
-//!
-//! Signs and names, fixed once: a scene has `n` generalized coordinates `q`
-//! with velocities `q'`, and `m` first-order states `z`. Its state is
-//!
-//! ```text
-//! y = [q_1 .. q_n, q'_1 .. q'_n, z_1 .. z_m]        length 2 n + m
-//! M(q, t) q'' = f(q, q', z, t)                      z' = h(q, q', z, t)
-//! y' = [q', M^-1 f, h]
-//! ```
-//!
-//! less what the scene's outputs do not need: a position that nothing depends on
-//! is not in the state, of positions that matter only relative to each other there
-//! are only the relative ones, and what is only integrated for an output stands
-//! last. [`Shape`] counts, and [`Describe::state`] names what there is.
+//! The modules under [`scenes`] are emitted from the specs in `specs/` by
+//! `machinist gen`; they need [`machinist_contract`] and nothing else: `no_std`, no
+//! allocation. Each has a Cargo feature of its own.
 #![no_std]
 #![forbid(unsafe_code)]
-#[cfg(feature = "std")]
-extern crate std;
-
-#[cfg(not(any(feature = "std", feature = "libm")))]
-compile_error!("elementary functions come from `std` or `libm`: turn on one of these features");
 
 /// Simulators to be measured rather than used; emitted like [`scenes`].
 #[cfg(feature = "bench")]
 #[path = "scenes/bench/mod.rs"]
 pub mod bench;
-mod contract;
-pub mod digits;
-pub mod exponential;
-pub mod field;
-mod include;
-pub mod linear;
-mod real;
 pub mod scenes;
-mod side_by_side;
-pub mod sine;
-mod sources;
-mod table;
-pub mod taylor;
-
-pub use contract::{
-    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
-    Simulator, SparsityPattern, StateKind,
-};
-pub use real::Real;
-pub use sources::SOURCES;
-pub use table::CubicTable;

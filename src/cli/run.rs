@@ -7,7 +7,7 @@ use machinist::field::ModalSimulator;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist::{Discretisation, Method, Simulation};
 use machinist_codegen::spec::did_you_mean;
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 
 use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
 use super::progress::during;

@@ -8,7 +8,8 @@ use machinist::interpreted::InterpretedSimulator;
 use machinist_codegen::pipeline;
 use machinist_codegen::reduce::Keep;
 use machinist_codegen::spec::did_you_mean;
-use machinist_scenes::{Real, Simulator, scenes};
+use machinist_contract::{Real, Simulator};
+use machinist_scenes::scenes;
 
 use super::progress::during;
 use super::{Failure, specs};

@@ -8,7 +8,8 @@ use machinist::lanes::F64x8;
 use machinist::sweep::{Sweepable, VariantRun, one};
 use machinist::{Method, SimulateError, Simulation};
 use machinist_codegen::spec::did_you_mean;
-use machinist_scenes::{Simulator, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 use super::output::{print_with, require_ending, write_file};
 use super::progress::during;

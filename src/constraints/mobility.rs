@@ -1,6 +1,6 @@
 //! How many ways of moving constraints leave, and which of them are one too many.
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
 use super::{Constraints, Level};

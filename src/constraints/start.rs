@@ -1,6 +1,6 @@
 //! A state on the constraints, from guesses.
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
 use super::{Constraints, Level, largest_of, mobility};

@@ -10,8 +10,8 @@
 
 use std::ops::Range;
 
-use machinist_scenes::Real;
-use machinist_scenes::field::FieldScene;
+use machinist_contract::Real;
+use machinist_contract::field::FieldScene;
 
 use super::constants::Constants;
 use super::mesh::{Mesh, Owner};

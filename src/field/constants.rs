@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use machinist_scenes::Real;
-use machinist_scenes::field::FieldPlace;
+use machinist_contract::Real;
+use machinist_contract::field::FieldPlace;
 
 use super::mesh::Owner;
 use super::{FieldSimulator, Work};

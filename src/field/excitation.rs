@@ -1,9 +1,9 @@
 //! What a linear machine with linear fields is excited by: what its machine is, for the
 //! fields themselves are not.
 
-use machinist_scenes::Real;
-use machinist_scenes::field::FieldScene;
-use machinist_scenes::linear::LinearEquations;
+use machinist_contract::Real;
+use machinist_contract::field::FieldScene;
+use machinist_contract::linear::LinearEquations;
 
 use super::FieldSimulator;
 

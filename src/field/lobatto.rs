@@ -4,7 +4,7 @@
 //! Source: Canuto, Hussaini, Quarteroni, Zang, "Spectral methods: fundamentals in
 //! single domains", 2006, section 2.3.1.
 
-use machinist_scenes::field::Rule;
+use machinist_contract::field::Rule;
 
 /// A [`Rule`] with its numbers.
 #[derive(Debug, Clone, PartialEq)]

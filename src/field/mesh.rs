@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use machinist_scenes::Real;
-use machinist_scenes::field::{
+use machinist_contract::Real;
+use machinist_contract::field::{
     Elements, FieldDescription, FieldPlace, FieldScene, MAX_ORDER, Segment,
 };
 

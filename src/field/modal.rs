@@ -10,7 +10,7 @@
 
 use std::cell::RefCell;
 
-use machinist_scenes::{
+use machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
     StateKind,
 };

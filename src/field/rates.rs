@@ -1,6 +1,6 @@
 //! Rate, Jacobian and time derivative once everything is loaded.
 
-use machinist_scenes::Real;
+use machinist_contract::Real;
 
 use super::constants::Constants;
 use super::mesh::Owner;

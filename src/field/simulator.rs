@@ -1,8 +1,8 @@
 //! A [`FieldSimulator`] as a simulator like any other.
 
-use machinist_scenes::field::FieldPlace;
-use machinist_scenes::linear::LinearEquations;
-use machinist_scenes::{
+use machinist_contract::field::FieldPlace;
+use machinist_contract::linear::LinearEquations;
+use machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
     StateKind,
 };

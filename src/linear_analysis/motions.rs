@@ -1,6 +1,6 @@
 //! Small motions of all coordinates, of the positions left out of the state too.
 
-use machinist_scenes::{Simulator, StateKind};
+use machinist_contract::{Simulator, StateKind};
 use nalgebra::{DMatrix, DVector};
 
 /// dx' = A dx of x = \[q, q', z\], all n coordinates, all velocities and all

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 use serde::Serialize;

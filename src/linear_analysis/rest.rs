@@ -1,6 +1,6 @@
 //! Rest, and running at constant speed, within constraints.
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
 use super::equilibrium::{

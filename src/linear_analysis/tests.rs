@@ -1,6 +1,6 @@
 #![expect(clippy::float_cmp, reason = "numbers that must come out exactly")]
 
-use machinist_scenes::Describe as _;
+use machinist_contract::Describe as _;
 use machinist_scenes::scenes::motor_run_up::MotorRunUp;
 use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::two_mass::TwoMass;
@@ -150,7 +150,7 @@ fn derivatives_of_outputs_agree_with_the_complex_step() {
             let mut outputs = lifted(&vec![0.0; SawGin.shape().outputs], None);
             let time = complex_step::ComplexStep(Complex64::from(time));
             let (state, parameters) = (lifted(&state, Some(index)), lifted(&parameters, None));
-            machinist_scenes::Simulator::outputs(&SawGin, time, &state, &parameters, &mut outputs);
+            machinist_contract::Simulator::outputs(&SawGin, time, &state, &parameters, &mut outputs);
             let exact = outputs[output].derivative();
             assert!(
                 (found - exact).abs() <= 1e-10 * exact.abs().max(1e-3),

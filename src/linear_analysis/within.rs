@@ -14,7 +14,7 @@
 //! the geometric stiffness sum lambda d2g/dq2, which projecting M, D and K of the machine
 //! without constraints would have to add.
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use nalgebra::{DMatrix, DVector};
 
 use super::Point;

@@ -3,7 +3,7 @@
 
 mod ringing;
 
-use machinist_scenes::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::exact::Exact;
 use super::explicit::ExplicitSteps;

@@ -1,6 +1,6 @@
 //! Weighted sums of stages, in lanes.
 
-use machinist_scenes::Real;
+use machinist_contract::Real;
 
 /// How many places a stage of so many states takes: as many as [`combine`] sums at once.
 pub(super) fn padded(size: usize) -> usize {

@@ -7,7 +7,7 @@ use super::System;
 use super::fixed::{FIXED, Fixed};
 use crate::stability::machines::ByHand;
 use common::HardSpring;
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 
 /// A problem whose solution is known well enough.
 struct Problem {

@@ -1,6 +1,6 @@
 //! Which methods are for which machines.
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 
 use super::Method;
 use crate::error::{Lack, Unsuitable};

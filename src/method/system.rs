@@ -5,7 +5,7 @@ use std::cell::{Cell, RefCell};
 use super::Stopped;
 use crate::constraints::Constraints;
 use crate::error::StopCause;
-use machinist_scenes::{Simulator, SparsityPattern};
+use machinist_contract::{Simulator, SparsityPattern};
 use serde::Serialize;
 
 /// Energy supplied, energy dissipated, energy passed.

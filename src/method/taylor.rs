@@ -1,7 +1,7 @@
 //! Taylor's method: every step sums the solution's own power series.
 //!
 //! The coefficients come from recurrences that were derived with the machine
-//! (`machinist_scenes::taylor`), so an order costs about as much as one
+//! (`machinist_contract::taylor`), so an order costs about as much as one
 //! evaluation of the rate and orders of ten to twenty pay. Between its ends a
 //! step is its polynomial: dense output costs no order of accuracy, and events are
 //! roots of guards on it.
@@ -13,7 +13,7 @@ pub(crate) mod step;
 #[cfg(feature = "sweep")]
 pub(crate) mod variants;
 
-use machinist_scenes::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::{Bends, TaylorSeries};
 
 use super::one_step::{OneStep, Pace, Trial, drive_all};
 use super::system::FLOWS;

@@ -9,8 +9,8 @@ use machinist::linear_analysis::{
 use machinist::reed_study::{Beat, COMPARED, beats};
 use machinist::trajectory::Trajectory;
 use machinist::{SimulateError, Simulation};
-use machinist_scenes::Describe as _;
-use machinist_scenes::field::FieldScene;
+use machinist_contract::Describe as _;
+use machinist_contract::field::FieldScene;
 use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
 use maud::{Markup, html};
 

@@ -2,7 +2,7 @@
 
 use machinist::Simulation;
 use machinist::linear_analysis::{LinearError, Linearization, Place, operating_point};
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use maud::{Markup, html};
 
 use crate::cli::modes::{HEADING, NO_MOTION, row};

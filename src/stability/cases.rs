@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use machinist_scenes::{Simulator, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 use super::machines::{DAHLQUIST, PROTHERO_ROBINSON, PULSE, PULSE_START, ROBERTSON, VAN_DER_POL};
 use super::truth::Truth;

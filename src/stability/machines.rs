@@ -3,7 +3,7 @@
 //! E. Hairer, G. Wanner: Solving Ordinary Differential Equations II, sections IV.2
 //! (Dahlquist), IV.10 (van der Pol, Robertson) and IV.15 (Prothero and Robinson).
 
-use machinist_scenes::{
+use machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
 };
 

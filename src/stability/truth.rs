@@ -1,6 +1,6 @@
 //! What a case's states truly are.
 
-use machinist_scenes::Energy;
+use machinist_contract::Energy;
 
 use super::{Case, states};
 use crate::error::SimulateError;

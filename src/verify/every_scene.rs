@@ -1,7 +1,7 @@
 //! Checks that every scene goes through: emitted derivatives against the complex
 //! step, and the energy account of its run.
 
-use machinist_scenes::Real;
+use machinist_contract::Real;
 use nalgebra::{DMatrix, DVector};
 
 use super::machine::Point;

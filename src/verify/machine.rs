@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 
-use machinist_scenes::field::FieldScene;
+use machinist_contract::field::FieldScene;
 use machinist_scenes::scenes::bouncing_mass::BouncingMass;
 use machinist_scenes::scenes::contact_oscillator::ContactOscillator;
 use machinist_scenes::scenes::contact_oscillator_smooth::ContactOscillatorSmooth;
@@ -30,7 +30,7 @@ use machinist_scenes::scenes::winder_holder_drop::WinderHolderDrop;
 use machinist_scenes::scenes::winder_linear::WinderLinear;
 use machinist_scenes::scenes::winder_linkage::WinderLinkage;
 use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
-use machinist_scenes::{Quantity, Simulator};
+use machinist_contract::{Quantity, Simulator};
 use nalgebra::{DMatrix, DVector};
 
 use super::CheckFailure;

@@ -1,7 +1,7 @@
 //! Checks of the reed on its driven shaft: frequencies, harmonic answer, motion from rest.
 
 use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
-use machinist_scenes::{Describe as _, Simulator as _};
+use machinist_contract::{Describe as _, Simulator as _};
 use nalgebra::DVector;
 
 use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};

@@ -1,6 +1,6 @@
 //! Checks of the saw gin with a distributed shaft.
 
-use machinist_scenes::Simulator as _;
+use machinist_contract::Simulator as _;
 use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
 
 use super::{Check, CheckFailure, Machine, Measured, machine, relative_distance, worse};
@@ -49,11 +49,11 @@ fn load_integrals(machine: &Machine) -> Result<Measured, CheckFailure> {
         let settings =
             [("saws.growing", growing), ("saws.amplitude", 0.0), ("saws.engagement_time", -100.0)];
         let parameters = machine.parameters(&settings)?;
-        let mut state = vec![0.0; machinist_scenes::Describe::shape(&simulator).states()];
+        let mut state = vec![0.0; machinist_contract::Describe::shape(&simulator).states()];
         simulator.initial_state(&parameters, &mut state);
         let idle = simulator.power_balance(0.0, &state, &parameters).supplied;
         for (index, value) in state.iter_mut().enumerate() {
-            let name = machinist_scenes::Describe::state(&simulator, index).name;
+            let name = machinist_contract::Describe::state(&simulator, index).name;
             if name.starts_with("saws.") && name.contains("_dot") || name == "coupling.driven_dot" {
                 *value = SPEED;
             }

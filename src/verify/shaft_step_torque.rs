@@ -59,7 +59,7 @@ fn at_rest<'a>(
     machine: &Machine,
     simulator: &'a FieldSimulator<'static, f64>,
 ) -> Result<Linearization<'a>, CheckFailure> {
-    use machinist_scenes::Describe as _;
+    use machinist_contract::Describe as _;
     let state = vec![0.0; simulator.shape().states()];
     let point = Point { time: 0.0, state, parameters: machine.parameters(&[])? };
     Ok(Linearization::at(simulator, point)?)
@@ -98,7 +98,7 @@ fn order_of_frequencies(machine: &Machine) -> Result<Measured, CheckFailure> {
 
 /// One Newton step from rest, exact as the shaft is linear.
 fn static_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
-    use machinist_scenes::{Describe as _, Simulator as _};
+    use machinist_contract::{Describe as _, Simulator as _};
     let simulator = cut(24, 4)?;
     let parameters = machine.parameters(&[])?;
     let n = simulator.shape().coordinates;

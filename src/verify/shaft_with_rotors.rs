@@ -1,6 +1,6 @@
 //! Checks of the shaft between two rotors: frequencies, free and rotor-ended, and decay.
 
-use machinist_scenes::Describe as _;
+use machinist_contract::Describe as _;
 use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 
 use super::{Check, CheckFailure, Machine, Measured, worse};

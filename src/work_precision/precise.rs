@@ -1,8 +1,8 @@
 //! A run so precise that no method's error hides in it: emitted Taylor series in
 //! numbers of 31 digits.
 
-use machinist_scenes::taylor::{Bends, TaylorSeries};
-use machinist_scenes::{Real, Simulator};
+use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::{Real, Simulator};
 
 use super::worse;
 use crate::double_double::DoubleDouble;

@@ -1,6 +1,6 @@
 //! What errors are measured against.
 
-use machinist_scenes::Simulator;
+use machinist_contract::Simulator;
 use serde::{Serialize, Serializer};
 
 use super::{States, distance, precise, run, states};

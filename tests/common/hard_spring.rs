@@ -1,7 +1,7 @@
 // A spring that hardens and whose stiffness swings, written by hand:
 //
 //     q'' = -q - q^3 - 0.1 q' + 0.5 cos(2 t) q
-use machinist_scenes::{
+use machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
 };
 

@@ -1,8 +1,8 @@
 // A rotor on a spring and a damper under a torque that steps, written by hand:
 //
 //     J q'' + d q' + c q = M step(t, t0)
-use machinist_scenes::taylor::TaylorSeries;
-use machinist_scenes::{
+use machinist_contract::taylor::TaylorSeries;
+use machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator, SparsityPattern,
 };
 

@@ -1,5 +1,5 @@
 // One first-order state y' = f(t, y), written by hand for each test.
-use machinist_scenes::{
+use machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, RunDefaults, Shape, Simulator, SparsityPattern,
 };
 

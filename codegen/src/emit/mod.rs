@@ -86,34 +86,6 @@ pub enum EmitError {
     },
 }
 
-/// Operations that cost something at run time, among the nodes results need.
-#[must_use]
-pub fn tape_operations(tape: &Tape) -> usize {
-    let needed = needed_nodes(tape);
-    let nodes = tape.nodes.iter().zip(needed);
-    nodes.filter(|(node, needed)| *needed && node.op.is_arithmetic()).count()
-}
-
-/// For each node, whether a result depends on it.
-pub(crate) fn needed_nodes(tape: &Tape) -> Vec<bool> {
-    let mut needed = vec![false; tape.nodes.len()];
-    for &NodeId(result) in &tape.results {
-        if let Some(flag) = needed.get_mut(result as usize) {
-            *flag = true;
-        }
-    }
-    for (index, node) in tape.nodes.iter().enumerate().rev() {
-        if needed[index] {
-            for NodeId(operand) in node.op.operands() {
-                if let Some(flag) = needed.get_mut(operand as usize) {
-                    *flag = true;
-                }
-            }
-        }
-    }
-    needed
-}
-
 /// The functions of a program by name, in the order of the emitted module.
 pub(crate) fn functions(program: &Program) -> Vec<(&'static str, &Tape)> {
     let mut functions = vec![

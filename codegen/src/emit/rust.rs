@@ -3,7 +3,7 @@
 //! The module has no inner attributes, so that it works as a file of its own
 //! and through `include!`; its header is made of plain comments. It needs `core`
 //! and the contract crate, allocates nothing, and computes with any
-//! `machinist_scenes::Real`.
+//! `machinist_contract::Real`.
 
 mod batch;
 mod body;

@@ -2,16 +2,17 @@
 
 use std::collections::HashMap;
 
-use crate::expr::{Expr, Function, HelperId, Symbol, TableId};
+use machinist_model::{Function, Node, NodeId, Op, OpKey, TableId, Tape, reachable};
+
+use crate::expr::{Expr, HelperId, Symbol};
 use crate::fold;
-use crate::tape::{Node, NodeId, Op, Tape};
 
 /// Operations in order of creation, equal ones shared; functions of the scene
 /// are slices of it.
 #[derive(Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    known: HashMap<Key, NodeId>,
+    known: HashMap<OpKey, NodeId>,
     /// Depends on parameters and literals only; see [`super::terms`].
     constant: Vec<bool>,
     /// Entries of the state by what expressions call them.
@@ -20,9 +21,6 @@ pub struct Graph {
     multipliers: Vec<NodeId>,
     helpers: HashMap<HelperId, NodeId>,
 }
-
-/// Two operations with equal keys compute the same value.
-type Key = (u8, [u64; 4]);
 
 impl Graph {
     /// A graph for one expression, whose symbols get entries as they come.
@@ -204,14 +202,14 @@ impl Graph {
             fold::Folded::Node(id) => return id,
             fold::Folded::Op(op) => op,
         };
-        let key = key(&op);
+        let key = op.key();
         if let Some(id) = self.known.get(&key) {
             return *id;
         }
         let id = NodeId(self.nodes.len() as u32);
         let constant = match op {
-            Op::Literal(_) | Op::Parameter(_) => true,
-            Op::Time | Op::State(_) => false,
+            Op::Literal(_) | Op::Parameter(_) | Op::Constant(_) => true,
+            Op::Time | Op::State(_) | Op::Handed(_) => false,
             _ => op.operands().iter().all(|operand| self.is_constant(*operand)),
         };
         self.nodes.push(Node { op, name: None });
@@ -223,53 +221,6 @@ impl Graph {
     /// The nodes that `results` need, in order, and nothing else.
     #[must_use]
     pub fn tape(&self, results: &[NodeId]) -> Tape {
-        crate::prune::reachable(&self.nodes, results)
-    }
-}
-
-/// Sums and products are the same either way round.
-fn key(op: &Op) -> Key {
-    let n = |id: NodeId| u64::from(id.0);
-    let both = |a: NodeId, b: NodeId| [n(a.min(b)), n(a.max(b)), 0, 0];
-    match *op {
-        Op::Literal(value) => (0, [value.to_bits(), 0, 0, 0]),
-        Op::Time => (1, [0; 4]),
-        Op::State(index) => (2, [u64::from(index), 0, 0, 0]),
-        Op::Parameter(index) => (3, [u64::from(index), 0, 0, 0]),
-        Op::Neg(a) => (4, [n(a), 0, 0, 0]),
-        Op::Add(a, b) => (5, both(a, b)),
-        Op::Sub(a, b) => (6, [n(a), n(b), 0, 0]),
-        Op::Mul(a, b) => (7, both(a, b)),
-        Op::Div(a, b) => (8, [n(a), n(b), 0, 0]),
-        Op::Powi(a, exponent) => (9, [n(a), i64::from(exponent) as u64, 0, 0]),
-        Op::Powf(a, b) => (10, [n(a), n(b), 0, 0]),
-        Op::Call(function, a) => (11, [function_number(function), n(a), 0, 0]),
-        Op::SelectLess { lhs, rhs, then, otherwise } => {
-            (12, [n(lhs), n(rhs), n(then), n(otherwise)])
-        }
-        Op::Table { table, order, argument } => {
-            (13, [u64::from(table.0), u64::from(order), n(argument), 0])
-        }
-    }
-}
-
-fn function_number(function: Function) -> u64 {
-    match function {
-        Function::Sqrt => 0,
-        Function::Abs => 1,
-        Function::Exp => 2,
-        Function::Ln => 3,
-        Function::Sin => 4,
-        Function::Cos => 5,
-        Function::Tan => 6,
-        Function::Asin => 7,
-        Function::Acos => 8,
-        Function::Atan => 9,
-        Function::Sinh => 10,
-        Function::Cosh => 11,
-        Function::Tanh => 12,
-        Function::SelectLess | Function::Table { .. } => {
-            unreachable!("these have operations of their own")
-        }
+        reachable(&self.nodes, results)
     }
 }

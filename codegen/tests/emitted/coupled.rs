@@ -50,7 +50,7 @@
 //   prepared_rate            25
 //   prepared_rate_jacobian    0
 
-use ::machinist_scenes::{
+use ::machinist_contract::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern,
     taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},

@@ -49,7 +49,7 @@
 //   prepared_rate            10
 //   prepared_rate_jacobian    4
 
-use ::machinist_scenes::{
+use ::machinist_contract::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

@@ -111,7 +111,7 @@
 //   prepared_rate            69
 //   prepared_rate_jacobian    0
 
-use ::machinist_scenes::{
+use ::machinist_contract::{
     CubicTable, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

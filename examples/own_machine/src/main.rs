@@ -10,7 +10,7 @@
 //! ```
 
 mod drive {
-    machinist_scenes::include_scene!("drive");
+    machinist_contract::include_scene!("drive");
 }
 
 use std::process::ExitCode;

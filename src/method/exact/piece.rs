@@ -1,6 +1,6 @@
 //! A piece of a run on which nothing switches: A, and the waves that excite it.
 
-use machinist_scenes::linear::{LinearEquations, TERM_NUMBERS};
+use machinist_contract::linear::{LinearEquations, TERM_NUMBERS};
 use nalgebra::{Complex, DMatrix};
 
 use crate::method::{Stretch, cut};

@@ -1,7 +1,7 @@
 //! Newton's iteration for the stages of a Radau method, in the variables in which
 //! they are independent.
 
-use machinist_scenes::Real;
+use machinist_contract::Real;
 use num_complex::Complex64;
 
 use super::collocation::Collocation;

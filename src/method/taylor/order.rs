@@ -1,6 +1,7 @@
 //! Measured order of Taylor's method at fixed orders, with steps of one length.
 
-use machinist_scenes::{Simulator, scenes};
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
 
 use super::step;
 

@@ -1,6 +1,6 @@
 //! Order, length and error of a step, and sums of its polynomial.
 
-use machinist_scenes::Real;
+use machinist_contract::Real;
 
 use super::super::one_step::{Pace, Trial};
 

@@ -4,8 +4,8 @@
 //! variant when it is done. What a lane computes does not depend on its neighbours:
 //! results are those of one run after another, to the last bit.
 
-use machinist_scenes::Real;
-use machinist_scenes::taylor::TaylorSeries;
+use machinist_contract::Real;
+use machinist_contract::taylor::TaylorSeries;
 
 use super::step::{self, Tolerance, order_for};
 use crate::error::StopCause;

@@ -1,6 +1,6 @@
 //! Where within a step a guard passes zero.
 
-use machinist_scenes::Direction;
+use machinist_contract::Direction;
 
 use super::super::System;
 use super::super::one_step::OneStep;

@@ -4,7 +4,7 @@
 mod coefficients;
 mod needs;
 
-use machinist_scenes::taylor::Bends;
+use machinist_contract::taylor::Bends;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 

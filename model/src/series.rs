@@ -23,10 +23,9 @@
 mod build;
 mod evaluate;
 
-use machinist_scenes::taylor::Bends;
+use machinist_contract::taylor::Bends;
 
-use crate::expr::{Function, TableId};
-use crate::tape::{NodeId, Op};
+use crate::{Function, NodeId, Op, TableId};
 
 pub use build::recurrences;
 pub use evaluate::SeriesEvaluator;

@@ -3,12 +3,26 @@
 //! Excluded: names, compilation. The order of operations is that of the emitted
 //! Rust, so that both agree bit for bit.
 
-use machinist_scenes::{CubicTable, Real};
+use machinist_contract::{CubicTable, Real};
 
-use crate::emit::needed_nodes;
-use crate::expr::Function;
-use crate::system::Table;
-use crate::tape::{NodeId, Op, Tape};
+use crate::{Function, NodeId, Op, Table, Tape, needed_nodes};
+
+/// What tapes read from outside.
+#[derive(Debug, Clone, Copy)]
+pub struct Inputs<'a> {
+    /// t.
+    pub time: f64,
+    /// y.
+    pub state: &'a [f64],
+    /// p.
+    pub parameters: &'a [f64],
+    /// What fields hand over.
+    pub handed: &'a [f64],
+    /// Results of the tape that goes before.
+    pub constants: &'a [f64],
+    /// Tables of the model.
+    pub tables: &'a [Table],
+}
 
 /// A tape with room for its values: evaluating it allocates nothing.
 #[derive(Debug, Clone)]
@@ -45,20 +59,12 @@ impl Evaluator {
     /// Writes the tape's results.
     ///
     /// # Panics
-    /// If `results` is not as long as the tape's results, or if `state`,
-    /// `parameters` or `tables` lack an entry the tape reads.
-    pub fn evaluate(
-        &mut self,
-        time: f64,
-        state: &[f64],
-        parameters: &[f64],
-        tables: &[Table],
-        results: &mut [f64],
-    ) {
+    /// If `results` is not as long as the tape's results, or if `inputs` lack an entry
+    /// that the tape reads.
+    pub fn evaluate(&mut self, inputs: &Inputs<'_>, results: &mut [f64]) {
         for (index, op) in self.operations.iter().enumerate() {
             let value = |id: NodeId| self.values[id.0 as usize];
-            let inputs = Inputs { time, state, parameters, tables };
-            self.values[index] = operate(*op, value, &inputs);
+            self.values[index] = operate(*op, value, inputs);
         }
         assert_eq!(results.len(), self.results.len(), "one place for each result");
         for (result, id) in results.iter_mut().zip(&self.results) {
@@ -67,21 +73,17 @@ impl Evaluator {
     }
 }
 
-/// What a tape reads from outside.
-pub(crate) struct Inputs<'a> {
-    pub(crate) time: f64,
-    pub(crate) state: &'a [f64],
-    pub(crate) parameters: &'a [f64],
-    pub(crate) tables: &'a [Table],
-}
-
 /// One operation on operands whose values are known.
-pub(crate) fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>) -> f64 {
+#[inline]
+#[must_use]
+pub fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>) -> f64 {
     match op {
         Op::Literal(literal) => literal,
         Op::Time => inputs.time,
         Op::State(entry) => inputs.state[entry as usize],
         Op::Parameter(entry) => inputs.parameters[entry as usize],
+        Op::Handed(entry) => inputs.handed[entry as usize],
+        Op::Constant(entry) => inputs.constants[entry as usize],
         Op::Neg(a) => -value(a),
         Op::Add(a, b) => value(a) + value(b),
         Op::Sub(a, b) => value(a) - value(b),
@@ -103,9 +105,9 @@ pub(crate) fn operate(op: Op, value: impl Fn(NodeId) -> f64, inputs: &Inputs<'_>
     }
 }
 
-/// A function of one argument; `SelectLess` and `Table` have operations of their
-/// own and are not numbers here.
-pub(crate) fn call(function: Function, x: f64) -> f64 {
+/// A function of one argument, as the contract computes it.
+#[must_use]
+pub fn call(function: Function, x: f64) -> f64 {
     match function {
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
@@ -120,12 +122,12 @@ pub(crate) fn call(function: Function, x: f64) -> f64 {
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
         Function::Tanh => Real::tanh(x),
-        Function::SelectLess | Function::Table { .. } => f64::NAN,
     }
 }
 
 /// Value or derivative of a table, constant beyond its ends.
-pub(crate) fn interpolate(table: &Table, order: u32, x: f64) -> f64 {
+#[must_use]
+pub fn interpolate(table: &Table, order: u32, x: f64) -> f64 {
     let Table { knots, coefficients, .. } = table;
     CubicTable { knots, coefficients }.search(order, x)
 }

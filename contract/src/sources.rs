@@ -1,7 +1,6 @@
-//! The text of this crate, for who compiles an emitted scene apart from it.
+//! The text of this crate, for who compiles an emitted scene without Cargo.
 
-/// Files of this crate without its scenes: path below `src`, text. A scene emitted
-/// for this crate is compiled with them as the module `scenes`.
+/// Files of this crate: path below `src`, text.
 pub const SOURCES: &[(&str, &str)] = &[
     ("lib.rs", include_str!("lib.rs")),
     ("contract.rs", include_str!("contract.rs")),

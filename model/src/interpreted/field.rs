@@ -2,14 +2,11 @@
 
 use std::cell::RefCell;
 
-use machinist_codegen::evaluate::Evaluator;
-use machinist_codegen::program::FieldProgram;
-use machinist_codegen::system::{Place, Table};
-use machinist_scenes::field::{
-    FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene,
-};
+use machinist_contract::field::{FieldAttachment, FieldDescription, FieldPoint, FieldScene};
 
-use super::{InterpretedSimulator, described};
+use super::InterpretedSimulator;
+use crate::evaluate::{Evaluator, Inputs};
+use crate::{FieldModel, Model};
 
 /// The point functions of one field.
 #[derive(Debug)]
@@ -29,40 +26,27 @@ pub(super) struct InterpretedField {
 }
 
 impl InterpretedField {
-    pub(super) fn new(program: &FieldProgram) -> Self {
+    pub(super) fn new(model: &Model, field: &FieldModel) -> Self {
         let prepared = |tape| RefCell::new(Evaluator::new(tape));
-        let attachments = program.field.attachments.iter().map(|at| FieldAttachment {
-            coordinate: at.coordinate.map(|id| id.0),
-            place: match at.place {
-                Place::Start => FieldPlace::Start,
-                Place::Inside => FieldPlace::Inside,
-                Place::End => FieldPlace::End,
-            },
-            at: at.x,
-            handed: at.handed.0,
-        });
+        let own = model.parameters.len();
         Self {
-            attachments: attachments.collect(),
-            parameters: program.parameters.iter().map(|id| id.0).collect(),
-            inertia: prepared(&program.inertia),
-            inertia_gradient: prepared(&program.inertia_gradient),
-            force: prepared(&program.force),
-            force_jacobian: prepared(&program.force_jacobian),
-            force_gradient: prepared(&program.force_gradient),
-            energy: prepared(&program.energy),
-            power: prepared(&program.power),
-            places: prepared(&program.places),
-            places_gradient: prepared(&program.places_gradient),
-            initial: prepared(&program.initial),
+            attachments: field.attachments.iter().map(|at| at.described(own)).collect(),
+            parameters: field.parameters.clone(),
+            inertia: prepared(&field.inertia),
+            inertia_gradient: prepared(&field.inertia_gradient),
+            force: prepared(&field.force),
+            force_jacobian: prepared(&field.force_jacobian),
+            force_gradient: prepared(&field.force_gradient),
+            energy: prepared(&field.energy),
+            power: prepared(&field.power),
+            places: prepared(&field.places),
+            places_gradient: prepared(&field.places_gradient),
+            initial: prepared(&field.initial),
         }
     }
 }
 
 impl InterpretedSimulator {
-    fn tables(&self) -> &[Table] {
-        &self.program.system.tables
-    }
-
     fn at_point(
         &self,
         evaluator: &RefCell<Evaluator>,
@@ -72,7 +56,8 @@ impl InterpretedSimulator {
     ) {
         let [value, slope, rate, slope_rate] = *point;
         let state = [value, slope, rate, slope_rate, x];
-        evaluator.borrow_mut().evaluate(time, &state, p, self.tables(), results);
+        let inputs = Inputs { state: &state, ..self.inputs_without_state(time, p) };
+        evaluator.borrow_mut().evaluate(&inputs, results);
     }
 
     fn at_place(&self, evaluator: &RefCell<Evaluator>, x: f64, p: &[f64], results: &mut [f64]) {
@@ -85,15 +70,15 @@ impl FieldScene<f64> for InterpretedSimulator {
         self.fields.len()
     }
     fn field(&self, index: usize) -> FieldDescription<'_> {
-        let field = &self.program.fields[index].field;
+        let field = &self.model().fields[index];
         let [value, slope, rate, ..] = &field.quantities;
         FieldDescription {
-            value: described(value),
-            rate: described(rate),
-            slope: described(slope),
+            value: value.described(),
+            rate: rate.described(),
+            slope: slope.described(),
             scale: field.scale,
             fixed: field.fixed,
-            length: field.length_value,
+            length: field.length,
             attachments: &self.fields[index].attachments,
             parameters: &self.fields[index].parameters,
             elements: field.elements,
@@ -101,13 +86,13 @@ impl FieldScene<f64> for InterpretedSimulator {
         }
     }
     fn jacobian_reads_forces(&self) -> bool {
-        self.program.jacobian_reads_forces()
+        self.model().jacobian_reads_forces()
     }
     fn field_is_linear(&self, index: usize) -> bool {
-        self.program.fields[index].is_linear
+        self.model().fields[index].is_linear
     }
     fn field_is_local(&self, index: usize) -> bool {
-        self.program.fields[index].local.is_some()
+        self.model().fields[index].local.is_some()
     }
     fn field_inertia(&self, index: usize, x: f64, p: &[f64]) -> f64 {
         let mut inertia = [0.0];

@@ -1,54 +1,50 @@
-//! From a program to the recurrences of its solution.
+//! From a model to the recurrences of its solution.
 
 use std::collections::BTreeMap;
 
 use super::{Extent, MassMatrix, Recurrence, SeriesNode, TaylorTape};
-use crate::expr::Function;
-use crate::program::Program;
-use crate::prune::reachable;
-use crate::state::Motion;
-use crate::tape::{NodeId, Op, Tape};
+use crate::{Function, Model, NodeId, Op, StateKind, Tape, reachable};
 
-/// The recurrences of a program's solution.
+/// The recurrences of a model's solution.
 ///
 /// Where the mass matrix couples coordinates and moves, the accelerations stay
 /// unknowns of a linear system; otherwise the rate is taken as it is, solved.
 #[must_use]
-pub fn recurrences(program: &Program) -> TaylorTape {
+pub fn recurrences(model: &Model) -> TaylorTape {
     let mut builder = Builder::default();
-    let entries = builder.translate(&program.mass_matrix.tape, &program.mass_matrix.tape.results);
-    let pattern = &program.mass_matrix.pattern.entries;
+    let entries = builder.translate(&model.mass_matrix.tape, &model.mass_matrix.tape.results);
+    let pattern = &model.mass_matrix.pattern.entries;
     let couples = pattern.iter().any(|(row, column)| row != column);
     let moves = entries.iter().any(|&entry| !builder.tape.is_constant(entry));
-    let is_free = program.constraints.is_empty();
+    let is_free = model.constraints.is_empty();
     let mut tape = if couples && moves && is_free {
-        unsolved(builder, program, &entries)
+        unsolved(builder, model, &entries)
     } else {
-        solved(program)
+        solved(model)
     };
     keep_needed(&mut tape);
     tape
 }
 
 /// The rate tape as it is.
-fn solved(program: &Program) -> TaylorTape {
+fn solved(model: &Model) -> TaylorTape {
     let mut builder = Builder::default();
-    builder.tape.rate = builder.translate(&program.rate, &program.rate.results);
+    builder.tape.rate = builder.translate(&model.rate, &model.rate.results);
     builder.tape
 }
 
 /// The accelerations as unknowns of `M a = f`.
-fn unsolved(mut builder: Builder, program: &Program, entries: &[NodeId]) -> TaylorTape {
-    let n = program.system.coordinates.len();
-    let forcing = builder.translate(&program.forcing, &program.forcing.results);
+fn unsolved(mut builder: Builder, model: &Model, entries: &[NodeId]) -> TaylorTape {
+    let n = model.coordinates.len();
+    let forcing = builder.translate(&model.forcing, &model.forcing.results);
     let accelerations: Vec<NodeId> =
         (0..n).map(|i| builder.push(Recurrence::Acceleration(i as u32))).collect();
-    for (&id, coordinate) in accelerations.iter().zip(&program.system.coordinates) {
+    for (&id, coordinate) in accelerations.iter().zip(&model.coordinates) {
         builder.name(id, Some(&format!("{}_dot", coordinate.velocity.name.ident)));
     }
     let mut lagged = vec![Vec::new(); n];
     let mut lower = Vec::new();
-    for (&(row, column), &entry) in program.mass_matrix.pattern.entries.iter().zip(entries) {
+    for (&(row, column), &entry) in model.mass_matrix.pattern.entries.iter().zip(entries) {
         if column <= row {
             lower.push((row, column, entry));
         }
@@ -62,12 +58,12 @@ fn unsolved(mut builder: Builder, program: &Program, entries: &[NodeId]) -> Tayl
         known.map_or(forcing, |known| builder.push(Recurrence::Sub(forcing, known)))
     });
     let right_side = right_side.collect();
-    let states = program.layout.states.iter().zip(&program.rate.results);
+    let states = model.states.iter().zip(&model.rate.results);
     builder.tape.rate = states
-        .map(|(state, &rate)| match state.motion {
-            Motion::Velocity(id) => accelerations[id.0 as usize],
-            Motion::Position { .. } | Motion::FirstOrder(_) => {
-                builder.translate(&program.rate, &[rate])[0]
+        .map(|(state, &rate)| match state.kind {
+            StateKind::Velocity(id) => accelerations[id as usize],
+            StateKind::Position(_) | StateKind::FirstOrder | StateKind::Mode => {
+                builder.translate(&model.rate, &[rate])[0]
             }
         })
         .collect();
@@ -103,7 +99,9 @@ impl Builder {
             return self.push(Recurrence::Constant(op));
         }
         match op {
-            Op::Literal(_) | Op::Parameter(_) => self.push(Recurrence::Constant(op)),
+            Op::Literal(_) | Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) => {
+                self.push(Recurrence::Constant(op))
+            }
             Op::Time => self.push(Recurrence::Time),
             Op::State(entry) => self.push(Recurrence::State(entry)),
             Op::Neg(a) => self.push(Recurrence::Neg(a)),
@@ -277,9 +275,7 @@ impl Builder {
                 let under = self.one_and_square(x, Recurrence::Sub);
                 let root = self.push(Recurrence::Root(under));
                 self.integral_over(function, x, root, function == Function::Acos)
-            }
-            // Operations of their own, and never calls; see `tape::Op`.
-            Function::SelectLess | Function::Table { .. } => self.number(f64::NAN),
+            } // Operations of their own, and never calls; see `tape::Op`.
         }
     }
 

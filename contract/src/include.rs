@@ -5,7 +5,7 @@
 ///
 /// ```text
 /// mod drive {
-///     machinist_scenes::include_scene!("drive");
+///     machinist_contract::include_scene!("drive");
 /// }
 ///
 /// let rate = drive::rate(time, &state, &parameters);

@@ -6,8 +6,7 @@
 
 use super::{Convolution, MassMatrix, Recurrence, TaylorTape};
 use crate::evaluate::{Inputs, call, interpolate, operate};
-use crate::system::Table;
-use crate::tape::{NodeId, Op};
+use crate::{NodeId, Op};
 
 /// A tape of recurrences with room for its coefficients: evaluating it allocates
 /// nothing, unless an order is asked for that is higher than any before.
@@ -38,27 +37,19 @@ impl SeriesEvaluator {
     /// as long as the state; the highest order is what there is room for.
     ///
     /// # Panics
-    /// If `coefficients` has no room for the state, or if `state`, `parameters`
-    /// or `tables` lack an entry the tape reads.
-    pub fn evaluate(
-        &mut self,
-        time: f64,
-        state: &[f64],
-        parameters: &[f64],
-        tables: &[Table],
-        coefficients: &mut [f64],
-    ) {
-        let inputs = Inputs { time, state, parameters, tables };
+    /// If `coefficients` has no room for the state, or if `inputs` lack an entry that the
+    /// tape reads.
+    pub fn evaluate(&mut self, inputs: &Inputs<'_>, coefficients: &mut [f64]) {
         let orders = coefficients.len() / self.states.max(1);
         self.make_room(orders);
-        coefficients[..self.states].copy_from_slice(&state[..self.states]);
+        coefficients[..self.states].copy_from_slice(&inputs.state[..self.states]);
         for order in 0..orders.saturating_sub(1) {
             for index in 0..self.tape.nodes.len() {
                 let id = NodeId(index as u32);
                 self.values[index * self.room + order] = if order == 0 {
-                    self.zeroth(id, &inputs)
+                    self.zeroth(id, inputs)
                 } else {
-                    self.higher(id, order, &inputs, coefficients)
+                    self.higher(id, order, inputs, coefficients)
                 };
             }
             self.solve(order);

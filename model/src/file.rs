@@ -1,0 +1,130 @@
+//! Models as files.
+//!
+//! ```text
+//! bytes  0..16   "machinist model\n"
+//!       16..20   version of the format, little endian
+//!       20..28   length of the content, likewise
+//!       28..60   SHA-256 of the content
+//!       60..     content: generator, then the model, as postcard writes them
+//! ```
+//!
+//! The same model gives the same bytes, on every machine. What is read is checked before
+//! anything relies on it: a file that is cut off, altered or of another version is refused
+//! by name, and a model that breaks a rule of models is too.
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest as _, Sha256};
+use thiserror::Error;
+
+use crate::{Malformed, Model};
+
+/// Version of the format; one more whenever the bytes of a model would mean something else.
+pub const VERSION: u32 = 1;
+
+/// The first bytes of every file.
+pub const MARK: &[u8; 16] = b"machinist model\n";
+
+const HEADER: usize = 60;
+
+/// A model with what made it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Stamped {
+    /// Name and version of the generator, and how much of the scene it kept.
+    pub generator: String,
+    /// What it made.
+    pub model: Model,
+}
+
+/// Why bytes are no model.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum FileError {
+    /// They do not begin as models do.
+    #[error("this is no model of Machinist")]
+    Foreign,
+    /// They are of another version.
+    #[error("this model has version {found} of the format, and version {VERSION} is read here")]
+    Version {
+        /// What they say.
+        found: u32,
+    },
+    /// They end too early, or late.
+    #[error("this model should have {expected} bytes and has {found}: it is cut off or overfull")]
+    Length {
+        /// As the header says.
+        expected: u64,
+        /// As there are.
+        found: u64,
+    },
+    /// They are not those that were written.
+    #[error("this model has been altered: its content does not have the hash it was written with")]
+    Altered,
+    /// They have the right hash and are no model.
+    #[error("this model cannot be decoded: {reason}")]
+    Undecodable {
+        /// What the decoder says.
+        reason: String,
+    },
+    /// They decode to a model that breaks a rule.
+    #[error("this model breaks a rule of models: {0}")]
+    Malformed(#[from] Malformed),
+}
+
+/// The bytes of a model.
+///
+/// # Panics
+/// Never: plain data can always be written to memory.
+#[must_use]
+pub fn write(stamped: &Stamped) -> Vec<u8> {
+    let content = postcard::to_stdvec(stamped).expect("plain data can be written to memory");
+    let mut bytes = Vec::with_capacity(HEADER + content.len());
+    bytes.extend_from_slice(MARK);
+    bytes.extend_from_slice(&VERSION.to_le_bytes());
+    bytes.extend_from_slice(&(content.len() as u64).to_le_bytes());
+    bytes.extend_from_slice(&Sha256::digest(&content));
+    bytes.extend_from_slice(&content);
+    bytes
+}
+
+/// The model of bytes.
+///
+/// # Errors
+/// [`FileError`] if they are not what [`write`] gave.
+pub fn read(bytes: &[u8]) -> Result<Stamped, FileError> {
+    let Some((mark, rest)) = bytes.split_at_checked(MARK.len()) else {
+        return Err(FileError::Foreign);
+    };
+    if mark != MARK {
+        return Err(FileError::Foreign);
+    }
+    let cut_off = || FileError::Length { expected: HEADER as u64, found: bytes.len() as u64 };
+    let (version, rest) = rest.split_first_chunk().ok_or_else(cut_off)?;
+    let found = u32::from_le_bytes(*version);
+    if found != VERSION {
+        return Err(FileError::Version { found });
+    }
+    let (length, rest) = rest.split_first_chunk().ok_or_else(cut_off)?;
+    let length = u64::from_le_bytes(*length);
+    let (hash, content) = rest.split_first_chunk::<32>().ok_or_else(cut_off)?;
+    if length != content.len() as u64 {
+        let expected = length.saturating_add(HEADER as u64);
+        return Err(FileError::Length { expected, found: bytes.len() as u64 });
+    }
+    if Sha256::digest(content).as_slice() != hash {
+        return Err(FileError::Altered);
+    }
+    let undecodable = |reason: String| FileError::Undecodable { reason };
+    let (stamped, left) = postcard::take_from_bytes::<Stamped>(content)
+        .map_err(|error| undecodable(error.to_string()))?;
+    if !left.is_empty() {
+        return Err(undecodable(format!("{} bytes are left over", left.len())));
+    }
+    stamped.model.validate()?;
+    Ok(stamped)
+}
+
+/// Whether bytes begin as models do.
+#[must_use]
+pub fn is_model(bytes: &[u8]) -> bool {
+    bytes.starts_with(MARK)
+}

@@ -1,0 +1,202 @@
+//! What depends on parameters alone, computed once a run instead of at every rate; and, of
+//! loops over many points, what depends on time and parameters alone, computed once for
+//! all points.
+//!
+//! Excluded: what of a rate depends on time and parameters alone. A stage of a method has
+//! a time of its own, so that is computed once a stage as it is.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::{
+    Dependence, Model, Node, NodeId, Op, OpKey, Tape, needed_nodes, operations, reachable,
+};
+
+/// Rate and Jacobian without what parameters alone decide.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hoisted {
+    /// Of parameters only; its results are the constants.
+    pub constants: Tape,
+    /// y'; it reads constants, and so does the Jacobian.
+    pub rate: Tape,
+    /// dy'/dy.
+    pub rate_jacobian: Tape,
+}
+
+impl Hoisted {
+    /// Takes the rate and the Jacobian of a model apart. Every operation is done
+    /// on the same operands as before, so no result changes by a bit.
+    #[must_use]
+    pub fn new(model: &Model) -> Self {
+        let mut constants = Constants::new(Known::OnceARun);
+        let rate = constants.hoist(&model.rate);
+        let rate_jacobian = constants.hoist(&model.rate_jacobian.tape);
+        Self { constants: constants.tape, rate, rate_jacobian }
+    }
+
+    /// Operations done once a run.
+    #[must_use]
+    pub fn operations(&self) -> usize {
+        operations(&self.constants)
+    }
+}
+
+/// A tape in two: what no entry of the state decides, and what is left, for which the
+/// results of the former are constants. Every operation is done on the same operands as
+/// before.
+#[must_use]
+pub fn apart_from_state(tape: &Tape) -> (Tape, Tape) {
+    let mut constants = Constants::new(Known::OnceATime);
+    let remaining = constants.hoist(tape);
+    (constants.tape, remaining)
+}
+
+/// When constants are known.
+#[derive(Debug, Clone, Copy)]
+enum Known {
+    /// From parameters alone.
+    OnceARun,
+    /// From parameters and time.
+    OnceATime,
+}
+
+/// The constants as they are found, those of several tapes shared.
+struct Constants {
+    tape: Tape,
+    of: Known,
+    /// Constants by their operation, on the tape of constants.
+    known: HashMap<OpKey, NodeId>,
+    /// Names that are taken there.
+    names: HashSet<String>,
+    /// Which constant a node of that tape is.
+    places: HashMap<NodeId, u32>,
+}
+
+impl Constants {
+    fn new(of: Known) -> Self {
+        Self {
+            tape: Tape::default(),
+            of,
+            known: HashMap::new(),
+            names: HashSet::new(),
+            places: HashMap::new(),
+        }
+    }
+
+    /// The tape with constants in place of what is done once a run.
+    fn hoist(&mut self, tape: &Tape) -> Tape {
+        let dependence = Dependence::of(tape);
+        let needed = needed_nodes(tape);
+        let is_constant: Vec<bool> = (0..tape.nodes.len())
+            .map(|index| {
+                let id = NodeId(index as u32);
+                let varies = match self.of {
+                    Known::OnceARun => dependence.on_anything(id),
+                    Known::OnceATime => dependence.on_state(id),
+                };
+                tape.nodes[index].op.is_arithmetic() && !varies
+            })
+            .collect();
+        // A constant is read if something at every evaluation asks for it.
+        let mut is_read = vec![false; tape.nodes.len()];
+        for (index, node) in tape.nodes.iter().enumerate() {
+            if needed[index] && !is_constant[index] {
+                node.op.operands().iter().for_each(|id| is_read[id.0 as usize] = true);
+            }
+        }
+        tape.results.iter().for_each(|id| is_read[id.0 as usize] = true);
+        let moved = self.keep(tape, |index| is_constant[index] && is_read[index] && needed[index]);
+        let mut places = vec![NodeId(0); tape.nodes.len()];
+        let mut remaining = Tape::default();
+        for (index, node) in tape.nodes.iter().enumerate().filter(|(index, _)| needed[*index]) {
+            let op = if !is_constant[index] {
+                node.op.with_operands(|id| places[id.0 as usize])
+            } else if is_read[index] {
+                Op::Constant(self.place(moved[index]))
+            } else {
+                continue;
+            };
+            let name = if is_constant[index] { None } else { node.name.clone() };
+            places[index] = NodeId(remaining.nodes.len() as u32);
+            remaining.nodes.push(Node { op, name });
+        }
+        let results: Vec<NodeId> = tape.results.iter().map(|id| places[id.0 as usize]).collect();
+        reachable(&remaining.nodes, &results)
+    }
+
+    /// Puts nodes of a tape on the tape of constants, with all that they need; where each
+    /// of them is now.
+    fn keep(&mut self, tape: &Tape, is_read: impl Fn(usize) -> bool) -> Vec<NodeId> {
+        let mut wanted: Vec<bool> = (0..tape.nodes.len()).map(is_read).collect();
+        for index in (0..tape.nodes.len()).rev() {
+            if wanted[index] {
+                for operand in tape.nodes[index].op.operands() {
+                    wanted[operand.0 as usize] = true;
+                }
+            }
+        }
+        let mut moved = vec![NodeId(0); tape.nodes.len()];
+        for (index, node) in tape.nodes.iter().enumerate().filter(|(index, _)| wanted[*index]) {
+            let op = node.op.with_operands(|id| moved[id.0 as usize]);
+            moved[index] = self.node(op, node.name.as_deref());
+        }
+        moved
+    }
+
+    /// The node of an operation on the tape of constants.
+    fn node(&mut self, op: Op, name: Option<&str>) -> NodeId {
+        let next = NodeId(self.tape.nodes.len() as u32);
+        let id = *self.known.entry(op.key()).or_insert(next);
+        if id == next {
+            let name = name.filter(|name| self.names.insert((*name).to_owned()));
+            self.tape.nodes.push(Node { op, name: name.map(str::to_owned) });
+        }
+        id
+    }
+
+    /// Which constant a node of that tape is.
+    fn place(&mut self, id: NodeId) -> u32 {
+        let next = self.tape.results.len() as u32;
+        let place = *self.places.entry(id).or_insert(next);
+        if place == next {
+            self.tape.results.push(id);
+        }
+        place
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Constants, Known, apart_from_state};
+    use crate::{Function, Node, NodeId, Op, Tape};
+
+    fn tape(ops: &[Op], results: &[u32]) -> Tape {
+        let nodes = ops.iter().map(|&op| Node { op, name: None }).collect();
+        Tape { nodes, results: results.iter().copied().map(NodeId).collect() }
+    }
+
+    #[test]
+    fn what_parameters_decide_is_done_once_and_shared_between_tapes() {
+        let (p, product) = (Op::Parameter(0), |a, b| Op::Mul(NodeId(a), NodeId(b)));
+        // p^2 y, then p^2 alone and its root.
+        let first = tape(&[p, Op::State(0), product(0, 0), product(2, 1)], &[3]);
+        let root = Op::Call(Function::Sqrt, NodeId(1));
+        let second = tape(&[p, product(0, 0), root], &[1, 2]);
+        let mut constants = Constants::new(Known::OnceARun);
+        let (first, second) = (constants.hoist(&first), constants.hoist(&second));
+        assert_eq!(first, tape(&[Op::State(0), Op::Constant(0), product(1, 0)], &[2]));
+        // The parameter itself is read by nothing any more.
+        assert_eq!(second, tape(&[Op::Constant(0), Op::Constant(1)], &[0, 1]));
+        assert_eq!(constants.tape, tape(&[p, product(0, 0), root], &[1, 2]));
+    }
+
+    #[test]
+    fn what_no_state_decides_is_told_apart() {
+        let product = |a, b| Op::Mul(NodeId(a), NodeId(b));
+        // (p t) y, p t being known before y is.
+        let all =
+            tape(&[Op::Parameter(0), Op::Time, product(0, 1), Op::State(0), product(2, 3)], &[4]);
+        let (before, rest) = apart_from_state(&all);
+        assert_eq!(before, tape(&[Op::Parameter(0), Op::Time, product(0, 1)], &[2]));
+        assert_eq!(rest, tape(&[Op::Constant(0), Op::State(0), product(0, 1)], &[2]));
+    }
+}

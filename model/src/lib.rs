@@ -1,0 +1,34 @@
+//! A derived machine as plain data.
+//!
+//! A [`Model`] is what deriving gives and what running takes: names, units, shapes and
+//! patterns, and one [`Tape`] of arithmetic for each function of a simulator. It is
+//! [written to a file](file) and read anywhere; whoever has one needs neither the spec
+//! nor the computer algebra it came from.
+//!
+//! Excluded: symbols to look up, expressions, any type of a computer algebra system,
+//! methods of integration.
+
+pub mod evaluate;
+mod excitation;
+pub mod file;
+pub mod functions;
+pub mod hoist;
+pub mod interpreted;
+mod model;
+mod names;
+mod prune;
+mod reduction;
+pub mod series;
+mod tape;
+mod validate;
+
+pub use excitation::Excitation;
+pub use model::{
+    Attachment, Constraint, Coordinate, Event, FieldModel, Freeze, LocalForces, MatrixTape, Model,
+    Parameter, SparsityPattern, State, StateKind,
+};
+pub use names::{Direction, Name, Place, Quantity, RunDefaults, SourceFile, Table};
+pub use prune::{Dependence, needed_nodes, operations, reachable};
+pub use reduction::{LeftOut, Reduction, What, Why};
+pub use tape::{Function, Node, NodeId, Op, OpKey, TableId, Tape};
+pub use validate::Malformed;

@@ -1,0 +1,397 @@
+//! A machine ready to be run: one tape for each function.
+
+use machinist_contract as contract;
+use machinist_contract::field::{FieldAttachment, FieldPlace};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Direction, Excitation, Name, Op, Place, Quantity, Reduction, RunDefaults, SourceFile, Table,
+    Tape,
+};
+
+/// Structural nonzeros, sorted by row, then by column.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct SparsityPattern {
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+    /// (row, column) of every nonzero.
+    pub entries: Vec<(u32, u32)>,
+}
+
+impl SparsityPattern {
+    /// As simulators describe it.
+    #[must_use]
+    pub fn borrowed(&self) -> contract::SparsityPattern<'_> {
+        let Self { rows, columns, entries } = self;
+        contract::SparsityPattern { rows: *rows, columns: *columns, entries }
+    }
+}
+
+/// A matrix: the tape's results are its structural nonzeros in pattern order.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct MatrixTape {
+    /// Where the nonzeros are.
+    pub pattern: SparsityPattern,
+    /// Their values.
+    pub tape: Tape,
+}
+
+/// An event as a simulator describes it; what it computes is on tapes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// Which way its guard passes zero.
+    pub direction: Direction,
+    /// (entry of the state, value) of the modes in which it is watched.
+    pub when: Vec<(u32, f64)>,
+    /// Entries of the state that it sets.
+    pub sets: Vec<u32>,
+}
+
+/// A constraint as a simulator describes it; what it computes is on tapes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Constraint {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// SI unit of what is zero.
+    pub unit: String,
+    /// Whether it is of positions; else of velocities alone.
+    pub is_of_positions: bool,
+}
+
+/// A generalized coordinate with its velocity, in the state or not.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Coordinate {
+    /// q.
+    pub position: Quantity,
+    /// q'.
+    pub velocity: Quantity,
+}
+
+/// What an entry of the state is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum StateKind {
+    /// A position, or a position relative to another, of a coordinate.
+    Position(u32),
+    /// The velocity of a coordinate; its rate is the acceleration.
+    Velocity(u32),
+    /// A first-order state z; its rate is h.
+    FirstOrder,
+    /// A first-order state that is a mode: a whole number, of rate 0, that only events
+    /// change.
+    Mode,
+}
+
+impl StateKind {
+    /// As simulators describe it.
+    #[must_use]
+    pub fn described(self) -> contract::StateKind {
+        match self {
+            StateKind::Position(_) => contract::StateKind::Position,
+            StateKind::Velocity(_) => contract::StateKind::Velocity,
+            StateKind::FirstOrder | StateKind::Mode => contract::StateKind::FirstOrder,
+        }
+    }
+}
+
+/// An entry of the state.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// Name, unit and meaning.
+    pub quantity: Quantity,
+    /// What it is, and so how it changes.
+    pub kind: StateKind,
+    /// Typical size, for absolute tolerance.
+    pub scale: f64,
+    /// Whether the spec gives its initial value, so that constraints may not move it.
+    pub is_given: bool,
+}
+
+/// A parameter that runs may give another value.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Parameter {
+    /// What it is.
+    pub quantity: Quantity,
+    /// Its value in SI units.
+    pub value: f64,
+}
+
+/// Approximations that the scene asked for.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Freeze {
+    /// Instances whose springs are taken for rigid.
+    pub rigid: Vec<String>,
+    /// Largest error of any output that is allowed for it, relative to the output's
+    /// largest value over the scene's run.
+    pub tolerance: f64,
+}
+
+/// Everything a simulator offers: names, units, shapes, patterns, and a tape for each
+/// function. Lengths of results are those of the contract; the table of functions is
+/// [`crate::functions`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Model {
+    /// The scene's name, a Rust identifier.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// What the machine is; several lines.
+    pub doc: String,
+    /// Where the equations come from.
+    pub source: String,
+    /// Every file of the spec, in the order read.
+    pub files: Vec<SourceFile>,
+    /// q.
+    pub coordinates: Vec<Coordinate>,
+    /// The entries of the state, in order.
+    pub states: Vec<State>,
+    /// How many of the last of them are only integrated: no rate depends on them, so
+    /// that an implicit method may leave them out of its iteration.
+    pub quadratures: usize,
+    /// p.
+    pub parameters: Vec<Parameter>,
+    /// What fields hand to the machine, as parameters behind the parameters; as many as
+    /// [`HANDED`](machinist_contract::field::HANDED) for each port on a field.
+    pub handed: Vec<Parameter>,
+    /// Wanted outputs.
+    pub wanted: Vec<Quantity>,
+    /// Tables that tapes refer to.
+    pub tables: Vec<Table>,
+    /// The run unless told otherwise.
+    pub run: RunDefaults,
+    /// Approximations.
+    pub freeze: Freeze,
+    /// What has been left out.
+    pub reduction: Reduction,
+    /// `states` results.
+    pub initial_state: Tape,
+    /// One result for each discontinuity.
+    pub discontinuities: Tape,
+    /// `states` results.
+    pub rate: Tape,
+    /// dy'/dy.
+    pub rate_jacobian: MatrixTape,
+    /// dy'/dp.
+    pub parameter_jacobian: MatrixTape,
+    /// `states` results.
+    pub time_derivative: Tape,
+    /// M, both triangles.
+    pub mass_matrix: MatrixTape,
+    /// `coordinates` results.
+    pub forcing: Tape,
+    /// One result for each wanted output.
+    pub outputs: Tape,
+    /// Kinetic, potential, stored.
+    pub energy: Tape,
+    /// Rate of stored energy, power supplied, power dissipated.
+    pub power_balance: Tape,
+    /// b(t) of linear equations with constant coefficients, without events and
+    /// constraints.
+    pub excitation: Option<Excitation>,
+    /// What happens where guards pass zero.
+    pub events: Vec<Event>,
+    /// One result for each event.
+    pub guards: Tape,
+    /// dg/dt along the motion, one result for each event.
+    pub guard_rates: Tape,
+    /// New values of the entries that events set, event by event.
+    pub resets: Tape,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<Constraint>,
+    /// g, one result for each constraint.
+    pub constraint_values: Tape,
+    /// g', likewise.
+    pub constraint_rates: Tape,
+    /// G = dg'/dq'.
+    pub constraint_matrix: MatrixTape,
+    /// The generic element of every field.
+    pub fields: Vec<FieldModel>,
+}
+
+impl Model {
+    /// Parameters as simulators take them: the machine's, then what fields hand over.
+    pub fn all_parameters(&self) -> impl Iterator<Item = &Parameter> + Clone {
+        self.parameters.iter().chain(&self.handed)
+    }
+
+    /// Number of positions among the entries of the state.
+    #[must_use]
+    pub fn positions(&self) -> usize {
+        let is_position = |state: &&State| matches!(state.kind, StateKind::Position(_));
+        self.states.iter().filter(is_position).count()
+    }
+
+    /// Number of first-order states, modes included.
+    #[must_use]
+    pub fn first_order(&self) -> usize {
+        let is_first_order =
+            |state: &&State| matches!(state.kind, StateKind::FirstOrder | StateKind::Mode);
+        self.states.iter().filter(is_first_order).count()
+    }
+
+    /// Whether the entries of the state are \[q, q', z\], all coordinates in order.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        let n = self.coordinates.len();
+        let is_in_place = |(entry, state): (usize, &State)| match state.kind {
+            StateKind::Position(id) => {
+                id as usize == entry && self.coordinates[entry].position == state.quantity
+            }
+            StateKind::Velocity(id) => n + id as usize == entry,
+            StateKind::FirstOrder | StateKind::Mode => entry >= 2 * n,
+        };
+        self.positions() == n && self.states.iter().enumerate().all(is_in_place)
+    }
+
+    /// Whether dy'/dy or the time derivative depends on the forces of fields.
+    #[must_use]
+    pub fn jacobian_reads_forces(&self) -> bool {
+        let attachments = self.fields.iter().flat_map(|field| &field.attachments);
+        // Behind the inertia of the node.
+        let forces: Vec<u32> = attachments.map(|at| at.handed + 1).collect();
+        let tapes = [&self.rate_jacobian.tape, &self.time_derivative];
+        tapes
+            .into_iter()
+            .flat_map(|tape| &tape.nodes)
+            .any(|node| matches!(node.op, Op::Handed(number) if forces.contains(&number)))
+    }
+}
+
+/// f_0 and f_1 of a field where they have nothing in common.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LocalForces {
+    /// f_0.
+    pub on_value: Tape,
+    /// df_0/du and df_0/du_t.
+    pub on_value_jacobian: Tape,
+    /// df_0/dt.
+    pub on_value_by_time: Tape,
+    /// f_1.
+    pub on_slope: Tape,
+    /// df_1/du_x and df_1/du_xt.
+    pub on_slope_jacobian: Tape,
+}
+
+/// A port on a field whose u is a coordinate of the machine.
+///
+/// The machine's part of the node is like any other: it has an inertia and a force,
+/// both of which the field computes and hands over.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Attachment {
+    /// Its name.
+    pub name: Name,
+    /// The coordinate; none where the field is held at zero.
+    pub coordinate: Option<u32>,
+    /// Where that is.
+    pub place: Place,
+    /// x in the spec \[m\].
+    pub x: f64,
+    /// The first of the numbers that the field hands over: inertia of the node, force on
+    /// it, u_x before it and after it.
+    pub handed: u32,
+}
+
+impl Attachment {
+    /// As simulators describe it, which take what is handed over behind so many
+    /// parameters.
+    #[must_use]
+    pub fn described(&self, parameters: usize) -> FieldAttachment {
+        FieldAttachment {
+            coordinate: self.coordinate,
+            place: match self.place {
+                Place::Start => FieldPlace::Start,
+                Place::Inside => FieldPlace::Inside,
+                Place::End => FieldPlace::End,
+            },
+            at: self.x,
+            handed: parameters as u32 + self.handed,
+        }
+    }
+}
+
+/// What is computed at a point of a field u(x, t). The state of the tapes is \[u, u_x,
+/// u_t, u_xt, x\]; forces come in twos, on u and on u_x.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FieldModel {
+    /// u, u_x, u_t, u_xt and x.
+    pub quantities: [Quantity; 5],
+    /// Typical sizes of u and u_t.
+    pub scale: [f64; 2],
+    /// Its length in the spec \[m\].
+    pub length: f64,
+    /// Whether the field is held at zero at its start and end.
+    pub fixed: [bool; 2],
+    /// Elements unless a run says otherwise.
+    pub elements: usize,
+    /// Order of the elements.
+    pub order: usize,
+    /// Places at which the machine takes hold of the field, by x.
+    pub attachments: Vec<Attachment>,
+    /// Parameters that the densities or the places on the field depend on.
+    pub parameters: Vec<u32>,
+    /// m, of x.
+    pub inertia: Tape,
+    /// dm/dx, then dm/dp of `parameters`.
+    pub inertia_gradient: Tape,
+    /// Forces.
+    pub force: Tape,
+    /// Whether forces are linear in u, u_x, u_t and u_xt, without anything else, and
+    /// the same at all times.
+    pub is_linear: bool,
+    /// Forces one by one, if f_0 depends on neither u_x nor u_xt, and f_1 on nothing but
+    /// these and parameters.
+    pub local: Option<LocalForces>,
+    /// Their derivatives with respect to u, u_x, u_t, u_xt, row by row.
+    pub force_jacobian: Tape,
+    /// Twos of their derivatives with respect to x, t, and `parameters`.
+    pub force_gradient: Tape,
+    /// Kinetic, potential.
+    pub energy: Tape,
+    /// Rate of the potential, power supplied, power dissipated.
+    pub power: Tape,
+    /// x of the attachments, then the length.
+    pub places: Tape,
+    /// Their derivatives with respect to `parameters`, row by row.
+    pub places_gradient: Tape,
+    /// u and u_t at the start, of x.
+    pub initial: Tape,
+}
+
+impl FieldModel {
+    /// Entries of the state of its tapes: u, u_x, u_t, u_xt and x.
+    pub const STATES: usize = 5;
+
+    /// Its functions by name.
+    #[must_use]
+    pub fn functions(&self) -> Vec<(&'static str, &Tape)> {
+        let mut functions = vec![
+            ("inertia", &self.inertia),
+            ("inertia_gradient", &self.inertia_gradient),
+            ("force", &self.force),
+            ("force_jacobian", &self.force_jacobian),
+            ("force_gradient", &self.force_gradient),
+            ("energy", &self.energy),
+            ("power", &self.power),
+            ("places", &self.places),
+            ("places_gradient", &self.places_gradient),
+            ("initial", &self.initial),
+        ];
+        if let Some(local) = &self.local {
+            functions.extend([
+                ("on_value", &local.on_value),
+                ("on_value_jacobian", &local.on_value_jacobian),
+                ("on_value_by_time", &local.on_value_by_time),
+                ("on_slope", &local.on_slope),
+                ("on_slope_jacobian", &local.on_slope_jacobian),
+            ]);
+        }
+        functions
+    }
+}

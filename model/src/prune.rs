@@ -1,0 +1,108 @@
+//! What results need of a tape, and what nodes depend on.
+
+use machinist_contract::field::HANDED;
+
+use crate::{Node, NodeId, Op, Tape};
+
+/// The part of `nodes` that `results` reach, renumbered, in order.
+#[must_use]
+pub fn reachable(nodes: &[Node], results: &[NodeId]) -> Tape {
+    let mut needed = vec![false; nodes.len()];
+    for result in results {
+        needed[result.0 as usize] = true;
+    }
+    // A node refers only to earlier ones, so one pass backwards reaches all.
+    for index in (0..nodes.len()).rev() {
+        if needed[index] {
+            for operand in nodes[index].op.operands() {
+                needed[operand.0 as usize] = true;
+            }
+        }
+    }
+    let mut place = vec![NodeId(0); nodes.len()];
+    let mut tape = Tape::default();
+    for (index, node) in nodes.iter().enumerate().filter(|(index, _)| needed[*index]) {
+        place[index] = NodeId(tape.nodes.len() as u32);
+        let op = node.op.with_operands(|id| place[id.0 as usize]);
+        tape.nodes.push(Node { op, name: node.name.clone() });
+    }
+    tape.results = results.iter().map(|result| place[result.0 as usize]).collect();
+    tape
+}
+
+/// Operations that cost something at run time, among the nodes results need.
+#[must_use]
+pub fn operations(tape: &Tape) -> usize {
+    let needed = needed_nodes(tape);
+    let nodes = tape.nodes.iter().zip(needed);
+    nodes.filter(|(node, needed)| *needed && node.op.is_arithmetic()).count()
+}
+
+/// For each node, whether a result depends on it.
+#[must_use]
+pub fn needed_nodes(tape: &Tape) -> Vec<bool> {
+    let mut needed = vec![false; tape.nodes.len()];
+    for &NodeId(result) in &tape.results {
+        if let Some(flag) = needed.get_mut(result as usize) {
+            *flag = true;
+        }
+    }
+    for (index, node) in tape.nodes.iter().enumerate().rev() {
+        if needed[index] {
+            for NodeId(operand) in node.op.operands() {
+                if let Some(flag) = needed.get_mut(operand as usize) {
+                    *flag = true;
+                }
+            }
+        }
+    }
+    needed
+}
+
+/// Whether a number that a field hands over is the inertia of its node, which parameters
+/// alone decide.
+fn is_inertia(number: u32) -> bool {
+    number as usize % HANDED == 0
+}
+
+/// For each node, whether it depends on time and whether on the state.
+#[derive(Debug, Clone)]
+pub struct Dependence(Vec<(bool, bool)>);
+
+impl Dependence {
+    /// Looks at a tape. What fields hand over changes as the state does, but for inertias.
+    #[must_use]
+    pub fn of(tape: &Tape) -> Self {
+        let mut known: Vec<(bool, bool)> = Vec::with_capacity(tape.nodes.len());
+        for node in &tape.nodes {
+            known.push(match node.op {
+                Op::Time => (true, false),
+                Op::State(_) => (false, true),
+                Op::Handed(number) => (false, !is_inertia(number)),
+                ref op => op.operands().iter().fold((false, false), |(time, state), id| {
+                    let of = known[id.0 as usize];
+                    (time || of.0, state || of.1)
+                }),
+            });
+        }
+        Dependence(known)
+    }
+
+    /// Whether a node depends on time.
+    #[must_use]
+    pub fn on_time(&self, id: NodeId) -> bool {
+        self.0[id.0 as usize].0
+    }
+
+    /// Whether a node depends on the state.
+    #[must_use]
+    pub fn on_state(&self, id: NodeId) -> bool {
+        self.0[id.0 as usize].1
+    }
+
+    /// Whether a node depends on either.
+    #[must_use]
+    pub fn on_anything(&self, id: NodeId) -> bool {
+        self.0[id.0 as usize] != (false, false)
+    }
+}

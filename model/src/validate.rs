@@ -1,0 +1,244 @@
+//! Rules of models, on which everything that runs or emits them relies.
+
+use thiserror::Error;
+
+use crate::functions::Reads;
+use crate::{FieldModel, Model, NodeId, Op, SparsityPattern, StateKind, Tape};
+
+/// A rule that a model breaks.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{part}: {reason}")]
+pub struct Malformed {
+    /// The function or part that breaks it.
+    pub part: String,
+    /// How.
+    pub reason: String,
+}
+
+/// What a tape may read.
+struct Room {
+    time: bool,
+    states: usize,
+    parameters: usize,
+    handed: usize,
+    constants: usize,
+    tables: usize,
+}
+
+impl Model {
+    /// Checks that every tape reads only what there is, in order, and gives as many
+    /// results as it should; that patterns are sorted; that names of what is counted exist.
+    ///
+    /// # Errors
+    /// The first rule that is broken.
+    pub fn validate(&self) -> Result<(), Malformed> {
+        for row in self.functions() {
+            let of_motion = row.reads == Reads::Motion;
+            let room = Room {
+                time: of_motion,
+                states: if of_motion { self.states.len() } else { 0 },
+                ..self.room()
+            };
+            let tape = (row.tape)(self);
+            check(row.name, tape, &room, (row.results)(self))?;
+            if let Some(pattern) = row.pattern {
+                self.check_pattern(row.name, pattern(self))?;
+            }
+        }
+        self.check_shapes()?;
+        self.check_state()?;
+        self.check_numbers()?;
+        if let Some(excitation) = &self.excitation {
+            let room = Room { time: true, ..self.room() };
+            check("excitation", &excitation.values, &room, 4 * excitation.terms.len())?;
+            let switches = excitation.switches.results.len();
+            check("switches", &excitation.switches, &self.room(), switches)?;
+            let mut entries = excitation.terms.iter();
+            if let Some((entry, _)) =
+                entries.find(|(entry, _)| *entry as usize >= self.states.len())
+            {
+                return broken("excitation", format!("acts on state {entry}"));
+            }
+        }
+        self.check_events()?;
+        for field in &self.fields {
+            self.check_field(field)?;
+        }
+        Ok(())
+    }
+
+    /// What a tape of parameters alone may read.
+    fn room(&self) -> Room {
+        Room {
+            time: false,
+            states: 0,
+            parameters: self.parameters.len(),
+            handed: self.handed.len(),
+            constants: 0,
+            tables: self.tables.len(),
+        }
+    }
+
+    fn check_pattern(&self, part: &str, pattern: &SparsityPattern) -> Result<(), Malformed> {
+        let states = self.states.len();
+        let shape = match part {
+            "rate_jacobian" => (states, states),
+            "parameter_jacobian" => (states, self.parameters.len() + self.handed.len()),
+            "constraint_matrix" => (self.constraints.len(), self.coordinates.len()),
+            _ => (self.coordinates.len(), self.coordinates.len()),
+        };
+        if (pattern.rows, pattern.columns) != shape {
+            return broken(part, format!("{} by {} entries", pattern.rows, pattern.columns));
+        }
+        let is_sorted = pattern.entries.is_sorted_by(|a, b| a < b);
+        let is_within = |(row, column): &(u32, u32)| {
+            (*row as usize) < pattern.rows && (*column as usize) < pattern.columns
+        };
+        if is_sorted && pattern.entries.iter().all(is_within) {
+            Ok(())
+        } else {
+            broken(part, "its pattern is out of order or out of bounds")
+        }
+    }
+
+    /// Functions that no scene lacks by mistake are there or absent together.
+    fn check_shapes(&self) -> Result<(), Malformed> {
+        if self.quadratures > self.states.len() {
+            return broken(
+                "quadratures",
+                format!("{} of {} states", self.quadratures, self.states.len()),
+            );
+        }
+        let [n, m] = [self.constraints.len(), self.coordinates.len()];
+        let pattern = &self.constraint_matrix.pattern;
+        if n == 0 && (pattern.rows != 0 || !pattern.entries.is_empty() || pattern.columns != m) {
+            return broken("constraint_matrix", "there are no constraints");
+        }
+        Ok(())
+    }
+
+    fn check_state(&self) -> Result<(), Malformed> {
+        for state in &self.states {
+            if let StateKind::Position(id) | StateKind::Velocity(id) = state.kind
+                && id as usize >= self.coordinates.len()
+            {
+                return broken(&state.quantity.name.path, format!("coordinate {id} is not there"));
+            }
+        }
+        let velocities = self.states.iter().filter(|s| matches!(s.kind, StateKind::Velocity(_)));
+        if velocities.count() == self.coordinates.len() {
+            Ok(())
+        } else {
+            broken("states", "not every coordinate has one velocity")
+        }
+    }
+
+    fn check_numbers(&self) -> Result<(), Malformed> {
+        let scales = self.states.iter().map(|state| ("scale of a state", state.scale));
+        let values = self.all_parameters().map(|parameter| ("parameter", parameter.value));
+        let run = [("run", self.run.from), ("run", self.run.until), ("run", self.run.rtol)];
+        let tables = self.tables.iter().flat_map(|table| {
+            table.knots.iter().chain(table.coefficients.as_flattened()).map(|v| ("table", *v))
+        });
+        let mut numbers = scales.chain(values).chain(run).chain(tables);
+        if let Some((part, value)) = numbers.find(|(_, value)| !value.is_finite()) {
+            return broken(part, format!("{value} is not a finite number"));
+        }
+        for table in &self.tables {
+            let is_increasing = table.knots.is_sorted_by(|a, b| a < b);
+            if table.knots.len() < 2
+                || table.coefficients.len() + 1 != table.knots.len()
+                || !is_increasing
+            {
+                return broken(&table.name.path, "its knots do not fit its cubics");
+            }
+        }
+        Ok(())
+    }
+
+    fn check_events(&self) -> Result<(), Malformed> {
+        for event in &self.events {
+            let watched = event.when.iter().map(|(entry, _)| *entry);
+            let mut entries = event.sets.iter().copied().chain(watched);
+            if let Some(entry) = entries.find(|entry| *entry as usize >= self.states.len()) {
+                return broken(&event.name.path, format!("mentions state {entry}"));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_field(&self, field: &FieldModel) -> Result<(), Malformed> {
+        let path = field.quantities[0].name.path.as_str();
+        let parameters = field.parameters.len();
+        let room = Room { time: true, states: FieldModel::STATES, ..self.room() };
+        let tapes = field.functions().into_iter().map(|(name, tape)| {
+            (
+                name,
+                tape,
+                match name {
+                    "inertia_gradient" => 1 + parameters,
+                    "force_gradient" => 2 * (2 + parameters),
+                    "places" => field.attachments.len() + 1,
+                    "places_gradient" => (field.attachments.len() + 1) * parameters,
+                    _ => tape.results.len(),
+                },
+            )
+        });
+        for (name, tape, results) in tapes {
+            check(&format!("{path}: {name}"), tape, &room, results)?;
+        }
+        if field.parameters.iter().any(|id| *id as usize >= self.parameters.len()) {
+            return broken(path, "depends on a parameter that is not there");
+        }
+        let handed = machinist_contract::field::HANDED as u32;
+        let is_out = |at: &&crate::Attachment| {
+            at.handed.checked_add(handed).is_none_or(|end| end as usize > self.handed.len())
+                || at.coordinate.is_some_and(|id| id as usize >= self.coordinates.len())
+        };
+        match field.attachments.iter().find(is_out) {
+            Some(at) => broken(&at.name.path, "hands over more than there is room for"),
+            None => Ok(()),
+        }
+    }
+}
+
+fn broken<T>(part: &str, reason: impl Into<String>) -> Result<T, Malformed> {
+    Err(Malformed { part: part.to_owned(), reason: reason.into() })
+}
+
+/// Checks one tape.
+fn check(part: &str, tape: &Tape, room: &Room, results: usize) -> Result<(), Malformed> {
+    for (index, node) in tape.nodes.iter().enumerate() {
+        if let Some(NodeId(late)) = node.op.operands().iter().find(|id| id.0 as usize >= index) {
+            let reason = format!("node {index} reads node {late}, which does not come before it");
+            return broken(part, reason);
+        }
+        let (entry, count, kind) = match node.op {
+            Op::Literal(value) if !value.is_finite() => {
+                return broken(part, format!("{value} is not a finite number"));
+            }
+            Op::Time if !room.time => {
+                return broken(part, "only parameters may be read here");
+            }
+            Op::State(_) if room.states == 0 => {
+                return broken(part, "only parameters may be read here");
+            }
+            Op::State(entry) => (entry, room.states, "state"),
+            Op::Parameter(entry) => (entry, room.parameters, "parameter"),
+            Op::Handed(entry) => (entry, room.handed, "handed number"),
+            Op::Constant(entry) => (entry, room.constants, "constant"),
+            Op::Table { table, .. } => (table.0, room.tables, "table"),
+            _ => continue,
+        };
+        if entry as usize >= count {
+            return broken(part, format!("node {index} reads {kind} {entry} of {count}"));
+        }
+    }
+    if tape.results.len() != results {
+        return broken(part, format!("{results} results expected, {} found", tape.results.len()));
+    }
+    match tape.results.iter().find(|id| id.0 as usize >= tape.nodes.len()) {
+        Some(NodeId(result)) => broken(part, format!("result {result} is no node of the tape")),
+        None => Ok(()),
+    }
+}

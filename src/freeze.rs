@@ -5,10 +5,10 @@ use std::path::Path;
 
 use machinist::interpreted::InterpretedSimulator;
 use machinist::{SimulateError, Simulation, Trajectory};
-use machinist_codegen::diagnostic::Diagnostics;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::program::Program;
-use machinist_codegen::reduce::Keep;
+use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_model::Model;
 use serde::Serialize;
 
 use crate::cli::Failure;

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use machinist_codegen::emit::rust::{emit, type_name};
 use machinist_codegen::emit::{EmitError, EmitOptions};
-use machinist_codegen::program::Program;
+use machinist_model::Model;
 use machinist_contract::SOURCES;
 use thiserror::Error;
 

@@ -4,8 +4,8 @@
 
 use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
 use machinist_contract::Simulator as _;
 use machinist_contract::taylor::{Bends, TaylorSeries};
 

@@ -4,8 +4,8 @@
 use machinist::error::StopCause;
 use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
 use machinist_contract::{Describe, Simulator};
 use machinist_scenes::scenes;
 

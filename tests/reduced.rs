@@ -8,11 +8,12 @@ use machinist::object::object;
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
+use machinist_codegen::lower::structure::Structure;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::program::Program;
-use machinist_codegen::reduce::{Keep, What, Why};
-use machinist_codegen::structure::Structure;
 use machinist_contract::{Describe as _, Simulator as _};
+use machinist_model::Model;
+use machinist_model::{What, Why};
 
 /// A scene file with the given text, in a folder that lasts as long as it.
 struct Spec {
@@ -584,7 +585,7 @@ fn fixed_parameters_become_numbers_and_zeros_take_their_terms_with_them() {
     assert_eq!(parameters, ["a.inertia"]);
     assert_eq!(left_out(&needed, What::Parameter, Why::Zero), ["first.damping"]);
     assert_eq!(left_out(&needed, What::Parameter, Why::Fixed).len(), 7);
-    let operations = machinist_codegen::emit::tape_operations;
+    let operations = machinist_model::operations;
     assert!(operations(&needed.rate) < operations(&Spec::new(&undamped).needed().rate));
     distance(&needed, &all, None);
     assert_sound(&needed);

@@ -4,8 +4,8 @@
 
 use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, Simulation};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
 
 /// A cart that is loaded with sand while it is pushed; sand falls in from rest.
 const CART: &str = r#"

@@ -4,10 +4,10 @@
 
 mod support;
 
-use machinist_codegen::evaluate::Evaluator;
-use machinist_codegen::program::Program;
-use machinist_codegen::tape::Tape;
 use machinist_contract::{Describe, Simulator};
+use machinist_model::Model;
+use machinist_model::Tape;
+use machinist_model::evaluate::Evaluator;
 use proptest::prelude::*;
 
 #[deny(warnings, clippy::pedantic, missing_docs)]

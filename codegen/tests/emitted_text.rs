@@ -7,9 +7,10 @@ mod support;
 use std::path::Path;
 
 use machinist_codegen::emit::rust::{emit, emit_index};
-use machinist_codegen::emit::{EmitError, EmitOptions, tape_operations};
-use machinist_codegen::program::Program;
-use machinist_codegen::tape::{Node, NodeId, Op, Tape};
+use machinist_codegen::emit::{EmitError, EmitOptions};
+use machinist_model::Model;
+use machinist_model::operations;
+use machinist_model::{Node, NodeId, Op, Tape};
 use support::{HOSTILE, coupled, oddities, pendulum, recurrences, tape};
 
 fn emitted(program: &Program) -> String {

@@ -3,10 +3,10 @@
 
 mod support;
 
-use machinist_codegen::evaluate::Evaluator;
-use machinist_codegen::program::Program;
-use machinist_codegen::taylor::{Recurrence, SeriesEvaluator, recurrences};
 use machinist_contract::Simulator;
+use machinist_model::Model;
+use machinist_model::evaluate::Evaluator;
+use machinist_model::series::{Recurrence, SeriesEvaluator, recurrences};
 
 #[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod every_recurrence {

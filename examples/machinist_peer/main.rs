@@ -220,10 +220,11 @@ fn sweep(key: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// Seconds from the spec's text to equations and tapes, and from these to Rust.
 #[cfg(feature = "cli")]
 fn derive(key: &str) -> Result<(), Box<dyn Error>> {
+    use machinist_codegen::emit::EmitOptions;
     use machinist_codegen::emit::rust::emit;
-    use machinist_codegen::emit::{EmitOptions, tape_operations};
+    use machinist_codegen::mechanics::reduce::Keep;
     use machinist_codegen::pipeline;
-    use machinist_codegen::reduce::Keep;
+    use machinist_model::operations;
 
     let folder = std::env::temp_dir().join(format!("machinist_peer_{}", std::process::id()));
     let Some(spec) = spec(key, &folder)? else {

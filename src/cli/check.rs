@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use machinist::constraints;
 use machinist::interpreted::InterpretedSimulator;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
-use machinist_codegen::system::LagrangianSystem;
+use machinist_codegen::scene::system::LagrangianSystem;
 
 use super::output::print;
 use super::scene::spec_path;

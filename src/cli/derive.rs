@@ -1,7 +1,7 @@
 //! `machinist derive`: the equations of motion of a scene, as text, LaTeX or JSON.
 
 use clap::Args;
-use machinist_codegen::document::{Document, Equation, Notation};
+use machinist_codegen::emit::document::{Document, Equation, Notation};
 use serde_json::{Value, json};
 
 use super::Failure;

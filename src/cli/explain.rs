@@ -1,9 +1,9 @@
 //! `machinist explain`: what is left out of a scene, why, and what that saves.
 
 use clap::Args;
+use machinist_codegen::lower::structure::Frequency;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
-use machinist_codegen::structure::Frequency;
 use serde_json::{Value, json};
 
 use super::Failure;

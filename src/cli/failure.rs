@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use machinist::SimulateError;
 use machinist::linear_analysis::LinearError;
-use machinist_codegen::diagnostic::Diagnostics;
+use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_codegen::write::WriteError;
 use miette::{Report, miette};
 

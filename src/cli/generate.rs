@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::program::Program;
-use machinist_codegen::reduce::Keep;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
+use machinist_model::Model;
 
 use super::output::print;
 use super::progress::during;

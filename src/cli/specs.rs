@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use machinist_codegen::diagnostic::Diagnostics;
-use machinist_codegen::emit::tape_operations;
-use machinist_codegen::lagrange::EquationsOfMotion;
+use machinist_codegen::mechanics::lagrange::EquationsOfMotion;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::program::Program;
-use machinist_codegen::reduce::Keep;
+use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_model::Model;
+use machinist_model::operations;
 
 use super::Failure;
 
@@ -103,14 +103,14 @@ pub struct Cost {
 
 /// The cost of every function of a scene.
 pub fn costs(program: &Program) -> Vec<Cost> {
-    let plain = |function, meaning, tape: &machinist_codegen::tape::Tape| Cost {
+    let plain = |function, meaning, tape: &machinist_model::Tape| Cost {
         function,
         meaning,
         results: tape.results.len(),
         full: None,
         operations: tape_operations(tape),
     };
-    let matrix = |function, meaning, matrix: &machinist_codegen::program::MatrixTape| Cost {
+    let matrix = |function, meaning, matrix: &machinist_model::MatrixTape| Cost {
         full: Some(matrix.pattern.rows * matrix.pattern.columns),
         ..plain(function, meaning, &matrix.tape)
     };

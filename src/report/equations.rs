@@ -1,6 +1,6 @@
 //! Equations as MathML.
 
-use machinist_codegen::document::Equation;
+use machinist_codegen::emit::document::Equation;
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Parser, Storage, push_mathml};

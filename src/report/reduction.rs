@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use machinist_codegen::dependencies::{Column, Dependencies, Node};
+use machinist_codegen::mechanics::dependencies::{Column, Dependencies, Node};
 use maud::{Markup, html};
 
 use crate::cli::explain;

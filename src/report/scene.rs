@@ -1,9 +1,9 @@
 //! One scene: what it is, its equations, parameters, structure, run and energy.
 
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
-use machinist_codegen::document::Document;
-use machinist_codegen::program::Program;
-use machinist_codegen::system::LagrangianSystem;
+use machinist_codegen::emit::document::Document;
+use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_model::Model;
 use maud::{Markup, html};
 
 use super::number::{exact, number};

@@ -2,15 +2,17 @@
 
 #![allow(dead_code, reason = "every test takes what it needs")]
 
-use machinist_codegen::expr::{Expr, Function, TableId};
-use machinist_codegen::program::{MatrixTape, Program, SparsityPattern};
-use machinist_codegen::reduce::Reduction;
-use machinist_codegen::state::Layout;
-use machinist_codegen::system::{
-    Coordinate, Definition, FirstOrderState, Freeze, GeneralizedForce, LagrangianSystem, Name,
-    Parameter, Quantity, RunDefaults, SourceFile, Table,
+use machinist_codegen::expr::{Expr, Function};
+use machinist_codegen::mechanics::state::Layout;
+use machinist_codegen::scene::system::{
+    Coordinate, Definition, FirstOrderState, Freeze, GeneralizedForce, LagrangianSystem, Parameter,
 };
-use machinist_codegen::tape::{Node, NodeId, Op, Tape};
+use machinist_codegen::spec::SourceFile;
+use machinist_model::Reduction;
+use machinist_model::TableId;
+use machinist_model::{MatrixTape, Model, SparsityPattern};
+use machinist_model::{Name, Quantity, RunDefaults, Table};
+use machinist_model::{Node, NodeId, Op, Tape};
 
 /// Builds a tape, writing equal operations once.
 #[derive(Default)]

@@ -84,7 +84,7 @@ mod emitted {
         std::fs::write(&file, spec).unwrap();
         let start = Instant::now();
         let program = pipeline::generate(&file, Keep::Needed).unwrap();
-        let text = emit(&program, &EmitOptions::within_contract()).unwrap();
+        let text = emit(&program, &EmitOptions::for_scenes()).unwrap();
         let elapsed = start.elapsed();
         let lines = text.lines().filter(|line| !line.contains("scenes/shaft_with_rotors.toml"));
         let lines: Vec<&str> = lines.collect();

@@ -36,7 +36,7 @@ mod oddities {
 }
 
 /// What `tape` gives by the evaluator.
-fn evaluated(program: &Program, tape: &Tape, (time, state, parameters): &Inputs) -> Vec<f64> {
+fn evaluated(program: &Model, tape: &Tape, (time, state, parameters): &Inputs) -> Vec<f64> {
     let mut results = vec![f64::NAN; tape.results.len()];
     let tables = &program.system.tables;
     Evaluator::new(tape).evaluate(*time, state, parameters, tables, &mut results);
@@ -58,11 +58,7 @@ fn assert_same_bits(what: &str, tape: &[f64], emitted: &[f64]) {
     }
 }
 
-fn assert_simulator_is_program(
-    simulator: &impl Simulator<f64>,
-    program: &Program,
-    inputs: &Inputs,
-) {
+fn assert_simulator_is_program(simulator: &impl Simulator<f64>, program: &Model, inputs: &Inputs) {
     let (t, y, p) = (inputs.0, &inputs.1[..], &inputs.2[..]);
     let s = simulator;
     let energy = s.energy(t, y, p);

@@ -85,7 +85,7 @@ fn chain(n: u32) -> LagrangianSystem {
     system
 }
 
-fn program(system: LagrangianSystem) -> Program {
+fn program(system: LagrangianSystem) -> Model {
     let linearization = session(move |cas| {
         let equations = lagrange::derive(cas, &system);
         linearize(cas, &equations)

@@ -146,8 +146,6 @@ pub struct Layout {
     pub attachments: Vec<Attachment>,
     /// For each coordinate of each instance, what it is attached to.
     attached: Vec<Option<usize>>,
-    /// Number of parameters without those that fields hand over.
-    parameters: usize,
 }
 
 impl Layout {
@@ -187,7 +185,6 @@ impl Layout {
         let slots = next[0];
         let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });
         let (links, representatives) = (links.collect(), (0..slots).collect());
-        let parameters = next[1];
         let (attachments, attached) = (Vec::new(), vec![None; slots]);
         Layout {
             units,
@@ -198,7 +195,6 @@ impl Layout {
             representatives,
             attachments,
             attached,
-            parameters,
         }
     }
 

@@ -67,7 +67,7 @@
 //   prepared_rate            61
 //   prepared_rate_jacobian   29
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},

@@ -50,7 +50,7 @@
 //   prepared_rate            29
 //   prepared_rate_jacobian   14
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };

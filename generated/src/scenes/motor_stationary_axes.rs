@@ -51,7 +51,7 @@
 //   prepared_rate           104
 //   prepared_rate_jacobian  294
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind,
     taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},

@@ -58,7 +58,7 @@
 //   prepared_rate            15
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},

@@ -56,7 +56,7 @@
 //   prepared_rate            55
 //   prepared_rate_jacobian   34
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

@@ -56,7 +56,7 @@
 //   prepared_rate            62
 //   prepared_rate_jacobian   40
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

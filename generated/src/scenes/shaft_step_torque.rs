@@ -48,7 +48,7 @@
 //   prepared_rate             2
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},

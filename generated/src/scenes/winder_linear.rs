@@ -49,7 +49,7 @@
 //   prepared_rate            31
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations, taylor::{TaylorSeries, order_and_inverse},
 };

@@ -49,7 +49,7 @@
 //   prepared_rate            35
 //   prepared_rate_jacobian   14
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };

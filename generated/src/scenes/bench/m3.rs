@@ -58,7 +58,7 @@
 //   prepared_rate            63
 //   prepared_rate_jacobian   40
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},

@@ -1,6 +1,7 @@
 //! The `machinist` model.
 
 mod cli;
+mod deriving;
 mod explain;
 mod failure;
 mod freeze;

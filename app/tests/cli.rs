@@ -13,6 +13,7 @@ fn machinist(arguments: &[&str]) -> Command {
     command
         .args(arguments)
         .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+        .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"))
         .env("NO_COLOR", "1");
     command
 }

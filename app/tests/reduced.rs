@@ -155,7 +155,8 @@ fn assert_derivative(
 
 /// Whether runs of both are the same to the last bit, for all that they evaluate is.
 fn computes_the_same(one: &Model, other: &Model) -> bool {
-    one.states == other.states && one.quadratures == other.quadratures
+    one.states == other.states
+        && one.quadratures == other.quadratures
         && one.parameters == other.parameters
         && one.tables == other.tables
         && one.initial_state == other.initial_state

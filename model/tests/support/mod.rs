@@ -21,9 +21,14 @@ pub fn tape(ops: &[Op], results: &[u32]) -> Tape {
 pub fn random_tape(rng: &mut Rng, length: usize, calls: f64) -> Tape {
     let mut ops: Vec<Op> = Vec::with_capacity(length);
     for index in 0..length {
-        ops.push(if index < 4 || rng.f64() < 0.1 { leaf(rng) } else { operation(rng, index, calls) });
+        ops.push(if index < 4 || rng.f64() < 0.1 {
+            leaf(rng)
+        } else {
+            operation(rng, index, calls)
+        });
     }
-    let results: Vec<u32> = (0..STATES as u32).map(|k| (length as u32 - 1).saturating_sub(k)).collect();
+    let results: Vec<u32> =
+        (0..STATES as u32).map(|k| (length as u32 - 1).saturating_sub(k)).collect();
     let mut tape = tape(&ops, &results);
     // Some in the middle, one twice, and a leaf.
     tape.results.extend([NodeId(length as u32 / 2), NodeId(length as u32 - 1), NodeId(0)]);
@@ -45,7 +50,8 @@ fn leaf(rng: &mut Rng) -> Op {
 
 fn operation(rng: &mut Rng, index: usize, calls: f64) -> Op {
     let [a, b, c, d] = std::array::from_fn(|_| {
-        let back = if rng.f64() < 0.8 { rng.usize(1..=index.min(40)) } else { rng.usize(1..=index) };
+        let back =
+            if rng.f64() < 0.8 { rng.usize(1..=index.min(40)) } else { rng.usize(1..=index) };
         NodeId((index - back) as u32)
     });
     if rng.f64() < calls {

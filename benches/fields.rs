@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation};
-use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
 use machinist_contract::{Describe as _, Simulator as _};
+use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
 
 const NUMBERS: [usize; 4] = [100, 1000, 10_000, 100_000];
 /// Each is repeated for so long \[s\], and the fastest counts: the machine may be busy.

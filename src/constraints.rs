@@ -35,7 +35,7 @@ pub struct Drift {
 }
 
 /// The constraints of a simulator at given parameters.
-pub(crate) struct Constraints<'a> {
+pub struct Constraints<'a> {
     simulator: &'a dyn Simulator<f64>,
     parameters: &'a [f64],
     coordinates: usize,
@@ -45,18 +45,21 @@ pub(crate) struct Constraints<'a> {
 
 /// The first constraint that a state cannot be put back onto.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Lost(pub(crate) usize);
+pub struct Lost(pub usize);
 
 /// Of positions or of velocities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Level {
+pub enum Level {
+    /// g(q, t) = 0.
     Positions,
+    /// g'(q, q', t) = 0.
     Velocities,
 }
 
 impl<'a> Constraints<'a> {
     /// Nothing if the simulator has no constraints.
-    pub(crate) fn of(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Option<Self> {
+    #[must_use]
+    pub fn of(simulator: &'a dyn Simulator<f64>, parameters: &'a [f64]) -> Option<Self> {
         let (count, coordinates) = (simulator.constraints(), simulator.shape().coordinates);
         let drift = Cell::default();
         (count > 0).then_some(Self { simulator, parameters, coordinates, count, drift })
@@ -84,7 +87,10 @@ impl<'a> Constraints<'a> {
     }
 
     /// Newton's iteration along the shortest way, while it gets nearer.
-    pub(crate) fn put_back(&self, level: Level, time: f64, state: &mut [f64]) -> Result<(), Lost> {
+    ///
+    /// # Errors
+    /// [`Lost`] if that does not succeed.
+    pub fn put_back(&self, level: Level, time: f64, state: &mut [f64]) -> Result<(), Lost> {
         const ROUNDS: usize = 10;
         const ROUNDING: f64 = 1e-12;
         let first = self.first(level);

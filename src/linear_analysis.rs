@@ -228,6 +228,6 @@ fn position<'q>(
     (0..count).find(|index| quantity(*index).name == name)
 }
 
-#[cfg(all(test, feature = "verify"))]
+#[cfg(all(test, feature = "implicit"))]
 #[path = "linear_analysis/tests.rs"]
 mod tests;

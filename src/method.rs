@@ -13,13 +13,13 @@ mod diffsol;
 #[cfg(feature = "implicit")]
 mod exact;
 mod explicit;
-#[cfg(feature = "verify")]
-pub(crate) mod fixed;
+#[cfg(feature = "implicit")]
+pub mod fixed;
 mod lanes;
 #[cfg(feature = "implicit")]
 mod lu;
 mod one_step;
-#[cfg(all(test, feature = "verify"))]
+#[cfg(all(test, feature = "implicit"))]
 mod order;
 #[cfg(feature = "implicit")]
 mod quadrature;

@@ -2,12 +2,12 @@
 //! width, however narrow. None of it is passed over by long steps.
 #![cfg(feature = "cli")]
 
-use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
 use machinist_contract::Simulator as _;
 use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_model::interpreted::InterpretedSimulator;
 
 /// x'' + x = cos(1.3 t) - 0.2 `law`, where the law turns at v = 0 within `width`.
 fn rubbing(law: &str) -> InterpretedSimulator {

@@ -3,13 +3,13 @@
 
 use machinist::constraints::{mobility, start};
 use machinist::error::Lack;
-use machinist::interpreted::InterpretedSimulator;
 use machinist::linear_analysis::{
     LinearError, Linearization, Mode, ModeKind, Place, Point, equilibrium, operating_point,
 };
 use machinist::{Method, SimulateError, Simulation};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
+use machinist_model::interpreted::InterpretedSimulator;
 
 /// A scene of point masses `a` and `b`, 1 kg each, with more of the scene.
 fn scene(more: &str) -> InterpretedSimulator {

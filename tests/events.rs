@@ -2,12 +2,12 @@
 #![cfg(feature = "cli")]
 
 use machinist::error::StopCause;
-use machinist::interpreted::InterpretedSimulator;
 use machinist::method::{Problem, System};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
 use machinist_contract::Describe;
+use machinist_model::interpreted::InterpretedSimulator;
 
 /// A scene of one unit `ball` of coordinate `x`, mass 1 kg, with more of the unit.
 fn scene(more: &str) -> InterpretedSimulator {

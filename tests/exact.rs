@@ -2,11 +2,11 @@
 #![cfg(feature = "cli")]
 
 use machinist::error::StopCause;
-use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
 use machinist_contract::{Describe, Simulator};
+use machinist_model::interpreted::InterpretedSimulator;
 use machinist_scenes::scenes;
 
 /// The machine of a spec in one file, nothing left out.

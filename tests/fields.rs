@@ -5,8 +5,8 @@
 use machinist::error::StopCause;
 use machinist::field::{Discretisation, FieldError, FieldSimulator, MAX_ELEMENTS};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
-use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 use machinist_contract::{Describe as _, Simulator};
+use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 
 fn cut(elements: usize, order: usize) -> FieldSimulator<'static, f64> {
     let wanted = Discretisation { elements: Some(elements), order: Some(order) };
@@ -63,8 +63,8 @@ mod emitted {
     use std::time::{Duration, Instant};
 
     use machinist_codegen::emit::{EmitOptions, rust::emit};
+    use machinist_codegen::mechanics::reduce::Keep;
     use machinist_codegen::pipeline;
-    use machinist_codegen::reduce::Keep;
 
     /// The emitted scene with so many elements, without the hash of its spec and with
     /// the number put back, and the time that took.
@@ -84,7 +84,7 @@ mod emitted {
         std::fs::write(&file, spec).unwrap();
         let start = Instant::now();
         let program = pipeline::generate(&file, Keep::Needed).unwrap();
-        let text = emit(&program, &EmitOptions::within_contract()).unwrap();
+        let text = emit(&program, &EmitOptions::for_scenes()).unwrap();
         let elapsed = start.elapsed();
         let lines = text.lines().filter(|line| !line.contains("scenes/shaft_with_rotors.toml"));
         let lines: Vec<&str> = lines.collect();

@@ -10,8 +10,8 @@ mod emitted {
 }
 
 use emitted::Pendulum;
-use machinist::interpreted::InterpretedSimulator;
 use machinist_contract::{Describe, Simulator};
+use machinist_model::interpreted::InterpretedSimulator;
 
 /// Times, states and parameters between the table's knots and beyond its ends.
 fn inputs() -> impl Iterator<Item = (f64, [f64; 3], [f64; 6])> {

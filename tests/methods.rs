@@ -6,10 +6,10 @@ mod common;
 
 use common::{HardSpring, Scalar};
 use machinist::error::StopCause;
-use machinist::stability::machines::{PROTHERO_ROBINSON, ROBERTSON, VAN_DER_POL};
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_contract::Simulator;
 use machinist_scenes::scenes;
+use machinist_studies::stability::machines::{PROTHERO_ROBINSON, ROBERTSON, VAN_DER_POL};
 
 const OWN: [Method; 5] =
     [Method::Tsit5, Method::Dop853, Method::Rodas5p, Method::Radau, Method::Auto];

@@ -3,16 +3,17 @@
 
 use std::path::{Path, PathBuf};
 
-use machinist::interpreted::InterpretedSimulator;
-use machinist::object::object;
+use crate::object::object;
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
+use machinist_codegen::lower::structure::Structure;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::program::Program;
-use machinist_codegen::reduce::{Keep, What, Why};
-use machinist_codegen::structure::Structure;
 use machinist_contract::{Describe as _, Simulator as _};
+use machinist_model::Model;
+use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::{What, Why};
 
 /// A scene file with the given text, in a folder that lasts as long as it.
 struct Spec {
@@ -28,16 +29,16 @@ impl Spec {
         Spec { folder }
     }
 
-    fn program(&self, keep: Keep) -> Program {
+    fn program(&self, keep: Keep) -> Model {
         program(&self.folder.path().join("scene.toml"), keep)
     }
 
-    fn needed(&self) -> Program {
+    fn needed(&self) -> Model {
         self.program(Keep::Needed)
     }
 }
 
-fn program(path: &Path, keep: Keep) -> Program {
+fn program(path: &Path, keep: Keep) -> Model {
     match pipeline::generate(path, keep) {
         Ok(program) => program,
         Err(errors) => panic!("{}", errors.render()),
@@ -53,23 +54,28 @@ fn scenes() -> Vec<PathBuf> {
     paths
 }
 
-fn scene(name: &str) -> Program {
+fn scene(name: &str) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("specs/scenes/{name}.toml"));
     program(&path, Keep::Needed)
 }
 
-fn states(program: &Program) -> Vec<&str> {
-    program.layout.quantities().map(|quantity| quantity.name.path.as_str()).collect()
+fn states(program: &Model) -> Vec<&str> {
+    program
+        .states
+        .iter()
+        .map(|state| &state.quantity)
+        .map(|quantity| quantity.name.path.as_str())
+        .collect()
 }
 
-fn left_out(program: &Program, what: What, why: Why) -> Vec<&str> {
+fn left_out(program: &Model, what: What, why: Why) -> Vec<&str> {
     let left_out = program.reduction.left_out.iter();
     let these = left_out.filter(|thing| thing.what == what && thing.why == why);
     these.map(|thing| thing.name.as_str()).collect()
 }
 
 /// A run with errors near rounding.
-fn run(program: &Program, until: Option<f64>) -> Trajectory {
+fn run(program: &Model, until: Option<f64>) -> Trajectory {
     let simulator = InterpretedSimulator::new(program.clone());
     let states = simulator.shape().states();
     let until = until.unwrap_or(simulator.run_defaults().until);
@@ -79,18 +85,18 @@ fn run(program: &Program, until: Option<f64>) -> Trajectory {
 
 /// Largest distance of any output from the unreduced scene's, relative to the
 /// largest value of that output.
-fn distance(needed: &Program, all: &Program, until: Option<f64>) -> f64 {
+fn distance(needed: &Model, all: &Model, until: Option<f64>) -> f64 {
     let (needed_run, all_run) = (run(needed, until), run(all, until));
     let mut largest: f64 = 0.0;
-    assert!(!all.system.outputs.is_empty());
-    for output in &all.system.outputs {
+    assert!(!all.wanted.is_empty());
+    for output in &all.wanted {
         let name = &output.quantity.name.path;
         let column = |run: &Trajectory| run.column(name).expect("the output").to_vec();
         let (ours, theirs) = (column(&needed_run), column(&all_run));
         let size = theirs.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
         for (a, b) in ours.iter().zip(&theirs) {
             let distance = (a - b).abs() / size.max(f64::MIN_POSITIVE);
-            assert!(distance <= 1e-9, "{}: {name}: {a} for {b}", all.system.name);
+            assert!(distance <= 1e-9, "{}: {name}: {a} for {b}", all.name);
             largest = largest.max(distance);
         }
     }
@@ -99,7 +105,7 @@ fn distance(needed: &Program, all: &Program, until: Option<f64>) -> f64 {
 
 /// Asserts that the power balance closes and that the Jacobian is that of the rate,
 /// at some states.
-fn assert_sound(program: &Program) {
+fn assert_sound(program: &Model) {
     let simulator = InterpretedSimulator::new(program.clone());
     let shape = simulator.shape();
     let parameters: Vec<f64> =
@@ -111,7 +117,7 @@ fn assert_sound(program: &Program) {
         let power = simulator.power_balance(time, &state, &parameters);
         let size = power.stored_rate.abs() + power.supplied.abs() + power.dissipated.abs();
         let residual = power.residual().abs();
-        assert!(residual <= 1e-12 * size.max(1e-3), "{}: {power:?}", program.system.name);
+        assert!(residual <= 1e-12 * size.max(1e-3), "{}: {power:?}", program.name);
         assert_derivative(&simulator, time, &state, &parameters);
     }
 }
@@ -149,7 +155,7 @@ fn assert_derivative(
 }
 
 /// Whether runs of both are the same to the last bit, for all that they evaluate is.
-fn computes_the_same(one: &Program, other: &Program) -> bool {
+fn computes_the_same(one: &Model, other: &Model) -> bool {
     one.layout == other.layout
         && one.system.parameters == other.system.parameters
         && one.system.tables == other.system.tables
@@ -163,15 +169,15 @@ fn computes_the_same(one: &Program, other: &Program) -> bool {
 fn every_scene_gives_the_outputs_of_its_unreduced_twin() {
     for path in scenes() {
         let (needed, all) = (program(&path, Keep::Needed), program(&path, Keep::All));
-        assert!(needed.layout.len() <= all.layout.len());
+        assert!(needed.states.len() <= all.states.len());
         assert!(all.reduction.left_out.is_empty());
         if computes_the_same(&needed, &all) {
             continue;
         }
         // From the start, where motors switch on; `explain` compares whole runs.
-        let run = &all.system.run;
+        let run = &all.run;
         let until = run.from + 0.25 * (run.until - run.from);
-        println!("{}: {:.1e}", all.system.name, distance(&needed, &all, Some(until)));
+        println!("{}: {:.1e}", all.name, distance(&needed, &all, Some(until)));
     }
 }
 
@@ -223,8 +229,8 @@ speed = "cylinder.omega"
 fn an_angle_asked_for_is_integrated_last_and_is_the_same() {
     let spec = Spec::new(&format!("{GIN}\nangle = \"cylinder.phi\"\nother = \"motor.phi\"\n"));
     let (needed, all) = (spec.needed(), spec.program(Keep::All));
-    assert_eq!(needed.layout.len(), 8);
-    assert_eq!(needed.layout.quadratures, 1);
+    assert_eq!(needed.states.len(), 8);
+    assert_eq!(needed.quadratures, 1);
     assert_eq!(states(&needed)[7], "cylinder.phi");
     let columns = needed.rate_jacobian.pattern.entries.iter().map(|(_, column)| *column);
     assert!(columns.clone().all(|column| column != 7), "no rate depends on it");
@@ -255,7 +261,7 @@ fn a_unit_that_no_output_reaches_leaves_no_trace() {
     );
     let spec = Spec::new(&with_reed);
     let (needed, all) = (spec.needed(), spec.program(Keep::All));
-    assert_eq!(all.layout.len(), 10);
+    assert_eq!(all.states.len(), 10);
     assert_eq!(left_out(&needed, What::State, Why::Unreachable), ["reed.bend", "reed.bend_dot"]);
     assert_eq!(left_out(&needed, What::Unit, Why::Unreachable), ["reed"]);
     assert_eq!(left_out(&needed, What::Table, Why::Unreachable).len(), 1);
@@ -266,7 +272,7 @@ fn a_unit_that_no_output_reaches_leaves_no_trace() {
     );
     assert_sound(&needed);
     // Without its comments, which name the files and tell what the scene is.
-    let text = emit(&needed, &EmitOptions::within_contract()).expect("emitted");
+    let text = emit(&needed, &EmitOptions::for_scenes()).expect("emitted");
     assert!(!text.contains("reed"), "{text}");
     assert!(!holds(&compiled(&needed), "reed"), "the object file has a name of the reed");
     assert!(holds(&compiled(&all), "reed"), "and has none where the reed is kept");
@@ -276,7 +282,7 @@ fn a_unit_that_no_output_reaches_leaves_no_trace() {
     assert_eq!(needed.power_balance, without.power_balance);
 }
 
-fn compiled(program: &Program) -> Vec<u8> {
+fn compiled(program: &Model) -> Vec<u8> {
     object(program).expect("compiled")
 }
 
@@ -292,7 +298,7 @@ fn a_scene_holds_no_name_of_units_it_is_not_made_of() {
         ("winder_linear", ["motor", "twist", "reed"], "holder"),
     ] {
         let program = scene(name);
-        let text = emit(&program, &EmitOptions::within_contract()).expect("emitted");
+        let text = emit(&program, &EmitOptions::for_scenes()).expect("emitted");
         // Comments name the sources and tell what the machine is.
         let code: String = text.lines().filter(|line| !line.trim().starts_with("//")).collect();
         let object = compiled(&program);
@@ -355,7 +361,7 @@ twist = "first.twist"
 fn a_chain_with_ratios_has_one_position_less() {
     let spec = Spec::new(CHAIN);
     let needed = spec.needed();
-    assert_eq!((needed.layout.len(), needed.layout.positions()), (5, 2));
+    assert_eq!((needed.states.len(), needed.layout.positions()), (5, 2));
     distance(&needed, &spec.program(Keep::All), None);
     assert_sound(&needed);
 }
@@ -375,7 +381,7 @@ fn two_chains_apart_lose_a_position_each_and_both_angles_come_back() {
         );
     let spec = Spec::new(&format!("{other}other = \"f.torque\"\n"));
     let needed = spec.needed();
-    assert_eq!((needed.layout.len(), needed.layout.positions()), (8, 3));
+    assert_eq!((needed.states.len(), needed.layout.positions()), (8, 3));
     distance(&needed, &spec.program(Keep::All), Some(1.0));
     assert_sound(&needed);
     let spec = Spec::new(&format!(
@@ -383,7 +389,7 @@ fn two_chains_apart_lose_a_position_each_and_both_angles_come_back() {
          both = {{ expression = \"a.phi + sin(e.phi)*d.phi\", unit = \"rad\" }}\n"
     ));
     let needed = spec.needed();
-    assert_eq!((needed.layout.len(), needed.layout.quadratures), (10, 2));
+    assert_eq!((needed.states.len(), needed.quadratures), (10, 2));
     distance(&needed, &spec.program(Keep::All), Some(1.0));
     assert_sound(&needed);
 }
@@ -569,7 +575,7 @@ fn a_state_that_is_only_counted_stands_last() {
     );
     let needed = spec.needed();
     assert_eq!(states(&needed), ["circuit.i", "circuit.charge"]);
-    assert_eq!(needed.layout.quadratures, 1);
+    assert_eq!(needed.quadratures, 1);
     distance(&needed, &spec.program(Keep::All), None);
 }
 
@@ -579,12 +585,12 @@ fn fixed_parameters_become_numbers_and_zeros_take_their_terms_with_them() {
         CHAIN.replace("damping = 0.3", "damping = 0.0").replace("ratio = 2.0", "ratio = 1.0");
     let spec = Spec::new(&format!("{undamped}\n[tunable]\nparameters = [\"a.inertia\"]\n"));
     let (needed, all) = (spec.needed(), spec.program(Keep::All));
-    let parameters = needed.system.parameters.iter();
+    let parameters = needed.parameters.iter();
     let parameters: Vec<&str> = parameters.map(|p| p.quantity.name.path.as_str()).collect();
     assert_eq!(parameters, ["a.inertia"]);
     assert_eq!(left_out(&needed, What::Parameter, Why::Zero), ["first.damping"]);
     assert_eq!(left_out(&needed, What::Parameter, Why::Fixed).len(), 7);
-    let operations = machinist_codegen::emit::tape_operations;
+    let operations = machinist_model::operations;
     assert!(operations(&needed.rate) < operations(&Spec::new(&undamped).needed().rate));
     distance(&needed, &all, None);
     assert_sound(&needed);
@@ -603,7 +609,7 @@ fn a_fixed_parameter_that_would_divide_by_zero_stays() {
          [[forces]]\nport = \"c.shaft\"\nexpression = \"min(1, t/width)*1 [N m]\"\n[tunable]\nparameters = []\n[run]",
     );
     let needed = Spec::new(&text).needed();
-    let parameters = needed.system.parameters.iter();
+    let parameters = needed.parameters.iter();
     let parameters: Vec<&str> = parameters.map(|p| p.quantity.name.path.as_str()).collect();
     assert_eq!(parameters, ["width"]);
 }
@@ -626,7 +632,7 @@ fn frozen(outputs: &str, tolerance: &str) -> Spec {
 fn a_rigid_coupling_makes_two_rotors_one() {
     let spec = frozen("speed = \"cylinder.omega\"\nmotor = \"motor.omega\"\n", "0.05");
     let (needed, exact) = (spec.needed(), spec.program(Keep::Exact));
-    assert_eq!((needed.layout.len(), exact.layout.len()), (5, 7));
+    assert_eq!((needed.states.len(), exact.states.len()), (5, 7));
     assert_eq!(left_out(&needed, What::State, Why::Frozen), ["motor.phi", "motor.omega"]);
     let unneeded = left_out(&needed, What::Parameter, Why::Unreachable);
     assert_eq!(unneeded, ["coupling.stiffness", "coupling.damping"]);

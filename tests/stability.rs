@@ -1,10 +1,10 @@
 //! Extreme cases: `auto` is never wrong, no method hangs, and what is right is known.
 #![cfg(feature = "verify")]
 
-use machinist::stability::{
+use machinist::{Method, SimulateError};
+use machinist_studies::stability::{
     ALLOWED, MAX_STEPS, Outcome, Plan, constraint_drift, observed_orders, study,
 };
-use machinist::{Method, SimulateError};
 
 #[test]
 fn auto_is_wrong_in_no_extreme_case_and_every_truth_is_known_well_enough() {

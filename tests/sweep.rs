@@ -5,10 +5,10 @@ use machinist::error::StopCause;
 use machinist::lanes::{F64x4, F64x8, Lanes};
 use machinist::sweep::{Sweepable, VariantRun};
 use machinist::{Method, SimulateError, Simulation, Sweep};
+use machinist_contract::{Describe, Real, Simulator};
 use machinist_scenes::scenes::{
     bouncing_mass, pendulum_chain, saw_gin, two_mass, winder_nonlinear,
 };
-use machinist_contract::{Describe, Real, Simulator};
 
 /// What one run after another gives.
 fn one_by_one<'a, S: Sweepable>(

@@ -49,7 +49,7 @@ fn json_holds_what_the_trajectory_holds() {
 
 #[cfg(feature = "plot")]
 mod plots {
-    use machinist::plot::{PlotError, plot};
+    use crate::plot::{PlotError, plot};
 
     use super::run;
 

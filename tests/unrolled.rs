@@ -6,12 +6,12 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use machinist::field::{Discretisation, FieldSimulator, Lobatto};
-use machinist::interpreted::InterpretedSimulator;
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
 use machinist_contract::field::FieldScene;
-use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 use machinist_contract::{Describe as _, Simulator};
+use machinist_model::interpreted::InterpretedSimulator;
+use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 
 /// A field with everything that may vary, an inner port and machines at two of three.
 const BENT: &str = r#"

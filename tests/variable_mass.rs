@@ -2,10 +2,10 @@
 //! energy.
 #![cfg(feature = "cli")]
 
-use machinist::interpreted::InterpretedSimulator;
 use machinist::{Method, Simulation};
+use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::reduce::Keep;
+use machinist_model::interpreted::InterpretedSimulator;
 
 /// A cart that is loaded with sand while it is pushed; sand falls in from rest.
 const CART: &str = r#"

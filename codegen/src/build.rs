@@ -7,7 +7,7 @@
 //! }
 //! ```
 //!
-//! and in the crate, which depends on `machinist-scenes`:
+//! and in the crate, which depends on `machinist-contract`:
 //!
 //! ```text
 //! mod drive {
@@ -19,13 +19,13 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::diagnostic::Diagnostics;
 use crate::emit::rust::emit;
 use crate::emit::{EmitError, EmitOptions};
+use crate::mechanics::reduce::Keep;
 use crate::pipeline;
-use crate::program::Program;
-use crate::reduce::Keep;
+use crate::spec::diagnostic::Diagnostics;
 use crate::write::{WriteError, write_within};
+use machinist_model::Model;
 
 /// Emits scenes to `OUT_DIR`, one file a scene, for a build script.
 #[derive(Debug, Clone, Default)]
@@ -85,9 +85,9 @@ impl Build {
         let options = EmitOptions::for_build_script();
         let mut texts = BTreeMap::new();
         for scene in &self.scenes {
-            let program = generate(scene)?;
-            let name = program.system.name.clone();
-            let text = emit(&program, &options)
+            let model = generate(scene)?;
+            let name = model.name.clone();
+            let text = emit(&model, &options)
                 .map_err(|source| BuildError::Emit { scene: name.clone(), source })?;
             if texts.insert(name.clone(), text).is_some() {
                 return Err(BuildError::NamedTwice { scene: name });
@@ -97,24 +97,25 @@ impl Build {
     }
 }
 
-/// A scene to its program, with word to Cargo of the files that took part. A
+/// A scene to its model, with word to Cargo of the files that took part. A
 /// scene that fails needs the spec itself only: Cargo runs a build script that
 /// has failed again in any case.
-fn generate(scene: &Path) -> Result<Program, BuildError> {
+fn generate(scene: &Path) -> Result<Model, BuildError> {
     println!("cargo:rerun-if-changed={}", scene.display());
-    let program = pipeline::generate(scene, Keep::Needed)?;
-    if !program.system.freeze.rigid.is_empty() {
-        let scene = &program.system.name;
+    let system = pipeline::check(scene)?;
+    // Units that come with Machinist have no path; they change with the crate.
+    for file in system.files.iter().filter(|file| !file.path.as_os_str().is_empty()) {
+        println!("cargo:rerun-if-changed={}", file.path.display());
+    }
+    let model = pipeline::compile(system, Keep::Needed)?;
+    if !model.freeze.rigid.is_empty() {
+        let scene = &model.name;
         println!(
             "cargo:warning=scene {scene} is frozen in part; `machinist explain` measures what that \
              does to its outputs"
         );
     }
-    // Units that come with Machinist have no path; they change with the crate.
-    for file in program.system.files.iter().filter(|file| !file.path.as_os_str().is_empty()) {
-        println!("cargo:rerun-if-changed={}", file.path.display());
-    }
-    Ok(program)
+    Ok(model)
 }
 
 /// Why scenes could not be emitted by a build script. Its `Debug` form is the

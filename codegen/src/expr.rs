@@ -1,11 +1,22 @@
-//! Expressions after names are resolved.
+//! Expressions after names are resolved, and the operations they are made of.
 //!
 //! Excluded: spans, strings and units (they stay in [`crate::spec`]), and any
 //! type of the computer algebra system (it stays in [`crate::cas`]).
 
+pub mod abbreviate;
+mod cost;
+mod fold;
+mod graph;
+mod terms;
+pub mod trigonometry;
+
 use std::collections::BTreeSet;
 
+use machinist_model::{Function as Unary, TableId};
 use num_rational::BigRational;
+
+pub use cost::{operations, weigh};
+pub use graph::Graph;
 
 /// Index of a generalized coordinate of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -23,9 +34,9 @@ pub struct ParameterId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct HelperId(pub u32);
 
-/// Index of an interpolation table of a scene.
+/// A number that a field hands to the machine at one of its ports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct TableId(pub u32);
+pub struct HandedId(pub u32);
 
 /// A constraint of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -50,7 +61,9 @@ pub enum Symbol {
     FirstOrder(FirstOrderId),
     /// Parameter p.
     Parameter(ParameterId),
-    /// A helper standing for its expression; from [`crate::abbreviate`] on only.
+    /// What a field hands over.
+    Handed(HandedId),
+    /// A helper standing for its expression; from [`crate::expr::abbreviate`] on only.
     Helper(HelperId),
 }
 
@@ -97,19 +110,25 @@ pub enum Function {
 }
 
 impl Function {
-    /// Whether f(-x) is -f(x), or else f(x), to the last bit; nothing if neither.
+    /// As the operation of a tape; those that are operations of their own are none.
     #[must_use]
-    pub fn is_odd(self) -> Option<bool> {
-        match self {
-            Self::Sin | Self::Tan | Self::Asin | Self::Atan | Self::Sinh | Self::Tanh => Some(true),
-            Self::Cos | Self::Cosh | Self::Abs => Some(false),
-            Self::Sqrt
-            | Self::Exp
-            | Self::Ln
-            | Self::Acos
-            | Self::SelectLess
-            | Self::Table { .. } => None,
-        }
+    pub fn unary(self) -> Option<Unary> {
+        Some(match self {
+            Self::Sqrt => Unary::Sqrt,
+            Self::Abs => Unary::Abs,
+            Self::Exp => Unary::Exp,
+            Self::Ln => Unary::Ln,
+            Self::Sin => Unary::Sin,
+            Self::Cos => Unary::Cos,
+            Self::Tan => Unary::Tan,
+            Self::Asin => Unary::Asin,
+            Self::Acos => Unary::Acos,
+            Self::Atan => Unary::Atan,
+            Self::Sinh => Unary::Sinh,
+            Self::Cosh => Unary::Cosh,
+            Self::Tanh => Unary::Tanh,
+            Self::SelectLess | Self::Table { .. } => return None,
+        })
     }
 }
 

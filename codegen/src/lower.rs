@@ -1,28 +1,10 @@
-//! Linearized equations to one tape for each function.
+//! Linearized equations to a model: one tape for each function.
 
-pub(crate) mod graph;
-mod program;
-mod terms;
+pub mod angles;
+pub mod density;
+pub mod excitation;
+mod factor;
+mod model;
+pub mod structure;
 
-use crate::expr::Expr;
-use crate::tape::Op;
-
-pub use graph::Graph;
-pub use program::lower;
-
-/// Operations of the tape of one expression.
-#[must_use]
-pub fn operations(expr: &Expr) -> usize {
-    weigh(expr).0
-}
-
-/// Operations of the tape of one expression, and the time that they take in that of a sum,
-/// roughly.
-#[must_use]
-pub fn weigh(expr: &Expr) -> (usize, u32) {
-    let mut graph = Graph::new();
-    let root = graph.lower(expr);
-    let ops = graph.tape(&[root]).nodes.into_iter().map(|node| node.op);
-    let ops = ops.filter(Op::is_arithmetic);
-    ops.fold((0, 0), |(count, time), op| (count + 1, time + op.cost()))
-}
+pub use model::lower;

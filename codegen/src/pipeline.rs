@@ -1,36 +1,41 @@
-//! The straight line, from spec text to a program ready to be emitted.
+//! The straight line, from spec text to a model.
 //!
 //! ```text
 //! spec text -> SceneSpec -> LagrangianSystem -> EquationsOfMotion
-//!   -> EquationsOfMotion of what is needed -> Linearization -> Program -> emitted Rust
+//!   -> (reduce) -> Linearization -> Model -> emitted Rust, and all that runs models
 //! ```
+//!
+//! A step of reduction may give another system; then equations are derived again, here and
+//! nowhere else.
 
 use std::path::Path;
 
-use crate::cas::{Cas, session};
-use crate::density::FieldEquations;
-use crate::diagnostic::Diagnostics;
-use crate::lagrange::{self, EquationsOfMotion};
-use crate::linearize::{Linearization, linearize};
-use crate::program::Program;
-use crate::reduce::{FreezeError, Keep, reduce};
-use crate::system::LagrangianSystem;
-use crate::{density, lower, scene, spec};
+use machinist_model::Model;
+use machinist_model::file::Stamped;
 
-/// A scene file to its program, of the whole scene or of what its outputs need.
+use crate::cas::{Cas, CasError, session};
+use crate::mechanics::density::{self, FieldEquations};
+use crate::mechanics::lagrange::{self, EquationsOfMotion};
+use crate::mechanics::linearize::{Linearization, linearize};
+use crate::mechanics::reduce::{FreezeError, Keep, Step, drop_unused};
+use crate::scene::system::LagrangianSystem;
+use crate::spec::diagnostic::{Diagnostic, Diagnostics};
+use crate::{lower, scene, spec};
+
+/// A scene file to its model, of the whole scene or of what its outputs need.
 ///
 /// # Errors
 /// With file, line, span and hint for whatever is wrong in the spec.
-pub fn generate(scene: &Path, keep: Keep) -> Result<Program, Diagnostics> {
+pub fn generate(scene: &Path, keep: Keep) -> Result<Model, Diagnostics> {
     compile(check(scene)?, keep)
 }
 
-/// A checked scene to its program.
+/// A checked scene to its model.
 ///
 /// # Errors
 /// As [`generate`].
-pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Program, Diagnostics> {
-    let keep = most(&system, keep);
+pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostics> {
+    let keep = possible(&system, keep);
     let linear = session(move |cas| {
         let equations = lagrange::derive(cas, &system);
         let needed = reduce(cas, &equations, keep)?;
@@ -39,9 +44,30 @@ pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Program, Diagnost
     Ok(linear.lower())
 }
 
+/// The equations of what is kept.
+fn reduce(
+    cas: &mut Cas,
+    whole: &EquationsOfMotion,
+    keep: Keep,
+) -> Result<EquationsOfMotion, FreezeError> {
+    let mut equations = whole.clone();
+    for step in keep.steps() {
+        equations = match step.step(cas, equations)? {
+            Step::Equations(equations) => equations,
+            Step::System(system, reduction) => {
+                EquationsOfMotion { reduction, ..lagrange::derive(cas, &system) }
+            }
+        };
+    }
+    if keep > Keep::All {
+        equations = drop_unused(cas, equations, whole);
+    }
+    Ok(equations)
+}
+
 /// What may be left out of a system: what a field holds on to is not seen in the
 /// machine's own equations.
-fn most(system: &LagrangianSystem, keep: Keep) -> Keep {
+fn possible(system: &LagrangianSystem, keep: Keep) -> Keep {
     if system.fields.is_empty() { keep } else { Keep::All }
 }
 
@@ -57,38 +83,38 @@ impl Linear {
         Linear { machine: linearize(cas, equations), fields }
     }
 
-    fn lower(&self) -> Program {
-        let mut program = lower::lower(&self.machine);
+    fn lower(&self) -> Model {
+        let mut model = lower::lower(&self.machine);
         let fields = self.machine.equations.system.fields.iter().zip(&self.fields);
-        program.fields =
-            fields.map(|(field, equations)| density::lower(field, equations)).collect();
-        program
+        model.fields =
+            fields.map(|(field, equations)| lower::density::lower(field, equations)).collect();
+        model
     }
 }
 
-/// A scene's programs, of the whole and after each step of reduction.
+/// A scene's models, of the whole and after each step of reduction.
 #[derive(Debug, Clone)]
 pub struct Stages {
     /// Nothing left out.
-    pub whole: Program,
+    pub whole: Model,
     /// After each step that changed anything, that step and what is left.
-    pub steps: Vec<(Keep, Program)>,
+    pub steps: Vec<(Keep, Model)>,
 }
 
 impl Stages {
     /// The last of them.
     #[must_use]
-    pub fn needed(&self) -> &Program {
-        self.steps.last().map_or(&self.whole, |(_, program)| program)
+    pub fn needed(&self) -> &Model {
+        self.steps.last().map_or(&self.whole, |(_, model)| model)
     }
 }
 
-/// Equations of a whole scene to its programs, step by step up to `keep`.
+/// Equations of a whole scene to its models, step by step up to `keep`.
 ///
 /// # Errors
 /// As [`generate`].
 pub fn stages(equations: EquationsOfMotion, keep: Keep) -> Result<Stages, Diagnostics> {
-    let keep = most(&equations.system, keep);
+    let keep = possible(&equations.system, keep);
     let (whole, steps) = session(move |cas| {
         let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
         for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
@@ -121,4 +147,31 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
     Ok(session(move |cas| lagrange::derive(cas, &system))?)
+}
+
+/// A model with word of what made it.
+#[must_use]
+pub fn stamped(model: Model, keep: Keep) -> Stamped {
+    Stamped { generator: format!("{}, {}", generator(), keep.name()), model }
+}
+
+/// What makes models here: name and version.
+#[must_use]
+pub fn generator() -> String {
+    format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION"))
+}
+
+impl From<CasError> for Diagnostics {
+    fn from(error: CasError) -> Self {
+        let help = "the folder must exist and be writable";
+        Diagnostic::of_file("", error.to_string(), help).into()
+    }
+}
+
+impl From<FreezeError> for Diagnostics {
+    fn from(error: FreezeError) -> Self {
+        let help =
+            "leave it out of `rigid` in [freeze]; `machinist explain` lists what can be frozen";
+        Diagnostic::of_file("", error.to_string(), help).into()
+    }
 }

@@ -14,17 +14,16 @@ mod lookup;
 mod names;
 mod resolve;
 mod spline;
+pub mod system;
 mod typed;
 
 pub(crate) use evaluate::evaluate;
-pub(crate) use layout::HANDED;
-pub use layout::Place;
 
-use crate::diagnostic::{Diagnostic, Diagnostics, Mistake};
 use crate::expr::ParameterId;
+use crate::scene::system::LagrangianSystem;
 use crate::spec::SceneSpec;
-use crate::stack;
-use crate::system::LagrangianSystem;
+use crate::spec::diagnostic::{Diagnostic, Diagnostics, Mistake};
+use crate::spec::stack;
 
 /// Checks a scene and joins its units: instances get their parameters and inputs,
 /// joined coordinates become one, energies are summed, forces act by virtual work.

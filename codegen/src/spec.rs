@@ -4,6 +4,8 @@
 //! not followed; [`crate::scene`] does that.
 
 mod constraint;
+pub mod diagnostic;
+pub mod dimension;
 mod distributed;
 mod event;
 pub mod expression;
@@ -13,6 +15,7 @@ mod loader;
 mod names;
 mod scene;
 mod source;
+pub(crate) mod stack;
 mod table;
 mod toml;
 mod unit;
@@ -23,14 +26,14 @@ pub use self::distributed::{
     AttachmentSpec, Boundary, DiscretisationSpec, FieldSpec, MAX_ELEMENTS, MAX_ORDER, Mass,
 };
 pub use self::names::{did_you_mean, quoted};
-pub use self::source::{MAX_FILE_BYTES, SourceText, Sources};
+pub use self::scene::METHODS;
+pub use self::source::{MAX_FILE_BYTES, SourceFile, SourceText, Sources};
 pub use self::table::{Column, CsvTable};
 
+use self::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
+use self::dimension::Unit;
 use self::expression::{Ast, Literal};
-use crate::diagnostic::{Diagnostic, Diagnostics, FileId, Span, Spanned};
-use crate::dimension::Unit;
-use crate::stack;
-use crate::system::Direction;
+use machinist_model::Direction;
 
 /// Reads a scene, the units it names, and the tables they name.
 ///
@@ -411,6 +414,6 @@ pub struct RunSpec {
     pub points: usize,
     /// Relative tolerance.
     pub rtol: f64,
-    /// One of [`crate::system::METHODS`].
+    /// One of [`crate::spec::METHODS`].
     pub method: String,
 }

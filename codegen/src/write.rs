@@ -4,6 +4,8 @@
 //! not at all, and only within the folder given, but for the manifest of the crate
 //! that the folder belongs to; nothing is ever deleted.
 
+mod features;
+
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
@@ -12,8 +14,7 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::emit::rust::{MARK, emit, emit_index};
 use crate::emit::{EmitError, EmitOptions};
-use crate::features;
-use crate::program::Program;
+use machinist_model::Model;
 
 /// The command that mends emitted scenes which are not fresh.
 pub const MENDING_COMMAND: &str = "cargo run --release -- gen";
@@ -61,7 +62,7 @@ pub struct Summary {
 /// Why emitted files could not be written, or are not as they should be.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
-    /// A program cannot be emitted.
+    /// A model cannot be emitted.
     #[error("scene `{scene}`: {source}")]
     Emit {
         /// The scene.
@@ -87,16 +88,16 @@ pub enum WriteError {
     },
 }
 
-/// Emits every program to `<scene>.rs` in `folder`, and `mod.rs` that lists them. If
+/// Emits every model to `<scene>.rs` in `folder`, and `mod.rs` that lists them. If
 /// `folder` is `src/scenes` of a crate with a feature `scenes`, its manifest gets one
 /// feature for each.
 ///
 /// # Errors
 /// [`WriteError`]; in [`Mode::Check`], [`WriteError::NotFresh`] names every file
 /// that is not fresh, and the command that mends them.
-pub fn emit_scenes(folder: &Path, programs: &[Program], mode: Mode) -> Result<Summary, WriteError> {
-    let manifest = manifest(folder, programs)?;
-    let texts = texts(programs, manifest.is_some())?;
+pub fn emit_scenes(folder: &Path, models: &[Model], mode: Mode) -> Result<Summary, WriteError> {
+    let manifest = manifest(folder, models)?;
+    let texts = texts(models, manifest.is_some())?;
     let orphans = orphans(folder, &texts)?;
     let mut files = Vec::with_capacity(texts.len() + 1);
     for (file, text) in texts {
@@ -161,16 +162,16 @@ pub fn check(path: &Path, text: &str) -> io::Result<Freshness> {
 }
 
 /// File names and texts of all scenes and their index, sorted by name.
-fn texts(programs: &[Program], scene_features: bool) -> Result<Vec<(String, String)>, WriteError> {
-    let options = EmitOptions { scene_features, ..EmitOptions::within_contract() };
+fn texts(models: &[Model], scene_features: bool) -> Result<Vec<(String, String)>, WriteError> {
+    let options = EmitOptions { scene_features, ..EmitOptions::for_scenes() };
     let refer = |scene: &str, source| WriteError::Emit { scene: scene.to_owned(), source };
-    let mut sorted: Vec<&Program> = programs.iter().collect();
-    sorted.sort_by(|a, b| a.system.name.cmp(&b.system.name));
+    let mut sorted: Vec<&Model> = models.iter().collect();
+    sorted.sort_by(|a, b| a.name.cmp(&b.name));
     let index = emit_index(&sorted, &options).map_err(|source| refer("mod", source))?;
-    let mut texts = Vec::with_capacity(programs.len() + 1);
-    for program in sorted {
-        let name = &program.system.name;
-        let text = emit(program, &options).map_err(|source| refer(name, source))?;
+    let mut texts = Vec::with_capacity(models.len() + 1);
+    for model in sorted {
+        let name = &model.name;
+        let text = emit(model, &options).map_err(|source| refer(name, source))?;
         texts.push((format!("{name}.rs"), text));
     }
     texts.push(("mod.rs".to_owned(), index));
@@ -181,10 +182,10 @@ fn texts(programs: &[Program], scene_features: bool) -> Result<Vec<(String, Stri
 /// The manifest of the crate that `folder` belongs to, with a feature for each scene.
 fn manifest(
     folder: &Path,
-    programs: &[Program],
+    models: &[Model],
 ) -> Result<Option<(PathBuf, String, String)>, WriteError> {
     let Some(path) = features::manifest_of(folder) else { return Ok(None) };
-    let scenes: Vec<&str> = programs.iter().map(|program| program.system.name.as_str()).collect();
+    let scenes: Vec<&str> = models.iter().map(|model| model.name.as_str()).collect();
     let failed = |source| WriteError::Io { path: path.clone(), source };
     let text = fs::read_to_string(&path).map_err(failed)?;
     let text = features::with_scenes(&text, &scenes);
@@ -211,7 +212,7 @@ fn check_all(
     }
 }
 
-/// Emitted files in `folder` that no program gives any more, sorted.
+/// Emitted files in `folder` that no model gives any more, sorted.
 fn orphans(folder: &Path, texts: &[(String, String)]) -> Result<Vec<String>, WriteError> {
     let failed = |source| WriteError::Io { path: folder.to_owned(), source };
     let entries = match fs::read_dir(folder) {

@@ -1,8 +1,9 @@
 //! What the computer algebra gives back.
 
 use machinist_codegen::cas::session;
-use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol, TableId};
-use machinist_codegen::lower::operations;
+use machinist_codegen::expr::operations;
+use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
+use machinist_model::TableId;
 use num_rational::BigRational;
 
 fn number(n: i64) -> Expr {

@@ -4,10 +4,10 @@
 
 mod support;
 
-use machinist_codegen::evaluate::Evaluator;
-use machinist_codegen::program::Program;
-use machinist_codegen::tape::Tape;
 use machinist_contract::{Describe, Simulator};
+use machinist_model::Model;
+use machinist_model::Tape;
+use machinist_model::evaluate::Evaluator;
 use proptest::prelude::*;
 
 #[deny(warnings, clippy::pedantic, missing_docs)]
@@ -36,7 +36,7 @@ mod oddities {
 }
 
 /// What `tape` gives by the evaluator.
-fn evaluated(program: &Program, tape: &Tape, (time, state, parameters): &Inputs) -> Vec<f64> {
+fn evaluated(program: &Model, tape: &Tape, (time, state, parameters): &Inputs) -> Vec<f64> {
     let mut results = vec![f64::NAN; tape.results.len()];
     let tables = &program.system.tables;
     Evaluator::new(tape).evaluate(*time, state, parameters, tables, &mut results);
@@ -58,11 +58,7 @@ fn assert_same_bits(what: &str, tape: &[f64], emitted: &[f64]) {
     }
 }
 
-fn assert_simulator_is_program(
-    simulator: &impl Simulator<f64>,
-    program: &Program,
-    inputs: &Inputs,
-) {
+fn assert_simulator_is_program(simulator: &impl Simulator<f64>, program: &Model, inputs: &Inputs) {
     let (t, y, p) = (inputs.0, &inputs.1[..], &inputs.2[..]);
     let s = simulator;
     let energy = s.energy(t, y, p);

@@ -7,16 +7,17 @@ mod support;
 use std::path::Path;
 
 use machinist_codegen::emit::rust::{emit, emit_index};
-use machinist_codegen::emit::{EmitError, EmitOptions, tape_operations};
-use machinist_codegen::program::Program;
-use machinist_codegen::tape::{Node, NodeId, Op, Tape};
+use machinist_codegen::emit::{EmitError, EmitOptions};
+use machinist_model::Model;
+use machinist_model::operations;
+use machinist_model::{Node, NodeId, Op, Tape};
 use support::{HOSTILE, coupled, oddities, pendulum, recurrences, tape};
 
-fn emitted(program: &Program) -> String {
+fn emitted(program: &Model) -> String {
     emit(program, &EmitOptions::for_build_script()).expect("a program that can be emitted")
 }
 
-fn assert_kept(program: &Program) {
+fn assert_kept(program: &Model) {
     let name = format!("{}.rs", program.system.name);
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/emitted").join(name);
     let text = emitted(program);
@@ -103,12 +104,12 @@ impl syn::visit::Visit<'_> for Strings {
 fn a_number_without_a_literal_is_refused() {
     let mut program = pendulum();
     program.system.parameters[2].value = f64::INFINITY;
-    let error = emit(&program, &EmitOptions::within_contract()).expect_err("infinite gravity");
+    let error = emit(&program, &EmitOptions::for_scenes()).expect_err("infinite gravity");
     insta::assert_snapshot!(error, @"parameter `arm.gravity`: inf is not a finite number, so it cannot be emitted");
 
     let mut program = pendulum();
     program.forcing = tape(|b| vec![b.number(f64::NAN)]);
-    let error = emit(&program, &EmitOptions::within_contract()).expect_err("no number");
+    let error = emit(&program, &EmitOptions::for_scenes()).expect_err("no number");
     insta::assert_snapshot!(error, @"function `forcing`: NaN is not a finite number, so it cannot be emitted");
 }
 
@@ -116,7 +117,7 @@ fn a_number_without_a_literal_is_refused() {
 fn names_that_are_no_identifiers_are_refused() {
     let mut program = pendulum();
     program.system.parameters[0].quantity.name.ident = "mass; fn main() {}".to_owned();
-    let error = emit(&program, &EmitOptions::within_contract()).expect_err("code as a name");
+    let error = emit(&program, &EmitOptions::for_scenes()).expect_err("code as a name");
     assert_eq!(error, EmitError::Identifier { name: "mass; fn main() {}".to_owned() });
 }
 
@@ -131,8 +132,8 @@ fn tapes_that_break_their_rules_are_refused() {
         late,
     ];
     let reasons = cases.map(|tape| {
-        let program = Program { initial_state: tape, ..pendulum() };
-        let error = emit(&program, &EmitOptions::within_contract()).expect_err("a broken rule");
+        let program = Model { initial_state: tape, ..pendulum() };
+        let error = emit(&program, &EmitOptions::for_scenes()).expect_err("a broken rule");
         error.to_string()
     });
     insta::assert_snapshot!(reasons.join("\n"));
@@ -142,20 +143,20 @@ fn tapes_that_break_their_rules_are_refused() {
 fn operations_without_a_use_are_not_counted() {
     let program = pendulum();
     let mut forcing = program.forcing.clone();
-    assert_eq!(tape_operations(&forcing), 7);
+    assert_eq!(operations(&forcing), 7);
     forcing.nodes.push(Node { op: Op::Neg(NodeId(0)), name: None });
-    assert_eq!(tape_operations(&forcing), 7);
+    assert_eq!(operations(&forcing), 7);
 }
 
 #[test]
 fn the_index_lists_scenes_by_name() {
     let (pendulum, oddities) = (pendulum(), oddities());
-    let index = emit_index(&[&pendulum, &oddities], &EmitOptions::within_contract());
+    let index = emit_index(&[&pendulum, &oddities], &EmitOptions::for_scenes());
     insta::assert_snapshot!(index.expect("two scenes"));
 }
 
 #[test]
 fn two_scenes_of_one_name_are_refused() {
-    let error = emit_index(&[&pendulum(), &pendulum()], &EmitOptions::within_contract());
+    let error = emit_index(&[&pendulum(), &pendulum()], &EmitOptions::for_scenes());
     insta::assert_snapshot!(error.expect_err("one name"), @"the name `pendulum` is given to two scenes");
 }

@@ -8,14 +8,14 @@
 mod support;
 
 use machinist_codegen::cas::session;
-use machinist_codegen::evaluate::Evaluator;
 use machinist_codegen::expr::{CoordinateId, Expr, Function, ParameterId, Symbol};
-use machinist_codegen::lagrange;
-use machinist_codegen::linearize::linearize;
 use machinist_codegen::lower::lower;
-use machinist_codegen::program::Program;
-use machinist_codegen::system::{Coordinate, GeneralizedForce, LagrangianSystem, Parameter};
-use machinist_codegen::tape::Tape;
+use machinist_codegen::mechanics::lagrange;
+use machinist_codegen::mechanics::linearize::linearize;
+use machinist_codegen::scene::system::{Coordinate, GeneralizedForce, LagrangianSystem, Parameter};
+use machinist_model::Model;
+use machinist_model::Tape;
+use machinist_model::evaluate::Evaluator;
 use num_rational::BigRational;
 
 fn number(n: i64) -> Expr {
@@ -85,7 +85,7 @@ fn chain(n: u32) -> LagrangianSystem {
     system
 }
 
-fn program(system: LagrangianSystem) -> Program {
+fn program(system: LagrangianSystem) -> Model {
     let linearization = session(move |cas| {
         let equations = lagrange::derive(cas, &system);
         linearize(cas, &equations)

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use machinist_codegen::document::{Document, Notation};
+use machinist_codegen::emit::document::{Document, Notation};
 use machinist_codegen::pipeline;
 
 fn scene(name: &str) -> Document {

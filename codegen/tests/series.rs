@@ -3,10 +3,10 @@
 
 mod support;
 
-use machinist_codegen::evaluate::Evaluator;
-use machinist_codegen::program::Program;
-use machinist_codegen::taylor::{Recurrence, SeriesEvaluator, recurrences};
 use machinist_contract::Simulator;
+use machinist_model::Model;
+use machinist_model::evaluate::Evaluator;
+use machinist_model::series::{Recurrence, SeriesEvaluator, recurrences};
 
 #[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod every_recurrence {
@@ -33,7 +33,7 @@ fn start(states: usize) -> (f64, Vec<f64>) {
     (0.4, state)
 }
 
-fn series(program: &Program, orders: usize) -> Vec<f64> {
+fn series(program: &Model, orders: usize) -> Vec<f64> {
     let (time, state) = start(program.layout.len());
     let mut coefficients = vec![f64::NAN; orders * state.len()];
     let tables = &program.system.tables;
@@ -75,7 +75,7 @@ fn series_solve_the_equations_they_come_from() {
     }
 }
 
-fn assert_emitted_as_interpreted(simulator: &dyn Simulator<f64>, program: &Program) {
+fn assert_emitted_as_interpreted(simulator: &dyn Simulator<f64>, program: &Model) {
     let states = program.layout.len();
     let taylor = simulator.taylor().expect("emitted simulators have series");
     for orders in [1, 2, 3, ORDER + 1, 6] {

@@ -4,10 +4,10 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use machinist_codegen::diagnostic::Diagnostics;
 use machinist_codegen::scene::compose;
+use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_codegen::spec::load_scene;
-use machinist_codegen::system::LagrangianSystem;
 
 /// A mistake is found within this time, on a busy machine too: what would run for ever fails.
 const PATIENCE: Duration = Duration::from_secs(30);

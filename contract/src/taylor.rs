@@ -182,6 +182,18 @@ pub fn order_and_inverse<R: Real>(order: usize) -> (R, R) {
     (order, R::literal(1.0) / order)
 }
 
+/// The polynomial at `time` after the start of the step.
+pub fn value<R: Real>(coefficients: &[R], time: R, value: &mut [R]) {
+    let states = value.len();
+    let mut orders = coefficients.chunks_exact(states).rev();
+    value.copy_from_slice(orders.next().unwrap_or_default());
+    for terms in orders {
+        for (value, term) in value.iter_mut().zip(terms) {
+            *value = value.mul_add(time, *term);
+        }
+    }
+}
+
 /// `L D L^T` of a symmetric matrix, without pivoting: for a mass matrix, which
 /// is positive definite. Of a small one the inverse is kept instead: products with it wait
 /// for one another half as long as substitutions do.

@@ -220,10 +220,11 @@ fn sweep(key: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// Seconds from the spec's text to equations and tapes, and from these to Rust.
 #[cfg(feature = "cli")]
 fn derive(key: &str) -> Result<(), Box<dyn Error>> {
+    use machinist_codegen::emit::EmitOptions;
     use machinist_codegen::emit::rust::emit;
-    use machinist_codegen::emit::{EmitOptions, tape_operations};
+    use machinist_codegen::mechanics::reduce::Keep;
     use machinist_codegen::pipeline;
-    use machinist_codegen::reduce::Keep;
+    use machinist_model::operations;
 
     let folder = std::env::temp_dir().join(format!("machinist_peer_{}", std::process::id()));
     let Some(spec) = spec(key, &folder)? else {
@@ -234,15 +235,15 @@ fn derive(key: &str) -> Result<(), Box<dyn Error>> {
     let program = pipeline::generate(&spec, Keep::Needed)?;
     let derived = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let text = emit(&program, &EmitOptions::within_contract())?;
+    let text = emit(&program, &EmitOptions::for_scenes())?;
     let emitted = start.elapsed().as_secs_f64();
     if folder.exists() {
         std::fs::remove_dir_all(&folder)?;
     }
     let line = json!({
         "variant": "all functions", "derive_s": derived, "codegen_s": emitted, "compile_s": 0.0,
-        "ops_rhs": tape_operations(&program.rate),
-        "ops_jac": tape_operations(&program.rate_jacobian.tape),
+        "ops_rhs": operations(&program.rate),
+        "ops_jac": operations(&program.rate_jacobian.tape),
         "how": format!("{} lines of Rust, not compiled here", text.lines().count()),
     });
     print(key, &line);

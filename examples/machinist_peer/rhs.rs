@@ -11,8 +11,9 @@ use machinist_contract::Real;
 use machinist_scenes::bench;
 use serde_json::json;
 
+use crate::median;
 use crate::model::Model;
-use crate::{median, print};
+use crate::print;
 
 /// States that a measurement cycles through.
 const STATES: usize = 16;

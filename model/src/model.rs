@@ -136,7 +136,7 @@ pub struct Freeze {
 /// Everything a simulator offers: names, units, shapes, patterns, and a tape for each
 /// function. Lengths of results are those of the contract; the table of functions is
 /// [`crate::functions`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Model {
     /// The scene's name, a Rust identifier.
     pub name: String,

@@ -83,7 +83,7 @@ pub struct Table {
 }
 
 /// The run a scene asks for.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RunDefaults {
     /// Start time \[s\].
     pub from: f64,

@@ -8,9 +8,9 @@ use num_complex::Complex64;
 
 use super::*;
 use crate::Simulation;
-use crate::closed_form::induction_motor::MOTOR_4A280M8;
-use crate::closed_form::two_mass::SAW_GIN;
 use crate::complex_step;
+use machinist_studies::closed_form::induction_motor::MOTOR_4A280M8;
+use machinist_studies::closed_form::two_mass::SAW_GIN;
 
 /// Two masses under torques that are in balance.
 fn two_mass() -> Simulation<'static> {
@@ -150,7 +150,13 @@ fn derivatives_of_outputs_agree_with_the_complex_step() {
             let mut outputs = lifted(&vec![0.0; SawGin.shape().outputs], None);
             let time = complex_step::ComplexStep(Complex64::from(time));
             let (state, parameters) = (lifted(&state, Some(index)), lifted(&parameters, None));
-            machinist_contract::Simulator::outputs(&SawGin, time, &state, &parameters, &mut outputs);
+            machinist_contract::Simulator::outputs(
+                &SawGin,
+                time,
+                &state,
+                &parameters,
+                &mut outputs,
+            );
             let exact = outputs[output].derivative();
             assert!(
                 (found - exact).abs() <= 1e-10 * exact.abs().max(1e-3),

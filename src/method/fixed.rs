@@ -8,16 +8,19 @@ use super::tableau::{DOP853, RODAS5P, TSIT5};
 use super::{Stretch, System};
 
 /// A method whose steps can be told.
-pub(crate) struct Fixed {
-    pub(crate) name: &'static str,
+#[derive(Debug)]
+pub struct Fixed {
+    /// What it is called.
+    pub name: &'static str,
     make: for<'a> fn(&'a Stretch<'a>) -> Box<dyn OneStep + 'a>,
     /// Order of convergence.
-    pub(crate) order: u32,
-    pub(crate) is_implicit: bool,
+    pub order: u32,
+    /// Whether it is for stiff machines.
+    pub is_implicit: bool,
 }
 
 /// All of them; Radau's by their numbers of stages.
-pub(crate) const FIXED: [Fixed; 6] = [
+pub const FIXED: [Fixed; 6] = [
     Fixed {
         name: "tsit5",
         make: |stretch| Box::new(ExplicitSteps::new(&TSIT5, stretch)),
@@ -60,7 +63,7 @@ impl Fixed {
     /// Steps from 0 to `until` by so many equal steps, and hands over the number of
     /// each with the states at 0.3 of it and at its end. Gives false, and stops, if a
     /// step's equations cannot be solved.
-    pub(crate) fn run(
+    pub fn run(
         &self,
         system: &System<'_>,
         start: &[f64],

@@ -5,9 +5,9 @@ mod common;
 
 use super::System;
 use super::fixed::{FIXED, Fixed};
-use crate::stability::machines::ByHand;
 use common::HardSpring;
 use machinist_contract::Simulator;
+use machinist_studies::stability::machines::ByHand;
 
 /// A problem whose solution is known well enough.
 struct Problem {

@@ -128,7 +128,7 @@ impl<'a> RadauSteps<'a> {
     }
 
     /// Keeps to the method of so many stages, and solves for them to rounding.
-    #[cfg(feature = "verify")]
+    #[cfg(feature = "implicit")]
     pub(super) fn of_stages(mut self, stages: usize) -> Self {
         self.current = (stages - 3) / 2;
         self.is_fixed = true;

@@ -40,7 +40,7 @@ impl<'a> Stretch<'a> {
     }
 
     /// A stretch for steps that no tolerance chooses.
-    #[cfg(feature = "verify")]
+    #[cfg(feature = "implicit")]
     pub(super) fn without_control(
         system: &'a System<'a>,
         from: f64,

@@ -6,14 +6,14 @@
 //! step is its polynomial: dense output costs no order of accuracy, and events are
 //! roots of guards on it.
 
-#[cfg(all(test, feature = "scenes"))]
+#[cfg(test)]
 mod order;
 pub(super) mod quadrature;
 pub(crate) mod step;
 #[cfg(feature = "sweep")]
 pub(crate) mod variants;
 
-use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::taylor::{Bends, TaylorSeries, value as series_value};
 
 use super::one_step::{OneStep, Pace, Trial, drive_all};
 use super::system::FLOWS;
@@ -205,7 +205,7 @@ impl<'a> TaylorSteps<'a> {
         }
         let mut between = vec![0.0; self.states];
         for (time, weight) in gauss.points(self.time, until) {
-            step::value(self.used(), time - self.time, &mut between);
+            series_value(self.used(), time - self.time, &mut between);
             let rates = self.stretch.flow_rates(time, &between);
             for (total, rate) in total.iter_mut().zip(rates) {
                 *total += weight * rate;
@@ -266,7 +266,7 @@ impl OneStep for TaylorSteps<'_> {
     }
 
     fn interpolate(&mut self, time: f64, state: &mut [f64]) {
-        step::value(self.used(), time - self.time, &mut state[..self.states]);
+        series_value(self.used(), time - self.time, &mut state[..self.states]);
         if self.flows.is_some() {
             state[self.states..].copy_from_slice(&self.flows_until(time));
         }

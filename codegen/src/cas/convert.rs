@@ -6,7 +6,8 @@ use symbolica::atom::{Atom, AtomCore, AtomView, Symbol as CasSymbol};
 use symbolica::coefficient::CoefficientView;
 
 use super::functions::{Called, Vocabulary};
-use crate::expr::{Expr, Function, TableId};
+use crate::expr::{Expr, Function};
+use machinist_model::TableId;
 
 /// An expression as Symbolica's.
 pub(super) fn to_atom(vocabulary: &mut Vocabulary, expr: &Expr) -> Atom {

@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use symbolica::atom::{Atom, AtomCore, AtomView};
 use symbolica::symbol;
 
-use crate::expr::{ConstraintId, CoordinateId, FirstOrderId, Function, ParameterId, Symbol};
+use crate::expr::{
+    ConstraintId, CoordinateId, FirstOrderId, Function, HandedId, ParameterId, Symbol,
+};
 
 type CasSymbol = symbolica::atom::Symbol;
 
@@ -47,6 +49,7 @@ impl Vocabulary {
             Symbol::Acceleration(coordinate),
             Symbol::FirstOrder(FirstOrderId(index)),
             Symbol::Parameter(ParameterId(index)),
+            Symbol::Handed(HandedId(index)),
             Symbol::Multiplier(ConstraintId(index)),
         ] {
             self.variable(symbol);
@@ -72,6 +75,7 @@ impl Vocabulary {
             Symbol::Multiplier(id) => format!("machinist::l{}", id.0),
             Symbol::FirstOrder(id) => format!("machinist::z{}", id.0),
             Symbol::Parameter(id) => format!("machinist::p{}", id.0),
+            Symbol::Handed(id) => format!("machinist::h{}", id.0),
             Symbol::Helper(id) => unreachable!("helper {} has been put in", id.0),
         };
         let name = symbol!(text.as_str());

@@ -6,9 +6,9 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::convert::{to_atom, to_expr};
 use super::functions::Vocabulary;
+use crate::expr::trigonometry::{combine, has_sine};
 use crate::expr::{Expr, Function};
-use crate::lower::{operations, weigh};
-use crate::trigonometry::{combine, has_sine};
+use crate::expr::{operations, weigh};
 
 /// Forms larger than this are not factored: the cost of factoring grows much
 /// faster than what it can save.

@@ -7,7 +7,6 @@
 
 mod batch;
 mod body;
-mod check;
 mod describe;
 mod excitation;
 mod field;
@@ -25,9 +24,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::{EmitError, EmitOptions};
-use crate::features::TAKEN;
-use crate::program::Program;
 pub(crate) use header::MARK;
+use machinist_model::Model;
 use names::Namer;
 use prepare::Prepare;
 use series::Series;
@@ -37,14 +35,14 @@ use series::Series;
 /// `Simulator`.
 ///
 /// # Errors
-/// [`EmitError`] if the program holds a number without a literal, a name that is
-/// no identifier, or a tape that breaks the rules of [`crate::tape`].
-pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitError> {
-    check::check(program)?;
-    let scene = Scene::new(program)?;
+/// [`EmitError`] if the model holds a number without a literal, a name that is
+/// no identifier, or a tape that breaks the rules of [`machinist_model::`].
+pub fn emit(model: &Model, options: &EmitOptions) -> Result<String, EmitError> {
+    model.validate()?;
+    let scene = Scene::new(model)?;
     // What fields do is not in the machine's own series.
-    let series = if program.fields.is_empty() { Series::new(&scene) } else { None };
-    let imports = imports(program, options, series.as_ref());
+    let series = if model.fields.is_empty() { Series::new(&scene) } else { None };
+    let imports = imports(model, series.as_ref());
     let constants = items::constants(&scene);
     let machine = items::machine(&scene);
     let parameters = items::parameters(&scene)?;
@@ -73,8 +71,11 @@ pub fn emit(program: &Program, options: &EmitOptions) -> Result<String, EmitErro
         #tables
     };
     let module = pretty(tokens)?;
-    Ok(format!("{}\n{module}", header::header(program, options)))
+    Ok(format!("{}\n{module}", header::header(model, options)))
 }
+
+/// Features of a crate of scenes that are no scenes, and so no names for scenes.
+pub(crate) const TAKEN: [&str; 5] = ["default", "std", "libm", "bench", "scenes"];
 
 /// The type that stands for a scene in its emitted module: `SawGin` for `saw_gin`.
 #[must_use]
@@ -87,17 +88,17 @@ pub fn type_name(scene: &str) -> String {
 ///
 /// # Errors
 /// [`EmitError`] if a scene's name is no identifier, given twice, or taken by another
-/// feature of the contract crate.
-pub fn emit_index(programs: &[&Program], options: &EmitOptions) -> Result<String, EmitError> {
-    let mut programs = programs.to_vec();
-    programs.sort_by(|a, b| a.system.name.cmp(&b.system.name));
-    let names: Vec<&str> = programs.iter().map(|program| program.system.name.as_str()).collect();
+/// feature of the crate of scenes.
+pub fn emit_index(models: &[&Model], options: &EmitOptions) -> Result<String, EmitError> {
+    let mut models = models.to_vec();
+    models.sort_by(|a, b| a.name.cmp(&b.name));
+    let names: Vec<&str> = models.iter().map(|model| model.name.as_str()).collect();
     let modules = names::distinct(names.iter().copied(), "scenes")?;
     if let Some(name) = names.iter().find(|name| TAKEN.contains(name)) {
         let name = (*name).to_owned();
         return Err(EmitError::NamedTwice { name, kind: "features of the crate of scenes" });
     }
-    let tokens = items::index(&programs, &modules, options);
+    let tokens = items::index(&models, &modules, options);
     Ok(format!("{}\n{}", header::index_header(options), pretty(tokens)?))
 }
 
@@ -125,9 +126,9 @@ fn space_items(text: &str) -> String {
     spaced
 }
 
-/// A program with the names of its emitted module.
+/// A model with the names of its emitted module.
 struct Scene<'a> {
-    program: &'a Program,
+    model: &'a Model,
     machine: Ident,
     states: Vec<Ident>,
     parameters: Vec<Ident>,
@@ -140,17 +141,20 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(program: &'a Program) -> Result<Self, EmitError> {
-        let system = &program.system;
-        names::identifier(&system.name)?;
-        let machine = format_ident!("{}", names::type_name(&system.name));
-        let states = program.layout.quantities().map(|quantity| quantity.name.ident.as_str());
+    fn new(model: &'a Model) -> Result<Self, EmitError> {
+        names::identifier(&model.name)?;
+        let machine = format_ident!("{}", names::type_name(&model.name));
+        let states = model
+            .states
+            .iter()
+            .map(|state| &state.quantity)
+            .map(|quantity| quantity.name.ident.as_str());
         let states = names::distinct(states, "states")?;
-        let parameters = system.parameters.iter().map(|p| p.quantity.name.ident.as_str());
+        let parameters = model.all_parameters().map(|p| p.quantity.name.ident.as_str());
         let parameters = names::distinct(parameters, "parameters")?;
-        let outputs = system.outputs.iter().map(|output| output.quantity.name.ident.as_str());
+        let outputs = model.wanted.iter().map(|output| output.name.ident.as_str());
         let outputs = names::distinct(outputs, "outputs")?;
-        let tables = system.tables.iter().map(|table| table.name.ident.as_str());
+        let tables = model.tables.iter().map(|table| table.name.ident.as_str());
         let tables = names::distinct(tables, "tables")?;
 
         let mut constants = Namer::for_constants();
@@ -170,23 +174,34 @@ impl<'a> Scene<'a> {
         for parameter in &parameters {
             locals.reserve(&parameter.to_string());
         }
-        let prepare = Prepare::new(program, &states, &parameters, &tables, &locals)?;
-        Ok(Self { program, machine, states, parameters, outputs, tables, locals, prepare })
+        let prepare = Prepare::new(model, &states, &parameters, &tables, &locals)?;
+        Ok(Self { model, machine, states, parameters, outputs, tables, locals, prepare })
+    }
+}
+
+impl Scene<'_> {
+    /// Fields of `Parameters` that are the machine's.
+    fn own_parameters(&self) -> &[Ident] {
+        &self.parameters[..self.model.parameters.len()]
+    }
+
+    /// Fields of `Parameters` that its fields set.
+    fn handed(&self) -> &[Ident] {
+        &self.parameters[self.model.parameters.len()..]
     }
 }
 
 /// `use` of exactly what the module needs.
-fn imports(program: &Program, options: &EmitOptions, series: Option<&Series>) -> TokenStream {
+fn imports(model: &Model, series: Option<&Series>) -> TokenStream {
     let series = series.map(Series::imports);
-    let linear = program.excitation.is_some().then(|| quote!(linear::LinearEquations,));
-    let fields = (!program.fields.is_empty()).then(field::imports);
-    let contract = &options.contract;
-    let events = (!program.events.is_empty()).then(|| quote!(Direction, Event,));
-    let constraint = (!program.constraints.is_empty()).then(|| quote!(Constraint,));
-    let table = (!program.system.tables.is_empty()).then(|| quote!(CubicTable,));
-    let kinds = (!program.layout.is_of_all(&program.system)).then(|| quote!(StateKind,));
+    let linear = model.excitation.is_some().then(|| quote!(linear::LinearEquations,));
+    let fields = (!model.fields.is_empty()).then(field::imports);
+    let events = (!model.events.is_empty()).then(|| quote!(Direction, Event,));
+    let constraint = (!model.constraints.is_empty()).then(|| quote!(Constraint,));
+    let table = (!model.tables.is_empty()).then(|| quote!(CubicTable,));
+    let kinds = (!model.is_whole()).then(|| quote!(StateKind,));
     quote! {
-        use #contract::{
+        use ::machinist_contract::{
             #constraint #table Describe, #events Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
             SparsityPattern, #kinds #linear #series #fields
         };

@@ -7,19 +7,19 @@ mod initial;
 mod outputs;
 mod precision;
 
-use crate::diagnostic::{Mistake, Span};
-use crate::dimension::Dimension;
 use crate::expr::{CoordinateId, Expr, Symbol};
 use crate::scene::layout::{Layout, Local, Scope, coordinate_spec, find_port, unknown_coordinate};
 use crate::scene::names::{Flat, name};
 use crate::scene::resolve::{Resolved, Resolver, Wanted};
+use crate::scene::system::{
+    Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Parameter, Spring,
+};
 use crate::scene::typed::{integer, product, sum};
+use crate::spec::diagnostic::{Mistake, Span};
+use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
 use crate::spec::{Declared, InstanceSpec, SceneSpec, UnitSpec, did_you_mean, quoted};
-use crate::system::{
-    Coordinate, FirstOrderState, GeneralizedForce, LagrangianSystem, Name, Parameter, Quantity,
-    RunDefaults, Spring,
-};
+use machinist_model::{Name, Quantity, RunDefaults};
 
 /// Values of all parameters, those of the scene first; instances may have others
 /// than their units.
@@ -67,10 +67,10 @@ pub fn assemble(
     let (initial, profiles) = assembler.initial();
     let coordinates = assembler.coordinates(&initial);
     let first_order = assembler.first_order(&initial);
-    let mut parameters = assembler.parameters();
+    let parameters = assembler.parameters();
     let fields = assembler.fields(&profiles);
     distributed::take_hold(&fields, &mut kinetic, &mut generalized_force);
-    parameters.extend(assembler.handed());
+    let handed = assembler.handed();
     let freeze = assembler.freeze();
     let helpers = assembler.helpers();
     let outputs = assembler.outputs();
@@ -86,6 +86,7 @@ pub fn assemble(
         coordinates,
         first_order,
         parameters,
+        handed,
         kinetic,
         potential,
         springs,

@@ -1,13 +1,14 @@
 //! Where ports sit on fields, and which ends of fields are held.
 
-use crate::diagnostic::Mistake;
-use crate::dimension::Dimension;
 use crate::expr::{Expr, ParameterId};
 use crate::scene::evaluate::evaluate;
-use crate::scene::layout::{Attachment, Layout, Local, Place, Scope};
+use crate::scene::layout::{Attachment, Layout, Local, Scope};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::typed::Uses;
+use crate::spec::diagnostic::Mistake;
+use crate::spec::dimension::Dimension;
 use crate::spec::{Boundary, FieldSpec, Formula, InstanceSpec, SceneSpec, did_you_mean, quoted};
+use machinist_model::Place;
 
 /// Finds the place of every port on a field, and checks what scenes choose for fields.
 pub fn locate(

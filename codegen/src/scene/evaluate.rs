@@ -2,8 +2,8 @@
 
 use num_traits::ToPrimitive as _;
 
-use crate::evaluate::call;
 use crate::expr::{Expr, Function, ParameterId, Symbol};
+use machinist_model::evaluate::call;
 
 /// The value; NaN if the expression depends on anything but parameters.
 pub fn evaluate(expr: &Expr, parameter: &impl Fn(ParameterId) -> f64) -> f64 {
@@ -20,8 +20,8 @@ pub fn evaluate(expr: &Expr, parameter: &impl Fn(ParameterId) -> f64) -> f64 {
             [a, b, then, otherwise] => value(if value(a) < value(b) { then } else { otherwise }),
             _ => f64::NAN,
         },
-        Expr::Call(function, arguments) => match arguments.as_slice() {
-            [argument] => call(*function, value(argument)),
+        Expr::Call(function, arguments) => match (function.unary(), arguments.as_slice()) {
+            (Some(function), [argument]) => call(function, value(argument)),
             _ => f64::NAN,
         },
     }

@@ -1,16 +1,16 @@
 //! Calls: arguments checked, switches written with `select_less`, tables looked up.
 
-use crate::diagnostic::{Mistake, Span};
-use crate::dimension::{Angular, Dimension};
-use crate::evaluate::call;
-use crate::expr::{Expr, Function, Symbol, TableId};
+use crate::expr::{Expr, Function, Symbol};
 use crate::scene::layout::Scope;
 use crate::scene::resolve::{Resolved, Resolver};
 use crate::scene::spline;
 use crate::scene::typed::{Typed, Uses, integer, power, product, select_less, sum};
+use crate::spec::diagnostic::{Mistake, Span};
+use crate::spec::dimension::{Angular, Dimension};
 use crate::spec::expression::{Ast, Node};
 use crate::spec::{did_you_mean, quoted};
-use crate::system::{Name, Table};
+use machinist_model::evaluate::call;
+use machinist_model::{Name, Table, TableId};
 
 /// Functions of one pure number.
 const PURE: &[(&str, Function)] = &[
@@ -77,7 +77,7 @@ impl Resolver<'_> {
         let x = self.number(x, scope, allowed)?;
         let mut typed = Typed::over(&[&x]);
         typed.angular = Angular::of_function(x.uses.moves());
-        typed.value = x.value.map(|value| call(function, value));
+        typed.value = x.value.zip(function.unary()).map(|(value, function)| call(function, value));
         typed.expr = Expr::Call(function, vec![x.expr]);
         Ok(typed)
     }

@@ -2,13 +2,13 @@
 
 use std::collections::VecDeque;
 
-use crate::diagnostic::{Mistake, Spanned};
-use crate::dimension::Dimension;
 use crate::expr::{CoordinateId, Expr, ParameterId};
 use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Layout, Link, Scope, coordinate_spec, find_port};
 use crate::scene::resolve::{Resolver, Wanted};
 use crate::scene::typed::{Uses, integer, product, reciprocal};
+use crate::spec::diagnostic::{Mistake, Spanned};
+use crate::spec::dimension::Dimension;
 use crate::spec::{JointSpec, SceneSpec, quoted};
 
 /// q of slot `first` = ratio * q of slot `second`; `None` for 1.

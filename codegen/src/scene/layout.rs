@@ -3,13 +3,15 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Mistake, Span, Spanned};
-use crate::dimension::{Dimension, Unit};
-use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, ParameterId};
+use crate::expr::{ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, ParameterId};
 use crate::scene::typed::integer;
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::{Dimension, Unit};
 use crate::spec::{
     CoordinateSpec, Declared, PortKind, PortSpec, SceneSpec, UnitSpec, did_you_mean, quoted,
 };
+use machinist_contract::field::HANDED;
+use machinist_model::Place;
 
 /// Named things that all instances may have together.
 const MAX_NAMES: usize = 20_000;
@@ -73,9 +75,6 @@ impl Scope {
     }
 }
 
-/// Numbers that a field hands to the machine at each port.
-pub const HANDED: usize = 4;
-
 /// A port on a field.
 #[derive(Debug, Clone)]
 pub struct Attachment {
@@ -86,20 +85,9 @@ pub struct Attachment {
     pub expr: Expr,
     /// Its value in the spec \[m\].
     pub x: f64,
-    pub place: self::Place,
+    pub place: Place,
     /// The field is held at zero here.
     pub fixed: bool,
-}
-
-/// Where on its field a port is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// At x = 0.
-    Start,
-    /// Between both ends.
-    Inside,
-    /// At x = length.
-    End,
 }
 
 /// Names of a unit or of the scene, in the order of the spec.
@@ -158,8 +146,6 @@ pub struct Layout {
     pub attachments: Vec<Attachment>,
     /// For each coordinate of each instance, what it is attached to.
     attached: Vec<Option<usize>>,
-    /// Number of parameters without those that fields hand over.
-    parameters: usize,
 }
 
 impl Layout {
@@ -199,7 +185,6 @@ impl Layout {
         let slots = next[0];
         let links = (0..slots).map(|slot| Link { id: CoordinateId(slot as u32), factor: None });
         let (links, representatives) = (links.collect(), (0..slots).collect());
-        let parameters = next[1];
         let (attachments, attached) = (Vec::new(), vec![None; slots]);
         Layout {
             units,
@@ -210,7 +195,6 @@ impl Layout {
             representatives,
             attachments,
             attached,
-            parameters,
         }
     }
 
@@ -237,10 +221,10 @@ impl Layout {
         self.attachment(slot).is_some_and(|attachment| attachment.fixed)
     }
 
-    /// The parameter in which a field hands a number to the machine: inertia of the
-    /// node, force on it, slopes before and after it.
-    pub fn handed(&self, attachment: usize, which: usize) -> ParameterId {
-        ParameterId((self.parameters + HANDED * attachment + which) as u32)
+    /// A number that a field hands to the machine: inertia of the node, force on it,
+    /// slopes before and after it.
+    pub fn handed(attachment: usize, which: usize) -> HandedId {
+        HandedId((HANDED * attachment + which) as u32)
     }
 
     /// The attachment of a port.

@@ -5,16 +5,17 @@ use std::rc::Rc;
 use num_rational::BigRational;
 use num_traits::Zero as _;
 
-use crate::diagnostic::{Mistake, Span};
-use crate::dimension::{Angular, Dimension, Unit};
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
-use crate::scene::layout::{FieldPart, Link, Local, Place, Scope, Side, find_instance};
+use crate::scene::layout::{FieldPart, Layout, Link, Local, Scope, Side, find_instance};
 use crate::scene::resolve::{Resolved, Resolver, Wanted, beyond_reason, fits, sound};
 use crate::scene::typed::{Typed, Uses, product};
+use crate::spec::diagnostic::{Mistake, Span};
+use crate::spec::dimension::{Angular, Dimension, Unit};
 use crate::spec::expression::{Ast, Literal, Node};
 use crate::spec::{
     Declared, DefinitionSpec, Formula, InputSpec, InstanceSpec, did_you_mean, quoted,
 };
+use machinist_model::Place;
 
 /// pi to fifty digits, so that folding exact numbers loses nothing.
 const PI: &str = "3.1415926535897932384626433832795028841971693993751";
@@ -246,7 +247,7 @@ impl Resolver<'_> {
         let dimension = dimension.ok_or_else(|| beyond_reason(span))?;
         let slope = Unit { dimension, rad: declared.rad };
         let which = if side == Side::Before { 2 } else { 3 };
-        let symbol = Symbol::Parameter(self.layout.handed(index, which));
+        let symbol = Symbol::Handed(Layout::handed(index, which));
         // As an acceleration it is there once the motion is known: in outputs only.
         let uses = Uses { acceleration: true, ..Uses::default() };
         self.leaf(symbol, slope, uses, span)

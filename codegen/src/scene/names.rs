@@ -1,8 +1,8 @@
 //! The three spellings of a name.
 
-use crate::diagnostic::{Mistake, Span};
+use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::quoted;
-use crate::system::Name;
+use machinist_model::Name;
 
 /// Greek letters by name, with their LaTeX; capitals that look Latin have none.
 const GREEK: &[(&str, &str)] = &[

@@ -6,15 +6,15 @@ use std::collections::HashMap;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 
-use crate::diagnostic::{Mistake, Span};
-use crate::dimension::{Angular, Dimension, Unit};
 use crate::expr::Expr;
 use crate::scene::layout::{Layout, Scope};
 use crate::scene::lookup::{Definition, State};
 use crate::scene::typed::{self, Typed, Uses, integer, product, sum};
+use crate::spec::diagnostic::{Mistake, Span};
+use crate::spec::dimension::{Angular, Dimension, Unit};
 use crate::spec::expression::{Ast, MAX_NESTING, Node};
 use crate::spec::{Formula, SceneSpec};
-use crate::system::Table;
+use machinist_model::Table;
 
 /// Leaves an expression may have once helpers are put in.
 const MAX_TERMS: usize = 100_000;

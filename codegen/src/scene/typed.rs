@@ -4,8 +4,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 
-use crate::dimension::{Angular, Dimension};
 use crate::expr::{Expr, Function};
+use crate::spec::dimension::{Angular, Dimension};
 
 /// What an expression depends on besides parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -80,7 +80,7 @@ impl Typed {
     }
 
     /// An exact number; 0 without a unit is of any dimension.
-    pub fn number(number: &BigRational, unit: Option<crate::dimension::Unit>) -> Self {
+    pub fn number(number: &BigRational, unit: Option<crate::spec::dimension::Unit>) -> Self {
         let any = number.is_zero() && unit.is_none();
         let unit = unit.unwrap_or_default();
         Typed {

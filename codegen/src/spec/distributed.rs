@@ -1,6 +1,6 @@
 //! `[fields.NAME]` of a unit, and what a scene chooses for it.
 
-use crate::diagnostic::{Mistake, Spanned};
+use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::expression::Ast;
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{self, did_you_mean, quoted};

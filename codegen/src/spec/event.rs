@@ -1,14 +1,14 @@
 //! Modes and events: what a machine does where an expression passes zero.
 
-use crate::diagnostic::{Mistake, Span, Spanned};
-use crate::dimension::Unit;
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::Unit;
 use crate::spec::expression::{Ast, Literal, Node};
 use crate::spec::fields::{Fields, Findings};
 use crate::spec::names::{did_you_mean, quoted};
 use crate::spec::scene::values_by_name;
 use crate::spec::toml::{Entry, Tree};
 use crate::spec::{Declared, EventSpec, Formula, StateSpec};
-use crate::system::Direction;
+use machinist_model::Direction;
 
 /// Reads an event.
 pub fn event(entry: &Entry, found: &mut Findings) -> Option<EventSpec> {

@@ -2,8 +2,8 @@
 //!
 //! Excluded: meanings of names and dimensions, which the scene resolves.
 
-use crate::diagnostic::{Mistake, Span, Spanned};
-use crate::dimension::Unit;
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::Unit;
 use crate::spec::lexer::{self, Token};
 pub use crate::spec::lexer::{Literal, Text};
 use crate::spec::names::quoted;
@@ -287,7 +287,7 @@ fn joined(mut parts: Vec<(bool, Ast)>, node: fn(Vec<(bool, Ast)>) -> Node) -> As
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::FileId;
+    use crate::spec::diagnostic::FileId;
     use crate::spec::toml::Tree;
 
     /// The expression with every grouping written out.

@@ -1,8 +1,8 @@
 //! Taking a table apart: each key is asked for once, and what nobody asked for is
 //! an error.
 
-use crate::diagnostic::{Mistake, Span, Spanned};
-use crate::dimension::Unit;
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::Unit;
 use crate::spec::expression::{self, Ast, Literal, Text};
 use crate::spec::names::{self, did_you_mean, quoted};
 use crate::spec::toml::{Entry, Tree};

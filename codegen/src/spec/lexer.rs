@@ -6,8 +6,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
-use crate::diagnostic::{Mistake, Span, Spanned};
-use crate::dimension::Unit;
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::Unit;
 use crate::spec::names::quoted;
 use crate::spec::toml::Tree;
 

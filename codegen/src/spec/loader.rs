@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::diagnostic::{Diagnostics, FileId, Mistake, Spanned};
+use crate::spec::diagnostic::{Diagnostics, FileId, Mistake, Spanned};
 use crate::spec::fields::Findings;
 use crate::spec::names::quoted;
 use crate::spec::scene::{self, SceneText};

@@ -1,6 +1,6 @@
 //! Which names a spec may give.
 
-use crate::diagnostic::{Mistake, Spanned};
+use crate::spec::diagnostic::{Mistake, Spanned};
 
 /// Characters a name may have.
 const MAX_NAME: usize = 64;
@@ -95,7 +95,7 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::{FileId, Span};
+    use crate::spec::diagnostic::{FileId, Span};
 
     fn is_name(text: &str) -> bool {
         let span = Span::new(FileId(0), 0..0);

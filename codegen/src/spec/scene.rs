@@ -1,7 +1,7 @@
 //! A scene's table to plain data, before its units are looked for.
 
-use crate::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::constraint::constraint;
+use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 use crate::spec::distributed;
 use crate::spec::event;
 use crate::spec::expression::Ast;
@@ -13,7 +13,12 @@ use crate::spec::{
     ConstraintSpec, DefinitionSpec, DiscretisationSpec, EventSpec, Formula, JointSpec, OutputSpec,
     ParameterSpec, PortForceSpec, RunSpec, UnitSpec,
 };
-use crate::system::METHODS;
+
+/// Methods a spec may name.
+pub const METHODS: &[&str] = &[
+    "bdf", "tr_bdf2", "esdirk34", "tsit45", "tsit5", "dop853", "rodas5p", "radau", "auto",
+    "taylor", "exact",
+];
 
 /// Output times a run may have.
 const MAX_POINTS: f64 = 1e7;

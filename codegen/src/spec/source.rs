@@ -7,13 +7,24 @@ use std::sync::Arc;
 
 use sha2::{Digest as _, Sha256};
 
-use crate::diagnostic::{Diagnostic, Diagnostics, FileId, Mistake};
-use crate::system::SourceFile;
+use crate::spec::diagnostic::{Diagnostic, Diagnostics, FileId, Mistake};
 
 /// Bytes a file may hold.
 pub const MAX_FILE_BYTES: u64 = 1 << 20;
 /// Mistakes turned into reports; the rest is only counted.
 const MAX_SHOWN: usize = 50;
+
+/// A source file that took part, for headers, `rerun-if-changed` and freshness.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Path as found, empty for a unit that comes with Machinist; absolute paths
+    /// never reach emitted text.
+    pub path: PathBuf,
+    /// File name relative to the folder of specs, with forward slashes.
+    pub label: String,
+    /// SHA-256 of its bytes, in hexadecimal.
+    pub sha256: String,
+}
 
 /// A file with its text.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use std::path::{Component, Path, PathBuf};
 
-use crate::diagnostic::{FileId, Mistake, Span, Spanned};
-use crate::dimension::Unit;
+use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
+use crate::spec::dimension::Unit;
 use crate::spec::names::{self, quoted};
 use crate::spec::source::{Sources, folder_of};
 

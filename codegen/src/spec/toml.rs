@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use toml_edit::{Document, Item, Value};
 
-use crate::diagnostic::{FileId, Mistake, Span, Spanned};
+use crate::spec::diagnostic::{FileId, Mistake, Span, Spanned};
 
 /// A value of a TOML file.
 #[derive(Debug, Clone, PartialEq)]

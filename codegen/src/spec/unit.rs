@@ -1,7 +1,7 @@
 //! A unit's table to a [`UnitSpec`].
 
-use crate::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::constraint::constraint;
+use crate::spec::diagnostic::{FileId, Mistake, Spanned};
 use crate::spec::distributed::{self, AttachmentSpec};
 use crate::spec::event;
 use crate::spec::fields::{Fields, Findings};

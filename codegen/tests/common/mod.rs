@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use machinist_codegen::expr::{Expr, Function, Symbol};
-use machinist_codegen::system::{LagrangianSystem, Quantity};
+use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_model::Quantity;
 
 /// Everything of a system but its files' paths, one thing a line.
 pub fn describe(system: &LagrangianSystem) -> String {

@@ -2,15 +2,17 @@
 
 #![allow(dead_code, reason = "every test takes what it needs")]
 
-use machinist_codegen::expr::{Expr, Function, TableId};
-use machinist_codegen::program::{MatrixTape, Program, SparsityPattern};
-use machinist_codegen::reduce::Reduction;
-use machinist_codegen::state::Layout;
-use machinist_codegen::system::{
-    Coordinate, Definition, FirstOrderState, Freeze, GeneralizedForce, LagrangianSystem, Name,
-    Parameter, Quantity, RunDefaults, SourceFile, Table,
+use machinist_codegen::expr::{Expr, Function};
+use machinist_codegen::mechanics::state::Layout;
+use machinist_codegen::scene::system::{
+    Coordinate, Definition, FirstOrderState, Freeze, GeneralizedForce, LagrangianSystem, Parameter,
 };
-use machinist_codegen::tape::{Node, NodeId, Op, Tape};
+use machinist_codegen::spec::SourceFile;
+use machinist_model::Reduction;
+use machinist_model::TableId;
+use machinist_model::{MatrixTape, Model, SparsityPattern};
+use machinist_model::{Name, Quantity, RunDefaults, Table};
+use machinist_model::{Node, NodeId, Op, Tape};
 
 /// Builds a tape, writing equal operations once.
 #[derive(Default)]
@@ -96,9 +98,9 @@ const START: u32 = 5;
 /// m l^2 phi'' = torque - b phi' - m g l sin phi
 /// torque' = (load(t) [t >= start] - torque)/lag
 /// ```
-pub fn pendulum() -> Program {
+pub fn pendulum() -> Model {
     let system = pendulum_system();
-    Program {
+    Model {
         excitation: None,
         layout: Layout::of_all(&system),
         reduction: Reduction::default(),
@@ -319,7 +321,7 @@ pub const HOSTILE: &str = "*/ } fn main() {} /* ` [main](x) <b> \"; // \\ \u{202
 
 /// A scene with every operation on its tape of outputs and with names and texts
 /// that ask for care.
-pub fn oddities() -> Program {
+pub fn oddities() -> Model {
     let mut program = pendulum();
     let system = &mut program.system;
     system.name = String::from("oddities");
@@ -413,7 +415,7 @@ fn long_sum(b: &mut Builder, x: NodeId, y: NodeId) -> NodeId {
 
 /// An oscillator, x' = v and v' = -x, and a first-order state for each kind of
 /// operation on x, v, time and parameters: z' = operation.
-pub fn recurrences() -> Program {
+pub fn recurrences() -> Model {
     let rate = tape(|b| {
         let (x, v) = (b.state(0), b.state(1));
         let minus_x = b.push(Op::Neg(x));
@@ -451,7 +453,7 @@ pub fn recurrences() -> Program {
 /// [2  c] q_0''   f_0     c = cos(q_0 - q_1)    f_0 = sin(q_1 - q_0) q_1'^2 - 2 g sin q_0
 /// [c  1] q_1'' = f_1                           f_1 = sin(q_0 - q_1) q_0'^2 - g sin q_1
 /// ```
-pub fn coupled() -> Program {
+pub fn coupled() -> Model {
     let rate = tape(|b| {
         let (c, f) = (coupling(b), coupled_forcing(b));
         let (two, c_squared) = (b.number(2.0), b.push(Op::Mul(c, c)));
@@ -486,7 +488,7 @@ pub fn coupled() -> Program {
 }
 
 /// A program without outputs, jumps and derivatives, for tests of its rate.
-fn bare(mut program: Program, name: &str, rate: &Tape) -> Program {
+fn bare(mut program: Model, name: &str, rate: &Tape) -> Model {
     let states = rate.results.len();
     name.clone_into(&mut program.system.name);
     program.system.outputs.clear();
@@ -494,7 +496,7 @@ fn bare(mut program: Program, name: &str, rate: &Tape) -> Program {
     let zeros = || tape(|b| vec![b.number(0.0); states]);
     let empty =
         |columns| MatrixTape { pattern: pattern(states, columns, &[]), ..Default::default() };
-    Program {
+    Model {
         initial_state: zeros(),
         time_derivative: zeros(),
         discontinuities: Tape::default(),

@@ -53,7 +53,7 @@
 //   prepared_rate            10
 //   prepared_rate_jacobian    6
 
-use crate::{
+use ::machinist_contract::{
     Describe, Direction, Event, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern, taylor::{TaylorSeries, order_and_inverse},
 };

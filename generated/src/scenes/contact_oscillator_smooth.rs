@@ -48,7 +48,7 @@
 //   prepared_rate            15
 //   prepared_rate_jacobian   20
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };

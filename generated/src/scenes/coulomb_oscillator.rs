@@ -53,7 +53,7 @@
 //   prepared_rate            15
 //   prepared_rate_jacobian   22
 
-use crate::{
+use ::machinist_contract::{
     Describe, Direction, Event, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

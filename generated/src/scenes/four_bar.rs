@@ -68,7 +68,7 @@
 //   prepared_rate           277
 //   prepared_rate_jacobian  924
 
-use crate::{
+use ::machinist_contract::{
     Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern,
 };

@@ -67,7 +67,7 @@
 //   prepared_rate            61
 //   prepared_rate_jacobian   29
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
@@ -662,12 +662,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         .motor_supply_phase
         .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t2 = t1 / (p.motor_x_s * motor_sigma);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
@@ -1455,12 +1455,12 @@ pub fn power_balance<R: Real>(
         .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
         .add_product(p.crank_inertia * crank_turn_speed, crank_turn_speed_dot)
         .add_product(
-            p.shaft_driven_field_inertia * shaft_driven_dot,
+            shaft_driven_dot * p.shaft_driven_field_inertia,
             shaft_driven_dot_dot,
         )
-        .add_product(p.shaft_reed_field_inertia * shaft_reed_dot, shaft_reed_dot_dot)
+        .add_product(shaft_reed_dot * p.shaft_reed_field_inertia, shaft_reed_dot_dot)
         .add_product(
-            p.shaft_middle_field_inertia * shaft_middle_dot,
+            shaft_middle_dot * p.shaft_middle_field_inertia,
             shaft_middle_dot_dot,
         )
         .add_product(reed_mass_times_reed_arm_squared * reed_speed, reed_speed_dot)
@@ -1494,13 +1494,13 @@ pub fn power_balance<R: Real>(
                         .sub_product(t11, motor_psi_sy),
                 motor_psi_ry_dot,
             ),
-        supplied: (p.shaft_driven_field_force * shaft_driven_dot)
+        supplied: (shaft_driven_dot * p.shaft_driven_field_force)
             .add_product(
                 R::literal(1.5),
                 (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy),
             )
-            .add_product(p.shaft_reed_field_force, shaft_reed_dot)
-            .add_product(p.shaft_middle_field_force, shaft_middle_dot),
+            .add_product(shaft_reed_dot, p.shaft_reed_field_force)
+            .add_product(shaft_middle_dot, p.shaft_middle_field_force),
         dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
             .add_product(
                 R::literal(1.5),
@@ -2360,9 +2360,9 @@ pub mod shaft_u {
         by_u_x: &mut [R],
         by_u_xt: &mut [R],
     ) {
-        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
+        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
         let t1 = -(t0 * shaft_radius_squared_squared);
         let t2 = -(t0 * p.shaft_damping_time * shaft_radius_squared_squared);
         for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)

@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module and one feature a scene.
-use crate::{Real, Simulator, field::FieldScene};
+use ::machinist_contract::{Real, Simulator, field::FieldScene};
 
 /// Mass bouncing on a shaken plate
 #[cfg(feature = "bouncing_mass")]

@@ -51,7 +51,7 @@
 //   prepared_rate           104
 //   prepared_rate_jacobian  294
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind,
     taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
@@ -436,17 +436,17 @@ impl<R: Real> Constants<R> {
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let motor_L_s = p.motor_x_s / motor_omega_0;
+    let motor_x_s_times_motor_alpha_s = p.motor_x_s * p.motor_alpha_s;
+    let motor_R_s = motor_x_s_times_motor_alpha_s * motor_sigma;
     let motor_M = p.motor_k_s * motor_L_s;
-    let t1 = R::literal(1.5) * motor_M;
+    let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_L_r = motor_M / p.motor_k_r;
+    let t1 = R::literal(1.5) * motor_M;
     let t2 = R::literal(1.5) * motor_L_r;
     let t3 = R::literal(1.0) / (R::literal(1.5) * motor_L_s);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
-    let motor_x_s_times_motor_alpha_s = p.motor_x_s * p.motor_alpha_s;
-    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
-    let motor_R_s = motor_x_s_times_motor_alpha_s * motor_sigma;
     let t4 = R::literal(1.5) * motor_R_s;
     let t5 = R::literal(0.75) * p.motor_pole_pairs * p.motor_k_r;
     let t6 = R::literal(0.75) * p.motor_alpha_r * motor_omega_0;

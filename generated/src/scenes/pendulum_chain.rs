@@ -51,7 +51,7 @@
 //   prepared_rate            94
 //   prepared_rate_jacobian  254
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };

@@ -62,7 +62,7 @@
 //   prepared_rate           134
 //   prepared_rate_jacobian  542
 
-use crate::{
+use ::machinist_contract::{
     Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern,
 };

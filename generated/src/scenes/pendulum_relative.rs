@@ -51,7 +51,7 @@
 //   prepared_rate           178
 //   prepared_rate_jacobian  463
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };
@@ -358,11 +358,11 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t3 = t2 * p.chain_l_2;
     let t4 = t2 * p.chain_l_3;
     let t5 = t1 * p.chain_l_2 * p.chain_l_3;
-    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
     let chain_l_1_squared = p.chain_l_1 * p.chain_l_1;
     let chain_l_2_squared = p.chain_l_2 * p.chain_l_2;
     let chain_m_2_times_chain_l_2_squared = p.chain_m_2 * chain_l_2_squared;
     let chain_m_3_times_chain_l_2_squared = p.chain_m_3 * chain_l_2_squared;
+    let chain_m_3_times_chain_l_3_squared = p.chain_m_3 * (p.chain_l_3 * p.chain_l_3);
     let t6 = ((p.chain_m_1 * chain_l_1_squared)
         .add_product(p.chain_m_2, chain_l_1_squared) + chain_m_2_times_chain_l_2_squared)
         .add_product(p.chain_m_3, chain_l_1_squared) + chain_m_3_times_chain_l_2_squared

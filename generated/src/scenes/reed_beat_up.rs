@@ -58,7 +58,7 @@
 //   prepared_rate            15
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
@@ -777,18 +777,18 @@ pub fn power_balance<R: Real>(
             .add_product(t1, shaft_reed_dot)
             .add_product(fell_torque - t1, reed_speed)
             .add_product(
-                p.shaft_driven_field_inertia * shaft_driven_dot,
+                shaft_driven_dot * p.shaft_driven_field_inertia,
                 shaft_driven_dot_dot,
             )
-            .add_product(p.shaft_reed_field_inertia * shaft_reed_dot, shaft_reed_dot_dot)
+            .add_product(shaft_reed_dot * p.shaft_reed_field_inertia, shaft_reed_dot_dot)
             .add_product(
-                p.shaft_middle_field_inertia * shaft_middle_dot,
+                shaft_middle_dot * p.shaft_middle_field_inertia,
                 shaft_middle_dot_dot,
             )
             .add_product(reed_mass_times_reed_arm_squared * reed_speed, reed_speed_dot),
-        supplied: (p.shaft_driven_field_force * shaft_driven_dot)
-            .add_product(p.shaft_reed_field_force, shaft_reed_dot)
-            .add_product(p.shaft_middle_field_force, shaft_middle_dot) - t2,
+        supplied: (shaft_driven_dot * p.shaft_driven_field_force)
+            .add_product(shaft_reed_dot, p.shaft_reed_field_force)
+            .add_product(shaft_middle_dot, p.shaft_middle_field_force) - t2,
         dissipated: R::literal(0.0),
     }
 }
@@ -1556,9 +1556,9 @@ pub mod shaft_u {
         by_u_x: &mut [R],
         by_u_xt: &mut [R],
     ) {
-        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
+        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus;
         let t1 = -(t0 * shaft_radius_squared_squared);
         let t2 = -(t0 * p.shaft_damping_time * shaft_radius_squared_squared);
         for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)

@@ -56,7 +56,7 @@
 //   prepared_rate            55
 //   prepared_rate_jacobian   34
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };
@@ -493,15 +493,15 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         .motor_supply_phase
         .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t2 = t1 / (p.motor_x_s * motor_sigma);
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let t3 = R::literal(core::f64::consts::PI) * load_omega_2;
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;

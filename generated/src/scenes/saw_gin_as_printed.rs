@@ -56,7 +56,7 @@
 //   prepared_rate            62
 //   prepared_rate_jacobian   40
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };
@@ -495,11 +495,11 @@ impl<R: Real> Constants<R> {
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_gamma, cos_motor_gamma) = p.motor_gamma.sin_cos();
+    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let t0 = R::literal(1.0) - p.motor_literal;
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
     let t1 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
         / (p.motor_sigma * p.motor_x_s);
-    let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let t2 = R::literal(core::f64::consts::PI) * load_omega_2;
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
@@ -514,8 +514,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let t6 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
-    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness
         * coupling_ratio_squared * inverse_cylinder_inertia);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);

@@ -58,7 +58,7 @@
 //   prepared_rate            43
 //   prepared_rate_jacobian   14
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
@@ -557,12 +557,12 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         .motor_supply_phase
         .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t2 = t1 / (p.motor_x_s * motor_sigma);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_saws_driven_field_inertia = R::literal(1.0)
@@ -574,8 +574,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let saws_driven_dot_dot_by_motor_phi = t3 * inverse_saws_driven_field_inertia;
-    let motor_omega_dot_by_saws_driven = t3 * inverse_motor_inertia;
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let motor_omega_dot_by_saws_driven = t3 * inverse_motor_inertia;
     let saws_driven_dot_dot_by_saws_driven = -(p.coupling_stiffness
         * coupling_ratio_squared * inverse_saws_driven_field_inertia);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
@@ -1141,10 +1141,10 @@ pub fn power_balance<R: Real>(
             .sub_product(t6, saws_driven_dot)
             .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
             .add_product(
-                p.saws_driven_field_inertia * saws_driven_dot,
+                saws_driven_dot * p.saws_driven_field_inertia,
                 saws_driven_dot_dot,
             )
-            .add_product(p.saws_end_field_inertia * saws_end_dot, saws_end_dot_dot)
+            .add_product(saws_end_dot * p.saws_end_field_inertia, saws_end_dot_dot)
             .add_product(
                 R::literal(0.75)
                     * motor_i_sx
@@ -1173,12 +1173,12 @@ pub fn power_balance<R: Real>(
                         .sub_product(t8, motor_psi_sy),
                 motor_psi_ry_dot,
             ),
-        supplied: (p.saws_driven_field_force * saws_driven_dot)
+        supplied: (saws_driven_dot * p.saws_driven_field_force)
             .add_product(
                 R::literal(1.5),
                 (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy),
             )
-            .add_product(p.saws_end_field_force, saws_end_dot),
+            .add_product(saws_end_dot, p.saws_end_field_force),
         dissipated: (p.coupling_damping * motor_omega * coupling_twist_rate)
             .add_product(
                 R::literal(1.5),
@@ -2075,10 +2075,9 @@ pub mod saws_phi {
         let t9 = R::literal(0.033_333_333_333_333_33) * p.saws_amplitude * p.saws_speed
             * R::literal(core::f64::consts::PI * core::f64::consts::PI);
         for (((&x, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
-            let t4_plus_t3_times_x = t4.add_product(t3, x);
-            let t0 = (inverse_saws_standstill_band * phi_dot).tanh();
-            *by_time = -(t8 * t4_plus_t3_times_x * t5 * t0 / t7)
-                - t9 * t4_plus_t3_times_x * t2 * t0 / t6;
+            let t0 = t4.add_product(t3, x);
+            let t1 = (inverse_saws_standstill_band * phi_dot).tanh();
+            *by_time = -(t8 * t0 * t5 * t1 / t7) - t9 * t0 * t2 * t1 / t6;
         }
     }
     /// f_1 alone, at many points.

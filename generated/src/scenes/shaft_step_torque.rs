@@ -48,7 +48,7 @@
 //   prepared_rate             2
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
@@ -437,8 +437,8 @@ pub fn power_balance<R: Real>(
     let shaft_end_dot_dot = torque_plus_shaft_end_field_force
         * (R::literal(1.0) / p.shaft_end_field_inertia);
     PowerBalance {
-        stored_rate: p.shaft_end_field_inertia * shaft_end_dot * shaft_end_dot_dot,
-        supplied: torque_plus_shaft_end_field_force * shaft_end_dot,
+        stored_rate: shaft_end_dot * p.shaft_end_field_inertia * shaft_end_dot_dot,
+        supplied: shaft_end_dot * torque_plus_shaft_end_field_force,
         dissipated: R::literal(0.0),
     }
 }

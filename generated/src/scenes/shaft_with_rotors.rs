@@ -52,7 +52,7 @@
 //   prepared_rate             2
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
@@ -481,15 +481,15 @@ pub fn power_balance<R: Real>(
         * (R::literal(1.0) / (p.driven_inertia + p.shaft_end_field_inertia));
     PowerBalance {
         stored_rate: ((p.driving_inertia * shaft_start_dot)
-            .add_product(p.shaft_start_field_inertia, shaft_start_dot)
+            .add_product(shaft_start_dot, p.shaft_start_field_inertia)
             * shaft_start_dot_dot)
             .add_product(
                 (p.driven_inertia * shaft_end_dot)
-                    .add_product(p.shaft_end_field_inertia, shaft_end_dot),
+                    .add_product(shaft_end_dot, p.shaft_end_field_inertia),
                 shaft_end_dot_dot,
             ),
-        supplied: (p.shaft_start_field_force * shaft_start_dot)
-            .add_product(p.shaft_end_field_force, shaft_end_dot),
+        supplied: (shaft_start_dot * p.shaft_start_field_force)
+            .add_product(shaft_end_dot, p.shaft_end_field_force),
         dissipated: R::literal(0.0),
     }
 }

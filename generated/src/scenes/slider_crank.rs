@@ -66,7 +66,7 @@
 //   prepared_rate           280
 //   prepared_rate_jacobian  736
 
-use crate::{
+use ::machinist_contract::{
     Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern,
 };

@@ -47,7 +47,7 @@
 //   prepared_rate            17
 //   prepared_rate_jacobian   21
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

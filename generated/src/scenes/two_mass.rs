@@ -49,7 +49,7 @@
 //   prepared_rate            16
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind, linear::LinearEquations,
     taylor::{TaylorSeries, order_and_inverse},

@@ -61,7 +61,7 @@
 //   prepared_rate            83
 //   prepared_rate_jacobian  161
 
-use crate::{
+use ::machinist_contract::{
     Describe, Direction, Event, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };

@@ -87,7 +87,7 @@
 //   prepared_rate           741
 //   prepared_rate_jacobian 5082
 
-use crate::{
+use ::machinist_contract::{
     Constraint, Describe, Direction, Event, Energy, PowerBalance, Quantity, Real,
     RunDefaults, Shape, Simulator, SparsityPattern,
 };

@@ -49,7 +49,7 @@
 //   prepared_rate            31
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations, taylor::{TaylorSeries, order_and_inverse},
 };
@@ -361,9 +361,6 @@ impl<R: Real> Constants<R> {
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let drum_speed = p.winding_speed / p.drum_radius;
     let package_speed = p.winding_speed / p.holder_package_radius;
-    let t0 = R::literal(2.0) * drum_speed;
-    let t1 = R::literal(2.0) * p.ovality * drum_speed;
-    let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let holder_mass = p
         .holder_bobbin_mass
         .add_product(
@@ -372,6 +369,9 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
             (p.holder_package_radius * p.holder_package_radius)
                 .sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius),
         ) + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
+    let t0 = R::literal(2.0) * drum_speed;
+    let t1 = R::literal(2.0) * p.ovality * drum_speed;
+    let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + p.layer_stiffness)
         * inverse_holder_mass);

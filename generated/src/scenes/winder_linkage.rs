@@ -92,7 +92,7 @@
 //   prepared_rate          1001
 //   prepared_rate_jacobian 7660
 
-use crate::{
+use ::machinist_contract::{
     Constraint, Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape,
     Simulator, SparsityPattern,
 };

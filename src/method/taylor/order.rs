@@ -1,6 +1,7 @@
 //! Measured order of Taylor's method at fixed orders, with steps of one length.
 
 use machinist_contract::Simulator;
+use machinist_contract::taylor::value as series_value;
 use machinist_scenes::scenes;
 
 use super::step;
@@ -21,7 +22,7 @@ fn end(simulator: &dyn Simulator<f64>, order: usize, steps: usize) -> Vec<f64> {
     for index in 0..steps {
         let time = index as f64 * length;
         series.series(time, &state, &parameters, &mut coefficients, &mut workspace);
-        step::value(&coefficients, length, &mut state);
+        series_value(&coefficients, length, &mut state);
     }
     state
 }

@@ -248,18 +248,6 @@ pub(super) fn all_finite(values: &[f64]) -> bool {
     zeros.iter().chain(rest).all(|value| value.is_finite())
 }
 
-/// The polynomial at `time` after the start of the step.
-pub(crate) fn value<R: Real>(coefficients: &[R], time: R, value: &mut [R]) {
-    let states = value.len();
-    let mut orders = coefficients.chunks_exact(states).rev();
-    value.copy_from_slice(orders.next().unwrap_or_default());
-    for terms in orders {
-        for (value, term) in value.iter_mut().zip(terms) {
-            *value = value.mul_add(time, *term);
-        }
-    }
-}
-
 /// The polynomial and its derivative at `time` after the start of the step.
 pub(super) fn value_and_slope<R: Real>(
     coefficients: &[R],

@@ -6,9 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::emit::needed_nodes;
-use crate::expr::Function;
-use crate::tape::{NodeId, Op, Tape};
+use machinist_model::{Function, NodeId, Op, Tape, needed_nodes};
 
 /// What is called together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -131,7 +129,7 @@ fn missing(tape: &Tape, nodes: impl Iterator<Item = NodeId>, is_done: &[bool]) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tape::Node;
+    use machinist_model::Node;
 
     fn tape(ops: &[Op], results: &[u32]) -> Tape {
         let nodes = ops.iter().map(|&op| Node { op, name: None }).collect();

@@ -2,7 +2,7 @@
 //!
 //! Statements come in the tape's order but for calls that come together
 //! ([`super::batch`]), and expressions keep the tape's association, so that emitted code
-//! and [`crate::evaluate`] agree bit for bit where the target has no fused products; see
+//! and [`machinist_model::evaluate`] agree bit for bit where the target has no fused products; see
 //! [`super::fuse`].
 //! A body is one function however long; splitting it would start here, by
 //! cutting `statements` where few variables are alive.
@@ -18,16 +18,17 @@ use super::names::{Namer, identifier};
 use super::plan::{Place, plan};
 use crate::emit::EmitError;
 use crate::emit::literal::constant_or_literal;
-use crate::expr::{Function, TableId};
-use crate::tape::{NodeId, Op, Tape};
+use machinist_model::{Function, NodeId, Op, TableId, Tape};
 
 /// Names a body may use.
 pub(super) struct Scope<'a> {
     /// Local variables, one for each entry of the state.
     pub(super) states: &'a [Ident],
-    /// Fields of `Parameters`.
+    /// Fields of `Parameters`: the machine's.
     pub(super) parameters: &'a [Ident],
-    /// Fields of `Constants`, which tapes read as parameters behind the parameters.
+    /// Fields of `Parameters` that fields of the machine set.
+    pub(super) handed: &'a [Ident],
+    /// What is known before: fields of `Constants`, or variables where `is_in_loop`.
     pub(super) constants: &'a [Ident],
     /// Constants of the tables.
     pub(super) tables: &'a [Ident],
@@ -38,9 +39,14 @@ pub(super) struct Scope<'a> {
 }
 
 impl Scope<'_> {
-    /// The constant behind the parameters.
-    fn constant(&self, entry: u32) -> &Ident {
-        &self.constants[entry as usize - self.parameters.len()]
+    /// The name of what is given to a run.
+    fn given(&self, op: &Op) -> Option<&Ident> {
+        match *op {
+            Op::Parameter(entry) => self.parameters.get(entry as usize),
+            Op::Handed(entry) => self.handed.get(entry as usize),
+            Op::Constant(entry) => self.constants.get(entry as usize),
+            _ => None,
+        }
     }
 }
 
@@ -234,12 +240,21 @@ impl Writer<'_> {
                 Ok(Written::call(quote!(#name)))
             }
             Op::Parameter(entry) => {
-                if let Some(name) = self.scope.parameters.get(entry as usize) {
-                    self.reads.parameters = true;
-                    return Ok(Written::call(quote!(p.#name)));
+                self.reads.parameters = true;
+                let name = &self.scope.parameters[entry as usize];
+                Ok(Written::call(quote!(p.#name)))
+            }
+            Op::Handed(entry) => {
+                self.reads.parameters = true;
+                let name = &self.scope.handed[entry as usize];
+                Ok(Written::call(quote!(p.#name)))
+            }
+            Op::Constant(entry) => {
+                let name = &self.scope.constants[entry as usize];
+                if self.scope.is_in_loop {
+                    return Ok(Written::call(quote!(#name)));
                 }
                 self.reads.constants = true;
-                let name = self.scope.constant(entry);
                 Ok(Written::call(quote!(c.#name)))
             }
             Op::Neg(a) => {
@@ -351,11 +366,7 @@ impl Writer<'_> {
     }
 
     fn call(&mut self, function: Function, argument: NodeId) -> Result<Written, EmitError> {
-        let method = function_name(function).ok_or_else(|| EmitError::Malformed {
-            function: self.function,
-            reason: format!("{function:?} is no function of one argument"),
-        })?;
-        let method = format_ident!("{method}");
+        let method = format_ident!("{}", function.name());
         let argument = self.operand_at_least(argument, Strength::Call)?;
         Ok(Written::call(quote!(#argument.#method())))
     }
@@ -364,9 +375,7 @@ impl Writer<'_> {
     fn describe(&self, op: &Op) -> Option<String> {
         let joined = |a, word, b| Some(format!("{}_{word}_{}", self.word(a)?, self.word(b)?));
         match *op {
-            Op::Call(function, a) => {
-                Some(format!("{}_{}", function_name(function)?, self.word(a)?))
-            }
+            Op::Call(function, a) => Some(format!("{}_{}", function.name(), self.word(a)?)),
             Op::Neg(a) => Some(format!("minus_{}", self.word(a)?)),
             Op::Powi(a, -1) => Some(format!("inverse_{}", self.word(a)?)),
             Op::Powi(a, 2) => Some(format!("{}_squared", self.word(a)?)),
@@ -390,15 +399,15 @@ impl Writer<'_> {
             let name = name.to_string();
             return (!is_temporary(&name)).then_some(name);
         }
-        match self.tape.nodes[index].op {
+        let op = &self.tape.nodes[index].op;
+        match *op {
             Op::Time => Some("time".to_owned()),
             Op::State(entry) => Some(self.scope.states[entry as usize].to_string()),
-            Op::Parameter(entry) => {
-                let name = self.scope.parameters.get(entry as usize);
-                let name = name.unwrap_or_else(|| self.scope.constant(entry)).to_string();
+            Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) => {
+                let name = self.scope.given(op)?.to_string();
                 (!is_temporary(&name)).then_some(name)
             }
-            ref op if self.places[index] != Place::Statement => self.describe(op),
+            _ if self.places[index] != Place::Statement => self.describe(op),
             _ => None,
         }
     }
@@ -411,23 +420,3 @@ fn is_temporary(name: &str) -> bool {
 
 /// Longer names say no more than a number does.
 const LONGEST_NAME: usize = 36;
-
-/// The method of `Real` for a function of one argument.
-pub(super) fn function_name(function: Function) -> Option<&'static str> {
-    Some(match function {
-        Function::Sqrt => "sqrt",
-        Function::Abs => "abs",
-        Function::Exp => "exp",
-        Function::Ln => "ln",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Asin => "asin",
-        Function::Acos => "acos",
-        Function::Atan => "atan",
-        Function::Sinh => "sinh",
-        Function::Cosh => "cosh",
-        Function::Tanh => "tanh",
-        Function::SelectLess | Function::Table { .. } => return None,
-    })
-}

@@ -7,8 +7,7 @@ use super::Scene;
 use crate::emit::EmitError;
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
-use crate::state::Motion;
-use crate::system::{Direction, Quantity};
+use machinist_model::{Direction, Quantity, StateKind};
 
 /// Both implementations and the statics they read.
 pub(super) fn implementations(
@@ -22,15 +21,14 @@ pub(super) fn implementations(
 }
 
 fn describe(scene: &Scene<'_>) -> TokenStream {
-    let system = &scene.program.system;
+    let model = scene.model;
     let machine = &scene.machine;
-    let (name, title) = (&system.name, &system.title);
+    let (name, title) = (&model.name, &model.title);
     let count = proc_macro2::Literal::usize_unsuffixed;
-    let layout = &scene.program.layout;
-    let positions = count(layout.positions());
-    let first_order = count(system.first_order.len());
-    let quadratures = count(layout.quadratures);
-    let layout_methods = (!layout.is_of_all(system)).then(|| {
+    let positions = count(model.positions());
+    let first_order = count(model.first_order());
+    let quadratures = count(model.quadratures);
+    let layout_methods = (!model.is_whole()).then(|| {
         quote!(
             fn state_kind(&self, index: usize) -> StateKind {
                 STATE_KINDS[index]
@@ -40,7 +38,7 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
             }
         )
     });
-    let event_methods = (!scene.program.events.is_empty()).then(|| {
+    let event_methods = (!scene.model.events.is_empty()).then(|| {
         quote!(
             fn events(&self) -> usize {
                 EVENTS
@@ -95,14 +93,14 @@ fn describe(scene: &Scene<'_>) -> TokenStream {
 
 /// Nothing for a scene without constraints.
 fn constraint_methods(scene: &Scene<'_>) -> Option<TokenStream> {
-    let program = scene.program;
-    let is_given = program.is_given();
-    let given = is_given.iter().enumerate().filter(|(_, given)| **given);
+    let model = scene.model;
+    let given = model.states.iter().enumerate().filter(|(_, state)| state.is_given);
     let given = given.map(|(index, _)| proc_macro2::Literal::usize_unsuffixed(index));
     let given: Vec<_> = given.collect();
     let given = if given.is_empty() { quote!(false) } else { quote!(matches!(index, #(#given)|*)) };
-    let index = if is_given.contains(&true) { quote!(index) } else { quote!(_index) };
-    (!program.constraints.is_empty()).then(|| {
+    let is_any_given = model.states.iter().any(|state| state.is_given);
+    let index = if is_any_given { quote!(index) } else { quote!(_index) };
+    (!model.constraints.is_empty()).then(|| {
         quote!(
             fn constraints(&self) -> usize {
                 CONSTRAINTS
@@ -122,7 +120,7 @@ fn constraint_methods(scene: &Scene<'_>) -> Option<TokenStream> {
 
 /// What the scene's constraints are, if it has any.
 fn constraint_shapes(scene: &Scene<'_>) -> Option<TokenStream> {
-    let constraints = &scene.program.constraints;
+    let constraints = &scene.model.constraints;
     let shapes = constraints.iter().map(|constraint| {
         let (name, unit, doc) = (&constraint.name.path, &constraint.unit, &constraint.doc);
         let is_of_positions = constraint.is_of_positions;
@@ -147,7 +145,7 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
             }
         )
     });
-    let linear = scene.program.excitation.is_some().then(|| {
+    let linear = scene.model.excitation.is_some().then(|| {
         quote!(
             fn linear(&self) -> Option<&dyn LinearEquations<R>> {
                 Some(self)
@@ -181,12 +179,12 @@ fn simulator(scene: &Scene<'_>, has_series: bool) -> TokenStream {
         "forcing",
     ]
     .map(|name| delegate(name, None));
-    let event_functions: &[&str] = match scene.program.events.len() {
+    let event_functions: &[&str] = match scene.model.events.len() {
         0 => &[],
         _ => &["guards", "guard_rates", "resets"],
     };
     let event_functions = event_functions.iter().map(|name| delegate(name, None));
-    let constraint_functions: &[&str] = match scene.program.constraints.len() {
+    let constraint_functions: &[&str] = match scene.model.constraints.len() {
         0 => &[],
         _ => &["constraint_values", "constraint_rates", "constraint_matrix"],
     };
@@ -270,13 +268,12 @@ fn prepared() -> TokenStream {
 }
 
 fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-    let system = &scene.program.system;
-    let states = quantities(scene.program.layout.quantities());
-    let parameters = quantities(system.parameters.iter().map(|parameter| &parameter.quantity));
-    let outputs = quantities(system.outputs.iter().map(|output| &output.quantity));
-    let scales =
-        numbers("scale of a state", scene.program.layout.states.iter().map(|state| state.scale))?;
-    let defaults = numbers("parameter", system.parameters.iter().map(|p| p.value))?;
+    let model = scene.model;
+    let states = quantities(scene.model.states.iter().map(|state| &state.quantity));
+    let parameters = quantities(model.all_parameters().map(|parameter| &parameter.quantity));
+    let outputs = quantities(model.wanted.iter());
+    let scales = numbers("scale of a state", scene.model.states.iter().map(|state| state.scale))?;
+    let defaults = numbers("parameter", model.all_parameters().map(|p| p.value))?;
     let run = run_defaults(scene)?;
     let layout = layout_statics(scene);
     let events = event_shapes(scene)?;
@@ -296,16 +293,16 @@ fn statics(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
 
 /// What only a simulator says whose state is not \[q, q', z\].
 fn layout_statics(scene: &Scene<'_>) -> Option<TokenStream> {
-    let (system, layout) = (&scene.program.system, &scene.program.layout);
-    if layout.is_of_all(system) {
+    let model = scene.model;
+    if model.is_whole() {
         return None;
     }
-    let kinds = layout.states.iter().map(|state| match state.motion {
-        Motion::Position { .. } => quote!(StateKind::Position),
-        Motion::Velocity(_) => quote!(StateKind::Velocity),
-        Motion::FirstOrder(_) => quote!(StateKind::FirstOrder),
+    let kinds = model.states.iter().map(|state| match state.kind {
+        StateKind::Position(_) => quote!(StateKind::Position),
+        StateKind::Velocity(_) => quote!(StateKind::Velocity),
+        StateKind::FirstOrder | StateKind::Mode => quote!(StateKind::FirstOrder),
     });
-    let coordinates = quantities(system.coordinates.iter().map(|c| &c.position));
+    let coordinates = quantities(model.coordinates.iter().map(|c| &c.position));
     Some(quote! {
         static STATE_KINDS: [StateKind; STATES] = [#(#kinds),*];
         static COORDINATE_QUANTITIES: [Quantity<'static>; COORDINATES] = [#(#coordinates),*];
@@ -314,17 +311,14 @@ fn layout_statics(scene: &Scene<'_>) -> Option<TokenStream> {
 
 /// Entries of the state that are modes.
 fn mode_places(scene: &Scene<'_>) -> Vec<proc_macro2::Literal> {
-    let states = scene.program.layout.states.iter().enumerate();
-    let modes = states.filter(|(_, state)| match state.motion {
-        Motion::FirstOrder(id) => scene.program.system.first_order[id.0 as usize].is_mode,
-        _ => false,
-    });
+    let states = scene.model.states.iter().enumerate();
+    let modes = states.filter(|(_, state)| state.kind == StateKind::Mode);
     modes.map(|(index, _)| proc_macro2::Literal::usize_unsuffixed(index)).collect()
 }
 
 /// What the scene's events are, if it has any.
 fn event_shapes(scene: &Scene<'_>) -> Result<Option<TokenStream>, EmitError> {
-    let events = &scene.program.events;
+    let events = &scene.model.events;
     if events.is_empty() {
         return Ok(None);
     }
@@ -373,7 +367,7 @@ fn numbers(place: &str, values: impl Iterator<Item = f64>) -> Result<Vec<TokenSt
 }
 
 fn run_defaults(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-    let run = &scene.program.system.run;
+    let run = &scene.model.run;
     let numbers = numbers("run", [run.from, run.until, run.rtol].into_iter())?;
     let [from, until, rtol] = [&numbers[0], &numbers[1], &numbers[2]];
     let points = proc_macro2::Literal::usize_unsuffixed(run.points);

@@ -6,13 +6,13 @@ use quote::{format_ident, quote};
 use super::Scene;
 use super::body::{ResultNames, Scope, body};
 use super::functions::counted;
+use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::emit::{EmitError, tape_operations};
-use crate::linear::Excitation;
+use machinist_model::{Excitation, operations};
 
 /// Constants, functions and implementation; nothing for a machine that is not linear.
 pub(super) fn items(scene: &Scene<'_>) -> Result<Option<TokenStream>, EmitError> {
-    let Some(excitation) = &scene.program.excitation else { return Ok(None) };
+    let Some(excitation) = &scene.model.excitation else { return Ok(None) };
     let terms = terms(excitation);
     let [values, switches] = functions(scene, excitation)?;
     let machine = &scene.machine;
@@ -58,7 +58,8 @@ fn functions(scene: &Scene<'_>, excitation: &Excitation) -> Result<[TokenStream;
         "g, w, C and S of every term of the excitation, on the piece that holds `time`.",
         "Times at which pieces of the excitation end \\[s\\]; not finite where there is none.",
     ];
-    let [values, switches] = excitation.functions();
+    let [values, switches] =
+        [("excitation", &excitation.values), ("switches", &excitation.switches)];
     let length = Literal::usize_unsuffixed(excitation.values.results.len());
     Ok([
         function(scene, values, meanings[0], &quote!(#length))?,
@@ -68,13 +69,14 @@ fn functions(scene: &Scene<'_>, excitation: &Excitation) -> Result<[TokenStream;
 
 fn function(
     scene: &Scene<'_>,
-    (name, tape): (&'static str, &crate::tape::Tape),
+    (name, tape): (&'static str, &machinist_model::Tape),
     meaning: &str,
     length: &TokenStream,
 ) -> Result<TokenStream, EmitError> {
     let scope = Scope {
         states: &scene.states,
-        parameters: &scene.parameters,
+        parameters: scene.own_parameters(),
+        handed: scene.handed(),
         constants: &[],
         tables: &scene.tables,
         is_in_loop: false,
@@ -85,7 +87,7 @@ fn function(
     let p = if body.reads.parameters { format_ident!("p") } else { format_ident!("_p") };
     let time = if body.reads.time { quote!(time) } else { quote!(_time) };
     let time = (name == "excitation").then(|| quote!(#time: R,));
-    let operations = counted(tape_operations(tape));
+    let operations = counted(operations(tape));
     let docs = doc([meaning, "", operations.as_str()]);
     let name = format_ident!("{name}");
     Ok(quote! {

@@ -6,28 +6,25 @@ use quote::{format_ident, quote};
 
 use super::Scene;
 use super::body::{Body, ResultNames, Scope, body};
-use super::check::check_tape;
 use super::items::meaning;
 use super::names::{Namer, argument, distinct};
 use super::points;
+use crate::emit::EmitError;
 use crate::emit::literal::literal;
 use crate::emit::text::doc;
-use crate::emit::{EmitError, tape_operations};
-use crate::program::{FieldProgram, Program};
-use crate::system::{Place, Quantity};
-use crate::tape::Tape;
+use machinist_model::{FieldModel, Model, Place, Quantity, Tape, operations};
 
 /// Modules of all fields and the implementation; nothing for a scene without fields.
 pub(super) fn items(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-    let fields = &scene.program.fields;
+    let fields = &scene.model.fields;
     if fields.is_empty() {
         return Ok(TokenStream::new());
     }
-    let idents = fields.iter().map(|field| field.field.quantities[0].name.ident.as_str());
+    let idents = fields.iter().map(|field| field.quantities[0].name.ident.as_str());
     let modules = distinct(idents, "fields")?;
     let bodies = fields.iter().zip(&modules).map(|(field, name)| module(scene, field, name));
     let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
-    let implementation = implementation(scene, &modules);
+    let implementation = implementation(scene, &modules)?;
     Ok(quote!(#(#bodies)* #implementation))
 }
 
@@ -52,7 +49,7 @@ enum Of {
     Parameters,
 }
 
-fn functions(field: &FieldProgram) -> [(Manner, &Tape); 9] {
+fn functions(field: &FieldModel) -> [(Manner, &Tape); 9] {
     let manner = |name, of, doc, results| Manner { name, doc, of, results };
     [
         (manner("inertia", Of::Place, "m, the inertia a length.", &[] as &[_]), &field.inertia),
@@ -116,28 +113,29 @@ fn functions(field: &FieldProgram) -> [(Manner, &Tape); 9] {
     ]
 }
 
-fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<TokenStream, EmitError> {
+fn module(scene: &Scene<'_>, field: &FieldModel, name: &Ident) -> Result<TokenStream, EmitError> {
     let mut locals = Namer::for_locals();
     let reserved = ["x", "point", "R", "PARAMETERS", "places"].into_iter();
     reserved.chain(points::ARGUMENTS).for_each(|name| locals.reserve(name));
     for table in &scene.tables {
         locals.reserve(&table.to_string());
     }
-    let instance = field.field.quantities[0].name.path.split('.').next().unwrap_or_default();
+    let instance = field.quantities[0].name.path.split('.').next().unwrap_or_default();
     let own = |quantity: &Quantity| {
         let path = quantity.name.path.as_str();
         path.strip_prefix(instance).and_then(|own| own.strip_prefix('.')).unwrap_or(path).to_owned()
     };
     // In the order of the tapes' state: u, u_x, u_t, u_xt.
     let mut states: Vec<Ident> =
-        field.field.quantities[..4].iter().map(|quantity| locals.claim(&own(quantity))).collect();
+        field.quantities[..4].iter().map(|quantity| locals.claim(&own(quantity))).collect();
     states.push(format_ident!("x"));
     for parameter in &scene.parameters {
         locals.reserve(&parameter.to_string());
     }
     let scope = Scope {
         states: &states,
-        parameters: &scene.parameters,
+        parameters: scene.own_parameters(),
+        handed: scene.handed(),
         constants: &[],
         tables: &scene.tables,
         is_in_loop: false,
@@ -150,12 +148,12 @@ fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<Token
         results: &["value", "rate"],
     };
     let functions = functions(field).into_iter().chain([(initial, &field.initial)]);
-    let functions = functions.map(|(manner, tape)| function(scene, &manner, tape, &scope));
+    let functions = functions.map(|(manner, tape)| function(&manner, tape, &scope));
     let functions = functions.collect::<Result<Vec<_>, _>>()?;
-    let loops = points::functions(scene, field, &scope)?;
+    let loops = points::functions(field, &scope)?;
     let count = Literal::usize_unsuffixed(field.parameters.len());
-    let parameters = field.parameters.iter().map(|id| Literal::u32_unsuffixed(id.0));
-    let title = format!("The field {}", meaning(&field.field.quantities[0]));
+    let parameters = field.parameters.iter().map(|id| Literal::u32_unsuffixed(*id));
+    let title = format!("The field {}", meaning(&field.quantities[0]));
     let docs = doc([
         title.as_str(),
         "",
@@ -175,15 +173,8 @@ fn module(scene: &Scene<'_>, field: &FieldProgram, name: &Ident) -> Result<Token
     })
 }
 
-fn function(
-    scene: &Scene<'_>,
-    manner: &Manner,
-    tape: &Tape,
-    scope: &Scope<'_>,
-) -> Result<TokenStream, EmitError> {
+fn function(manner: &Manner, tape: &Tape, scope: &Scope<'_>) -> Result<TokenStream, EmitError> {
     let name = manner.name;
-    check_tape(tape, scene.program, scope.states.len())
-        .map_err(|reason| EmitError::Malformed { function: name, reason })?;
     let names = manner.results.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
     let result_names = ResultNames { spread: false, names };
     let Body { statements, results, reads } = body(name, tape, scope, &result_names)?;
@@ -202,7 +193,7 @@ fn function(
         if of_point.contains(&entry) { quote!(#name) } else { quote!(_) }
     });
     let destructured = (!of_point.is_empty()).then(|| quote!(let [#(#states),*] = *#point;));
-    let operations = format!("{} operations.", tape_operations(tape));
+    let operations = format!("{} operations.", operations(tape));
     let docs = doc([manner.doc, "", operations.as_str()]);
     let (length, ident) = (Literal::usize_unsuffixed(results.len()), format_ident!("{name}"));
     // The loop over points moves out what no point decides, if it sees it.
@@ -219,12 +210,13 @@ fn function(
     })
 }
 
-fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
+fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> Result<TokenStream, EmitError> {
     let machine = &scene.machine;
-    let fields = &scene.program.fields;
+    let fields = &scene.model.fields;
+    let own = scene.model.parameters.len() as u32;
     let count = Literal::usize_unsuffixed(fields.len());
-    let statics = fields.iter().zip(modules).map(|(field, module)| statics(field, module));
-    let statics: Vec<TokenStream> = statics.collect();
+    let statics = fields.iter().zip(modules).map(|(field, module)| statics(field, module, own));
+    let statics = statics.collect::<Result<Vec<_>, _>>()?;
     let numbers: Vec<Literal> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
     let names = modules.iter().map(constant).collect::<Vec<_>>();
     let arms = |call: &TokenStream| {
@@ -269,11 +261,11 @@ fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
         copied("places", &quote!(), &quote!()),
         copied("places_gradient", &quote!(), &quote!()),
     ];
-    let structure = structure(scene.program);
+    let structure = structure(scene.model);
     let many = points::methods(&numbers, modules, fields);
     let inertia = arms(&quote!(inertia(x, &p)));
     let initial = arms(&quote!(initial(x, &p)));
-    quote! {
+    Ok(quote! {
         impl<R: Real> FieldScene<R> for #machine {
             fn fields(&self) -> usize { #count }
             fn field(&self, index: usize) -> FieldDescription<'_> {
@@ -301,13 +293,13 @@ fn implementation(scene: &Scene<'_>, modules: &[Ident]) -> TokenStream {
             panic!("there is no field of number {index}")
         }
         #(#statics)*
-    }
+    })
 }
 
 /// What is known of the forms of the densities, where it is more than nothing.
-fn structure(program: &Program) -> TokenStream {
-    let fields = &program.fields;
-    let known = |name: &str, holds: &dyn Fn(&FieldProgram) -> bool| {
+fn structure(model: &Model) -> TokenStream {
+    let fields = &model.fields;
+    let known = |name: &str, holds: &dyn Fn(&FieldModel) -> bool| {
         let numbers = (0..fields.len()).filter(|index| holds(&fields[*index]));
         let numbers: Vec<Literal> = numbers.map(Literal::usize_unsuffixed).collect();
         let name = format_ident!("field_is_{name}");
@@ -321,7 +313,7 @@ fn structure(program: &Program) -> TokenStream {
     };
     let linear = known("linear", &|field| field.is_linear);
     let local = known("local", &|field| field.local.is_some());
-    let reads_no_forces = (!program.jacobian_reads_forces()).then(|| {
+    let reads_no_forces = (!model.jacobian_reads_forces()).then(|| {
         quote! {
             fn jacobian_reads_forces(&self) -> bool { false }
         }
@@ -334,16 +326,17 @@ fn constant(module: &Ident) -> Ident {
     format_ident!("{}_FIELD", module.to_string().to_ascii_uppercase())
 }
 
-fn statics(program: &FieldProgram, module: &Ident) -> TokenStream {
-    let field = &program.field;
-    // What is in a spec was checked to be finite when it was read.
-    let number = |value: f64| literal(value).unwrap_or_else(|_| quote!(0.0));
+/// `own` is the number of parameters before what fields hand over.
+fn statics(field: &FieldModel, module: &Ident, own: u32) -> Result<TokenStream, EmitError> {
+    let place = || format!("field `{module}`");
+    let number =
+        |value: f64| literal(value).map_err(|_| EmitError::NotFinite { place: place(), value });
     let quantity = |quantity: &Quantity| {
         let (name, unit, doc) = (&quantity.name.path, &quantity.unit, &quantity.doc);
         quote!(Quantity { name: #name, unit: #unit, doc: #doc })
     };
     let attachments = field.attachments.iter().map(|at| {
-        let coordinate = at.coordinate.map(|id| Literal::u32_unsuffixed(id.0));
+        let coordinate = at.coordinate.map(Literal::u32_unsuffixed);
         let coordinate = coordinate.map_or_else(|| quote!(None), |id| quote!(Some(#id)));
         let place = format_ident!(
             "{}",
@@ -353,19 +346,20 @@ fn statics(program: &FieldProgram, module: &Ident) -> TokenStream {
                 Place::End => "End",
             }
         );
-        let handed = Literal::u32_unsuffixed(at.handed.0);
-        let x = number(at.x);
-        quote!(FieldAttachment {
+        let handed = Literal::u32_unsuffixed(own + at.handed);
+        let x = number(at.x)?;
+        Ok(quote!(FieldAttachment {
             coordinate: #coordinate, place: FieldPlace::#place, at: #x, handed: #handed,
-        })
+        }))
     });
+    let attachments = attachments.collect::<Result<Vec<_>, EmitError>>()?;
     let [value, slope, rate] = [0, 1, 2].map(|index| quantity(&field.quantities[index]));
-    let scale = field.scale.map(number);
-    let length = number(field.length_value);
+    let scale = [number(field.scale[0])?, number(field.scale[1])?];
+    let length = number(field.length)?;
     let fixed = field.fixed;
     let [elements, order] = [field.elements, field.order].map(Literal::usize_unsuffixed);
     let name = constant(module);
-    quote! {
+    Ok(quote! {
         static #name: FieldDescription<'static> = FieldDescription {
             value: #value,
             rate: #rate,
@@ -378,5 +372,5 @@ fn statics(program: &FieldProgram, module: &Ident) -> TokenStream {
             elements: #elements,
             order: #order,
         };
-    }
+    })
 }

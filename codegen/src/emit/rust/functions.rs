@@ -8,19 +8,22 @@ use quote::{format_ident, quote};
 use super::Scene;
 use super::body::{Body, ResultNames, Scope, body};
 use super::items::phantom;
+use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::emit::{EmitError, functions as tapes, tape_operations};
-use crate::program::SparsityPattern;
-use crate::tape::Tape;
+use machinist_model::functions::FunctionId;
+use machinist_model::{SparsityPattern, Tape, operations};
 
-/// All functions, in the order of [`tapes`].
+/// All functions, in the order of their table.
 pub(super) fn functions(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
     let prepared = &scene.prepare.hoisted;
-    let functions = tapes(scene.program).into_iter().map(|(name, tape)| match name {
-        _ if scene.prepare.is_empty() => function(scene, name, tape, false),
-        "rate" => in_two(scene, name, tape, &prepared.rate),
-        "rate_jacobian" => in_two(scene, name, tape, &prepared.rate_jacobian),
-        _ => function(scene, name, tape, false),
+    let functions = scene.model.functions().map(|row| {
+        let (name, tape) = (row.name, (row.tape)(scene.model));
+        match row.id {
+            _ if scene.prepare.is_empty() => function(scene, name, tape, false),
+            FunctionId::Rate => in_two(scene, name, tape, &prepared.rate),
+            FunctionId::RateJacobian => in_two(scene, name, tape, &prepared.rate_jacobian),
+            _ => function(scene, name, tape, false),
+        }
     });
     functions.collect()
 }
@@ -34,7 +37,7 @@ fn in_two(
 ) -> Result<TokenStream, EmitError> {
     let Manner { doc: meaning, returns, .. } = manner(scene, name);
     let Returns::Array(length) = returns else { return function(scene, name, tape, false) };
-    let operations = counted(tape_operations(tape));
+    let operations = counted(operations(tape));
     let docs = doc([meaning.as_str(), "", operations.as_str()]);
     let rest = function(scene, name, prepared, true)?;
     let (name, prepared) = (format_ident!("{name}"), format_ident!("prepared_{name}"));
@@ -79,7 +82,8 @@ fn function(
     }
     let scope = Scope {
         states: &scene.states,
-        parameters: &scene.parameters,
+        parameters: scene.own_parameters(),
+        handed: scene.handed(),
         constants: &scene.prepare.constants,
         tables: &scene.tables,
         is_in_loop: false,
@@ -103,7 +107,7 @@ fn function(
         }
     };
     let destructured = destructure(scene, &reads.state);
-    let operations = counted(tape_operations(tape));
+    let operations = counted(operations(tape));
     let docs = doc([manner.doc.as_str(), "", operations.as_str()]);
     let inline = (name == "rate").then(|| quote!(#[inline]));
     let name = if is_prepared { format_ident!("prepared_{name}") } else { format_ident!("{name}") };
@@ -175,10 +179,9 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
         Manner { doc: doc.to_owned(), returns, names, of_parameters_only: false }
     };
     let fields = |names: [&str; 3]| names.map(|name| format_ident!("{name}")).to_vec();
-    let system = &scene.program.system;
     let rates: Vec<String> = scene.states.iter().map(|state| format!("{state}_dot")).collect();
     let events = |what: &str| {
-        let events = scene.program.events.iter();
+        let events = scene.model.events.iter();
         events.map(|event| format!("{}_{what}", event.name.ident)).collect()
     };
     match function {
@@ -190,7 +193,7 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             of_parameters_only: true,
             ..array("DISCONTINUITIES", "Times at which the right-hand side jumps \\[s\\].", vec![])
         },
-        "rate" if scene.program.constraints.is_empty() => array(
+        "rate" if scene.model.constraints.is_empty() => array(
             "STATES",
             "`y'`: velocities, `M^-1 f`, `h`; in the units of the states per second.",
             rates,
@@ -202,21 +205,21 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             rates,
         ),
         "mass_matrix" => {
-            let pattern = &scene.program.mass_matrix.pattern;
+            let pattern = &scene.model.mass_matrix.pattern;
             matrix(pattern, "`M = d2L/dq'2`, values in the order of `MASS_MATRIX_PATTERN`.", vec![])
         }
         "forcing" => {
-            let names = system.coordinates.iter();
+            let names = scene.model.coordinates.iter();
             let names = names.map(|c| format!("{}_forcing", c.position.name.ident)).collect();
             array("COORDINATES", "`f` of `M q'' = f(q, q', z, t)`, one for each coordinate.", names)
         }
         "rate_jacobian" => {
-            let pattern = &scene.program.rate_jacobian.pattern;
+            let pattern = &scene.model.rate_jacobian.pattern;
             let names = derivatives(pattern, &rates, &scene.states);
             matrix(pattern, "`dy'/dy`, values in the order of `RATE_JACOBIAN_PATTERN`.", names)
         }
         "parameter_jacobian" => {
-            let pattern = &scene.program.parameter_jacobian.pattern;
+            let pattern = &scene.model.parameter_jacobian.pattern;
             let names = derivatives(pattern, &rates, &scene.parameters);
             matrix(pattern, "`dy'/dp`, values in the order of `PARAMETER_JACOBIAN_PATTERN`.", names)
         }
@@ -234,7 +237,7 @@ fn manner(scene: &Scene<'_>, function: &str) -> Manner {
             array("EVENTS", "`dg/dt` of the guards along the motion.", events("guard_rate"))
         }
         "resets" => {
-            let sets = scene.program.events.iter().flat_map(|event| {
+            let sets = scene.model.events.iter().flat_map(|event| {
                 let states = event.sets.iter().filter_map(|s| scene.states.get(*s as usize));
                 states.map(|state| format!("{state}_after_{}", event.name.ident))
             });
@@ -267,11 +270,11 @@ fn of_constraints(scene: &Scene<'_>, function: &str) -> Manner {
         _ => ("`G = dg'/dq'`, values in the order of `CONSTRAINT_MATRIX_PATTERN`.", ""),
     };
     let (length, names) = if what.is_empty() {
-        let entries = scene.program.constraint_matrix.pattern.entries.len();
+        let entries = scene.model.constraint_matrix.pattern.entries.len();
         let length = Literal::usize_unsuffixed(entries);
         (quote!(#length), vec![])
     } else {
-        let constraints = scene.program.constraints.iter();
+        let constraints = scene.model.constraints.iter();
         let names = constraints.map(|constraint| format!("{}_{what}", constraint.name.ident));
         (quote!(CONSTRAINTS), names.collect())
     };

@@ -5,7 +5,7 @@
 //! operations of the tape and gives its bits.
 
 use super::plan::count_uses;
-use crate::tape::{NodeId, Op, Tape};
+use machinist_model::{NodeId, Op, Tape};
 
 /// A sum with a product in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,45 +8,44 @@ use super::names::{Namer, constant_name};
 use crate::emit::literal::literal;
 use crate::emit::text::{doc, markdown, markdown_line};
 use crate::emit::{EmitError, EmitOptions};
-use crate::program::{Program, SparsityPattern};
-use crate::system::Quantity;
+use machinist_model::{Model, Quantity, SparsityPattern};
 
 /// Shapes and patterns.
 pub(super) fn constants(scene: &Scene<'_>) -> TokenStream {
-    let system = &scene.program.system;
+    let model = scene.model;
     let counts = [
-        count("COORDINATES", system.coordinates.len(), "Generalized coordinates, n."),
-        count("STATES", scene.program.layout.len(), "Length of the state y."),
-        count("PARAMETERS", system.parameters.len(), "Parameters."),
-        count("OUTPUTS", system.outputs.len(), "Wanted outputs."),
+        count("COORDINATES", model.coordinates.len(), "Generalized coordinates, n."),
+        count("STATES", scene.model.states.len(), "Length of the state y."),
+        count("PARAMETERS", model.all_parameters().count(), "Parameters."),
+        count("OUTPUTS", model.wanted.len(), "Wanted outputs."),
         count(
             "DISCONTINUITIES",
-            system.discontinuities.len(),
+            model.discontinuities.results.len(),
             "Times at which the right-hand side jumps.",
         ),
     ];
-    let program = scene.program;
-    let constraints = &program.constraints;
+    let model = scene.model;
+    let constraints = &model.constraints;
     let of_constraints = (!constraints.is_empty()).then(|| {
         let pattern = pattern(
             "CONSTRAINT_MATRIX_PATTERN",
-            &program.constraint_matrix.pattern,
+            &model.constraint_matrix.pattern,
             "Nonzeros of G = dg'/dq'.",
         );
         let count = count("CONSTRAINTS", constraints.len(), "Constraints.");
         quote!(#count #pattern)
     });
-    let counts = counts.into_iter().chain(event_counts(program));
+    let counts = counts.into_iter().chain(event_counts(model));
     let patterns = [
         pattern(
             "MASS_MATRIX_PATTERN",
-            &program.mass_matrix.pattern,
+            &model.mass_matrix.pattern,
             "Nonzeros of M, both triangles.",
         ),
-        pattern("RATE_JACOBIAN_PATTERN", &program.rate_jacobian.pattern, "Nonzeros of dy'/dy."),
+        pattern("RATE_JACOBIAN_PATTERN", &model.rate_jacobian.pattern, "Nonzeros of dy'/dy."),
         pattern(
             "PARAMETER_JACOBIAN_PATTERN",
-            &program.parameter_jacobian.pattern,
+            &model.parameter_jacobian.pattern,
             "Nonzeros of dy'/dp.",
         ),
     ];
@@ -61,13 +60,13 @@ fn count(name: &str, value: usize, meaning: &str) -> TokenStream {
 }
 
 /// Nothing for a scene without events.
-fn event_counts(program: &Program) -> Vec<TokenStream> {
-    let resets = program.events.iter().map(|event| event.sets.len()).sum();
+fn event_counts(model: &Model) -> Vec<TokenStream> {
+    let resets = model.events.iter().map(|event| event.sets.len()).sum();
     let counts = [
-        count("EVENTS", program.events.len(), "Events."),
+        count("EVENTS", model.events.len(), "Events."),
         count("RESETS", resets, "States that events set, those of all events."),
     ];
-    if program.events.is_empty() { vec![] } else { counts.into() }
+    if model.events.is_empty() { vec![] } else { counts.into() }
 }
 
 fn pattern(name: &str, pattern: &SparsityPattern, meaning: &str) -> TokenStream {
@@ -92,15 +91,15 @@ fn pattern(name: &str, pattern: &SparsityPattern, meaning: &str) -> TokenStream 
 
 /// The unit struct that stands for the machine.
 pub(super) fn machine(scene: &Scene<'_>) -> TokenStream {
-    let system = &scene.program.system;
-    let mut lines = vec![markdown_line(&system.title), String::new()];
-    lines.extend(markdown(&system.doc));
-    if !system.source.trim().is_empty() {
+    let model = scene.model;
+    let mut lines = vec![markdown_line(&model.title), String::new()];
+    lines.extend(markdown(&model.doc));
+    if !model.source.trim().is_empty() {
         lines.push(String::new());
-        lines.push(format!("Source: {}", markdown_line(&system.source)));
+        lines.push(format!("Source: {}", markdown_line(&model.source)));
     }
     if lines[0].is_empty() {
-        lines[0] = format!("The machine `{}`.", system.name);
+        lines[0] = format!("The machine `{}`.", model.name);
     }
     while lines.last().is_some_and(String::is_empty) {
         lines.pop();
@@ -116,15 +115,15 @@ pub(super) fn machine(scene: &Scene<'_>) -> TokenStream {
 
 /// `Parameters<R>` with the spec's values as default.
 pub(super) fn parameters(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-    let parameters = &scene.program.system.parameters;
-    let values = parameters.iter().map(|parameter| {
+    let parameters = scene.model.all_parameters();
+    let values = parameters.clone().map(|parameter| {
         literal(parameter.value).map_err(|_| EmitError::NotFinite {
             place: format!("parameter `{}`", parameter.quantity.name.path),
             value: parameter.value,
         })
     });
     let values = values.collect::<Result<Vec<_>, _>>()?;
-    let docs = parameters.iter().map(|parameter| {
+    let docs = parameters.clone().map(|parameter| {
         let default = parameter.value;
         doc([format!("{} In the spec: {default:?}.", meaning(&parameter.quantity))])
     });
@@ -148,8 +147,8 @@ pub(super) fn parameters(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
 
 /// `Outputs<R>`.
 pub(super) fn outputs(scene: &Scene<'_>) -> TokenStream {
-    let outputs = &scene.program.system.outputs;
-    let docs = outputs.iter().map(|output| doc([meaning(&output.quantity)]));
+    let outputs = &scene.model.wanted;
+    let docs = outputs.iter().map(|output| doc([meaning(output)]));
     record(
         &RecordNames { record: "Outputs", length: "OUTPUTS" },
         "Wanted outputs, in SI units.",
@@ -221,12 +220,14 @@ pub(super) fn meaning(quantity: &Quantity) -> String {
 /// `pub mod state` with the index of every state.
 pub(super) fn state_indices(scene: &Scene<'_>) -> TokenStream {
     let mut namer = Namer::empty();
-    let constants = scene.program.layout.quantities().enumerate().map(|(index, quantity)| {
-        let name = namer.claim(&constant_name(&quantity.name.ident));
-        let docs = doc([meaning(quantity)]);
-        let index = proc_macro2::Literal::usize_unsuffixed(index);
-        quote!(#docs pub const #name: usize = #index;)
-    });
+    let constants = scene.model.states.iter().map(|state| &state.quantity).enumerate().map(
+        |(index, quantity)| {
+            let name = namer.claim(&constant_name(&quantity.name.ident));
+            let docs = doc([meaning(quantity)]);
+            let index = proc_macro2::Literal::usize_unsuffixed(index);
+            quote!(#docs pub const #name: usize = #index;)
+        },
+    );
     let constants: Vec<TokenStream> = constants.collect();
     let docs = doc(["Where to find what in the state."]);
     quote!(#docs pub mod state { #(#constants)* })
@@ -234,7 +235,7 @@ pub(super) fn state_indices(scene: &Scene<'_>) -> TokenStream {
 
 /// Tables of the scene.
 pub(super) fn tables(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
-    let tables = scene.program.system.tables.iter().zip(&scene.tables).map(|(table, name)| {
+    let tables = scene.model.tables.iter().zip(&scene.tables).map(|(table, name)| {
         let number = |value: f64| {
             let place = || format!("table `{}`", table.name.path);
             literal(value).map_err(|_| EmitError::NotFinite { place: place(), value })
@@ -258,17 +259,12 @@ pub(super) fn tables(scene: &Scene<'_>) -> Result<TokenStream, EmitError> {
 }
 
 /// The module that lists the scenes.
-pub(super) fn index(
-    programs: &[&Program],
-    modules: &[Ident],
-    options: &EmitOptions,
-) -> TokenStream {
-    let contract = &options.contract;
+pub(super) fn index(models: &[&Model], modules: &[Ident], options: &EmitOptions) -> TokenStream {
     let condition = |name: &str| options.scene_features.then(|| quote!(#[cfg(feature = #name)]));
-    let declarations = programs.iter().zip(modules).map(|(program, module)| {
-        let title = markdown_line(&program.system.title);
+    let declarations = models.iter().zip(modules).map(|(model, module)| {
+        let title = markdown_line(&model.title);
         let docs = doc([if title.is_empty() { format!("The machine `{module}`.") } else { title }]);
-        let condition = condition(&program.system.name);
+        let condition = condition(&model.name);
         quote! {
             #docs
             #condition
@@ -284,17 +280,17 @@ pub(super) fn index(
         }
     });
     let with_fields = |wanted: bool| {
-        let programs = programs.iter().zip(modules);
-        programs.filter(move |(program, _)| program.fields.is_empty() != wanted)
+        let models = models.iter().zip(modules);
+        models.filter(move |(model, _)| model.fields.is_empty() != wanted)
     };
-    let arm = |(program, module): (&&Program, &Ident)| {
-        let name = &program.system.name;
+    let arm = |(model, module): (&&Model, &Ident)| {
+        let name = &model.name;
         let machine = format_ident!("{}", super::names::type_name(name));
         let condition = condition(name);
         quote!(#condition #name => Some(&#module::#machine),)
     };
-    let listed = |(program, _): (&&Program, &Ident)| {
-        let name = program.system.name.as_str();
+    let listed = |(model, _): (&&Model, &Ident)| {
+        let name = model.name.as_str();
         let condition = condition(name);
         quote!(#condition #name)
     };
@@ -345,7 +341,7 @@ pub(super) fn index(
     };
     quote! {
         #![doc = #inner]
-        use #contract::{Real, Simulator #field_import};
+        use ::machinist_contract::{Real, Simulator #field_import};
         #(#declarations)*
         #names_doc
         #[rustfmt::skip]

@@ -4,8 +4,7 @@ use std::collections::BTreeSet;
 
 use super::batch::Step;
 use super::fuse::{Fused, swallowed};
-use crate::emit::needed_nodes;
-use crate::tape::{NodeId, Tape};
+use machinist_model::{NodeId, Tape, needed_nodes};
 
 /// Operations that one expression holds at most.
 const LONGEST_EXPRESSION: usize = 24;

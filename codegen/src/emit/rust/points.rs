@@ -4,15 +4,12 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::Scene;
 use super::body::{Body, ResultNames, Scope, body};
-use super::check::check_tape;
 use super::names::argument;
+use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::emit::{EmitError, tape_operations};
-use crate::hoist::apart_from_state;
-use crate::program::{FieldProgram, LocalForces};
-use crate::tape::Tape;
+use machinist_model::hoist::apart_from_state;
+use machinist_model::{FieldModel, LocalForces, Tape, operations};
 
 /// Names of arguments, not to be taken by local variables.
 pub(super) const ARGUMENTS: [&str; 13] = [
@@ -78,20 +75,17 @@ fn loops(local: &LocalForces) -> [Loop<'_>; 5] {
 
 /// The functions of a field's module; nothing if its forces are not local.
 pub(super) fn functions(
-    scene: &Scene<'_>,
-    field: &FieldProgram,
+    field: &FieldModel,
     scope: &Scope<'_>,
 ) -> Result<Vec<TokenStream>, EmitError> {
     let local = field.local.as_ref().map(loops);
-    let functions = local.iter().flatten().map(|of| function(scene, of, scope));
+    let functions = local.iter().flatten().map(|of| function(of, scope));
     functions.collect()
 }
 
-fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<TokenStream, EmitError> {
+fn function(of: &Loop<'_>, scope: &Scope<'_>) -> Result<TokenStream, EmitError> {
     let Loop { name, tape, .. } = *of;
-    check_tape(tape, scene.program, scope.states.len())
-        .map_err(|reason| EmitError::Malformed { function: name, reason })?;
-    let (before, at_point) = apart_from_state(tape, scope.states.len());
+    let (before, at_point) = apart_from_state(tape);
     let spread = ResultNames { spread: true, names: Vec::new() };
     let shared = body(name, &before, scope, &spread)?;
     // Every one of them has a `let`, so what stands for it is a name.
@@ -103,8 +97,7 @@ fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<Token
     for name in &known {
         namer.reserve(&name.to_string());
     }
-    let states: Vec<Ident> = scope.states.iter().chain(&known).cloned().collect();
-    let inner = Scope { states: &states, is_in_loop: true, namer: &namer, ..*scope };
+    let inner = Scope { constants: &known, is_in_loop: true, namer: &namer, ..*scope };
     let result_names = of.results.iter().map(|name| format!("{name}_here")).collect();
     let result_names = ResultNames { spread: false, names: result_names };
     let Body { statements, results, reads } = body(name, &at_point, &inner, &result_names)?;
@@ -125,8 +118,8 @@ fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<Token
     let (head, rest) = slices.split_first().map_or((None, &[] as &[_]), |(a, b)| (Some(a), b));
     let operations = format!(
         "{} operations for all points, {} for each.",
-        tape_operations(&before),
-        tape_operations(&at_point)
+        operations(&before),
+        operations(&at_point)
     );
     let docs = doc([of.doc, "", operations.as_str()]);
     let (ident, before) = (format_ident!("{name}"), &shared.statements);
@@ -148,7 +141,7 @@ fn function(scene: &Scene<'_>, of: &Loop<'_>, scope: &Scope<'_>) -> Result<Token
 pub(super) fn methods(
     numbers: &[Literal],
     modules: &[Ident],
-    fields: &[FieldProgram],
+    fields: &[FieldModel],
 ) -> TokenStream {
     if !fields.iter().any(|field| field.local.is_some()) {
         return TokenStream::new();

@@ -9,9 +9,8 @@ use super::items::{RecordNames, record};
 use super::names::Namer;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::hoist::Hoisted;
-use crate::program::Program;
-use crate::tape::{Op, Tape};
+use machinist_model::hoist::Hoisted;
+use machinist_model::{Model, Op, Tape};
 
 /// The constants of a scene, and rate and Jacobian that read them.
 pub(super) struct Prepare {
@@ -23,16 +22,24 @@ pub(super) struct Prepare {
 
 impl Prepare {
     pub(super) fn new(
-        program: &Program,
+        model: &Model,
         states: &[Ident],
         parameters: &[Ident],
         tables: &[Ident],
         locals: &Namer,
     ) -> Result<Self, EmitError> {
-        let mut hoisted = Hoisted::new(program);
-        name_entries(&mut hoisted, program, states);
-        let scope =
-            Scope { states, parameters, constants: &[], tables, is_in_loop: false, namer: locals };
+        let mut hoisted = Hoisted::new(model);
+        name_entries(&mut hoisted, model, states);
+        let (parameters, handed) = parameters.split_at(model.parameters.len());
+        let scope = Scope {
+            states,
+            parameters,
+            handed,
+            constants: &[],
+            tables,
+            is_in_loop: false,
+            namer: locals,
+        };
         let names = ResultNames { names: Vec::new(), spread: true };
         let body = body("prepare", &hoisted.constants, &scope, &names)?;
         // Every constant has a `let`, so what stands for it is a name.
@@ -87,25 +94,23 @@ impl Prepare {
 }
 
 /// Names constants that are nothing but an entry of the Jacobian by that entry.
-fn name_entries(hoisted: &mut Hoisted, program: &Program, states: &[Ident]) {
+fn name_entries(hoisted: &mut Hoisted, model: &Model, states: &[Ident]) {
     let rates: Vec<String> = states.iter().map(|state| format!("{state}_dot")).collect();
-    let names = derivatives(&program.rate_jacobian.pattern, &rates, states);
-    let first = program.system.parameters.len();
-    let reads = |tape: &Tape, constant: usize| {
-        let read = Op::Parameter((first + constant) as u32);
+    let names = derivatives(&model.rate_jacobian.pattern, &rates, states);
+    let reads = |tape: &Tape, constant: u32| {
+        let read = Op::Constant(constant);
         let nodes = tape.nodes.iter().flat_map(|node| node.op.operands());
         nodes.map(|id| tape[id].op).any(|op| op == read)
     };
     let jacobian = &hoisted.rate_jacobian;
     for (result, name) in jacobian.results.iter().zip(names) {
-        let Op::Parameter(entry) = jacobian[*result].op else { continue };
-        let Some(constant) = (entry as usize).checked_sub(first) else { continue };
-        let id = hoisted.constants.results[constant];
+        let Op::Constant(constant) = jacobian[*result].op else { continue };
+        let id = hoisted.constants.results[constant as usize];
         let is_part = hoisted.constants.nodes.iter().any(|node| node.op.operands().contains(&id));
         let is_known = is_part
             || reads(jacobian, constant)
             || reads(&hoisted.rate, constant)
-            || hoisted.rate.results.iter().any(|id| hoisted.rate[*id].op == Op::Parameter(entry));
+            || hoisted.rate.results.iter().any(|id| hoisted.rate[*id].op == Op::Constant(constant));
         let node = &mut hoisted.constants.nodes[id.0 as usize];
         if !is_known && node.name.is_none() {
             node.name = Some(name);

@@ -11,8 +11,8 @@ use quote::{format_ident, quote};
 use super::Scene;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
-use crate::taylor::{Convolution, MassMatrix, TaylorTape, recurrences};
 use coefficients::Writer;
+use machinist_model::series::{Convolution, MassMatrix, TaylorTape, recurrences};
 use needs::{Needs, needs};
 
 /// More nodes make a function that takes long to compile and runs slowly: such
@@ -33,11 +33,11 @@ pub(super) struct Series {
 impl Series {
     /// The series of a scene, unless it has no states or too many nodes.
     pub(super) fn new(scene: &Scene<'_>) -> Option<Self> {
-        let tape = recurrences(scene.program);
+        let tape = recurrences(scene.model);
         // A series does not keep to constraints.
-        let is_free = scene.program.constraints.is_empty();
+        let is_free = scene.model.constraints.is_empty();
         let is_wanted = is_free && !tape.rate.is_empty() && tape.nodes.len() <= MOST_NODES;
-        let bends = tape.bends(scene.program.system.discontinuities.len());
+        let bends = tape.bends(scene.model.discontinuities.results.len());
         is_wanted.then(|| Self { needs: needs(&tape), tape, bends })
     }
 

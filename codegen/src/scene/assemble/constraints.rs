@@ -1,15 +1,15 @@
 //! Constraints: expressions of coordinates that are zero, or of velocities, in which
 //! they are linear.
 
-use crate::diagnostic::Mistake;
-use crate::dimension::Dimension;
 use crate::expr::{Expr, Symbol};
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::Scope;
 use crate::scene::names::{Flat, name};
+use crate::scene::system::Constraint;
 use crate::scene::typed::Typed;
+use crate::spec::diagnostic::Mistake;
+use crate::spec::dimension::Dimension;
 use crate::spec::{ConstraintSpec, quoted};
-use crate::system::Constraint;
 
 impl Assembler<'_> {
     /// Every constraint, those of instances first.

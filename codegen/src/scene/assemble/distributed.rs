@@ -4,19 +4,20 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use crate::diagnostic::{Mistake, Spanned};
-use crate::dimension::Dimension;
-use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
+use crate::expr::{CoordinateId, Expr, FirstOrderId, HandedId, ParameterId, Symbol};
 use crate::scene::assemble::initial::Initial;
 use crate::scene::assemble::{Assembler, per_second, quantity};
 use crate::scene::attachments::ends;
 use crate::scene::evaluate::evaluate;
-use crate::scene::layout::{FieldPart, HANDED, Local, Scope};
+use crate::scene::layout::{FieldPart, Layout, Local, Scope};
 use crate::scene::resolve::Wanted;
+use crate::scene::system::{Attachment, Field, GeneralizedForce, Parameter};
 use crate::scene::typed::{Uses, integer, product, sum};
+use crate::spec::diagnostic::{Mistake, Spanned};
+use crate::spec::dimension::Dimension;
 use crate::spec::expression::Ast;
 use crate::spec::{Boundary, FieldSpec, Formula, Mass, quoted};
-use crate::system::{Attachment, Field, GeneralizedForce, Parameter};
+use machinist_contract::field::HANDED;
 
 /// Initial u and u_t of fields by instance, field and 0 or 1.
 pub type Profiles = BTreeMap<(usize, usize, usize), Expr>;
@@ -106,7 +107,6 @@ impl Assembler<'_> {
                     fixed: ends(instance, field).map(|end| end == Boundary::Fixed),
                     elements: choice.elements,
                     order: choice.order,
-                    mass: choice.mass.value,
                 });
                 self.supported(choice.mass.value, choice.mass.span);
             }
@@ -117,7 +117,7 @@ impl Assembler<'_> {
         fields
     }
 
-    fn supported(&mut self, mass: Mass, span: crate::diagnostic::Span) {
+    fn supported(&mut self, mass: Mass, span: crate::spec::diagnostic::Span) {
         if mass == Mass::Consistent {
             let message = "elements of fields have their inertia at their nodes";
             let help = "leave `mass` out: with nodes at the points of the quadrature it costs \
@@ -159,7 +159,7 @@ impl Assembler<'_> {
                 at: at.expr.clone(),
                 place: at.place,
                 x: at.x,
-                handed: self.layout.handed(index, 0),
+                handed: Layout::handed(index, 0),
             });
         }
         attachments
@@ -244,7 +244,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// The parameters that fields hand over, in the order of attachments.
+    /// The numbers that fields hand over, in the order of attachments.
     pub(super) fn handed(&self) -> Vec<Parameter> {
         let mut handed = Vec::new();
         for at in &self.layout.attachments {
@@ -298,7 +298,7 @@ pub fn take_hold(fields: &[Field], kinetic: &mut Expr, forces: &mut [Generalized
     let half = Expr::Number(BigRational::new(1.into(), 2.into()));
     for at in fields.iter().flat_map(|field| &field.attachments) {
         let Some(id) = at.coordinate else { continue };
-        let handed = |which| Expr::Symbol(Symbol::Parameter(ParameterId(at.handed.0 + which)));
+        let handed = |which| Expr::Symbol(Symbol::Handed(HandedId(at.handed.0 + which)));
         let rate = Expr::Symbol(Symbol::Velocity(id));
         let square = crate::scene::typed::power(rate, &BigRational::from_integer(2.into()));
         let energy = product(vec![half.clone(), handed(0), square]);
@@ -310,7 +310,7 @@ pub fn take_hold(fields: &[Field], kinetic: &mut Expr, forces: &mut [Generalized
 }
 
 /// u, u_x, u_t, u_xt and x.
-fn quantities(instance: &str, field: &FieldSpec) -> [crate::system::Quantity; 5] {
+fn quantities(instance: &str, field: &FieldSpec) -> [machinist_model::Quantity; 5] {
     let (unit, doc) = (field.unit.text.trim(), field.doc.as_str());
     let rate_unit = per_second(&field.unit);
     let rate_of = |doc: &str| if doc.is_empty() { String::new() } else { format!("rate of {doc}") };

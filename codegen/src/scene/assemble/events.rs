@@ -1,16 +1,16 @@
 //! Events: guards, the modes in which they are watched, and what they set.
 
-use crate::diagnostic::{Mistake, Spanned};
-use crate::dimension::Dimension;
 use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::initial::Target;
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::names::{Flat, name};
 use crate::scene::resolve::Wanted;
+use crate::scene::system::Event;
 use crate::scene::typed::{Uses, product, reciprocal};
+use crate::spec::diagnostic::{Mistake, Spanned};
+use crate::spec::dimension::Dimension;
 use crate::spec::{EventSpec, did_you_mean, quoted};
-use crate::system::Event;
 
 impl Assembler<'_> {
     /// Every event, those of instances first.

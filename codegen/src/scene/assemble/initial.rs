@@ -1,7 +1,5 @@
 //! Initial values.
 
-use crate::diagnostic::{Mistake, Span, Spanned};
-use crate::dimension::Dimension;
 use crate::expr::{Expr, ParameterId};
 use crate::scene::assemble::Assembler;
 use crate::scene::assemble::distributed::Profiles;
@@ -9,6 +7,8 @@ use crate::scene::evaluate::evaluate;
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::resolve::Wanted;
 use crate::scene::typed::{Uses, integer, product, reciprocal};
+use crate::spec::diagnostic::{Mistake, Span, Spanned};
+use crate::spec::dimension::Dimension;
 use crate::spec::{Formula, did_you_mean, quoted};
 
 /// Initial values of everything, of parameters only.

@@ -1,13 +1,14 @@
 //! Helpers and wanted outputs.
 
-use crate::diagnostic::{Mistake, Span};
 use crate::scene::assemble::{Assembler, per_second, quantity};
 use crate::scene::layout::{Local, Scope, find_instance};
 use crate::scene::resolve::Wanted;
+use crate::scene::system::Definition;
 use crate::scene::typed::Uses;
+use crate::spec::diagnostic::{Mistake, Span};
 use crate::spec::expression::{Ast, Node};
 use crate::spec::{Declared, DefinitionSpec, OutputSpec, quoted};
-use crate::system::{Definition, Quantity};
+use machinist_model::Quantity;
 
 impl Assembler<'_> {
     /// Every helper, those of instances first. Outputs of units are checked on the

@@ -1,11 +1,11 @@
 //! What the scene says of precision: which parameters runs may change, and what
 //! may be taken for rigid.
 
-use crate::diagnostic::{Mistake, Spanned};
 use crate::scene::assemble::Assembler;
 use crate::scene::layout::{Local, Scope, find_instance};
+use crate::spec::diagnostic::{Mistake, Spanned};
 use crate::spec::{did_you_mean, quoted};
-use crate::system::Freeze;
+use machinist_model::Freeze;
 
 impl Assembler<'_> {
     /// Whether each parameter may be changed, those of the scene first; all may, if

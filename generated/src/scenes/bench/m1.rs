@@ -46,7 +46,7 @@
 //   energy                   22
 //   power_balance            76
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind, taylor::{Lanes, TaylorSeries, order_and_inverse},
 };

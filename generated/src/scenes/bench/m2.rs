@@ -57,7 +57,7 @@
 //   prepared_rate            52
 //   prepared_rate_jacobian   31
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

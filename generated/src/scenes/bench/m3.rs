@@ -58,7 +58,7 @@
 //   prepared_rate            63
 //   prepared_rate_jacobian   40
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
@@ -566,20 +566,20 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         .motor_supply_phase
         .sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
+    let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
+    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
+    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
     let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
     let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
     let t2 = t1 / (p.motor_x_s * motor_sigma);
-    let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
     let t3 = R::literal(core::f64::consts::PI) * shaft_omega_2;
-    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let t4 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
-    let t5 = R::literal(1.0) / (p.shaft_driven_field_inertia + t4);
-    let t6 = R::literal(1.0) / (p.shaft_end_field_inertia + t4);
+    let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
+    let t5 = R::literal(1.0) / (t4 + p.shaft_driven_field_inertia);
+    let t6 = R::literal(1.0) / (t4 + p.shaft_end_field_inertia);
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
     let t7 = R::literal(0.5) / p.shaft_pieces;
     let t8 = p.coupling_stiffness * p.coupling_ratio;
@@ -588,8 +588,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
     let shaft_driven_dot_dot_by_motor_phi = t8 * t5;
-    let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
+    let motor_omega_dot_by_shaft_driven = t8 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.coupling_stiffness
         * coupling_ratio_squared * t5);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
@@ -765,7 +765,7 @@ pub fn mass_matrix<R: Real>(
     p: &Parameters<R>,
 ) -> [R; 3] {
     let t0 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
-    [p.motor_inertia, p.shaft_driven_field_inertia + t0, p.shaft_end_field_inertia + t0]
+    [p.motor_inertia, t0 + p.shaft_driven_field_inertia, t0 + p.shaft_end_field_inertia]
 }
 
 /// `f` of `M q'' = f(q, q', z, t)`, one for each coordinate.
@@ -958,9 +958,9 @@ pub fn parameter_jacobian<R: Real>(
     let t15 = t14 / p.shaft_pieces;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven_field_force = R::literal(1.0)
-        / (p.shaft_driven_field_inertia + t15);
+        / (t15 + p.shaft_driven_field_inertia);
     let shaft_end_dot_dot_by_shaft_end_field_force = R::literal(1.0)
-        / (p.shaft_end_field_inertia + t15);
+        / (t15 + p.shaft_end_field_inertia);
     let t16 = R::literal(0.5) / p.shaft_pieces;
     let t17 = t16 * shaft_load;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
@@ -1179,9 +1179,9 @@ pub fn time_derivative<R: Real>(
     let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude
         * shaft_omega_2 / p.shaft_pieces * shaft_engagement * t2;
     let shaft_driven_dot_dot_by_time = (-(t9 * t3 / t8)).sub_product(t10, t3)
-        * (R::literal(1.0) / (p.shaft_driven_field_inertia + t7));
+        * (R::literal(1.0) / (t7 + p.shaft_driven_field_inertia));
     let shaft_end_dot_dot_by_time = (-(t9 * t4 / t8)).sub_product(t10, t4)
-        * (R::literal(1.0) / (p.shaft_end_field_inertia + t7));
+        * (R::literal(1.0) / (t7 + p.shaft_end_field_inertia));
     [
         R::literal(0.0),
         R::literal(0.0),
@@ -1320,8 +1320,8 @@ pub fn power_balance<R: Real>(
         * (R::literal(1.0) / p.motor_inertia);
     let shaft_driven_dot_dot = ((p.shaft_driven_field_force + t12)
         .add_product(t13, coupling_twist_rate) - t11)
-        * (R::literal(1.0) / (p.shaft_driven_field_inertia + t9));
-    let shaft_end_dot_dot = t14 * (R::literal(1.0) / (p.shaft_end_field_inertia + t9));
+        * (R::literal(1.0) / (t9 + p.shaft_driven_field_inertia));
+    let shaft_end_dot_dot = t14 * (R::literal(1.0) / (t9 + p.shaft_end_field_inertia));
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x
         .add_product(motor_omega_0, motor_psi_sy)
@@ -1343,12 +1343,12 @@ pub fn power_balance<R: Real>(
         .sub_product(t12, shaft_driven_dot)
         .add_product(p.motor_inertia * motor_omega, motor_omega_dot)
         .add_product(
-            (p.shaft_driven_field_inertia * shaft_driven_dot)
+            (shaft_driven_dot * p.shaft_driven_field_inertia)
                 .add_product(t9, shaft_driven_dot),
             shaft_driven_dot_dot,
         )
         .add_product(
-            (p.shaft_end_field_inertia * shaft_end_dot).add_product(t9, shaft_end_dot),
+            (shaft_end_dot * p.shaft_end_field_inertia).add_product(t9, shaft_end_dot),
             shaft_end_dot_dot,
         )
         .add_product(
@@ -2239,21 +2239,21 @@ pub mod shaft_phi {
     ) {
         let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
         let (t1, t2) = t0.sin_cos();
-        let t3 = (-(R::literal(1.0) / p.shaft_engagement_width
+        let t3 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
+        let t4 = (-(R::literal(1.0) / p.shaft_engagement_width
             * (time - p.shaft_engagement_time)))
             .exp();
-        let t4 = R::literal(1.0) + t3;
+        let t5 = R::literal(1.0) + t4;
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-        let t5 = t4 * t4;
-        let t6 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        let t7 = t6 / (p.shaft_length * p.shaft_engagement_width)
-            * p.shaft_mean.add_product(p.shaft_amplitude, t1) * t3;
+        let t6 = t5 * t5;
+        let t7 = t3 / (p.shaft_length * p.shaft_engagement_width)
+            * p.shaft_mean.add_product(p.shaft_amplitude, t1) * t4;
         let t8 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed
-            * t6 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
+            * t3 * R::literal(core::f64::consts::PI * core::f64::consts::PI)
             / p.shaft_length * t2;
         for (((_, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
             let t0 = (inverse_shaft_standstill_band * phi_dot).tanh();
-            *by_time = -(t7 * t0 / t5) - t8 * t0 / t4;
+            *by_time = -(t7 * t0 / t6) - t8 * t0 / t5;
         }
     }
     /// f_1 alone, at many points.
@@ -2276,10 +2276,10 @@ pub mod shaft_phi {
         by_u_x: &mut [R],
         by_u_xt: &mut [R],
     ) {
-        let t0 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
-        let t1 = p.shaft_pieces - R::literal(1.0);
-        let t2 = -(t0 / t1);
-        let t3 = -(t0 * p.shaft_loss_time / t1);
+        let t0 = p.shaft_pieces - R::literal(1.0);
+        let t1 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
+        let t2 = -(t1 / t0);
+        let t3 = -(t1 * p.shaft_loss_time / t0);
         for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt)
         {
             *by_u_x = t2;

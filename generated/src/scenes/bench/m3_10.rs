@@ -71,7 +71,7 @@
 //   energy                   90
 //   power_balance           318
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, StateKind, taylor::{Bends, Lanes, TaylorSeries, order_and_inverse},
 };

@@ -50,7 +50,7 @@
 //   prepared_rate            10
 //   prepared_rate_jacobian    0
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations,
     field::{FieldAttachment, FieldDescription, FieldPlace, FieldPoint, FieldScene},
@@ -577,7 +577,7 @@ pub fn power_balance<R: Real>(
         * (R::literal(1.0) / p.shaft_driven_field_inertia);
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t4)
         * (R::literal(1.0)
-            / (p.shaft_reed_field_inertia + reed_mass_times_reed_radius_squared));
+            / (reed_mass_times_reed_radius_squared + p.shaft_reed_field_inertia));
     let t5 = R::literal(3.015_928_947_446_201) * p.drive_spring_stiffness
         * shaft_driven_minus_drive * t2;
     PowerBalance {
@@ -585,16 +585,16 @@ pub fn power_balance<R: Real>(
             .add_product(t3, shaft_driven_dot)
             .add_product(t4, shaft_reed_dot)
             .add_product(
-                p.shaft_driven_field_inertia * shaft_driven_dot,
+                shaft_driven_dot * p.shaft_driven_field_inertia,
                 shaft_driven_dot_dot,
             )
             .add_product(
-                (p.shaft_reed_field_inertia * shaft_reed_dot)
+                (shaft_reed_dot * p.shaft_reed_field_inertia)
                     .add_product(reed_mass_times_reed_radius_squared, shaft_reed_dot),
                 shaft_reed_dot_dot,
             ),
-        supplied: (p.shaft_driven_field_force * shaft_driven_dot)
-            .add_product(p.shaft_reed_field_force, shaft_reed_dot) - t5,
+        supplied: (shaft_driven_dot * p.shaft_driven_field_force)
+            .add_product(shaft_reed_dot, p.shaft_reed_field_force) - t5,
         dissipated: R::literal(0.0),
     }
 }

@@ -57,7 +57,7 @@
 //   energy                   60
 //   power_balance            96
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations, taylor::{TaylorSeries, order_and_inverse},
 };

@@ -42,7 +42,7 @@
 //   energy                   11
 //   power_balance            30
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, linear::LinearEquations, taylor::{TaylorSeries, order_and_inverse},
 };

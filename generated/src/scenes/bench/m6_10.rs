@@ -61,7 +61,7 @@
 //   energy                  118
 //   power_balance          1652
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };

@@ -45,7 +45,7 @@
 //   energy                   22
 //   power_balance            68
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };

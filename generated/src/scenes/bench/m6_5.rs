@@ -51,7 +51,7 @@
 //   energy                   58
 //   power_balance           397
 
-use crate::{
+use ::machinist_contract::{
     Describe, Energy, PowerBalance, Quantity, Real, RunDefaults, Shape, Simulator,
     SparsityPattern, taylor::{Factored, Lanes, TaylorSeries, order_and_inverse},
 };

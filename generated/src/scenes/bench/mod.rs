@@ -3,7 +3,7 @@
 //     cargo run --release -- gen
 
 //! Simulators emitted from the specs, one module a scene.
-use crate::{Real, Simulator, field::FieldScene};
+use ::machinist_contract::{Real, Simulator, field::FieldScene};
 
 /// Benchmark M1: induction motor alone
 #[rustfmt::skip]

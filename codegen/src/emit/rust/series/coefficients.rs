@@ -8,10 +8,8 @@ use super::{LANES, Names};
 use crate::emit::EmitError;
 use crate::emit::literal::constant_or_literal;
 use crate::emit::rust::Scene;
-use crate::emit::rust::body::function_name;
-use crate::expr::{Function, TableId};
-use crate::tape::{NodeId, Op};
-use crate::taylor::{Convolution, MassMatrix, Recurrence, TaylorTape};
+use machinist_model::series::{Convolution, MassMatrix, Recurrence, TaylorTape};
+use machinist_model::{Function, NodeId, Op, TableId};
 
 /// What the function reads, for names in its signature.
 #[derive(Default)]
@@ -221,11 +219,7 @@ impl<'a> Writer<'a> {
                 quote!(#base.powf(#exponent))
             }
             Op::Call(function, argument) => {
-                let method = function_name(function).ok_or_else(|| EmitError::Malformed {
-                    function: "series",
-                    reason: format!("{function:?} is no function of one argument"),
-                })?;
-                let (method, argument) = (format_ident!("{method}"), value(argument));
+                let (method, argument) = (format_ident!("{}", function.name()), value(argument));
                 quote!(#argument.#method())
             }
             Op::SelectLess { lhs, rhs, then, otherwise } => {
@@ -233,7 +227,12 @@ impl<'a> Writer<'a> {
                 quote!(R::select_less(#lhs, #rhs, #then, #otherwise))
             }
             Op::Table { table, order, argument } => self.interpolate(table, order, argument),
-            Op::Literal(_) | Op::Time | Op::State(_) | Op::Parameter(_) => quote!(),
+            Op::Literal(_)
+            | Op::Time
+            | Op::State(_)
+            | Op::Parameter(_)
+            | Op::Handed(_)
+            | Op::Constant(_) => quote!(),
         })
     }
 
@@ -587,7 +586,7 @@ impl<'a> Writer<'a> {
     }
 
     fn function_of(&self, function: Function, argument: NodeId) -> Option<String> {
-        Some(format!("{}_{}", function_name(function)?, self.telling(argument)?))
+        Some(format!("{}_{}", function.name(), self.telling(argument)?))
     }
 
     /// The name of a node if it says something.

@@ -1,7 +1,7 @@
 //! Which coefficients the function of a series reads.
 
-use crate::tape::NodeId;
-use crate::taylor::{Convolution, Recurrence, TaylorTape};
+use machinist_model::NodeId;
+use machinist_model::series::{Convolution, Recurrence, TaylorTape};
 
 /// What of a tape of recurrences is written down.
 pub(super) struct Needs {

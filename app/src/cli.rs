@@ -1,0 +1,124 @@
+//! The command line: what may be asked, and one file in `src/cli/` for each
+//! command.
+//!
+//! Answers go to standard output, everything else to standard error. The exit
+//! code is 0 for success, 1 for a check that failed or a run that stopped, 2 for
+//! bad input. A command that fails leaves no file behind.
+
+mod bench;
+mod check;
+mod derive;
+pub mod explain;
+mod generate;
+mod linear;
+mod list;
+pub mod modes;
+mod output;
+mod report;
+mod response;
+mod run;
+mod scene;
+pub mod specs;
+mod stability;
+mod sweep;
+mod verify;
+pub mod walk;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Lagrangian specs of machines to fast, checked Rust simulators.
+#[derive(Debug, Parser)]
+#[command(name = "machinist", version, propagate_version = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Emit the simulators of all scenes as Rust
+    Gen(generate::Generate),
+    /// Check specs and say what is wrong with them
+    Check(check::Check),
+    /// Print the equations of motion of a scene
+    Derive(derive::Derive),
+    /// Say what is left out of a scene, why, and what that saves
+    Explain(explain::Explain),
+    /// Simulate a scene
+    Run(run::Run),
+    /// Simulate many variants of a scene, to a table
+    Sweep(sweep::Sweep),
+    /// Measure error against run time of all methods on a scene
+    Bench(bench::Bench),
+    /// Strain all methods by extreme cases: right, refused or wrong
+    Stability(stability::Stability),
+    /// Natural frequencies, damping and mode shapes of a scene
+    Modes(modes::Modes),
+    /// Frequency response of a scene: amplitude and phase
+    Response(response::FrequencyResponse),
+    /// Say which model of a winder is enough, and where it winds stably
+    Walk(walk::WalkCommand),
+    /// Hold the simulators against closed forms and references
+    Verify(verify::Verify),
+    /// Make one page with equations, plots, checks and costs of all scenes
+    Report(report::Report),
+    /// List the scenes that are built in
+    List(list::List),
+}
+
+/// Does what the arguments of this process ask for.
+pub fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Gen(command) => command.execute(),
+        Command::Check(command) => command.execute(),
+        Command::Derive(command) => command.execute(),
+        Command::Explain(command) => command.execute(),
+        Command::Run(command) => command.execute(),
+        Command::Sweep(command) => command.execute(),
+        Command::Bench(command) => command.execute(),
+        Command::Stability(command) => command.execute(),
+        Command::Modes(command) => command.execute(),
+        Command::Response(command) => command.execute(),
+        Command::Walk(command) => command.execute(),
+        Command::Verify(command) => command.execute(),
+        Command::Report(command) => command.execute(),
+        Command::List(command) => command.execute(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.tell(),
+    }
+}
+
+/// `name=value` with a number, as `--set` takes it.
+fn assignment(text: &str) -> Result<(String, f64), String> {
+    let (name, value) =
+        text.split_once('=').ok_or("write it as NAME=VALUE, such as coupling.stiffness=23065.2")?;
+    let number = value.trim().parse().map_err(|_| format!("`{value}` is not a number"))?;
+    if f64::is_finite(number) {
+        Ok((name.trim().to_owned(), number))
+    } else {
+        Err(format!("`{value}` is not a finite number"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn an_assignment_has_a_name_and_a_finite_number() {
+        assert_eq!(assignment("a.b = 2e3"), Ok(("a.b".to_owned(), 2000.0)));
+        for bad in ["a.b", "a.b=", "a.b=x", "a.b=inf", "a.b=NaN"] {
+            assert!(assignment(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! `machinist bench`: what each method pays for accuracy on a scene.
+
+use clap::Args;
+use machinist::Method;
+use machinist_studies::work_precision::{Curve, Plan, Point, TOLERANCES, WorkPrecision, measure};
+
+use super::output::{columns, print, print_with};
+use super::scene::Scene;
+use crate::failure::Failure;
+use crate::progress::during;
+use crate::report::number::number;
+
+#[derive(Debug, Args)]
+pub struct Bench {
+    /// Name of a scene, or a scene file
+    scene: String,
+    /// Only these methods
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    methods: Vec<String>,
+    /// These relative tolerances
+    #[arg(long, value_name = "TOLERANCES", value_delimiter = ',', default_values_t = TOLERANCES)]
+    rtols: Vec<f64>,
+    /// Runs of which the median time counts
+    #[arg(long, value_name = "NUMBER", default_value_t = 25)]
+    runs: usize,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Bench {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let mut plan = Plan { runs: self.runs.max(1), ..Plan::default() };
+        if !self.methods.is_empty() {
+            let methods = self.methods.iter().map(|name| Method::from_name(name));
+            plan.methods =
+                methods.collect::<Result<_, _>>().map_err(|error| Failure::input(error, ""))?;
+        }
+        plan.tolerances.clone_from(&self.rtols);
+        plan.tolerances.sort_by(|a, b| b.total_cmp(a));
+        let scene = Scene::load(&self.scene, false)?;
+        let measured =
+            during("timing the methods", || measure(scene.simulator(), scene.twin(), &plan))?;
+        if self.json {
+            return print_with(|out| {
+                serde_json::to_writer_pretty(&mut *out, &measured)?;
+                writeln!(out)
+            });
+        }
+        print(&self.table(&scene, &measured))
+    }
+
+    fn table(&self, scene: &Scene, measured: &WorkPrecision) -> String {
+        let mut text = format!(
+            "{} ({}), measured against {}\n\
+             error: largest of all states over time, relative to the state's largest value\n\
+             times: medians of up to {} runs; only their ratios mean anything elsewhere\n\n",
+            measured.scene,
+            scene.how(),
+            measured.reference.name,
+            self.runs.max(1),
+        );
+        let header = [
+            "method",
+            "rtol",
+            "ms",
+            "steps",
+            "rejected",
+            "rates",
+            "Jacobians",
+            "error",
+            "error/rtol",
+        ];
+        let mut rows = vec![header.map(str::to_owned)];
+        let agreement = measured.reference.agreement;
+        for curve in &measured.curves {
+            rows.extend(curve.points.iter().map(|point| row(curve, point, agreement)));
+        }
+        text.push_str(&columns(&rows, 1));
+        for curve in &measured.curves {
+            for stop in &curve.stopped {
+                text.extend([&format!("rtol {:.0e}: ", stop.rtol), &stop.reason, "\n"]);
+            }
+        }
+        text
+    }
+}
+
+/// An error that the reference cannot tell from none is marked as such.
+fn row(curve: &Curve, point: &Point, agreement: f64) -> [String; 9] {
+    let mark = if point.error < agreement { "~" } else { "" };
+    let work = point.work;
+    [
+        curve.method.name().to_owned(),
+        format!("{:.0e}", point.rtol),
+        number(point.milliseconds, 3),
+        work.steps.to_string(),
+        work.rejected.to_string(),
+        work.rate_evaluations.to_string(),
+        work.jacobian_evaluations.to_string(),
+        format!("{mark}{}", number(point.error, 2)),
+        number(point.proportionality(), 2),
+    ]
+}

@@ -1,0 +1,80 @@
+//! `machinist check`: what is wrong with specs, and nothing else.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use machinist::constraints;
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_model::interpreted::InterpretedSimulator;
+
+use super::output::print;
+use super::scene::spec_path;
+use super::specs;
+use crate::failure::Failure;
+
+#[derive(Debug, Args)]
+pub struct Check {
+    /// Scene files, folders of them, or names of scenes
+    #[arg(required = true, value_name = "PATH")]
+    paths: Vec<String>,
+}
+
+impl Check {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let mut files: Vec<PathBuf> = Vec::new();
+        for path in &self.paths {
+            if Path::new(path).is_dir() {
+                files.extend(specs::scene_files(Path::new(path))?);
+                files.extend(specs::bench_files(Path::new(path))?);
+            } else {
+                files.push(spec_path(path)?);
+            }
+        }
+        let systems = specs::all(&files, pipeline::check)?;
+        let lines = files.iter().zip(&systems).map(|(file, system)| {
+            Ok::<_, Failure>(format!(
+                "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs{}\n",
+                file.display(),
+                system.coordinates.len(),
+                system.first_order.len(),
+                system.parameters.len(),
+                system.outputs.len(),
+                constraints(system)?,
+            ))
+        });
+        print(&lines.collect::<Result<String, _>>()?)
+    }
+}
+
+/// How many constraints, and how many ways of moving they leave at the start.
+fn constraints(system: &LagrangianSystem) -> Result<String, Failure> {
+    if system.constraints.is_empty() {
+        return Ok(String::new());
+    }
+    let model = pipeline::compile(system.clone(), Keep::All)
+        .map_err(|diagnostics| Failure::Input(vec![diagnostics.into()]))?;
+    let simulator = InterpretedSimulator::new(model);
+    let parameters: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
+    let time = system.run.from;
+    let start = constraints::start(&simulator, &parameters, time);
+    let start = start.map_err(|error| Failure::input(error, ""))?;
+    let Some(mobility) = constraints::mobility(&simulator, &parameters, time, &start) else {
+        return Ok(String::new());
+    };
+    let counted = format!(
+        "{} constraints, mobility {} by rank and {} by Gruebler's count",
+        mobility.constraints,
+        mobility.by_rank(),
+        mobility.by_count(),
+    );
+    match mobility.redundant.first() {
+        None => Ok(format!(", {counted}")),
+        Some(redundant) => {
+            let (name, constraint) = (&system.name, &redundant.constraint);
+            let message = format!("{name}: constraint `{constraint}` {}", redundant.why());
+            Err(Failure::input(message, counted))
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What `modes` and `response` share: a scene, its parameters, and where it is
+//! linearized.
+
+use clap::Args;
+use machinist::Simulation;
+use machinist::linear_analysis::{Linearization, Place, operating_point};
+
+use super::assignment;
+use super::scene::Scene;
+use crate::failure::Failure;
+use crate::progress::during;
+
+#[derive(Debug, Args)]
+pub struct Where {
+    /// Name of a scene built in, or a scene file
+    scene: String,
+    /// Leave nothing out, whether the outputs need it or not
+    #[arg(long)]
+    keep_all: bool,
+    /// Give a parameter another value, in its SI unit
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// Where to linearize: equilibrium (the one near the end of the scene's run, rest
+    /// or constant speed), initial, or t=SECONDS
+    #[arg(long, value_name = "PLACE", default_value = "equilibrium")]
+    at: Place,
+}
+
+impl Where {
+    /// The scene asked for.
+    pub fn load(&self) -> Result<Scene, Failure> {
+        Scene::load(&self.scene, self.keep_all)
+    }
+
+    /// The scene, linearized where asked for.
+    pub fn linearize<'s>(&self, scene: &'s Scene) -> Result<Linearization<'s>, Failure> {
+        let simulator = scene.simulator();
+        let mut run = Simulation::new(simulator);
+        for (name, value) in &self.set {
+            run = run.parameter(name, *value)?;
+        }
+        let point = during("simulating", || operating_point(&run, self.at))?;
+        Ok(Linearization::at(simulator, point)?)
+    }
+
+    /// The place, for people: `equilibrium with time held at 3 s`.
+    pub fn described(&self, linearization: &Linearization<'_>) -> String {
+        let time = linearization.point().time;
+        match self.at {
+            Place::Equilibrium => format!("equilibrium with time held at {time} s"),
+            Place::Initial => format!("state at the start, {time} s"),
+            Place::Time(_) => format!("state of the run at {time} s"),
+        }
+    }
+}

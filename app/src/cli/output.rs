@@ -1,0 +1,107 @@
+//! Standard output and files: whole or not at all.
+
+use std::io::{self, BufWriter, Write as _, stdout};
+use std::path::Path;
+
+use crate::plot::PlotError;
+
+use crate::failure::Failure;
+
+/// Writes an answer to standard output. A reader that has gone away, as `head`
+/// does, is no failure.
+pub fn print(text: &str) -> Result<(), Failure> {
+    print_with(|out| out.write_all(text.as_bytes()))
+}
+
+/// As [`print`], by a function that writes.
+pub fn print_with(write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = BufWriter::new(stdout().lock());
+    match write(&mut out).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::unsuccessful(format!("standard output: {error}"), ""))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file by way of a temporary one beside it, which then takes its name:
+/// a failure leaves the old file as it was.
+pub fn write_file(
+    path: &Path,
+    write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    let failed = |error: &io::Error| Failure::file(path, error);
+    let mut file = temporary_beside(path).map_err(|error| failed(&error))?;
+    {
+        let mut writer = BufWriter::new(file.as_file_mut());
+        write(&mut writer).and_then(|()| writer.flush()).map_err(|error| failed(&error))?;
+    }
+    file.persist(path).map_err(|error| failed(&error.error))?;
+    Ok(())
+}
+
+/// Refuses a file whose name has none of these endings.
+pub fn require_ending(file: &Path, endings: &[&str], option: &str) -> Result<(), Failure> {
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    if endings.iter().any(|known| known.eq_ignore_ascii_case(ending)) {
+        return Ok(());
+    }
+    let message = format!("{option} {}: no such format", file.display());
+    Err(Failure::input(message, format!("the name must end in .{}", endings.join(" or ."))))
+}
+
+/// Draws beside the file first, so that a failure leaves it as it was.
+pub fn draw_file(
+    path: &Path,
+    draw: impl FnOnce(&Path) -> Result<(), PlotError>,
+) -> Result<(), Failure> {
+    let failed = |error: &io::Error| Failure::file(path, error);
+    let drawing = temporary_beside(path).map_err(|error| failed(&error))?;
+    draw(drawing.path()).map_err(|error| Failure::unsuccessful(error, ""))?;
+    drawing.persist(path).map_err(|error| failed(&error.error))?;
+    Ok(())
+}
+
+/// A temporary file in the folder of `path`, with its ending and the permissions
+/// any new file gets.
+fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let ending = path.extension().map(|ending| format!(".{}", ending.display()));
+    let ending = ending.unwrap_or_default();
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".machinist-").suffix(&ending);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+/// Lines of cells as columns: the first `left` of them flush left, numbers after
+/// them flush right.
+pub fn columns<const N: usize>(rows: &[[String; N]], left: usize) -> String {
+    let width = |column: usize| {
+        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+    };
+    let widths: Vec<usize> = (0..N).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
+            let width = *width;
+            let cell =
+                if column < left { format!("{cell:<width$}") } else { format!("{cell:>width$}") };
+            if column > 0 {
+                line.push_str("  ");
+            }
+            line.push_str(&cell);
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,118 @@
+//! `machinist response`: how an output answers a harmonic disturbance.
+
+use std::path::{Path, PathBuf};
+
+use crate::plot::plot_response;
+use clap::Args;
+use machinist::linear_analysis::{Response, logarithmic_range};
+
+use super::linear::Where;
+use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
+use crate::failure::Failure;
+use crate::report::number::number;
+
+#[derive(Debug, Args)]
+pub struct FrequencyResponse {
+    #[command(flatten)]
+    at: Where,
+    /// The parameter that varies harmonically, or a coordinate on which a force does
+    #[arg(long, value_name = "PARAMETER")]
+    from: String,
+    /// The output or state that answers
+    #[arg(long, value_name = "OUTPUT")]
+    to: String,
+    /// Angular frequencies, rad/s; from a tenth of the slowest to ten times the
+    /// fastest motion unless given
+    #[arg(long, value_name = "LOWEST:HIGHEST", value_parser = range)]
+    range: Option<(f64, f64)>,
+    /// Number of frequencies, both ends included
+    #[arg(long, value_name = "NUMBER", default_value_t = 401)]
+    points: usize,
+    /// Write frequency, amplitude and phase to a file that ends in .csv; - for
+    /// standard output and nothing else there
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot amplitude and phase to a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+}
+
+impl FrequencyResponse {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let to_standard_output = self.out.as_deref() == Some(Path::new("-"));
+        if let Some(file) = self.out.as_deref().filter(|_| !to_standard_output) {
+            require_ending(file, &["csv"], "--out")?;
+        }
+        if let Some(file) = &self.plot {
+            require_ending(file, &["svg", "png"], "--plot")?;
+        }
+        let scene = self.at.load()?;
+        let linearization = self.at.linearize(&scene)?;
+        let (lowest, highest) = match self.range {
+            Some(range) => range,
+            None => linearization.range_of_interest()?,
+        };
+        let frequencies = logarithmic_range(lowest, highest, self.points)?;
+        let response = linearization.response(&self.from, &self.to, &frequencies)?;
+
+        let title = scene.simulator().title();
+        if let Some(file) = &self.plot {
+            draw_file(file, |path| plot_response(&response, title, path))?;
+        }
+        match &self.out {
+            Some(_) if to_standard_output => return print_with(|out| response.write_csv(out)),
+            Some(file) => write_file(file, |out| response.write_csv(out))?,
+            None => {}
+        }
+        let place = self.at.described(&linearization);
+        print(&self.summary(&format!("{}: {title}\n{place}", scene.simulator().name()), &response))
+    }
+
+    fn summary(&self, heading: &str, response: &Response) -> String {
+        let Response { from, to, frequencies, .. } = response;
+        let amplitude_heading = format!("amplitude [{}]", response.amplitude_unit());
+        let mut rows =
+            vec![["", "frequency [rad/s]", &amplitude_heading, "phase [deg]"].map(str::to_owned)];
+        let peak = response.peak().map_or(0.0, |(frequency, _)| frequency);
+        let largest =
+            frequencies.iter().position(|frequency| frequency.to_bits() == peak.to_bits());
+        let last = frequencies.len() - 1;
+        for (what, index) in
+            [("lowest", 0), ("largest amplitude", largest.unwrap_or(0)), ("highest", last)]
+        {
+            let phase = response.phases[index].to_degrees();
+            let cells = [frequencies[index], response.amplitudes[index], phase];
+            let [frequency, amplitude, phase] = cells.map(|value| number(value, 6));
+            rows.push([what.to_owned(), frequency, amplitude, phase]);
+        }
+        let mut text = format!("{heading}\n{to} answers {from}\n\n");
+        text.push_str(&columns(&rows, 1));
+        for file in [&self.out, &self.plot].into_iter().flatten() {
+            text.extend(["\nwrote ", &file.display().to_string()]);
+        }
+        text.trim_end().to_owned() + "\n"
+    }
+}
+
+/// `10:1000`.
+fn range(text: &str) -> Result<(f64, f64), String> {
+    let wanted = "write it as LOWEST:HIGHEST in rad/s, such as 10:1000";
+    let (lowest, highest) = text.split_once(':').ok_or(wanted)?;
+    let number = |text: &str| {
+        text.trim().parse::<f64>().map_err(|_| format!("`{text}` is not a number; {wanted}"))
+    };
+    Ok((number(lowest)?, number(highest)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::range;
+
+    #[test]
+    fn a_range_is_two_numbers() {
+        assert_eq!(range("10:1e3"), Ok((10.0, 1000.0)));
+        for bad in ["", "10", "10:", "a:b", "10-20"] {
+            assert!(range(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! `machinist run`: one scene over time, to numbers and plots.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use machinist::field::ModalSimulator;
+use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use machinist::{Discretisation, Method, Simulation};
+use machinist_codegen::spec::did_you_mean;
+use machinist_contract::Simulator;
+
+use super::assignment;
+use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
+use super::scene::Scene;
+use crate::failure::Failure;
+use crate::progress::during;
+use crate::report::number::number;
+
+#[derive(Debug, Args)]
+pub struct Run {
+    /// Name of a scene built in, or a scene file
+    scene: String,
+    /// Leave nothing out, whether the outputs need it or not
+    #[arg(long)]
+    keep_all: bool,
+    /// Give a parameter another value, in its SI unit
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// Start time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// End time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<f64>,
+    /// Number of output times, both ends included
+    #[arg(long, value_name = "NUMBER")]
+    points: Option<usize>,
+    /// Number of elements of each field
+    #[arg(long, value_name = "NUMBER")]
+    elements: Option<usize>,
+    /// Order of the elements of fields
+    #[arg(long, value_name = "NUMBER")]
+    order: Option<usize>,
+    /// Move only so many of the slowest modes, those at the start of the run
+    #[arg(long, value_name = "NUMBER")]
+    modes: Option<usize>,
+    /// Relative tolerance of a step
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
+    rtol: Option<f64>,
+    /// bdf, tr_bdf2, esdirk34, tsit45, tsit5, dop853, rodas5p, radau, auto, taylor or exact
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
+    /// Write all values to a file that ends in .csv or .json; - for CSV on
+    /// standard output and nothing else there
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Plot to a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Only these columns: states, outputs, energy.total
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    columns: Vec<String>,
+}
+
+/// What to make of `--out`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Csv,
+    Json,
+    StandardOutput,
+}
+
+impl Run {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let format = self.out.as_deref().map(format_of).transpose()?;
+        if let Some(file) = &self.plot {
+            require_ending(file, &["svg", "png"], "--plot")?;
+        }
+        let wanted = Discretisation { elements: self.elements, order: self.order };
+        let scene = Scene::load_cut(&self.scene, self.keep_all, wanted)?;
+        self.check_columns(scene.simulator())?;
+        let mut trajectory = self.trajectory(scene.simulator())?;
+        self.choose_columns(&mut trajectory);
+
+        if let Some(file) = &self.plot {
+            let names: Vec<&str> = self.columns.iter().map(String::as_str).collect();
+            draw_file(file, |path| crate::plot::plot(&trajectory, &names, path))?;
+        }
+        match (format, &self.out) {
+            (Some(Format::StandardOutput), _) => {
+                return print_with(|out| trajectory.write_csv(out));
+            }
+            (Some(Format::Csv), Some(file)) => write_file(file, |out| trajectory.write_csv(out))?,
+            (Some(Format::Json), Some(file)) => write_file(file, |out| trajectory.write_json(out))?,
+            _ => {}
+        }
+        print(&self.summary(&scene, &trajectory))
+    }
+
+    fn trajectory(&self, simulator: &dyn Simulator<f64>) -> Result<Trajectory, Failure> {
+        let mut whole = Simulation::new(simulator);
+        for (name, value) in &self.set {
+            whole = whole.parameter(name, *value)?;
+        }
+        let Some(modes) = self.modes else {
+            let simulation = self.adjusted(whole)?;
+            return Ok(during("simulating", || simulation.run())?);
+        };
+        let modal = ModalSimulator::new(simulator, whole.parameter_values(), modes);
+        let modal = modal.map_err(|error| Failure::input(error, ""))?;
+        let simulation = self.adjusted(Simulation::new(&modal))?;
+        Ok(during("simulating", || simulation.run())?)
+    }
+
+    /// The run with what is asked for but parameters.
+    fn adjusted<'a>(&self, mut simulation: Simulation<'a>) -> Result<Simulation<'a>, Failure> {
+        if let Some(time) = self.from {
+            simulation = simulation.from(time);
+        }
+        if let Some(time) = self.until {
+            simulation = simulation.until(time);
+        }
+        if let Some(points) = self.points {
+            simulation = simulation.points(points);
+        }
+        if let Some(rtol) = self.rtol {
+            simulation = simulation.rtol(rtol);
+        }
+        if let Some(name) = &self.method {
+            let method = Method::from_name(name).map_err(|error| Failure::input(error, ""))?;
+            simulation = simulation.method(method);
+        }
+        Ok(simulation)
+    }
+
+    /// Refuses unknown columns before any time is spent.
+    fn check_columns(&self, simulator: &dyn Simulator<f64>) -> Result<(), Failure> {
+        let shape = simulator.shape();
+        let states = (0..shape.states()).map(|index| simulator.state(index).name);
+        let outputs = (0..shape.outputs).map(|index| simulator.output(index).name);
+        let known: Vec<&str> = outputs.chain(states).chain(["energy.total"]).collect();
+        match self.columns.iter().find(|name| !known.contains(&name.as_str())) {
+            None => Ok(()),
+            Some(name) => Err(Failure::input(
+                format!("scene `{}` has no column `{}`", simulator.name(), name.escape_debug()),
+                did_you_mean(name, known.into_iter()),
+            )),
+        }
+    }
+
+    /// Keeps the columns asked for, in the order asked for.
+    fn choose_columns(&self, trajectory: &mut Trajectory) {
+        if !self.columns.is_empty() {
+            let find = |name: &String| trajectory.find(name).cloned();
+            trajectory.columns = self.columns.iter().filter_map(find).collect();
+        }
+    }
+
+    fn summary(&self, scene: &Scene, trajectory: &Trajectory) -> String {
+        let work = trajectory.work;
+        let (from, until) = match trajectory.times.as_slice() {
+            [first, .., last] => (*first, *last),
+            _ => (f64::NAN, f64::NAN),
+        };
+        let mut text = format!(
+            "{}: {} ({})\n{}, rtol {:e}, {from} s to {until} s, {} points\n\
+             {} steps, {} rejected, {} rate evaluations, {} Jacobians, {} factorizations, \
+             {} Newton iterations{}{}\n\n",
+            trajectory.scene,
+            trajectory.title,
+            scene.how(),
+            trajectory.method,
+            trajectory.rtol,
+            trajectory.times.len(),
+            work.steps,
+            work.rejected,
+            work.rate_evaluations,
+            work.jacobian_evaluations,
+            work.factorizations,
+            work.newton_iterations,
+            switches(trajectory),
+            drift(trajectory),
+        );
+        let header = ["", "unit", "final", "least", "greatest"].map(str::to_owned);
+        let shown = |column: &&Column| !self.columns.is_empty() || is_short(trajectory, column);
+        let rows = trajectory.columns.iter().filter(shown).map(summary_row);
+        text.push_str(&columns(&std::iter::once(header).chain(rows).collect::<Vec<_>>(), 2));
+        for file in [&self.out, &self.plot].into_iter().flatten() {
+            text.extend(["\nwrote ", &file.display().to_string()]);
+        }
+        text.trim_end().to_owned() + "\n"
+    }
+}
+
+/// How often each event happened, in a line of its own; nothing without events.
+fn switches(trajectory: &Trajectory) -> String {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for switch in &trajectory.switches {
+        match counts.iter_mut().find(|(event, _)| *event == switch.event) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((&switch.event, 1)),
+        }
+    }
+    if counts.is_empty() {
+        return String::new();
+    }
+    let counts = counts.iter().map(|(event, count)| format!("{event} {count}"));
+    let counts = counts.collect::<Vec<_>>().join(", ");
+    format!("\n{} switches: {counts}", trajectory.work.switches)
+}
+
+/// How far a machine came off its constraints, in a line of its own.
+fn drift(trajectory: &Trajectory) -> String {
+    trajectory.drift.map_or_else(String::new, |drift| {
+        format!(
+            "\nconstraints off by at most {:.1e} before and {:.1e} after being put back",
+            drift.before, drift.after
+        )
+    })
+}
+
+/// States and outputs; an output that bears the name of a state is one line.
+fn is_short(trajectory: &Trajectory, column: &Column) -> bool {
+    column.kind != ColumnKind::Output
+        || trajectory.of_kind(ColumnKind::State).all(|state| state.name != column.name)
+}
+
+fn summary_row(column: &Column) -> [String; 5] {
+    let least = column.values.iter().copied().fold(f64::INFINITY, f64::min);
+    let greatest = column.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let last = column.values.last().copied().unwrap_or(f64::NAN);
+    let [last, least, greatest] = [last, least, greatest].map(|value| number(value, 6));
+    [column.name.clone(), column.unit.clone(), last, least, greatest]
+}
+
+fn format_of(file: &Path) -> Result<Format, Failure> {
+    if file == Path::new("-") {
+        return Ok(Format::StandardOutput);
+    }
+    require_ending(file, &["csv", "json"], "--out")?;
+    let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    Ok(if is_json { Format::Json } else { Format::Csv })
+}

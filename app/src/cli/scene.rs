@@ -1,0 +1,149 @@
+//! What the name of a scene stands for: a simulator built in, or a spec file.
+
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
+
+use machinist::field::{Discretisation, FieldError, FieldSimulator};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_codegen::spec::did_you_mean;
+use machinist_contract::{Real, Simulator};
+use machinist_model::interpreted::InterpretedSimulator;
+use machinist_scenes::scenes;
+use machinist_studies::double_double::DoubleDouble;
+
+use super::specs;
+use crate::failure::Failure;
+use crate::freeze::admit;
+use crate::progress::during;
+
+/// A scene ready to run.
+pub enum Scene {
+    /// Built in, by name.
+    Emitted(&'static dyn Simulator<f64>),
+    /// From a file, evaluated from its tapes.
+    Interpreted(Box<InterpretedSimulator>),
+    /// With fields, cut into elements; whether its machine is emitted code.
+    Fields(Box<FieldSimulator<'static, f64>>, bool),
+}
+
+impl Scene {
+    /// The scene of a name or of a spec file; a name that is not built in may be that
+    /// of a spec. Of its spec in any case if nothing is to be left out.
+    pub fn load(argument: &str, keep_all: bool) -> Result<Self, Failure> {
+        Self::load_cut(argument, keep_all, Discretisation::default())
+    }
+
+    /// As [`Scene::load`], with fields cut as wanted.
+    pub fn load_cut(
+        argument: &str,
+        keep_all: bool,
+        wanted: Discretisation,
+    ) -> Result<Self, Failure> {
+        let is_named = !keep_all && !is_path(argument);
+        if is_named && let Some(scene) = scenes::find_field::<f64>(argument) {
+            let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
+            return Ok(Self::Fields(Box::new(cut), true));
+        }
+        if is_named && let Some(simulator) = built_in(argument) {
+            return without_fields(wanted, Self::Emitted(simulator));
+        }
+        let path = spec_path(argument)?;
+        let keep = if keep_all { Keep::All } else { Keep::Needed };
+        let model = during("deriving", || pipeline::generate(&path, keep))?;
+        if !keep_all {
+            admit(&path, &model)?;
+        }
+        let has_fields = !model.fields.is_empty();
+        let simulator = Box::new(InterpretedSimulator::new(model));
+        if !has_fields {
+            return without_fields(wanted, Self::Interpreted(simulator));
+        }
+        // It lives as long as the command, which loads one scene.
+        let scene: &'static InterpretedSimulator = Box::leak(simulator);
+        let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
+        Ok(Self::Fields(Box::new(cut), false))
+    }
+
+    /// The simulator.
+    pub fn simulator(&self) -> &dyn Simulator<f64> {
+        match self {
+            Self::Emitted(simulator) => *simulator,
+            Self::Interpreted(simulator) => simulator.as_ref(),
+            Self::Fields(simulator, _) => simulator.as_ref(),
+        }
+    }
+
+    /// The same emitted code in numbers of 31 digits.
+    pub fn twin(&self) -> Option<&'static dyn Simulator<DoubleDouble>> {
+        match self {
+            Self::Emitted(simulator) => built_in(simulator.name()),
+            Self::Interpreted(_) | Self::Fields(..) => None,
+        }
+    }
+
+    /// How it runs, for people.
+    pub fn how(&self) -> &'static str {
+        match self {
+            Self::Emitted(_) | Self::Fields(_, true) => "emitted code",
+            Self::Interpreted(_) | Self::Fields(_, false) => "evaluated from its tapes",
+        }
+    }
+}
+
+fn refused(error: &FieldError) -> Failure {
+    let help = "`--elements` and `--order` say how fields are cut; without them the spec does";
+    Failure::input(error, help)
+}
+
+/// A scene without fields is not cut into elements.
+fn without_fields(wanted: Discretisation, scene: Scene) -> Result<Scene, Failure> {
+    if wanted == Discretisation::default() {
+        return Ok(scene);
+    }
+    let message = format!("scene `{}` has no fields", scene.simulator().name());
+    Err(Failure::input(message, "leave `--elements` and `--order` out"))
+}
+
+/// The emitted simulator of a name.
+pub fn built_in<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
+    #[cfg(feature = "bench")]
+    if let Some(simulator) = machinist_scenes::bench::find(name) {
+        return Some(simulator);
+    }
+    scenes::find(name)
+}
+
+/// The spec file of a name or a path. A name is looked for among the specs of
+/// the current folder.
+pub fn spec_path(argument: &str) -> Result<PathBuf, Failure> {
+    if is_path(argument) {
+        return Ok(PathBuf::from(argument));
+    }
+    let places = specs::places_of(argument);
+    if let Some(found) = places.iter().find(|place| place.is_file()) {
+        return Ok(found.clone());
+    }
+    if !scenes::NAMES.contains(&argument) && !scenes::FIELD_NAMES.contains(&argument) {
+        return Err(unknown(argument));
+    }
+    let places: Vec<String> = places.iter().map(|place| place.display().to_string()).collect();
+    Err(Failure::input(
+        format!("no spec of scene `{argument}` here; looked for {}", places.join(" and ")),
+        "run this in the folder that holds `specs`, or give the path of a scene file",
+    ))
+}
+
+/// Whether an argument is meant as a path rather than as a name.
+fn is_path(argument: &str) -> bool {
+    Path::new(argument).extension().is_some_and(|ending| ending == "toml")
+        || argument.contains(['/', MAIN_SEPARATOR])
+}
+
+fn unknown(name: &str) -> Failure {
+    let names = scenes::NAMES.iter().chain(scenes::FIELD_NAMES);
+    let hint = did_you_mean(name, names.copied());
+    let help = format!(
+        "{hint}\n`machinist list` shows all scenes; a path that ends in `.toml` names a scene file"
+    );
+    Failure::input(format!("there is no scene `{}`", name.escape_debug()), help.trim_start())
+}

@@ -1,0 +1,117 @@
+//! Scene specs in a folder, and what is derived from one of them.
+
+use std::path::{Path, PathBuf};
+
+use machinist_codegen::mechanics::lagrange::EquationsOfMotion;
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_model::Model;
+use machinist_model::operations;
+
+use crate::failure::Failure;
+
+/// Where scenes are kept.
+pub const SCENES: &str = "specs/scenes";
+/// The folder below it with scenes that are there to be measured, and the folder
+/// below that of the emitted files with their simulators.
+pub const BENCH: &str = "bench";
+
+/// Where the spec of a scene may be.
+pub fn places_of(name: &str) -> [PathBuf; 2] {
+    let file = format!("{name}.toml");
+    [Path::new(SCENES).join(&file), Path::new(SCENES).join(BENCH).join(&file)]
+}
+
+/// All scene files of a folder, sorted by name.
+pub fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let files = toml_files(folder)?;
+    if files.is_empty() {
+        let message = format!("{}: there are no scenes in this folder", folder.display());
+        return Err(Failure::input(message, "scenes are files that end in `.toml`"));
+    }
+    Ok(files)
+}
+
+/// All scene files of `bench` below a folder, likewise; none without that folder.
+pub fn bench_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let bench = folder.join(BENCH);
+    if bench.is_dir() { toml_files(&bench) } else { Ok(Vec::new()) }
+}
+
+fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let failed = |error: std::io::Error| {
+        let help = "run this in the folder that holds `specs`, or name the folder of the scenes";
+        Failure::input(format!("{}: {error}", folder.display()), help)
+    };
+    let mut files = Vec::new();
+    for entry in folder.read_dir().map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if path.extension().is_some_and(|ending| ending == "toml") && path.is_file() {
+            files.push(path);
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// Applies a stage to every file; if any fails, fails with what is wrong in all.
+pub fn all<T>(
+    files: &[PathBuf],
+    stage: impl Fn(&Path) -> Result<T, Diagnostics>,
+) -> Result<Vec<T>, Failure> {
+    let (mut done, mut wrong) = (Vec::new(), Vec::new());
+    for file in files {
+        match stage(file) {
+            Ok(result) => done.push(result),
+            Err(diagnostics) => wrong.push(diagnostics.into()),
+        }
+    }
+    if wrong.is_empty() { Ok(done) } else { Err(Failure::Input(wrong)) }
+}
+
+/// A scene with its equations and what is computed of them.
+pub struct Derived {
+    /// For people: of the whole scene.
+    pub equations: EquationsOfMotion,
+    /// For machines: of what the outputs need.
+    pub model: Model,
+}
+
+impl Derived {
+    /// Derives a scene file.
+    pub fn new(scene: &Path) -> Result<Self, Diagnostics> {
+        let equations = pipeline::derive(scene)?;
+        let model = pipeline::compile(equations.system.clone(), Keep::Needed)?;
+        Ok(Self { equations, model })
+    }
+}
+
+/// What one emitted function costs.
+pub struct Cost {
+    /// Its name.
+    pub function: &'static str,
+    /// What it computes.
+    pub meaning: &'static str,
+    /// How many numbers it writes.
+    pub results: usize,
+    /// Size of the full matrix, of functions that write nonzeros only.
+    pub full: Option<usize>,
+    /// Arithmetic operations, functions and selections.
+    pub operations: usize,
+}
+
+/// The cost of every function of a scene.
+pub fn costs(model: &Model) -> Vec<Cost> {
+    let costs = model.functions().map(|row| {
+        let tape = (row.tape)(model);
+        Cost {
+            function: row.name,
+            meaning: row.meaning,
+            results: tape.results.len(),
+            full: row.pattern.map(|pattern| pattern(model)).map(|p| p.rows * p.columns),
+            operations: operations(tape),
+        }
+    });
+    costs.collect()
+}

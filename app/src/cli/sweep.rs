@@ -1,0 +1,370 @@
+//! `machinist sweep`: many variants of one scene, to a table.
+
+use std::io;
+use std::path::PathBuf;
+
+use clap::Args;
+use machinist::lanes::F64x8;
+use machinist::sweep::{Sweepable, VariantRun, one};
+use machinist::{Method, SimulateError, Simulation};
+use machinist_codegen::spec::did_you_mean;
+use machinist_contract::Simulator;
+use machinist_scenes::scenes;
+
+use super::assignment;
+use super::output::{print_with, require_ending, write_file};
+use super::scene::{Scene, built_in};
+use crate::failure::Failure;
+use crate::progress::during;
+
+/// More variants are several sweeps.
+const MOST_VARIANTS: usize = 1_000_000;
+
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// Name of a scene built in, or a scene file
+    scene: String,
+    /// A parameter and its values, equally spaced, or with `:log` at equal ratios; given
+    /// again, all pairs
+    #[arg(long, required = true, value_name = "UNIT.PARAMETER=FROM..TO[:log]", value_parser = range)]
+    parameter: Vec<Range>,
+    /// Number of values of each parameter
+    #[arg(long, value_name = "NUMBER")]
+    count: usize,
+    /// Only these outputs or states
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    outputs: Vec<String>,
+    /// The least and the greatest value over the output times instead of the last
+    #[arg(long)]
+    extremes: bool,
+    /// Give another parameter another value, in its SI unit
+    #[arg(long, value_name = "UNIT.PARAMETER=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// End time, s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<f64>,
+    /// Number of output times, both ends included
+    #[arg(long, value_name = "NUMBER")]
+    points: Option<usize>,
+    /// Relative tolerance of a step
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
+    rtol: Option<f64>,
+    /// The method; `taylor` runs eight variants of a scene built in side by side
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
+    /// Number of threads; as many as the machine has unless given
+    #[arg(long, value_name = "NUMBER")]
+    threads: Option<usize>,
+    /// Write to a file that ends in .csv instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// Values of a parameter.
+#[derive(Debug, Clone, PartialEq)]
+struct Range {
+    name: String,
+    from: f64,
+    to: f64,
+    is_log: bool,
+}
+
+impl Sweep {
+    pub fn execute(&self) -> Result<(), Failure> {
+        if let Some(file) = &self.out {
+            require_ending(file, &["csv"], "--out")?;
+        }
+        self.check_numbers()?;
+        let method = self.method.as_deref().map(Method::from_name).transpose();
+        let method = method.map_err(|error| Failure::input(error, ""))?;
+        let scene = Scene::load(&self.scene, false)?;
+        let wanted = self.wanted(scene.simulator())?;
+        let variants = self.variants(scene.simulator())?;
+        let runs = during("simulating", || self.runs(&scene, &variants, method));
+        if let Some(Err(error)) = runs.first()
+            && !matches!(error, SimulateError::Stopped { .. })
+            && runs.iter().all(|run| run.as_ref().err() == Some(error))
+        {
+            // It makes no sense for any variant.
+            return Err(error.clone().into());
+        }
+
+        let table = Table { sweep: self, wanted, variants: &variants, runs: &runs };
+        match &self.out {
+            Some(file) => write_file(file, |out| table.write(scene.simulator(), out))?,
+            None => print_with(|out| table.write(scene.simulator(), out))?,
+        }
+        let stopped = runs.iter().filter(|run| run.is_err()).count();
+        if stopped == 0 {
+            return Ok(());
+        }
+        let message = format!("{stopped} of {} variants stopped", runs.len());
+        Err(Failure::unsuccessful(message, "the last column says where and why"))
+    }
+
+    fn check_numbers(&self) -> Result<(), Failure> {
+        if self.count < 2 {
+            let message = format!("--count {}: a range has at least 2 values", self.count);
+            return Err(Failure::input(message, "`--set` gives a parameter one value"));
+        }
+        let all =
+            (0..self.parameter.len()).try_fold(1, |all: usize, _| all.checked_mul(self.count));
+        if all.is_none_or(|all| all > MOST_VARIANTS) {
+            let (count, parameters) = (self.count, self.parameter.len());
+            let message = format!("{count} values of each of {parameters} parameters are too many");
+            return Err(Failure::input(message, format!("at most {MOST_VARIANTS} variants")));
+        }
+        let names: Vec<&str> = self.parameter.iter().map(|range| range.name.as_str()).collect();
+        if let Some(twice) = (1..names.len()).find(|index| names[..*index].contains(&names[*index]))
+        {
+            return Err(Failure::input(format!("--parameter {} is given twice", names[twice]), ""));
+        }
+        if self.threads == Some(0) {
+            return Err(Failure::input("--threads 0: it takes at least one", ""));
+        }
+        Ok(())
+    }
+
+    /// Places of the outputs and states asked for: outputs first, then states.
+    fn wanted(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<usize>, Failure> {
+        let shape = simulator.shape();
+        let known: Vec<&str> = columns_of(simulator).collect();
+        if self.outputs.is_empty() {
+            let all = if shape.outputs > 0 { shape.outputs } else { known.len() };
+            return Ok((0..all).collect());
+        }
+        let place = |name: &String| {
+            known.iter().position(|known| known == name).ok_or_else(|| {
+                Failure::input(
+                    format!(
+                        "scene `{}` has no output or state `{}`",
+                        simulator.name(),
+                        name.escape_debug()
+                    ),
+                    did_you_mean(name, known.iter().copied()),
+                )
+            })
+        };
+        self.outputs.iter().map(place).collect()
+    }
+
+    /// All parameters of every variant, the last range fastest.
+    fn variants(&self, simulator: &dyn Simulator<f64>) -> Result<Vec<Vec<f64>>, Failure> {
+        let mut base = Simulation::new(simulator);
+        for (name, value) in &self.set {
+            base = base.parameter(name, *value)?;
+        }
+        let mut variants = vec![base.parameter_values().to_vec()];
+        for range in &self.parameter {
+            // Refuses names that are not known.
+            base = base.parameter(&range.name, range.from)?;
+            let Some(place) = place_of(simulator, &range.name) else { continue };
+            let varied = variants.iter().flat_map(|variant| {
+                (0..self.count).map(move |index| {
+                    let mut variant = variant.clone();
+                    variant[place] = range.value(index, self.count);
+                    variant
+                })
+            });
+            variants = varied.collect();
+        }
+        Ok(variants)
+    }
+
+    fn adjusted<'a>(&self, simulation: Simulation<'a>, method: Option<Method>) -> Simulation<'a> {
+        let points = self.points.or((!self.extremes).then_some(2));
+        let simulation = points.into_iter().fold(simulation, Simulation::points);
+        let simulation = self.until.into_iter().fold(simulation, Simulation::until);
+        let simulation = self.rtol.into_iter().fold(simulation, Simulation::rtol);
+        method.into_iter().fold(simulation, Simulation::method)
+    }
+
+    /// Every variant's run: on threads and in lanes if the scene is built in.
+    fn runs(
+        &self,
+        scene: &Scene,
+        variants: &[Vec<f64>],
+        method: Option<Method>,
+    ) -> Vec<Result<VariantRun, SimulateError>> {
+        if let Scene::Emitted(_) = scene {
+            let machine = BuiltIn { name: self.scene.clone() };
+            let sweep = machinist::Sweep::new(&machine)
+                .each(|run| self.adjusted(run, method))
+                .variants(variants.to_vec())
+                .threads(self.threads.unwrap_or_default());
+            return sweep.run();
+        }
+        let run = |parameters: &Vec<f64>| {
+            let run = Simulation::new(scene.simulator()).parameters(parameters);
+            one(&self.adjusted(run, method))
+        };
+        variants.iter().map(run).collect()
+    }
+}
+
+/// A scene that is built in and known to be, for threads, which may share its name.
+struct BuiltIn {
+    name: String,
+}
+
+impl Sweepable for BuiltIn {
+    fn single(&self) -> &dyn Simulator<f64> {
+        built_in(&self.name).expect("it was found by this name before")
+    }
+    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
+        scenes::find(&self.name)
+    }
+}
+
+/// Where a parameter stands.
+fn place_of(simulator: &dyn Simulator<f64>, name: &str) -> Option<usize> {
+    (0..simulator.shape().parameters).position(|index| simulator.parameter(index).name == name)
+}
+
+/// Names of outputs, then of states.
+fn columns_of(simulator: &dyn Simulator<f64>) -> impl Iterator<Item = &str> {
+    let shape = simulator.shape();
+    let outputs = (0..shape.outputs).map(|index| simulator.output(index).name);
+    outputs.chain((0..shape.states()).map(|index| simulator.state(index).name))
+}
+
+/// What is written: parameters, outputs, steps, and why a variant stopped, if any did.
+struct Table<'a> {
+    sweep: &'a Sweep,
+    wanted: Vec<usize>,
+    variants: &'a [Vec<f64>],
+    runs: &'a [Result<VariantRun, SimulateError>],
+}
+
+impl Table<'_> {
+    fn write(&self, simulator: &dyn Simulator<f64>, out: &mut dyn io::Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(out);
+        let any_stopped = self.runs.iter().any(Result::is_err);
+        writer.write_record(self.header(simulator, any_stopped))?;
+        let ranges = self.sweep.parameter.iter();
+        let places: Vec<usize> =
+            ranges.filter_map(|range| place_of(simulator, &range.name)).collect();
+        for (variant, run) in self.variants.iter().zip(self.runs) {
+            let mut record: Vec<String> =
+                places.iter().map(|place| variant[*place].to_string()).collect();
+            match run {
+                Ok(run) => {
+                    record.extend(self.values(run).iter().map(f64::to_string));
+                    record.push(run.steps.to_string());
+                    record.extend(any_stopped.then(String::new));
+                }
+                Err(error) => {
+                    let each = if self.sweep.extremes { 2 } else { 1 };
+                    record.resize(record.len() + each * self.wanted.len() + 1, String::new());
+                    record.push(error.to_string());
+                }
+            }
+            writer.write_record(record)?;
+        }
+        writer.flush()
+    }
+
+    fn header(&self, simulator: &dyn Simulator<f64>, any_stopped: bool) -> Vec<String> {
+        let mut header: Vec<String> =
+            self.sweep.parameter.iter().map(|range| range.name.clone()).collect();
+        let names: Vec<&str> = columns_of(simulator).collect();
+        for name in self.wanted.iter().map(|place| names[*place]) {
+            if self.sweep.extremes {
+                header.extend([format!("{name}.least"), format!("{name}.greatest")]);
+            } else {
+                header.push(name.to_owned());
+            }
+        }
+        header.push("steps".to_owned());
+        header.extend(any_stopped.then(|| "error".to_owned()));
+        header
+    }
+
+    fn values(&self, run: &VariantRun) -> Vec<f64> {
+        let outputs = run.outputs.first().map_or(0, Vec::len);
+        let of = |place: usize| {
+            let (rows, column) = if place < outputs {
+                (&run.outputs, place)
+            } else {
+                (&run.states, place - outputs)
+            };
+            rows.iter().map(move |row| row[column])
+        };
+        let values = self.wanted.iter().flat_map(|place| {
+            if self.sweep.extremes {
+                vec![
+                    of(*place).fold(f64::INFINITY, f64::min),
+                    of(*place).fold(f64::NEG_INFINITY, f64::max),
+                ]
+            } else {
+                of(*place).next_back().into_iter().collect()
+            }
+        });
+        values.collect()
+    }
+}
+
+impl Range {
+    /// The `index`-th of `count` values; both ends are met exactly.
+    fn value(&self, index: usize, count: usize) -> f64 {
+        let share = index as f64 / (count - 1) as f64;
+        match index {
+            0 => self.from,
+            _ if index + 1 == count => self.to,
+            _ if self.is_log => self.from * (self.to / self.from).powf(share),
+            _ => self.from + (self.to - self.from) * share,
+        }
+    }
+}
+
+/// `name=from..to`, perhaps with `:log`, as `--parameter` takes it.
+fn range(text: &str) -> Result<Range, String> {
+    const EXAMPLE: &str = "write it as NAME=FROM..TO, such as coupling.stiffness=1e3..1e5:log";
+    let (name, values) = text.split_once('=').ok_or(EXAMPLE)?;
+    let (values, is_log) = match values.split_once(':') {
+        None => (values, false),
+        Some((values, "log")) => (values, true),
+        Some((_, other)) => return Err(format!("`:{other}` is not known, only `:log`")),
+    };
+    let (from, to) = values.split_once("..").ok_or(EXAMPLE)?;
+    let number = |text: &str| match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        Ok(_) => Err(format!("`{text}` is not a finite number")),
+        Err(_) => Err(format!("`{text}` is not a number")),
+    };
+    let (from, to) = (number(from)?, number(to)?);
+    if is_log && from * to <= 0.0 {
+        return Err(format!("equal ratios do not lead from {from} to {to}; leave `:log` out"));
+    }
+    Ok(Range { name: name.trim().to_owned(), from, to, is_log })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_meets_its_ends_and_keeps_to_equal_steps_or_ratios() {
+        let linear = range("a.b = 1..3").unwrap();
+        let bits = |values: [f64; 3]| values.map(f64::to_bits);
+        assert_eq!(bits([0, 1, 2].map(|index| linear.value(index, 3))), bits([1.0, 2.0, 3.0]));
+        let ratios = range("a.b=1e2..1e6:log").unwrap();
+        assert_eq!(ratios.value(2, 3).to_bits(), 1e6_f64.to_bits());
+        assert!((ratios.value(1, 3) / 1e4 - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_range_that_makes_no_sense_is_refused_with_the_reason() {
+        for (bad, reason) in [
+            ("a.b", "NAME=FROM..TO"),
+            ("a.b=1", "NAME=FROM..TO"),
+            ("a.b=1..x", "`x` is not a number"),
+            ("a.b=1..inf", "not a finite number"),
+            ("a.b=0..1:log", "equal ratios"),
+            ("a.b=1..2:lin", "only `:log`"),
+        ] {
+            let error = range(bad).unwrap_err();
+            assert!(error.contains(reason), "{bad}: {error}");
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! `machinist walk`: which model a winder needs, and where it winds stably.
+
+use std::path::PathBuf;
+
+use crate::plot::plot_map;
+use clap::Args;
+use machinist_studies::winder_walk::map::{Condition, FASTEST, StabilityMap};
+use machinist_studies::winder_walk::{Stage, Walk, Winder};
+use serde::Serialize;
+
+use super::output::{columns, draw_file, print, require_ending};
+use crate::failure::Failure;
+use crate::progress::during;
+use crate::report::number::number;
+
+#[derive(Debug, Args)]
+pub struct WalkCommand {
+    /// Winding speed [m/s]
+    #[arg(long, value_name = "SPEED", default_value_t = 5.5, allow_hyphen_values = true)]
+    speed: f64,
+    /// Radius of the empty bobbin [m]
+    #[arg(long, value_name = "RADIUS", allow_hyphen_values = true)]
+    radius_min: Option<f64>,
+    /// Radius of the full package [m]
+    #[arg(long, value_name = "RADIUS", allow_hyphen_values = true)]
+    radius_max: Option<f64>,
+    /// Force once a turn of the drum [N]; unless given, that of an unbalance with 25 N at 5.5 m/s
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    force: Option<f64>,
+    /// Amplitude of the drum's shape twice a turn [m]
+    #[arg(long, value_name = "AMPLITUDE", allow_hyphen_values = true)]
+    shape: Option<f64>,
+    /// Pressure at rest [N]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    preload: Option<f64>,
+    /// Tension of the thread [N]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    tension: Option<f64>,
+    /// What the yarn bears at most [N], for the stability map
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    largest: Option<f64>,
+    /// Draw the stability map to a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE")]
+    map: Option<PathBuf>,
+    /// As JSON, with the stability map
+    #[arg(long)]
+    json: bool,
+}
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Answer<'a> {
+    walk: &'a Walk,
+    decided: usize,
+    why: Vec<String>,
+    map: &'a StabilityMap,
+}
+
+impl WalkCommand {
+    pub fn execute(&self) -> Result<(), Failure> {
+        if let Some(file) = &self.map {
+            require_ending(file, &["svg", "png"], "--map")?;
+        }
+        let winder = self.winder()?;
+        if let Some(mistake) = winder.mistake() {
+            return Err(Failure::input(mistake, "`machinist walk --help` lists what it takes"));
+        }
+        let failed = |error| Failure::unsuccessful(error, "");
+        let walk = during("walking", || Walk::of(&winder).map_err(failed))?;
+        let map = StabilityMap::of(&winder, winder.speed.max(FASTEST)).map_err(failed)?;
+        if let Some(file) = &self.map {
+            draw_file(file, |path| plot_map(&map, path))?;
+        }
+        if self.json {
+            let (decided, why) = (walk.decided().number, walk.why());
+            let answer = Answer { walk: &walk, decided, why, map: &map };
+            let text = serde_json::to_string_pretty(&answer)
+                .map_err(|error| Failure::unsuccessful(error, ""))?;
+            return print(&format!("{text}\n"));
+        }
+        let mut text = described(&walk);
+        text.push_str(&shares(&map));
+        if let Some(file) = &self.map {
+            text.extend(["\nwrote ", &file.display().to_string(), "\n"]);
+        }
+        print(&text)
+    }
+
+    fn winder(&self) -> Result<Winder, Failure> {
+        let winder =
+            Winder::at_speed(self.speed).map_err(|error| Failure::unsuccessful(error, ""))?;
+        let (least, most) = winder.radii;
+        Ok(Winder {
+            radii: (self.radius_min.unwrap_or(least), self.radius_max.unwrap_or(most)),
+            force: self.force.unwrap_or(winder.force),
+            shape: self.shape.unwrap_or(winder.shape),
+            preload: self.preload.unwrap_or(winder.preload),
+            tension: self.tension.unwrap_or(winder.tension),
+            largest: self.largest.unwrap_or(winder.largest),
+            ..winder
+        })
+    }
+}
+
+fn described(walk: &Walk) -> String {
+    let Winder { speed, radii, force, shape, preload, tension, .. } = walk.winder;
+    let mut text = format!(
+        "Winder at {speed} m/s, package of {} to {} mm, {} N and {} mm of the drum,\n\
+         {preload} N pressure, {tension} N tension\n\n",
+        number(1e3 * radii.0, 4),
+        number(1e3 * radii.1, 4),
+        number(force, 4),
+        number(1e3 * shape, 4)
+    );
+    for line in walk.why() {
+        text.extend([line.as_str(), "\n"]);
+    }
+    text.push('\n');
+    text.push_str(&columns(&table(walk), 1));
+    let later = walk.later();
+    if later.is_empty() {
+        text.push_str("\nThere is no later stage.\n");
+    }
+    let told = |stage: &Stage| {
+        let (cost, change) = (number(walk.cost(stage), 2), walk.change(stage));
+        format!(
+            "\nStage {} would have cost {cost} times as much, and changed: {change}.\n",
+            stage.number
+        )
+    };
+    text.extend(later.iter().map(told));
+    text
+}
+
+/// Heading of [`line`].
+pub const HEADING: [&str; 8] = [
+    "stage",
+    "resonance [rad/s]",
+    "nearest ratio",
+    "amplitude [mm]",
+    "least N [N]",
+    "no contact [%]",
+    "slipping [%]",
+    "slip [%]",
+];
+
+fn table(walk: &Walk) -> Vec<[String; 8]> {
+    std::iter::once(HEADING.map(str::to_owned)).chain(walk.stages.iter().map(line)).collect()
+}
+
+/// One stage for people; what it does not know is a dash.
+pub fn line(stage: &Stage) -> [String; 8] {
+    let none = || "-".to_owned();
+    let range = |(first, last): (f64, f64)| format!("{} to {}", number(first, 4), number(last, 4));
+    let running = &stage.running;
+    let percent = |share: f64| if stage.number == 3 { number(100.0 * share, 3) } else { none() };
+    [
+        format!("{} {}", stage.number, stage.name),
+        stage.resonance.map_or_else(none, range),
+        stage.nearest().map_or_else(none, |nearest| number(nearest.ratio, 3)),
+        number(1e3 * running.amplitude, 4),
+        number(running.least_pressure, 4),
+        percent(running.open),
+        percent(running.slipping),
+        percent(running.slip),
+    ]
+}
+
+fn shares(map: &StabilityMap) -> String {
+    let (first, last) = (map.speeds.first(), map.speeds.last());
+    let [from, to] = [first, last].map(|speed| number(speed.copied().unwrap_or(f64::NAN), 3));
+    let found: Vec<String> = Condition::ALL
+        .into_iter()
+        .filter(|condition| map.share(*condition) > 0.0)
+        .map(|condition| format!("{} {:.0} %", condition.name(), 100.0 * map.share(condition)))
+        .collect();
+    let found = found.join(", ");
+    format!("\nOver these radii and {from} to {to} m/s, a linear layer, worst phases: {found}\n")
+}

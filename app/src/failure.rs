@@ -1,0 +1,94 @@
+//! How a command ends that does not succeed: what is said, and the exit code.
+
+use std::fmt::Display;
+use std::io;
+use std::path::Path;
+use std::process::ExitCode;
+
+use machinist::SimulateError;
+use machinist::linear_analysis::LinearError;
+use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_codegen::write::WriteError;
+use miette::{Report, miette};
+
+/// Why a command did not succeed.
+#[derive(Debug)]
+pub enum Failure {
+    /// What was asked for makes no sense; exit code 2.
+    Input(Vec<Report>),
+    /// A check failed, a run stopped, or a file could not be written; exit code 1.
+    Unsuccessful(Report),
+}
+
+impl Failure {
+    /// Bad input with a hint, which may be empty.
+    pub fn input(message: impl Display, help: impl Display) -> Self {
+        Self::Input(vec![with_help(&message.to_string(), &help.to_string())])
+    }
+
+    /// A failed check, likewise.
+    pub fn unsuccessful(message: impl Display, help: impl Display) -> Self {
+        Self::Unsuccessful(with_help(&message.to_string(), &help.to_string()))
+    }
+
+    /// A file that cannot be read or written.
+    pub fn file(path: &Path, error: &io::Error) -> Self {
+        Self::unsuccessful(format!("{}: {error}", path.display()), "")
+    }
+
+    /// Says on standard error what is wrong, and gives the exit code.
+    pub fn tell(&self) -> ExitCode {
+        let (reports, code) = match self {
+            Self::Input(reports) => (reports.as_slice(), 2),
+            Self::Unsuccessful(report) => (std::slice::from_ref(report), 1),
+        };
+        for report in reports {
+            eprintln!("{report:?}");
+        }
+        ExitCode::from(code)
+    }
+}
+
+fn with_help(message: &str, help: &str) -> Report {
+    if help.is_empty() {
+        miette!("{message}")
+    } else {
+        miette!(help = help.to_owned(), "{message}")
+    }
+}
+
+impl From<Diagnostics> for Failure {
+    fn from(diagnostics: Diagnostics) -> Self {
+        Self::Input(vec![diagnostics.into()])
+    }
+}
+
+impl From<SimulateError> for Failure {
+    fn from(error: SimulateError) -> Self {
+        match error {
+            SimulateError::Stopped { .. } => Self::unsuccessful(error, ""),
+            _ => Self::input(error, ""),
+        }
+    }
+}
+
+impl From<LinearError> for Failure {
+    fn from(error: LinearError) -> Self {
+        let at = "`--at initial` and `--at t=SECONDS` linearize about states that are not steady";
+        match error {
+            LinearError::Simulate(error) => error.into(),
+            LinearError::Eigenvalues => Self::unsuccessful(error, ""),
+            LinearError::NoEquilibrium { .. } => Self::input(error, at),
+            _ => Self::input(error, ""),
+        }
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        match error {
+            WriteError::Emit { .. } => Self::input(error, ""),
+            WriteError::Io { .. } | WriteError::NotFresh { .. } => Self::unsuccessful(error, ""),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The price of approximations: what freezing does to the outputs and what time it
+//! saves, measured by running the scene with and without it.
+
+use std::path::Path;
+
+use machinist::{SimulateError, Simulation, Trajectory};
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline;
+use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_model::Model;
+use machinist_model::interpreted::InterpretedSimulator;
+use serde::Serialize;
+
+use crate::explain::{median, relative_differences, timed};
+use crate::failure::Failure;
+
+/// Runs of each, of which the median counts.
+const RUNS: usize = 3;
+
+/// An instance that could be taken for rigid.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Candidate {
+    /// The instance.
+    pub instance: String,
+    /// What it would do, or why its run stopped.
+    pub price: Result<Price, String>,
+}
+
+/// What freezing does.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Price {
+    /// States that are left.
+    pub states: usize,
+    /// Of each output, the largest error over the scene's run relative to its largest
+    /// value.
+    pub errors: Vec<(String, f64)>,
+    /// Median time of the frozen run for that of the exact one.
+    pub time_ratio: f64,
+}
+
+impl Price {
+    /// The output with the largest error.
+    pub fn worst(&self) -> Option<&(String, f64)> {
+        self.errors.iter().max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    fn measure(exact: Model, frozen: Model) -> Result<Self, SimulateError> {
+        let states = frozen.states.len();
+        let [exact, frozen] = [exact, frozen].map(InterpretedSimulator::new);
+        let (mut exact_times, mut frozen_times) = (Vec::new(), Vec::new());
+        for _ in 0..RUNS {
+            exact_times.push(timed(&exact)?.0);
+            frozen_times.push(timed(&frozen)?.0);
+        }
+        let run =
+            |simulator| -> Result<Trajectory, SimulateError> { Simulation::new(simulator).run() };
+        let errors = relative_differences(&run(&exact)?, &run(&frozen)?);
+        Ok(Self { states, errors, time_ratio: median(frozen_times) / median(exact_times) })
+    }
+}
+
+/// Every instance of a scene that can be taken for rigid, with its price.
+pub fn candidates(scene: &Path) -> Result<Vec<Candidate>, Diagnostics> {
+    let system = pipeline::check(scene)?;
+    let exact = pipeline::compile(system.clone(), Keep::Exact)?;
+    let mut candidates = Vec::new();
+    for spring in &system.springs {
+        let mut frozen = system.clone();
+        frozen.freeze.rigid = vec![spring.instance.clone()];
+        // What cannot be frozen is no candidate.
+        let Ok(frozen) = pipeline::compile(frozen, Keep::Needed) else { continue };
+        let price = Price::measure(exact.clone(), frozen).map_err(|error| error.to_string());
+        candidates.push(Candidate { instance: spring.instance.clone(), price });
+    }
+    Ok(candidates)
+}
+
+/// Refuses a program that is frozen at a price its scene does not allow.
+pub fn admit(scene: &Path, model: &Model) -> Result<(), Failure> {
+    let freeze = &model.freeze;
+    if freeze.rigid.is_empty() {
+        return Ok(());
+    }
+    let exact = pipeline::generate(scene, Keep::Exact)?;
+    let price = Price::measure(exact, model.clone())?;
+    match price.worst() {
+        // An error that is not a number is none that is allowed.
+        Some((output, error)) if error.is_nan() || *error > freeze.tolerance => {
+            let message = format!(
+                "scene `{}`: with {} rigid, output `{output}` is wrong by {error:.2e} of its largest \
+                 value, but at most {:e} is allowed",
+                model.name,
+                freeze.rigid.join(", "),
+                freeze.tolerance,
+            );
+            let help =
+                "raise `tolerance` in [freeze], take less for rigid, or ask for other outputs";
+            Err(Failure::unsuccessful(message, help))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,72 @@
+//! An emitted scene as machine code: how large it is and which names are in it.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::process::Command;
+
+use machinist_codegen::emit::rust::{emit, type_name};
+use machinist_codegen::emit::{EmitError, EmitOptions};
+use machinist_contract::SOURCES;
+use machinist_model::Model;
+use thiserror::Error;
+
+/// Why there is no object file.
+#[derive(Debug, Error)]
+pub enum ObjectError {
+    /// The program cannot be emitted.
+    #[error(transparent)]
+    Emit(#[from] EmitError),
+    /// There is no compiler, or no place for its files.
+    #[error("cannot run `{compiler}`: {source}")]
+    Run {
+        /// The compiler asked for.
+        compiler: String,
+        /// What the operating system says.
+        source: io::Error,
+    },
+    /// The compiler refuses the emitted module.
+    #[error("the compiler refuses the emitted module: {0}")]
+    Refused(String),
+}
+
+/// The object file of everything that a simulator does with `f64`, compiled with
+/// optimisation by `rustc`, or by what the environment variable `RUSTC` names.
+///
+/// # Errors
+/// [`ObjectError`], also where there is no compiler.
+pub fn object(model: &Model) -> Result<Vec<u8>, ObjectError> {
+    let text = emit(model, &EmitOptions::for_scenes())?;
+    let compiler = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
+    let failed = |source| ObjectError::Run { compiler: compiler.clone(), source };
+    let folder = tempfile::tempdir().map_err(failed)?;
+    write_crate(folder.path(), &model.name, &text).map_err(failed)?;
+    // Paths relative to the folder, so that its name is not within the object.
+    let output = Command::new(&compiler)
+        .args(["lib.rs", "--crate-name", "machine", "--crate-type", "lib", "--edition", "2024"])
+        .args(["--emit", "obj", "-o", "machine.o", "--cfg", "feature=\"std\"", "--cap-lints"])
+        .args(["allow", "-C", "opt-level=3", "-C", "codegen-units=1", "-C", "panic=abort"])
+        .current_dir(folder.path())
+        .output()
+        .map_err(failed)?;
+    if !output.status.success() {
+        return Err(ObjectError::Refused(String::from_utf8_lossy(&output.stderr).into_owned()));
+    }
+    fs::read(folder.path().join("machine.o")).map_err(failed)
+}
+
+/// The contract crate with the scene alone, and a name that keeps its functions in.
+fn write_crate(folder: &Path, scene: &str, text: &str) -> io::Result<()> {
+    for (file, text) in SOURCES {
+        fs::write(folder.join(file), text)?;
+    }
+    let scenes = folder.join("scenes");
+    fs::create_dir(&scenes)?;
+    fs::write(scenes.join("machine.rs"), text)?;
+    let index = format!(
+        "pub mod machine;\n#[unsafe(no_mangle)]\n\
+         pub static MACHINE: &(dyn crate::Simulator<f64> + Sync) = &machine::{};\n",
+        type_name(scene)
+    );
+    fs::write(scenes.join("mod.rs"), index)
+}

@@ -1,0 +1,262 @@
+//! Plots of trajectories, mode shapes, frequency responses and stability maps as SVG
+//! and PNG, with a font of their own.
+
+mod linear;
+mod map;
+mod panel;
+mod ruler;
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::register_font;
+use thiserror::Error;
+
+pub use linear::{plot_modes, plot_response};
+use machinist::trajectory::{Column, ColumnKind, Trajectory};
+use machinist_codegen::spec::did_you_mean;
+pub use map::plot_map;
+use panel::Panel;
+use ruler::Axis;
+
+const WIDTH: u32 = 1000;
+const TITLE_HEIGHT: u32 = 64;
+const PANEL_HEIGHT: u32 = 230;
+const TIME_AXIS_HEIGHT: u32 = 46;
+const FONT: &str = "sans-serif";
+
+/// Everything is drawn four times as large: an SVG is shown at a quarter of that,
+/// so that whole coordinates are fine enough; a PNG is averaged over squares of
+/// two by two pixels, because plotters does not smooth thick lines.
+const SCALE: u32 = 4;
+const SMOOTHING: u32 = 2;
+
+/// Why there is no plot.
+#[derive(Debug, Error)]
+pub enum PlotError {
+    /// The file's name does not end in `.svg` or `.png`.
+    #[error("cannot plot to `{}`: the name must end in .svg or .png", .0.display())]
+    UnknownFileType(PathBuf),
+    /// The trajectory has no such column.
+    #[error("scene `{scene}` has no state, output or energy `{name}`{hint}")]
+    UnknownColumn {
+        /// The scene run.
+        scene: String,
+        /// The name asked for.
+        name: String,
+        /// The nearest known name, as a question, or nothing.
+        hint: String,
+    },
+    /// The trajectory has no columns at all.
+    #[error("there is nothing to plot")]
+    Nothing,
+    /// The plot could not be drawn.
+    #[error("cannot draw the plot: {0}")]
+    Drawing(String),
+    /// The file could not be written.
+    #[error("cannot write `{}`", path.display())]
+    Writing {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+/// Draws the named columns, or all outputs if none is named (all states if the
+/// scene has no outputs), over time: stacked panels, one a unit, into an `.svg`
+/// or `.png` file.
+///
+/// Of more than 2000 points, the least and the greatest of each bin are drawn,
+/// so that spikes stay.
+///
+/// # Errors
+/// [`PlotError`]; no file is written then, or only part of one.
+pub fn plot(trajectory: &Trajectory, columns: &[&str], path: &Path) -> Result<(), PlotError> {
+    let Trajectory { scene, method, rtol, .. } = trajectory;
+    let axes = [Axis::Linear("time [s]"), Axis::Linear("")];
+    let picture = Picture {
+        title: &trajectory.title,
+        subtitle: format!("{scene}, {method}, rtol {rtol:e}"),
+        panels: panels(trajectory, columns, &axes)?,
+    };
+    picture.write(path)
+}
+
+/// What can be drawn into a file.
+trait Drawn {
+    /// Width and height, [`SCALE`] times as large as shown.
+    fn size(&self) -> (u32, u32);
+    fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB>;
+}
+
+/// Panels over each other, under a title.
+struct Picture<'a> {
+    title: &'a str,
+    subtitle: String,
+    panels: Vec<Panel<'a>>,
+}
+
+/// Columns of one unit share a panel; panels in order of first appearance.
+fn panels<'a>(
+    trajectory: &'a Trajectory,
+    names: &[&str],
+    [horizontal, vertical]: &'a [Axis; 2],
+) -> Result<Vec<Panel<'a>>, PlotError> {
+    let mut panels: Vec<Panel<'a>> = Vec::new();
+    for column in chosen(trajectory, names)? {
+        match panels.iter_mut().find(|panel| panel.unit == column.unit) {
+            Some(panel) => panel.columns.push(column),
+            None => panels.push(Panel {
+                unit: &column.unit,
+                places: &trajectory.times,
+                columns: vec![column],
+                horizontal,
+                vertical,
+            }),
+        }
+    }
+    Ok(panels)
+}
+
+fn chosen<'a>(trajectory: &'a Trajectory, names: &[&str]) -> Result<Vec<&'a Column>, PlotError> {
+    if names.is_empty() {
+        let outputs: Vec<_> = trajectory.of_kind(ColumnKind::Output).collect();
+        let states = || trajectory.of_kind(ColumnKind::State).collect();
+        return Ok(if outputs.is_empty() { states() } else { outputs });
+    }
+    let known = || trajectory.columns.iter().map(|column| column.name.as_str());
+    let find = |name: &&str| {
+        trajectory.find(name).ok_or_else(|| PlotError::UnknownColumn {
+            scene: trajectory.scene.clone(),
+            name: (*name).to_owned(),
+            hint: did_you_mean(name, known()),
+        })
+    };
+    names.iter().map(find).collect()
+}
+
+fn write(picture: &impl Drawn, path: &Path) -> Result<(), PlotError> {
+    let ending = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    // Only a font file that does not parse is refused, and a test parses this one.
+    let _ = register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT);
+    let bytes = match ending.to_ascii_lowercase().as_str() {
+        "svg" => svg(picture)?.into_bytes(),
+        "png" => png(picture)?,
+        _ => return Err(PlotError::UnknownFileType(path.to_owned())),
+    };
+    fs::write(path, bytes).map_err(|source| PlotError::Writing { path: path.to_owned(), source })
+}
+
+fn svg(picture: &impl Drawn) -> Result<String, PlotError> {
+    let mut text = String::new();
+    let (width, height) = picture.size();
+    {
+        let area = SVGBackend::with_string(&mut text, (width, height)).into_drawing_area();
+        picture.draw(&area).map_err(|error| drawing(&error))?;
+    }
+    let drawn = format!("width=\"{width}\" height=\"{height}\"");
+    let shown = format!("width=\"{}\" height=\"{}\"", width / SCALE, height / SCALE);
+    Ok(text.replacen(&drawn, &shown, 1))
+}
+
+fn png(picture: &impl Drawn) -> Result<Vec<u8>, PlotError> {
+    let (width, height) = picture.size();
+    let mut pixels = vec![0; width as usize * height as usize * 3];
+    {
+        let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
+        picture.draw(&area).map_err(|error| drawing(&error))?;
+    }
+    let (width, height, pixels) = averaged(&pixels, width, height);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    let written = encoder.write_header().and_then(|mut file| file.write_image_data(&pixels));
+    written.map_err(|error| drawing(&error))?;
+    Ok(bytes)
+}
+
+impl Picture<'_> {
+    fn write(&self, path: &Path) -> Result<(), PlotError> {
+        if self.panels.is_empty() { Err(PlotError::Nothing) } else { write(self, path) }
+    }
+}
+
+impl Drawn for Picture<'_> {
+    fn size(&self) -> (u32, u32) {
+        let height = TITLE_HEIGHT + self.panels.len() as u32 * PANEL_HEIGHT + TIME_AXIS_HEIGHT;
+        (WIDTH * SCALE, height * SCALE)
+    }
+
+    fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> DrawResult<DB> {
+        area.fill(&WHITE)?;
+        let (heading, mut rest) = area.split_vertically(TITLE_HEIGHT * SCALE);
+        draw_title(&heading, self.title, &self.subtitle)?;
+        for (index, panel) in self.panels.iter().enumerate() {
+            let is_last = index + 1 == self.panels.len();
+            let (own, below) = rest.split_vertically(PANEL_HEIGHT * SCALE);
+            panel.draw(if is_last { &rest } else { &own }, is_last)?;
+            rest = below;
+        }
+        area.present()
+    }
+}
+
+fn draw_title<DB: DrawingBackend>(
+    area: &DrawingArea<DB, Shift>,
+    title: &str,
+    subtitle: &str,
+) -> DrawResult<DB> {
+    let at = |x: u32, y: u32| ((x * SCALE) as i32, (y * SCALE) as i32);
+    area.draw_text(title, &text(22, panel::INK), at(24, 16))?;
+    area.draw_text(subtitle, &text(14, panel::FAINT), at(24, 42))
+}
+
+fn drawing(error: &impl ToString) -> PlotError {
+    PlotError::Drawing(error.to_string())
+}
+
+/// Means of squares of `SMOOTHING` by `SMOOTHING` pixels.
+fn averaged(pixels: &[u8], width: u32, height: u32) -> (u32, u32, Vec<u8>) {
+    let (step, row) = (SMOOTHING as usize, width as usize * 3);
+    let (columns, rows) = (width / SMOOTHING, height / SMOOTHING);
+    let mut means = Vec::with_capacity(columns as usize * rows as usize * 3);
+    for y in 0..rows as usize {
+        for x in 0..columns as usize {
+            for channel in 0..3 {
+                let at = |i: usize| (y * step + i / step) * row + (x * step + i % step) * 3;
+                let sum: usize =
+                    (0..step * step).map(|i| usize::from(pixels[at(i) + channel])).sum();
+                means.push((sum / (step * step)) as u8);
+            }
+        }
+    }
+    (columns, rows, means)
+}
+
+type DrawResult<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
+
+fn text(size: u32, color: RGBColor) -> TextStyle<'static> {
+    (FONT, f64::from(size * SCALE)).into_font().color(&color)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_font_that_plots_carry_parses() {
+        assert!(
+            register_font("test", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT).is_ok()
+        );
+    }
+
+    #[test]
+    fn smoothing_averages_each_square() {
+        let black_and_white = [0, 0, 0, 255, 255, 255, 255, 255, 255, 0, 0, 0];
+        assert_eq!(averaged(&black_and_white, 2, 2), (1, 1, vec![127, 127, 127]));
+    }
+}

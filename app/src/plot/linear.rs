@@ -1,0 +1,127 @@
+//! Plots of linear analyses.
+
+use std::path::Path;
+
+use super::panel::Panel;
+use super::ruler::Axis;
+use super::{Picture, PlotError};
+use machinist::linear_analysis::{Linearization, Mode, ModeKind, Response};
+use machinist::trajectory::{Column, ColumnKind};
+
+/// Mode shapes drawn at most.
+const MAX_MODES: usize = 6;
+
+/// Draws amplitude and phase over frequency, into an `.svg` or `.png` file.
+///
+/// # Errors
+/// [`PlotError`]; no file is written then, or only part of one.
+pub fn plot_response(response: &Response, title: &str, path: &Path) -> Result<(), PlotError> {
+    let Response { from, to, frequencies, .. } = response;
+    let degrees = response.phases.iter().map(|phase| phase.to_degrees()).collect();
+    let amplitude = column("amplitude", &response.amplitude_unit(), response.amplitudes.clone());
+    let phase = column("phase", "deg", degrees);
+    let horizontal = Axis::Logarithmic("frequency [rad/s]");
+    let axes = [Axis::Logarithmic(""), Axis::Linear("")];
+    let panel = |column, vertical| over(frequencies, vec![column], [&horizontal, vertical]);
+    let picture = Picture {
+        title,
+        subtitle: format!("{to} answers {from}"),
+        panels: vec![panel(&amplitude, &axes[0]), panel(&phase, &axes[1])],
+    };
+    picture.write(path)
+}
+
+/// Draws the shapes of the slowest six oscillations, or of aperiodic motions if there
+/// is none, into an `.svg` or `.png` file: roots of the shares that coordinates and
+/// first-order states have, the largest as 1, in phase with that one and a quarter of
+/// a period later. Of equal undamped masses that is the shape itself, and it does not
+/// depend on units.
+///
+/// # Errors
+/// As [`plot_response`]; [`PlotError::Nothing`] if all motions are free.
+pub fn plot_modes(
+    linearization: &Linearization<'_>,
+    modes: &[Mode],
+    path: &Path,
+) -> Result<(), PlotError> {
+    let simulator = linearization.simulator();
+    let n = simulator.shape().coordinates;
+    let all = linearization.motion_names();
+    let motions: Vec<usize> = (0..n).chain(2 * n..all.len()).collect();
+    let places: Vec<f64> = (0..motions.len()).map(|place| place as f64).collect();
+    let names = motions.iter().map(|motion| all[*motion].clone()).collect();
+    let axes = [Axis::Names(names), Axis::Linear("")];
+    let columns: Vec<[Column; 2]> = drawn(modes)
+        .into_iter()
+        .map(|mode| {
+            let largest = mode.shares.iter().copied().fold(0.0, f64::max);
+            let part = |which: usize| {
+                let value = |(motion, share): (&usize, &f64)| {
+                    let [re, im] = mode.shape[*motion];
+                    let size = re.hypot(im);
+                    let direction = if size > 0.0 { [re, im][which] / size } else { 0.0 };
+                    (share / largest).sqrt() * direction
+                };
+                motions.iter().zip(&mode.shares).map(value).collect::<Vec<f64>>()
+            };
+            let later = part(1).iter().map(|value| -value).collect();
+            [column(&described(mode), "1", part(0)), column("a quarter later", "1", later)]
+        })
+        .collect();
+    let panels = columns
+        .iter()
+        .map(|pair| over(&places, pair.iter().collect(), [&axes[0], &axes[1]]))
+        .collect();
+    let subtitle = format!(
+        "{}, natural motions at t = {} s: roots of the shares of states, with their phase",
+        simulator.name(),
+        linearization.point().time
+    );
+    Picture { title: simulator.title(), subtitle, panels }.write(path)
+}
+
+/// The modes to draw.
+fn drawn(modes: &[Mode]) -> Vec<&Mode> {
+    let of = |kind: ModeKind| modes.iter().filter(move |mode| mode.kind == kind);
+    let oscillations: Vec<&Mode> = of(ModeKind::Oscillation).take(MAX_MODES).collect();
+    if oscillations.is_empty() {
+        of(ModeKind::Aperiodic).take(MAX_MODES).collect()
+    } else {
+        oscillations
+    }
+}
+
+fn described(mode: &Mode) -> String {
+    let (frequency, ratio) = (mode.natural_frequency(), mode.damping_ratio());
+    match mode.kind {
+        ModeKind::Oscillation => {
+            format!("{} rad/s, damping ratio {ratio:.3}: in phase", rounded(frequency))
+        }
+        ModeKind::Aperiodic | ModeKind::Free => {
+            format!("decay within {} s: in phase", rounded(mode.decay_time()))
+        }
+    }
+}
+
+/// Four significant digits.
+fn rounded(value: f64) -> String {
+    if !(1e-3..1e6).contains(&value.abs()) {
+        return format!("{value:.3e}");
+    }
+    let decimals = (3 - value.abs().log10().floor() as i32).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+fn column(name: &str, unit: &str, values: Vec<f64>) -> Column {
+    let (name, unit) = (name.to_owned(), unit.to_owned());
+    Column { name, unit, kind: ColumnKind::Output, doc: String::new(), values }
+}
+
+fn over<'a>(
+    places: &'a [f64],
+    columns: Vec<&'a Column>,
+    [horizontal, vertical]: [&'a Axis; 2],
+) -> Panel<'a> {
+    let unit = columns.first().map_or("", |column| column.unit.as_str());
+    Panel { unit, places, columns, horizontal, vertical }
+}

@@ -1,0 +1,70 @@
+//! The table of checks, grouped by scene.
+
+use machinist_studies::verify::Verdict;
+use maud::{Markup, html};
+
+use super::number::number;
+
+/// All verdicts.
+pub fn section(verdicts: &[Verdict]) -> Markup {
+    html! {
+        p {
+            "Each row holds a simulator against something known without it: a closed form, a
+             converged reference computed by other means, equations written by hand, derivatives
+             by the complex step, or the energy account. A row passes if its error is at most its
+             tolerance. The same table is printed by " code { "machinist verify" } "."
+        }
+        div.scroll {
+            table.verdicts {
+                thead {
+                    tr {
+                        th { "Check" } th { "Against" } th.number { "Error" }
+                        th.number { "Tolerance" } th { "Because" } th { "Result" }
+                    }
+                }
+                @for group in verdicts.chunk_by(|a, b| a.scene == b.scene) { (scene(group)) }
+            }
+        }
+    }
+}
+
+fn scene(verdicts: &[Verdict]) -> Markup {
+    let name = verdicts.first().map_or("", |verdict| verdict.scene);
+    let passed = verdicts.iter().filter(|verdict| verdict.pass).count();
+    html! {
+        tbody {
+            tr.group { th colspan="6" scope="rowgroup" {
+                a href={ "#" (name) } { code { (name) } }
+                span.muted { " " (passed) " of " (verdicts.len()) " pass" }
+            } }
+            @for verdict in verdicts { (row(verdict)) }
+        }
+    }
+}
+
+fn row(verdict: &Verdict) -> Markup {
+    let because = verdict.failure.as_deref().unwrap_or(verdict.reason);
+    html! {
+        tr {
+            td { (verdict.check) (numbers(verdict)) }
+            td { (verdict.reference) }
+            td.number { (number(verdict.error, 2)) }
+            td.number { (number(verdict.tolerance, 2)) }
+            td { (because) }
+            td { (badge(verdict.pass)) }
+        }
+    }
+}
+
+fn numbers(verdict: &Verdict) -> Markup {
+    html! {
+        @if let (Some(value), Some(expected)) = (verdict.value, verdict.expected) {
+            div.muted { (number(value, 6)) " for " (number(expected, 6)) }
+        }
+    }
+}
+
+/// Pass or fail, told by a word and not by colour alone.
+pub fn badge(pass: bool) -> Markup {
+    html! { @if pass { span.badge.pass { "pass" } } @else { span.badge.fail { "FAIL" } } }
+}

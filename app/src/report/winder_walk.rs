@@ -1,0 +1,159 @@
+//! Which of three models a winder needs, and where it winds stably.
+
+use machinist_studies::winder_walk::layer;
+use machinist_studies::winder_walk::map::{Cell, Condition, FASTEST, StabilityMap};
+use machinist_studies::winder_walk::{SPEEDS, Stage, Walk, Winder, spectrum};
+use maud::{Markup, html};
+
+use super::figure;
+use super::number::number;
+use crate::cli::walk::{HEADING, line};
+
+/// Pressure of the second map \[N\]; the first has the bench winder's own.
+const HARDER: f64 = 100.0;
+
+/// Three winders walked, and maps of the bench winder.
+pub struct Study {
+    walks: Vec<Walk>,
+    maps: Vec<StabilityMap>,
+    /// Whether what stages cost is shown.
+    with_times: bool,
+}
+
+impl Study {
+    /// Walks and maps.
+    ///
+    /// # Errors
+    /// Why that could not be done.
+    pub fn new(with_times: bool) -> Result<Self, String> {
+        let winder = |speed| Winder::at_speed(speed).map_err(|error| error.to_string());
+        let walk = |speed| Walk::of(&winder(speed)?).map_err(|error| error.to_string());
+        let walks = SPEEDS.into_iter().map(walk).collect::<Result<_, String>>()?;
+        let bench = winder(SPEEDS[2])?;
+        let map = |winder| StabilityMap::of(&winder, FASTEST).map_err(|error| error.to_string());
+        let maps = vec![map(bench)?, map(Winder { preload: HARDER, ..bench })?];
+        Ok(Self { walks, maps, with_times })
+    }
+}
+
+/// Walks and map, or why there are none.
+pub fn section(study: &Result<Study, String>) -> Markup {
+    html! {
+        p {
+            "A linear model of a winder is enough if every operating frequency stays a factor of "
+            (number(spectrum::ENOUGH, 2)) " from the resonance while the package grows ("
+            a href="#winder_linear" { code { "winder_linear" } } "); one of a stiffening layer, if
+             they stay a factor of " (number(layer::ENOUGH, 2)) " from the resonance at the
+             amplitude that there is (" a href="#winder_nonlinear" { code { "winder_nonlinear" } }
+            "); what is left takes the full one (" a href="#winder_full" { code { "winder_full" } }
+            "). All three are run each time, to say what the later ones change. Figures are the
+             worst over the radii of the package; of another winder, "
+            code { "machinist walk" } " says the same."
+        }
+        @match study {
+            Ok(study) => {
+                @for walk in &study.walks { (walked(walk, study.with_times)) }
+                (maps(&study.maps))
+            }
+            Err(error) => p.warning { "The winders could not be walked: " (error) },
+        }
+    }
+}
+
+fn walked(walk: &Walk, with_times: bool) -> Markup {
+    html! {
+        h3 {
+            (number(walk.winder.speed, 3)) " m/s: stage " (walk.decided().number) " decides"
+        }
+        @for line in walk.why() { p { (line) } }
+        div.scroll {
+            table {
+                thead { tr {
+                    @for (index, heading) in HEADING.iter().enumerate() {
+                        @if index == 0 { th { (heading) } } @else { th.number { (heading) } }
+                    }
+                } }
+                tbody { @for stage in &walk.stages { (row(stage)) } }
+            }
+        }
+        @for stage in walk.later() {
+            p {
+                "Stage " (stage.number) " would have "
+                @if with_times {
+                    "cost " (number(walk.cost(stage), 2)) " times as much, and "
+                }
+                "changed: " (walk.change(stage)) "."
+            }
+        }
+    }
+}
+
+fn row(stage: &Stage) -> Markup {
+    html! {
+        tr {
+            @for (index, cell) in line(stage).iter().enumerate() {
+                @if index == 0 { td { (cell) } } @else { td.number { (cell) } }
+            }
+        }
+    }
+}
+
+fn maps(maps: &[StabilityMap]) -> Markup {
+    html! {
+        h3 { "Where winding is stable" }
+        p {
+            "The unbalance grows with the square of the speed. The pressure varies by the sum of
+             amplitudes at worst phases, so that what is stable here neither leaves the drum nor
+             slips. The colour is that of the condition which fails first; the numbers are the
+             adhesion margin (N - dN) (f - (fa r + k)/R) - Pn. The drum's shape, twice a turn,
+             meets the resonance at half the speed at which its unbalance does."
+        }
+        @for (index, map) in maps.iter().enumerate() { (drawn(map, index)) }
+    }
+}
+
+fn drawn(map: &StabilityMap, index: usize) -> Markup {
+    let limits = &map.limits;
+    let millimetres: Vec<f64> = map.radii.iter().map(|radius| 1e3 * radius).collect();
+    figure::classes(
+        &format!("winder-stability-{}", index + 1),
+        (&millimetres, &map.speeds),
+        &classes(map),
+        ["radius of the package [mm]", "winding speed [m/s]"],
+        "%{x:.4~g} mm, %{y:.3~g} m/s: adhesion margin %{z:.3~g} N",
+        &html! {
+            "Pressure " (number(limits.pressure, 4)) " N, tension " (number(limits.tension, 4))
+            " N, at most " (number(limits.largest, 4)) " N on the yarn, stiffness known to "
+            (number(100.0 * limits.spread, 2)) " %. Of all points: "
+            @for condition in Condition::ALL {
+                @if map.share(condition) > 0.0 {
+                    (condition.name()) " " (number(100.0 * map.share(condition), 2)) " %; "
+                }
+            }
+            code { "machinist walk --preload " (number(limits.pressure, 4)) " --map map.svg" }
+        },
+    )
+}
+
+/// Adhesion margins where each condition is the first to fail.
+fn classes(map: &StabilityMap) -> Vec<figure::Class> {
+    let class = |(index, condition): (usize, Condition)| figure::Class {
+        name: condition.name(),
+        colour: CLASS_COLOURS[index],
+        values: map
+            .cells
+            .iter()
+            .map(|row| {
+                let margin = |cell: &Cell| {
+                    if cell.condition == condition { cell.margin } else { f64::NAN }
+                };
+                row.iter().map(margin).collect()
+            })
+            .collect(),
+    };
+    let all = Condition::ALL.into_iter().enumerate();
+    all.filter(|(_, condition)| map.share(*condition) > 0.0).map(class).collect()
+}
+
+/// In the order of [`Condition::ALL`].
+const CLASS_COLOURS: [&str; 5] = ["#56b4e9", "#b03a48", "#d55e00", "#e6b800", "#7a56a0"];

@@ -1,0 +1,319 @@
+//! Equations of motion for people: as text and as LaTeX, in the spec's names.
+
+mod printer;
+
+use crate::expr::{
+    ConstraintId, CoordinateId, Expr, FirstOrderId, HandedId, HelperId, ParameterId, Symbol,
+};
+use crate::mechanics::constraint::Constraints;
+use crate::mechanics::lagrange::EquationsOfMotion;
+use crate::scene::system::LagrangianSystem;
+use machinist_model::Quantity;
+use printer::Printer;
+
+/// How mathematics is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Notation {
+    /// `motor.inertia*motor.epsilon = ...`
+    Text,
+    /// `J_{\mathrm{motor}} \ddot{\varphi}_{\mathrm{motor}} = ...`
+    Latex,
+}
+
+/// One equation, left and right side, with what it is about.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Equation {
+    /// The spec's name of what it governs or defines.
+    pub subject: String,
+    /// Left side.
+    pub left: String,
+    /// Right side.
+    pub right: String,
+    /// SI unit of both sides; empty where the sides have a unit of their own.
+    pub unit: String,
+    /// One sentence of meaning.
+    pub doc: String,
+}
+
+/// A machine in equations.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Document {
+    /// T, V, D and the energy of first-order states, zero ones left out.
+    pub energies: Vec<Equation>,
+    /// M q'' = f, a row for each coordinate.
+    pub motion: Vec<Equation>,
+    /// z' = h.
+    pub first_order: Vec<Equation>,
+    /// What coordinates must fulfil: each is 0.
+    pub constraints: Vec<Equation>,
+    /// Guards of events, with which way they pass zero and what is then set as their
+    /// meaning.
+    pub events: Vec<Equation>,
+    /// Helpers that the equations above use.
+    pub helpers: Vec<Equation>,
+    /// Wanted outputs.
+    pub outputs: Vec<Equation>,
+}
+
+impl Document {
+    /// Writes the equations of motion in the given notation.
+    #[must_use]
+    pub fn new(equations: &EquationsOfMotion, notation: Notation) -> Self {
+        let printer = Printer::new(equations, notation);
+        let system = &equations.system;
+        let mut document = Document {
+            energies: energies(&printer, equations),
+            motion: motion(&printer, equations),
+            first_order: first_order(&printer, equations),
+            constraints: constraints(&printer, equations),
+            events: events(&printer, equations),
+            ..Document::default()
+        };
+        for (output, expr) in system.outputs.iter().zip(&equations.outputs) {
+            document.outputs.push(definition(&printer, &output.quantity, &printer.print(expr)));
+        }
+        // Helpers may use helpers: print until no new one appears.
+        let mut shown: Vec<usize> = Vec::new();
+        while let Some(index) = printer.used().into_iter().find(|i| !shown.contains(i)) {
+            shown.push(index);
+            printer.print_helper(index);
+        }
+        shown.sort_unstable();
+        for index in shown {
+            let quantity = &system.helpers[index].quantity;
+            document.helpers.push(definition(&printer, quantity, &printer.print_helper(index)));
+        }
+        document
+    }
+
+    /// All sections under their headings, for a terminal.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let sections = [
+            ("Energies", &self.energies),
+            ("Equations of motion", &self.motion),
+            ("First-order states", &self.first_order),
+            ("Constraints", &self.constraints),
+            ("Events", &self.events),
+            ("with", &self.helpers),
+            ("Outputs", &self.outputs),
+        ];
+        let mut text = String::new();
+        for (heading, equations) in sections.into_iter().filter(|(_, e)| !e.is_empty()) {
+            text.push_str(heading);
+            text.push('\n');
+            for equation in equations {
+                let unit = match equation.unit.as_str() {
+                    "" => String::new(),
+                    unit => format!("   [{unit}]"),
+                };
+                let Equation { left, right, .. } = equation;
+                text.extend(["  ", left, " = ", right, &unit, "\n"]);
+                if heading == "Events" {
+                    text.extend(["    ", &equation.doc, "\n"]);
+                }
+            }
+            text.push('\n');
+        }
+        text
+    }
+
+    /// All sections as LaTeX `align*` environments.
+    #[must_use]
+    pub fn to_latex(&self) -> String {
+        let sections = [
+            &self.energies,
+            &self.motion,
+            &self.first_order,
+            &self.constraints,
+            &self.events,
+            &self.helpers,
+            &self.outputs,
+        ];
+        let mut text = String::new();
+        for equations in sections.into_iter().filter(|equations| !equations.is_empty()) {
+            let lines: Vec<String> =
+                equations.iter().map(|e| format!("  {} &= {}", e.left, e.right)).collect();
+            text.push_str("\\begin{align*}\n");
+            text.push_str(&lines.join(" \\\\\n"));
+            text.push_str("\n\\end{align*}\n");
+        }
+        text
+    }
+}
+
+fn definition(printer: &Printer, quantity: &Quantity, right: &str) -> Equation {
+    Equation {
+        subject: quantity.name.path.clone(),
+        left: printer.quantity(quantity),
+        right: right.to_owned(),
+        unit: quantity.unit.clone(),
+        doc: quantity.doc.clone(),
+    }
+}
+
+fn energies(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let [kinetic, potential, stored] = &equations.energy;
+    [
+        ("T", kinetic, "J", "kinetic energy"),
+        ("V", potential, "J", "potential energy"),
+        ("D", &equations.dissipation, "W", "Rayleigh dissipation"),
+        ("W", stored, "J", "energy of the first-order states"),
+    ]
+    .into_iter()
+    .filter(|(_, expr, _, _)| !is_zero(expr))
+    .map(|(name, expr, unit, doc)| Equation {
+        subject: name.to_owned(),
+        left: name.to_owned(),
+        right: printer.print(expr),
+        unit: unit.to_owned(),
+        doc: doc.to_owned(),
+    })
+    .collect()
+}
+
+/// One row: sum over columns of M_ij q''_j = f_i.
+fn motion(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let rows = equations.system.coordinates.iter().enumerate();
+    rows.map(|(row, coordinate)| {
+        let columns = equations.mass_matrix[row].iter().enumerate();
+        let terms: Vec<Expr> = columns
+            .filter(|(_, entry)| !is_zero(entry))
+            .map(|(column, entry)| {
+                let acceleration = Symbol::Acceleration(CoordinateId(column as u32));
+                Expr::Product(vec![entry.clone(), Expr::Symbol(acceleration)])
+            })
+            .collect();
+        let left = match <[Expr; 1]>::try_from(terms) {
+            Ok([only]) => only,
+            Err(terms) => Expr::Sum(terms),
+        };
+        Equation {
+            subject: coordinate.position.name.path.clone(),
+            left: printer.print(&left),
+            right: printer.print(&with_constraint_forces(equations, row)),
+            unit: String::new(),
+            doc: coordinate.position.doc.clone(),
+        }
+    })
+    .collect()
+}
+
+fn first_order(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let states = equations.system.first_order.iter().enumerate();
+    states
+        .map(|(index, state)| Equation {
+            subject: state.quantity.name.path.clone(),
+            left: printer.rate_of(Symbol::FirstOrder(FirstOrderId(index as u32))),
+            right: printer.print(&equations.rates[index]),
+            unit: String::new(),
+            doc: state.quantity.doc.clone(),
+        })
+        .collect()
+}
+
+/// f and G^T lambda of one coordinate; a multiplier bears its constraint's name.
+fn with_constraint_forces(equations: &EquationsOfMotion, row: usize) -> Expr {
+    let forcing = equations.forcing[row].clone();
+    let forces = equations.constraints.matrix.iter().enumerate();
+    let forces = forces.filter(|(_, line)| !is_zero(&line[row])).map(|(index, line)| {
+        let multiplier = Expr::Symbol(Symbol::Multiplier(ConstraintId(index as u32)));
+        Expr::Product(vec![line[row].clone(), multiplier])
+    });
+    let own = (!is_zero(&forcing)).then_some(forcing);
+    let mut terms: Vec<Expr> = own.into_iter().chain(forces).collect();
+    match terms.len() {
+        0 => Expr::integer(0),
+        1 => terms.swap_remove(0),
+        _ => Expr::Sum(terms),
+    }
+}
+
+/// Each constraint, which is zero.
+fn constraints(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let Constraints { values, rates, .. } = &equations.constraints;
+    let constraints = equations.system.constraints.iter().zip(values).zip(rates);
+    let constraints = constraints.map(|((constraint, value), rate)| Equation {
+        subject: constraint.name.path.clone(),
+        left: printer.print(if constraint.is_of_positions { value } else { rate }),
+        right: "0".to_owned(),
+        unit: constraint.unit.clone(),
+        doc: constraint.doc.clone(),
+    });
+    constraints.collect()
+}
+
+/// Each guard, zero where its event happens.
+fn events(printer: &Printer, equations: &EquationsOfMotion) -> Vec<Equation> {
+    let system = &equations.system;
+    let name = |symbol| symbol_name(system, symbol, Notation::Text);
+    let events = equations.events.iter().map(|event| {
+        let mut doc = format!("{}, {}", event.name.path, event.direction.name());
+        for (id, value) in &event.when {
+            let mode = name(Symbol::FirstOrder(*id));
+            doc.extend([", while ", &mode, " is ", &value.to_string()]);
+        }
+        let text = Printer::new(equations, Notation::Text);
+        for (symbol, value) in &event.set {
+            doc.extend(["; ", &name(*symbol), " := ", &text.print(value)]);
+        }
+        Equation {
+            subject: event.name.path.clone(),
+            left: printer.print(&event.guard),
+            right: "0".to_owned(),
+            unit: String::new(),
+            doc,
+        }
+    });
+    events.collect()
+}
+
+fn is_zero(expr: &Expr) -> bool {
+    matches!(expr, Expr::Number(value) if *value.numer() == 0.into())
+}
+
+/// The name of a symbol in a notation.
+fn symbol_name(system: &LagrangianSystem, symbol: Symbol, notation: Notation) -> String {
+    let coordinate = |id: CoordinateId| &system.coordinates[id.0 as usize];
+    let name = |quantity: &Quantity| match notation {
+        Notation::Text => quantity.name.path.clone(),
+        Notation::Latex => quantity.name.latex.clone(),
+    };
+    match (symbol, notation) {
+        (Symbol::Pi, Notation::Text) => "pi".to_owned(),
+        (Symbol::Pi, Notation::Latex) => "\\pi".to_owned(),
+        (Symbol::Time, _) => "t".to_owned(),
+        (Symbol::Coordinate(id), _) => name(&coordinate(id).position),
+        (Symbol::Velocity(id), Notation::Text) => name(&coordinate(id).velocity),
+        (Symbol::Velocity(id), Notation::Latex) => dotted(&name(&coordinate(id).position), "dot"),
+        (Symbol::Acceleration(id), Notation::Text) => {
+            format!("{}_ddot", name(&coordinate(id).position))
+        }
+        (Symbol::Acceleration(id), Notation::Latex) => {
+            dotted(&name(&coordinate(id).position), "ddot")
+        }
+        (Symbol::FirstOrder(FirstOrderId(index)), _) => {
+            name(&system.first_order[index as usize].quantity)
+        }
+        (Symbol::Multiplier(ConstraintId(index)), notation) => {
+            let name = &system.constraints[index as usize].name;
+            match notation {
+                Notation::Text => name.path.clone(),
+                Notation::Latex => name.latex.clone(),
+            }
+        }
+        (Symbol::Helper(HelperId(index)), _) => name(&system.helpers[index as usize].quantity),
+        (Symbol::Handed(HandedId(index)), _) => name(&system.handed[index as usize].quantity),
+        (Symbol::Parameter(ParameterId(index)), _) => {
+            name(&system.parameters[index as usize].quantity)
+        }
+    }
+}
+
+/// `\varphi_{x}` to `\dot{\varphi}_{x}`.
+fn dotted(latex: &str, accent: &str) -> String {
+    match latex.split_once('_') {
+        Some((base, subscript)) => format!("\\{accent}{{{base}}}_{subscript}"),
+        None => format!("\\{accent}{{{latex}}}"),
+    }
+}

@@ -1,0 +1,307 @@
+//! Expressions in text or LaTeX, with helpers by their names.
+
+use std::cell::RefCell;
+
+use num_rational::BigRational;
+use num_traits::{One, Signed};
+
+use super::{Notation, dotted, symbol_name};
+use crate::expr::abbreviate::Abbreviations;
+use crate::expr::{Expr, Function, HelperId, Symbol};
+use crate::mechanics::lagrange::EquationsOfMotion;
+use crate::scene::system::LagrangianSystem;
+use machinist_model::Quantity;
+
+/// Binding strength, loosest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+/// Prints expressions and remembers which helpers it named.
+pub(super) struct Printer<'a> {
+    system: &'a LagrangianSystem,
+    abbreviations: Abbreviations,
+    notation: Notation,
+    used: RefCell<Vec<usize>>,
+}
+
+impl<'a> Printer<'a> {
+    pub(super) fn new(equations: &'a EquationsOfMotion, notation: Notation) -> Self {
+        Printer {
+            system: &equations.system,
+            abbreviations: Abbreviations::new(&equations.helpers),
+            notation,
+            used: RefCell::new(Vec::new()),
+        }
+    }
+
+    /// Indices of the helpers named so far.
+    pub(super) fn used(&self) -> Vec<usize> {
+        self.used.borrow().clone()
+    }
+
+    /// An expression with helpers by their names.
+    pub(super) fn print(&self, expr: &Expr) -> String {
+        self.short(&self.abbreviations.apply(expr))
+    }
+
+    /// A helper's own definition: smaller helpers by name, itself in full.
+    pub(super) fn print_helper(&self, index: usize) -> String {
+        let mut entries = self.abbreviations.entries().iter();
+        match entries.find(|(id, _)| id.0 as usize == index) {
+            Some((_, definition)) => self.short(definition),
+            None => String::new(),
+        }
+    }
+
+    /// An expression in which helpers stand already.
+    fn short(&self, expr: &Expr) -> String {
+        self.expr(expr).0
+    }
+
+    pub(super) fn quantity(&self, quantity: &Quantity) -> String {
+        match self.notation {
+            Notation::Text => quantity.name.path.clone(),
+            Notation::Latex => quantity.name.latex.clone(),
+        }
+    }
+
+    /// The time derivative of a state.
+    pub(super) fn rate_of(&self, symbol: Symbol) -> String {
+        let name = symbol_name(self.system, symbol, self.notation);
+        match self.notation {
+            Notation::Text => format!("{name}'"),
+            Notation::Latex => dotted(&name, "dot"),
+        }
+    }
+
+    fn expr(&self, expr: &Expr) -> (String, Strength) {
+        match expr {
+            Expr::Number(value) => self.number(value),
+            Expr::Symbol(symbol) => {
+                if let Symbol::Helper(HelperId(index)) = symbol {
+                    self.used.borrow_mut().push(*index as usize);
+                }
+                (symbol_name(self.system, *symbol, self.notation), Strength::Atom)
+            }
+            Expr::Sum(terms) => (self.sum(terms), Strength::Sum),
+            Expr::Product(factors) => self.product(factors),
+            Expr::Power(base, exponent) => self.power(base, exponent),
+            Expr::Call(function, arguments) => (self.call(*function, arguments), Strength::Atom),
+        }
+    }
+
+    fn within(&self, expr: &Expr, least: Strength) -> String {
+        let (text, strength) = self.expr(expr);
+        if strength < least { self.parenthesized(&text) } else { text }
+    }
+
+    fn parenthesized(&self, text: &str) -> String {
+        match self.notation {
+            Notation::Text => format!("({text})"),
+            Notation::Latex => format!("\\left({text}\\right)"),
+        }
+    }
+
+    fn number(&self, value: &BigRational) -> (String, Strength) {
+        if value.is_integer() {
+            return (value.numer().to_string(), Strength::Atom);
+        }
+        match self.notation {
+            Notation::Text => (value.to_string(), Strength::Product),
+            Notation::Latex => {
+                (format!("\\tfrac{{{}}}{{{}}}", value.numer(), value.denom()), Strength::Atom)
+            }
+        }
+    }
+
+    /// What is added comes before what is subtracted.
+    fn sum(&self, terms: &[Expr]) -> String {
+        let mut parts: Vec<(String, bool)> =
+            terms.iter().map(|term| self.signed_term(term)).collect();
+        parts.sort_by_key(|(_, negative)| *negative);
+        let mut text = String::new();
+        for (index, (part, negative)) in parts.iter().enumerate() {
+            match (index, negative) {
+                (0, false) => {}
+                (0, true) => text.push('-'),
+                (_, false) => text.push_str(" + "),
+                (_, true) => text.push_str(" - "),
+            }
+            text.push_str(part);
+        }
+        text
+    }
+
+    fn signed_term(&self, term: &Expr) -> (String, bool) {
+        let text = self.within(term, Strength::Product);
+        match text.strip_prefix('-') {
+            Some(positive) => (positive.to_owned(), true),
+            None => (text, false),
+        }
+    }
+
+    fn product(&self, factors: &[Expr]) -> (String, Strength) {
+        let mut coefficient = BigRational::one();
+        let (mut above, mut below) = (Vec::new(), Vec::new());
+        for factor in factors {
+            match factor {
+                Expr::Number(value) => coefficient *= value,
+                Expr::Power(base, exponent) => match exponent.as_ref() {
+                    Expr::Number(value) if value.is_negative() => {
+                        let positive = -value.clone();
+                        below.push(if positive.is_one() {
+                            base.as_ref().clone()
+                        } else {
+                            Expr::Power(base.clone(), Box::new(Expr::Number(positive)))
+                        });
+                    }
+                    _ => above.push(factor.clone()),
+                },
+                _ => above.push(factor.clone()),
+            }
+        }
+        // Parameters stand before what varies, as engineers write.
+        let varies = |factor: &Expr| {
+            !matches!(
+                factor,
+                Expr::Number(_)
+                    | Expr::Symbol(Symbol::Pi | Symbol::Parameter(_) | Symbol::Handed(_))
+            )
+        };
+        above.sort_by_key(varies);
+        below.sort_by_key(varies);
+        let sign = if coefficient.is_negative() { "-" } else { "" };
+        let coefficient = coefficient.abs();
+        let whole = |n: &num_bigint::BigInt| Expr::Number(BigRational::from_integer(n.clone()));
+        if !coefficient.numer().is_one() || above.is_empty() {
+            above.insert(0, whole(coefficient.numer()));
+        }
+        if !coefficient.denom().is_one() {
+            below.insert(0, whole(coefficient.denom()));
+        }
+        let text = match self.notation {
+            Notation::Text => self.text_quotient(&above, &below),
+            Notation::Latex => self.latex_quotient(&above, &below),
+        };
+        (format!("{sign}{text}"), Strength::Product)
+    }
+
+    fn text_quotient(&self, above: &[Expr], below: &[Expr]) -> String {
+        let join = |factors: &[Expr]| {
+            let factors: Vec<String> =
+                factors.iter().map(|f| self.within(f, Strength::Power)).collect();
+            factors.join("*")
+        };
+        match below {
+            [] => join(above),
+            [one] => format!("{}/{}", join(above), self.within(one, Strength::Power)),
+            _ => format!("{}/({})", join(above), join(below)),
+        }
+    }
+
+    fn latex_quotient(&self, above: &[Expr], below: &[Expr]) -> String {
+        let join = |factors: &[Expr]| {
+            let lone = factors.len() == 1;
+            let least = if lone { Strength::Sum } else { Strength::Product };
+            let factors: Vec<String> = factors.iter().map(|f| self.within(f, least)).collect();
+            factors.join(" \\, ")
+        };
+        if below.is_empty() {
+            let factors: Vec<String> =
+                above.iter().map(|f| self.within(f, Strength::Product)).collect();
+            return factors.join(" \\, ");
+        }
+        format!("\\frac{{{}}}{{{}}}", join(above), join(below))
+    }
+
+    fn power(&self, base: &Expr, exponent: &Expr) -> (String, Strength) {
+        if let Expr::Number(value) = exponent
+            && value.is_negative()
+        {
+            return self
+                .product(&[Expr::Power(Box::new(base.clone()), Box::new(exponent.clone()))]);
+        }
+        let base_text = self.within(base, Strength::Atom);
+        match self.notation {
+            Notation::Text => {
+                (format!("{base_text}^{}", self.within(exponent, Strength::Atom)), Strength::Power)
+            }
+            Notation::Latex => {
+                // A dot or a subscript already there stays readable with braces.
+                (format!("{{{base_text}}}^{{{}}}", self.short(exponent)), Strength::Power)
+            }
+        }
+    }
+
+    fn call(&self, function: Function, arguments: &[Expr]) -> String {
+        let arguments: Vec<String> = arguments.iter().map(|a| self.short(a)).collect();
+        match (function, self.notation) {
+            (Function::Sqrt, Notation::Latex) => format!("\\sqrt{{{}}}", arguments[0]),
+            (Function::Abs, Notation::Latex) => format!("\\left|{}\\right|", arguments[0]),
+            (Function::SelectLess, Notation::Text) => format!(
+                "(if {} < {} then {} else {})",
+                arguments[0], arguments[1], arguments[2], arguments[3]
+            ),
+            (Function::SelectLess, Notation::Latex) => format!(
+                "\\begin{{cases}} {} & {} < {} \\\\ {} & \\text{{else}} \\end{{cases}}",
+                arguments[2], arguments[0], arguments[1], arguments[3]
+            ),
+            (Function::Table { table, order }, notation) => {
+                let table = &self.system.tables[table.0 as usize].name;
+                let primes = "'".repeat(order as usize);
+                match notation {
+                    Notation::Text => format!("{}{primes}({})", table.path, arguments[0]),
+                    Notation::Latex => {
+                        format!("{}{primes}\\left({}\\right)", table.latex, arguments[0])
+                    }
+                }
+            }
+            (_, Notation::Text) => format!("{}({})", plain_name(function), arguments[0]),
+            (_, Notation::Latex) => {
+                format!("{}\\left({}\\right)", latex_name(function), arguments[0])
+            }
+        }
+    }
+}
+
+fn plain_name(function: Function) -> &'static str {
+    match function {
+        Function::Sqrt => "sqrt",
+        Function::Abs => "abs",
+        Function::Exp => "exp",
+        Function::Ln => "ln",
+        Function::Sin => "sin",
+        Function::Cos => "cos",
+        Function::Tan => "tan",
+        Function::Asin => "asin",
+        Function::Acos => "acos",
+        Function::Atan => "atan",
+        Function::Sinh => "sinh",
+        Function::Cosh => "cosh",
+        Function::Tanh => "tanh",
+        Function::SelectLess => "select_less",
+        Function::Table { .. } => "table",
+    }
+}
+
+fn latex_name(function: Function) -> &'static str {
+    match function {
+        Function::Exp => "\\exp",
+        Function::Ln => "\\ln",
+        Function::Sin => "\\sin",
+        Function::Cos => "\\cos",
+        Function::Tan => "\\tan",
+        Function::Asin => "\\arcsin",
+        Function::Acos => "\\arccos",
+        Function::Atan => "\\arctan",
+        Function::Sinh => "\\sinh",
+        Function::Cosh => "\\cosh",
+        Function::Tanh => "\\tanh",
+        _ => plain_name(function),
+    }
+}

@@ -1,0 +1,227 @@
+//! The operations of a whole scene, each written once.
+
+use std::collections::HashMap;
+
+use machinist_model::{Function, Node, NodeId, Op, OpKey, TableId, Tape, reachable};
+
+use super::fold;
+use super::{Expr, HelperId, Symbol};
+
+/// Operations in order of creation, equal ones shared; functions of the scene
+/// are slices of it.
+#[derive(Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    known: HashMap<OpKey, NodeId>,
+    /// Depends on parameters and literals only; see [`super::terms`].
+    constant: Vec<bool>,
+    /// Entries of the state by what expressions call them.
+    entries: HashMap<Symbol, u32>,
+    accelerations: Vec<NodeId>,
+    multipliers: Vec<NodeId>,
+    helpers: HashMap<HelperId, NodeId>,
+}
+
+impl Graph {
+    /// A graph for one expression, whose symbols get entries as they come.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A graph for a scene whose state is made of `symbols`, in this order.
+    #[must_use]
+    pub fn for_scene(symbols: impl Iterator<Item = Symbol>) -> Self {
+        Graph { entries: symbols.zip(0..).collect(), ..Self::default() }
+    }
+
+    /// What q'' and the multipliers of constraints stand for from now on.
+    pub fn set_accelerations(&mut self, accelerations: Vec<NodeId>, multipliers: Vec<NodeId>) {
+        self.accelerations = accelerations;
+        self.multipliers = multipliers;
+    }
+
+    /// What a helper stands for from now on.
+    pub fn set_helper(&mut self, id: HelperId, node: NodeId) {
+        self.helpers.insert(id, node);
+    }
+
+    /// The nodes of an expression.
+    ///
+    /// # Panics
+    /// If it holds accelerations or helpers before they are set.
+    pub fn lower(&mut self, expr: &Expr) -> NodeId {
+        super::terms::lower(self, expr)
+    }
+
+    pub(super) fn symbol(&mut self, symbol: Symbol) -> NodeId {
+        match symbol {
+            Symbol::Pi => self.literal(std::f64::consts::PI),
+            Symbol::Time => self.time(),
+            Symbol::Coordinate(_) | Symbol::Velocity(_) | Symbol::FirstOrder(_) => {
+                let next = self.entries.len() as u32;
+                let entry = *self.entries.entry(symbol).or_insert(next);
+                self.push(Op::State(entry))
+            }
+            Symbol::Parameter(id) => self.parameter(id.0),
+            Symbol::Handed(id) => self.push(Op::Handed(id.0)),
+            Symbol::Acceleration(id) => self.accelerations[id.0 as usize],
+            Symbol::Multiplier(id) => self.multipliers[id.0 as usize],
+            Symbol::Helper(id) => self.helpers[&id],
+        }
+    }
+
+    /// Names a node, if it is an operation without a name; the first name stays.
+    pub fn name(&mut self, id: NodeId, ident: &str) {
+        let node = &mut self.nodes[id.0 as usize];
+        if node.op.is_arithmetic() && node.name.is_none() {
+            node.name = Some(ident.to_owned());
+        }
+    }
+
+    /// Whether a node has a name.
+    #[must_use]
+    pub fn is_named(&self, id: NodeId) -> bool {
+        self.nodes[id.0 as usize].name.is_some()
+    }
+
+    /// A finite literal.
+    pub fn literal(&mut self, value: f64) -> NodeId {
+        // Minus zero would hide equal operations.
+        self.push(Op::Literal(if value == 0.0 { 0.0 } else { value }))
+    }
+
+    /// The value of a literal node.
+    #[must_use]
+    pub fn literal_value(&self, id: NodeId) -> Option<f64> {
+        match self.nodes[id.0 as usize].op {
+            Op::Literal(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether a node is the literal zero.
+    #[must_use]
+    pub fn is_zero(&self, id: NodeId) -> bool {
+        self.literal_value(id) == Some(0.0)
+    }
+
+    /// Whether a node depends on parameters and literals only.
+    #[must_use]
+    pub fn is_constant(&self, id: NodeId) -> bool {
+        self.constant[id.0 as usize]
+    }
+
+    /// The operation of a node.
+    #[must_use]
+    pub fn op(&self, id: NodeId) -> Op {
+        self.nodes[id.0 as usize].op
+    }
+
+    /// Time t.
+    pub fn time(&mut self) -> NodeId {
+        self.push(Op::Time)
+    }
+
+    /// An entry of the parameters.
+    pub fn parameter(&mut self, index: u32) -> NodeId {
+        self.push(Op::Parameter(index))
+    }
+
+    /// -a
+    pub fn neg(&mut self, a: NodeId) -> NodeId {
+        self.push(Op::Neg(a))
+    }
+    /// a + b
+    pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Add(a, b))
+    }
+    /// a - b
+    pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Sub(a, b))
+    }
+    /// a b
+    pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Mul(a, b))
+    }
+    /// a / b
+    pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Div(a, b))
+    }
+    /// a^n; small powers are products.
+    pub fn powi(&mut self, a: NodeId, exponent: i32) -> NodeId {
+        match exponent {
+            0 => self.literal(1.0),
+            1 => a,
+            2 => self.mul(a, a),
+            3 => {
+                let square = self.mul(a, a);
+                self.mul(square, a)
+            }
+            4 => {
+                let square = self.mul(a, a);
+                self.mul(square, square)
+            }
+            _ if exponent < 0 => {
+                let power = self.powi(a, -exponent);
+                let one = self.literal(1.0);
+                self.div(one, power)
+            }
+            _ => self.push(Op::Powi(a, exponent)),
+        }
+    }
+    /// a^b
+    pub fn powf(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.push(Op::Powf(a, b))
+    }
+    /// A function of one argument.
+    pub fn call(&mut self, function: Function, a: NodeId) -> NodeId {
+        self.push(Op::Call(function, a))
+    }
+    /// `then` where lhs < rhs, else `otherwise`.
+    pub fn select_less(
+        &mut self,
+        lhs: NodeId,
+        rhs: NodeId,
+        then: NodeId,
+        otherwise: NodeId,
+    ) -> NodeId {
+        self.push(Op::SelectLess { lhs, rhs, then, otherwise })
+    }
+    /// An operation on nodes of this graph.
+    pub fn insert(&mut self, op: Op) -> NodeId {
+        self.push(op)
+    }
+    /// A table or a derivative of it.
+    pub fn table(&mut self, table: TableId, order: u32, argument: NodeId) -> NodeId {
+        self.push(Op::Table { table, order, argument })
+    }
+
+    /// Folds, then finds or appends.
+    fn push(&mut self, op: Op) -> NodeId {
+        let op = match fold::fold(self, op) {
+            fold::Folded::Node(id) => return id,
+            fold::Folded::Op(op) => op,
+        };
+        let key = op.key();
+        if let Some(id) = self.known.get(&key) {
+            return *id;
+        }
+        let id = NodeId(self.nodes.len() as u32);
+        let constant = match op {
+            Op::Literal(_) | Op::Parameter(_) | Op::Constant(_) => true,
+            Op::Time | Op::State(_) | Op::Handed(_) => false,
+            _ => op.operands().iter().all(|operand| self.is_constant(*operand)),
+        };
+        self.nodes.push(Node { op, name: None });
+        self.constant.push(constant);
+        self.known.insert(key, id);
+        id
+    }
+
+    /// The nodes that `results` need, in order, and nothing else.
+    #[must_use]
+    pub fn tape(&self, results: &[NodeId]) -> Tape {
+        reachable(&self.nodes, results)
+    }
+}

@@ -1,0 +1,189 @@
+//! What the structure of a model allows: which parts are constant, linear or
+//! apart from each other, and how often each operation has to be done.
+//!
+//! Excluded: doing anything about it; this only tells.
+
+use machinist_model::{Dependence, MatrixTape, Model, NodeId, Op, Tape, needed_nodes};
+
+/// Operations of a tape by how often their operands change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Frequency {
+    /// Of parameters only: once a run.
+    pub once: usize,
+    /// Of time and parameters only: once for each time, whatever the state.
+    pub by_time: usize,
+    /// Of the state: at every evaluation.
+    pub by_state: usize,
+}
+
+/// What a model's structure is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Structure {
+    /// Coordinates, the rows of M.
+    pub coordinates: usize,
+    /// Whether no entry of M depends on state or time.
+    pub constant_mass: bool,
+    /// Whether M has entries on its diagonal only.
+    pub diagonal_mass: bool,
+    /// Entries of dy'/dy that depend on parameters only, of how many.
+    pub constant_jacobian: (usize, usize),
+    /// Entries of the state whose rate is a y + b(t), with a of parameters only.
+    pub linear_rows: Vec<u32>,
+    /// Those among them whose rates need no entry but each other: a linear
+    /// time-invariant part, which could be integrated apart and first.
+    pub linear_part: Vec<u32>,
+    /// Whether y' does not depend on time by itself.
+    pub autonomous: bool,
+    /// Entries of the state in groups that do not depend on each other.
+    pub subsystems: Vec<Vec<u32>>,
+    /// Operations of y'.
+    pub rate: Frequency,
+    /// Operations of dy'/dy.
+    pub jacobian: Frequency,
+}
+
+impl Structure {
+    /// Looks at a model.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let mass = &model.mass_matrix;
+        let jacobian = &model.rate_jacobian;
+        let rate = Dependence::of(&model.rate);
+        let linear_rows = linear_rows(model);
+        let reads = reads(&model.rate);
+        Structure {
+            coordinates: mass.pattern.rows,
+            constant_mass: constants(mass) == mass.pattern.entries.len(),
+            diagonal_mass: mass.pattern.entries.iter().all(|(row, column)| row == column),
+            constant_jacobian: (constants(jacobian), jacobian.pattern.entries.len()),
+            linear_part: closed_part(&reads, &linear_rows),
+            linear_rows,
+            autonomous: model.rate.results.iter().all(|id| !rate.on_time(*id)),
+            subsystems: subsystems(&reads),
+            rate: Frequency::of(&model.rate),
+            jacobian: Frequency::of(&jacobian.tape),
+        }
+    }
+
+    /// Whether y' is A y + b(t) with A of parameters only.
+    #[must_use]
+    pub fn is_linear(&self) -> bool {
+        let states: usize = self.subsystems.iter().map(Vec::len).sum();
+        self.linear_rows.len() == states
+    }
+}
+
+impl Frequency {
+    /// Counts the operations of a tape.
+    #[must_use]
+    pub fn of(tape: &Tape) -> Self {
+        let dependence = Dependence::of(tape);
+        let needed = needed_nodes(tape);
+        let mut frequency = Frequency::default();
+        for (index, node) in tape.nodes.iter().enumerate() {
+            if !needed[index] || !node.op.is_arithmetic() {
+                continue;
+            }
+            let id = NodeId(index as u32);
+            if dependence.on_state(id) {
+                frequency.by_state += 1;
+            } else if dependence.on_time(id) {
+                frequency.by_time += 1;
+            } else {
+                frequency.once += 1;
+            }
+        }
+        frequency
+    }
+}
+
+/// Entries of a matrix that depend on parameters only.
+fn constants(matrix: &MatrixTape) -> usize {
+    let dependence = Dependence::of(&matrix.tape);
+    matrix.tape.results.iter().filter(|id| !dependence.on_anything(**id)).count()
+}
+
+/// Rows of dy'/dy of parameters only, but for rates that jump at a state: where the
+/// slope of each side is constant, that of the rate is not.
+fn linear_rows(model: &Model) -> Vec<u32> {
+    let jacobian = &model.rate_jacobian;
+    let dependence = Dependence::of(&jacobian.tape);
+    let switched = switched(&model.rate);
+    let is_linear = |row: u32| {
+        let entries = jacobian.pattern.entries.iter().zip(&jacobian.tape.results);
+        let mut entries = entries.filter(|((entry_row, _), _)| *entry_row == row);
+        let result = model.rate.results[row as usize];
+        !switched[result.0 as usize] && entries.all(|(_, id)| !dependence.on_anything(*id))
+    };
+    (0..model.states.len() as u32).filter(|row| is_linear(*row)).collect()
+}
+
+/// For each node, whether it depends on a comparison or an interval of a table that the
+/// state decides.
+fn switched(tape: &Tape) -> Vec<bool> {
+    let dependence = Dependence::of(tape);
+    let on_state = |id: NodeId| dependence.on_state(id);
+    let mut switched: Vec<bool> = Vec::with_capacity(tape.nodes.len());
+    for node in &tape.nodes {
+        let decides = match node.op {
+            Op::SelectLess { lhs, rhs, .. } => on_state(lhs) || on_state(rhs),
+            Op::Table { argument, .. } => on_state(argument),
+            _ => false,
+        };
+        switched.push(decides || node.op.operands().iter().any(|id| switched[id.0 as usize]));
+    }
+    switched
+}
+
+/// The entries of the state that each result of a tape reads, in order. More than the
+/// nonzeros of its derivatives: those of a jump are zero on both sides of it.
+fn reads(tape: &Tape) -> Vec<Vec<u32>> {
+    let of = |result: &NodeId| {
+        let (mut open, mut seen) = (vec![*result], vec![false; tape.nodes.len()]);
+        let mut entries = Vec::new();
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id.0 as usize], true) {
+                continue;
+            }
+            let op = &tape.nodes[id.0 as usize].op;
+            match op {
+                Op::State(entry) => entries.push(*entry),
+                _ => open.extend(op.operands()),
+            }
+        }
+        entries.sort_unstable();
+        entries.dedup();
+        entries
+    };
+    tape.results.iter().map(of).collect()
+}
+
+/// The largest part of `rows` whose rates read entries of that part only.
+fn closed_part(reads: &[Vec<u32>], rows: &[u32]) -> Vec<u32> {
+    let mut part = rows.to_vec();
+    loop {
+        let is_open = |row: &&u32| reads[**row as usize].iter().any(|entry| !part.contains(entry));
+        match part.iter().find(is_open).copied() {
+            Some(open) => part.retain(|row| *row != open),
+            None => return part,
+        }
+    }
+}
+
+/// Connected parts of the state, by what each rate reads.
+fn subsystems(reads: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    let count = reads.len();
+    let mut group: Vec<usize> = (0..count).collect();
+    for (row, entries) in reads.iter().enumerate() {
+        for &entry in entries {
+            let (a, b) = (group[row], group[entry as usize]);
+            let (from, to) = (a.max(b), a.min(b));
+            group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
+        }
+    }
+    let parts = (0..count).map(|first| {
+        let members = (0..count).filter(|entry| group[*entry] == first);
+        members.map(|entry| entry as u32).collect::<Vec<_>>()
+    });
+    parts.filter(|part| !part.is_empty()).collect()
+}

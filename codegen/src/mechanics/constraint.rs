@@ -1,0 +1,142 @@
+//! Constraints differentiated, so that accelerations follow from them.
+//!
+//! ```text
+//! g(q, t) = 0              g' = G q' + g_t     G = dg/dq
+//! a(q, t) q' + b(q, t) = 0 g' = a q' + b       G = a
+//! G q'' = gamma            gamma = -(dg'/dq q' + dg'/dt)
+//! M q'' = f + G^T lambda   lambda acts towards growing g
+//! ```
+
+use crate::cas::{Cas, Form};
+use crate::expr::{ConstraintId, CoordinateId, Expr, Symbol};
+use crate::mechanics::lagrange::EquationsOfMotion;
+use crate::scene::system::LagrangianSystem;
+
+/// What the constraints of a system say of its positions, velocities and
+/// accelerations; m rows.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Constraints {
+    /// g; 0 of a constraint of velocities.
+    pub values: Vec<Expr>,
+    /// g'.
+    pub rates: Vec<Expr>,
+    /// G, m by n.
+    pub matrix: Vec<Vec<Expr>>,
+    /// gamma.
+    pub accelerations: Vec<Expr>,
+}
+
+impl Constraints {
+    /// Differentiates the constraints of a system.
+    pub fn derive(cas: &mut Cas, system: &LagrangianSystem) -> Self {
+        let ids: Vec<CoordinateId> =
+            (0..system.coordinates.len() as u32).map(CoordinateId).collect();
+        let mut constraints = Constraints::default();
+        for constraint in &system.constraints {
+            let form = cas.form(&constraint.expr);
+            let by = |cas: &mut Cas, form: &Form, symbol: fn(CoordinateId) -> Symbol| {
+                ids.iter().map(|id| cas.derivative(form, symbol(*id))).collect::<Vec<_>>()
+            };
+            let (value, rate, row) = if constraint.is_of_positions {
+                let row = by(cas, &form, Symbol::Coordinate);
+                let rate = along(cas, &form, &row, &ids);
+                (cas.expr(&form), rate, row)
+            } else {
+                let row = by(cas, &form, Symbol::Velocity);
+                (Expr::integer(0), form, row)
+            };
+            let slopes = by(cas, &rate, Symbol::Coordinate);
+            let gamma = -&along(cas, &rate, &slopes, &ids);
+            constraints.values.push(value);
+            constraints.rates.push(cas.simplify(&rate));
+            constraints.matrix.push(row.iter().map(|entry| cas.simplify(entry)).collect());
+            constraints.accelerations.push(cas.simplify(&gamma));
+        }
+        constraints
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rates.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rates.is_empty()
+    }
+
+    /// Power that moving constraints supply, -lambda g' at q' = 0 each.
+    #[must_use]
+    pub fn supplied_power(&self) -> Vec<Expr> {
+        let at_rest = |rate: &Expr| {
+            rate.replace(&|symbol| matches!(symbol, Symbol::Velocity(_)).then(|| Expr::integer(0)))
+        };
+        let ids = (0..).map(ConstraintId);
+        let powers = ids.zip(&self.rates).map(|(id, rate)| {
+            let multiplier = Expr::Symbol(Symbol::Multiplier(id));
+            Expr::Product(vec![Expr::integer(-1), multiplier, at_rest(rate)])
+        });
+        powers.collect()
+    }
+
+    /// The coordinates on whose rates a constraint depends.
+    pub fn coordinates(&self, constraint: usize) -> impl Iterator<Item = usize> {
+        let row = self.matrix[constraint].iter().enumerate();
+        row.filter(|(_, entry)| **entry != Expr::integer(0)).map(|(column, _)| column)
+    }
+
+    /// Every expression of a constraint.
+    pub fn of(&self, constraint: usize) -> impl Iterator<Item = &Expr> {
+        let others = [&self.values, &self.rates, &self.accelerations];
+        let others = others.map(|exprs| &exprs[constraint]);
+        self.matrix[constraint].iter().chain(others)
+    }
+
+    /// Every expression.
+    pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
+        let matrix = self.matrix.iter().flatten();
+        self.values.iter().chain(&self.rates).chain(matrix).chain(&self.accelerations)
+    }
+
+    /// Likewise.
+    pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        let matrix = self.matrix.iter_mut().flatten();
+        self.values.iter_mut().chain(&mut self.rates).chain(matrix).chain(&mut self.accelerations)
+    }
+}
+
+/// dx/dt of what does not depend on velocities, or its part without accelerations.
+fn along(cas: &mut Cas, form: &Form, slopes: &[Form], ids: &[CoordinateId]) -> Form {
+    let mut rate = cas.derivative(form, Symbol::Time);
+    for (slope, id) in slopes.iter().zip(ids) {
+        let velocity = cas.form(&Expr::Symbol(Symbol::Velocity(*id)));
+        rate = &rate + &(slope * &velocity);
+    }
+    rate
+}
+
+impl EquationsOfMotion {
+    /// The linear equations of \[q'', -lambda\],
+    ///
+    /// ```text
+    /// | M  G^T | | q''     |   | f     |
+    /// | G   0  | | -lambda | = | gamma |
+    /// ```
+    ///
+    /// a symmetric matrix and the right side. With M positive definite and G of full
+    /// rank it has an L D L^T without pivoting, in this order.
+    #[must_use]
+    pub fn bordered(&self) -> (Vec<Vec<Expr>>, Vec<Expr>) {
+        let border = &self.constraints.matrix;
+        let zeros = vec![Expr::integer(0); border.len()];
+        let mut matrix = self.mass_matrix.clone();
+        for (column, row) in matrix.iter_mut().enumerate() {
+            row.extend(border.iter().map(|line| line[column].clone()));
+        }
+        matrix.extend(border.iter().map(|line| [line.as_slice(), &zeros].concat()));
+        let right_side = [self.forcing.as_slice(), &self.constraints.accelerations].concat();
+        (matrix, right_side)
+    }
+}

@@ -1,0 +1,108 @@
+//! Who needs whom in a scene: outputs, equations, states, parameters.
+//!
+//! Excluded: drawing it.
+
+use std::collections::BTreeSet;
+
+use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
+use crate::mechanics::lagrange::EquationsOfMotion;
+use machinist_model::{Reduction, What};
+
+/// A graph of needs.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Dependencies {
+    /// The nodes, column by column.
+    pub nodes: Vec<Node>,
+    /// From the one that needs to the one that is needed, by place in `nodes`.
+    pub edges: Vec<(usize, usize)>,
+}
+
+/// Columns of the graph, from what is wanted to what is given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Column {
+    /// A wanted output.
+    Output,
+    /// What gives the rate of a velocity or of a first-order state.
+    Equation,
+    /// An entry of the state.
+    State,
+    /// A parameter.
+    Parameter,
+}
+
+/// A node of the graph.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Node {
+    /// Its column.
+    pub column: Column,
+    /// The spec's name, with a stroke for equations.
+    pub name: String,
+    /// Whether it is still there after reduction.
+    pub kept: bool,
+}
+
+impl Dependencies {
+    /// The graph of a whole scene, of which `reduction` was left out.
+    #[must_use]
+    pub fn new(whole: &EquationsOfMotion, reduction: &Reduction) -> Self {
+        let mut graph = Dependencies::default();
+        let mut known: Vec<(Column, Symbol)> = Vec::new();
+        let is_kept = |what: What, name: &str| {
+            !reduction.left_out.iter().any(|thing| thing.what == what && thing.name == name)
+        };
+        let mut add = |column, symbol, name: &str, kept| {
+            known.push((column, symbol));
+            graph.nodes.push(Node { column, name: name.to_owned(), kept });
+        };
+        for output in &whole.system.outputs {
+            add(Column::Output, Symbol::Time, &output.quantity.name.path, true);
+        }
+        let states = || whole.layout.states.iter();
+        for state in states() {
+            let symbol = state.motion.symbol();
+            if !matches!(symbol, Symbol::Coordinate(_)) {
+                let name = &state.quantity.name.path;
+                add(Column::Equation, symbol, &format!("{name}'"), is_kept(What::State, name));
+            }
+        }
+        for state in states() {
+            let name = &state.quantity.name.path;
+            add(Column::State, state.motion.symbol(), name, is_kept(What::State, name));
+        }
+        for (id, parameter) in (0..).zip(&whole.system.parameters) {
+            let name = &parameter.quantity.name.path;
+            let symbol = Symbol::Parameter(ParameterId(id));
+            add(Column::Parameter, symbol, name, is_kept(What::Parameter, name));
+        }
+        let place = |column, symbol| known.iter().position(|node| *node == (column, symbol));
+        let mut edges = BTreeSet::new();
+        let mut connect = |from: usize, expr: &Expr| {
+            for symbol in expr.symbols() {
+                let to = match symbol {
+                    Symbol::Acceleration(id) => place(Column::Equation, Symbol::Velocity(id)),
+                    Symbol::Parameter(_) => place(Column::Parameter, symbol),
+                    symbol => place(Column::State, symbol),
+                };
+                edges.extend(to.map(|to| (from, to)));
+            }
+        };
+        for (index, output) in whole.outputs.iter().enumerate() {
+            connect(index, output);
+        }
+        for (row, force) in whole.forcing.iter().enumerate() {
+            let symbol = Symbol::Velocity(CoordinateId(row as u32));
+            if let Some(from) = place(Column::Equation, symbol) {
+                connect(from, force);
+                whole.mass_matrix[row].iter().for_each(|entry| connect(from, entry));
+            }
+        }
+        for (row, rate) in whole.rates.iter().enumerate() {
+            let symbol = Symbol::FirstOrder(FirstOrderId(row as u32));
+            if let Some(from) = place(Column::Equation, symbol) {
+                connect(from, rate);
+            }
+        }
+        graph.edges = edges.into_iter().collect();
+        graph
+    }
+}

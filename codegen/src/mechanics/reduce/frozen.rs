@@ -1,0 +1,174 @@
+//! Approximation on request: a spring between two coordinates taken for rigid.
+//!
+//! A unit's potential V(q_a, q_b) that does not change along (s_a, s_b) holds the
+//! two coordinates at q_a = (s_a/s_b) q_b. With that put in, V and the losses that
+//! go with it vanish, both inertias are one, and forces on either act on both
+//! (virtual work).
+
+use std::collections::BTreeSet;
+
+use super::Step;
+use crate::cas::Cas;
+use crate::expr::operations;
+use crate::expr::{CoordinateId, Expr, ParameterId, Symbol};
+use crate::mechanics::lagrange::EquationsOfMotion;
+use crate::scene::evaluate;
+use crate::scene::system::LagrangianSystem;
+use machinist_model::{What, Why};
+
+/// Why a unit cannot be taken for rigid.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum FreezeError {
+    /// It has no spring.
+    #[error("unit `{0}` cannot be frozen: it has no potential energy of two coordinates")]
+    NoSpring(String),
+    /// Its spring does not hold a ratio.
+    #[error(
+        "unit `{0}` cannot be frozen: its potential energy does not hold two coordinates at a \
+         constant ratio"
+    )]
+    NoRatio(String),
+    /// Events may set what it would hold.
+    #[error("unit `{0}` cannot be frozen: the scene has events, which might set what it holds")]
+    Events(String),
+    /// Constraints hold coordinates already.
+    #[error("unit `{0}` cannot be frozen: the scene has constraints, which might say the same")]
+    Constraints(String),
+    /// It would have to jump at the start.
+    #[error("unit `{0}` cannot be frozen: its spring is not at rest at the start")]
+    NotAtRest(String),
+}
+
+/// Coordinate `a` follows coordinate `b` by a factor.
+struct Follows {
+    a: CoordinateId,
+    b: CoordinateId,
+    factor: Expr,
+}
+
+/// The system with the units rigid that its scene wants so.
+pub(super) fn freeze(cas: &mut Cas, equations: EquationsOfMotion) -> Result<Step, FreezeError> {
+    if equations.system.freeze.rigid.is_empty() {
+        return Ok(Step::Equations(equations));
+    }
+    let EquationsOfMotion { mut system, mut reduction, .. } = equations;
+    for unit in system.freeze.rigid.clone() {
+        if !system.events.is_empty() {
+            return Err(FreezeError::Events(unit));
+        }
+        if !system.constraints.is_empty() {
+            return Err(FreezeError::Constraints(unit));
+        }
+        let follows = relation(cas, &system, &unit)?;
+        let Follows { a, b, .. } = follows;
+        let [leader, follower] = [b, a].map(|id| &system.coordinates[id.0 as usize]);
+        let instead = format!("{unit} rigid: follows {}", leader.position.name.path);
+        for quantity in [&follower.position, &follower.velocity] {
+            reduction.add(What::State, &quantity.name.path, Why::Frozen, instead.as_str());
+        }
+        eliminate(&mut system, &follows);
+    }
+    Ok(Step::System(system, reduction))
+}
+
+/// The ratio at which a unit's spring holds its coordinates.
+fn relation(cas: &mut Cas, system: &LagrangianSystem, unit: &str) -> Result<Follows, FreezeError> {
+    let no_spring = || FreezeError::NoSpring(unit.to_owned());
+    let no_ratio = || FreezeError::NoRatio(unit.to_owned());
+    let spring = system.springs.iter().find(|spring| spring.instance == unit);
+    let spring = spring.ok_or_else(no_spring)?;
+    let coordinates: BTreeSet<CoordinateId> = spring
+        .potential
+        .symbols()
+        .into_iter()
+        .filter_map(|symbol| match symbol {
+            Symbol::Coordinate(id) => Some(id),
+            _ => None,
+        })
+        .collect();
+    let pair: Vec<CoordinateId> = coordinates.into_iter().collect();
+    let [first, second] = pair.as_slice() else { return Err(no_spring()) };
+    let potential = cas.form(&spring.potential);
+    let slopes = [first, second].map(|id| cas.derivative(&potential, Symbol::Coordinate(*id)));
+    if slopes.iter().any(|slope| cas.expand(slope).is_zero()) {
+        return Err(no_ratio());
+    }
+    let mut candidates = Vec::new();
+    for ((a, own), (b, other)) in [
+        ((*first, &slopes[0]), (*second, &slopes[1])),
+        ((*second, &slopes[1]), (*first, &slopes[0])),
+    ] {
+        let ratio = cas.rational(&-&(other / own));
+        candidates.push(Follows { a, b, factor: cas.expr(&ratio) });
+    }
+    candidates.sort_by_key(|follows| operations(&follows.factor));
+    let follows = candidates.swap_remove(0);
+    let is_constant = |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Pi);
+    if follows.factor.mentions(|symbol| !is_constant(symbol)) {
+        return Err(no_ratio());
+    }
+    let held = cas.form(&spring.potential.replace(&|symbol| follows.leader_of(symbol)));
+    let slope = cas.derivative(&held, Symbol::Coordinate(follows.b));
+    if !cas.expand(&slope).is_zero() {
+        return Err(no_ratio());
+    }
+    if !follows.hold_at_start(system) {
+        return Err(FreezeError::NotAtRest(unit.to_owned()));
+    }
+    Ok(follows)
+}
+
+impl Follows {
+    fn leader_of(&self, symbol: Symbol) -> Option<Expr> {
+        let by_factor = |leader| Expr::Product(vec![self.factor.clone(), Expr::Symbol(leader)]);
+        match symbol {
+            Symbol::Coordinate(id) if id == self.a => Some(by_factor(Symbol::Coordinate(self.b))),
+            Symbol::Velocity(id) if id == self.a => Some(by_factor(Symbol::Velocity(self.b))),
+            Symbol::Acceleration(id) if id == self.a => {
+                Some(by_factor(Symbol::Acceleration(self.b)))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether both coordinates start at the ratio, with the spec's parameters.
+    fn hold_at_start(&self, system: &LagrangianSystem) -> bool {
+        const ROUNDING: f64 = 1e-12;
+        let value = |expr: &Expr| evaluate(expr, &|id: ParameterId| system.parameter(id).value);
+        let [a, b] = [self.a, self.b].map(|id| &system.coordinates[id.0 as usize].initial);
+        let factor = value(&self.factor);
+        a.iter().zip(b).all(|(a, b)| {
+            let (a, b) = (value(a), factor * value(b));
+            (a - b).abs() <= ROUNDING * a.abs().max(b.abs())
+        })
+    }
+}
+
+/// Puts the leader in place of the follower, which is then gone.
+fn eliminate(system: &mut LagrangianSystem, follows: &Follows) {
+    let (a, b) = (follows.a.0 as usize, follows.b.0 as usize);
+    let force = system.generalized_force.remove(a);
+    let follower = system.coordinates.remove(a);
+    let b = if b > a { b - 1 } else { b };
+    let scaled = |expr: Expr| Expr::Product(vec![follows.factor.clone(), expr]);
+    let leader = &mut system.generalized_force[b];
+    leader.total = Expr::Sum(vec![leader.total.clone(), scaled(force.total)]);
+    leader.conversion = Expr::Sum(vec![leader.conversion.clone(), scaled(force.conversion)]);
+    let leader = &mut system.coordinates[b].identified;
+    leader.push((follower.position.name.path, follows.factor.clone()));
+    let moved = follower.identified.into_iter();
+    leader.extend(moved.map(|(name, factor)| (name, scaled(factor))));
+    let shifted = |id: CoordinateId| CoordinateId(id.0 - u32::from(id > follows.a));
+    for expr in system.exprs_mut() {
+        let led = expr.replace(&|symbol| follows.leader_of(symbol));
+        *expr = led.replace(&|symbol| {
+            let symbol = match symbol {
+                Symbol::Coordinate(id) => Symbol::Coordinate(shifted(id)),
+                Symbol::Velocity(id) => Symbol::Velocity(shifted(id)),
+                Symbol::Acceleration(id) => Symbol::Acceleration(shifted(id)),
+                _ => return None,
+            };
+            Some(Expr::Symbol(symbol))
+        });
+    }
+}

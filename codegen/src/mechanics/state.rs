@@ -1,0 +1,143 @@
+//! What a simulator integrates: the entries of the state y, in order.
+//!
+//! Before anything is left out, y = \[q, q', z\]. After it, positions that
+//! nothing depends on are gone, others are relative ones, and what is only
+//! integrated for an output stands last.
+
+use crate::expr::{CoordinateId, Expr, FirstOrderId, Symbol};
+use crate::scene::system::LagrangianSystem;
+use machinist_model::Quantity;
+
+/// One entry of the state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Name, unit and meaning.
+    pub quantity: Quantity,
+    /// What it is, and so how it changes.
+    pub motion: Motion,
+    /// Value at the start; of parameters only.
+    pub initial: Expr,
+    /// Typical size, for absolute tolerance.
+    pub scale: f64,
+}
+
+/// What an entry of the state is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// A position, or a position relative to another; expressions call it by its
+    /// coordinate.
+    Position {
+        /// The coordinate.
+        coordinate: CoordinateId,
+        /// Its rate: of velocities and parameters only.
+        rate: Expr,
+    },
+    /// A generalized velocity; its rate is the acceleration.
+    Velocity(CoordinateId),
+    /// A first-order state z; its rate is h.
+    FirstOrder(FirstOrderId),
+}
+
+/// The state of a scene and the order of its entries.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Layout {
+    /// Positions, velocities, first-order states, then quadratures.
+    pub states: Vec<State>,
+    /// How many of the last entries are quadratures: no rate depends on them, so
+    /// that an implicit method may leave them out of its iteration.
+    pub quadratures: usize,
+}
+
+impl Motion {
+    /// What expressions call the entry.
+    #[must_use]
+    pub fn symbol(&self) -> Symbol {
+        match *self {
+            Motion::Position { coordinate, .. } => Symbol::Coordinate(coordinate),
+            Motion::Velocity(id) => Symbol::Velocity(id),
+            Motion::FirstOrder(id) => Symbol::FirstOrder(id),
+        }
+    }
+
+    /// The rate of a position.
+    #[must_use]
+    pub fn rate(&self) -> Option<&Expr> {
+        match self {
+            Motion::Position { rate, .. } => Some(rate),
+            Motion::Velocity(_) | Motion::FirstOrder(_) => None,
+        }
+    }
+
+    pub(crate) fn rate_mut(&mut self) -> Option<&mut Expr> {
+        match self {
+            Motion::Position { rate, .. } => Some(rate),
+            Motion::Velocity(_) | Motion::FirstOrder(_) => None,
+        }
+    }
+}
+
+impl Layout {
+    /// \[q, q', z\] of a system, nothing left out.
+    #[must_use]
+    pub fn of_all(system: &LagrangianSystem) -> Self {
+        let coordinates = || system.coordinates.iter().zip(0..);
+        let positions = coordinates().map(|(coordinate, id)| State {
+            quantity: coordinate.position.clone(),
+            motion: Motion::Position {
+                coordinate: CoordinateId(id),
+                rate: Expr::Symbol(Symbol::Velocity(CoordinateId(id))),
+            },
+            initial: coordinate.initial[0].clone(),
+            scale: coordinate.scale[0],
+        });
+        let velocities = coordinates().map(|(coordinate, id)| State {
+            quantity: coordinate.velocity.clone(),
+            motion: Motion::Velocity(CoordinateId(id)),
+            initial: coordinate.initial[1].clone(),
+            scale: coordinate.scale[1],
+        });
+        let first_order = system.first_order.iter().zip(0..).map(|(state, id)| State {
+            quantity: state.quantity.clone(),
+            motion: Motion::FirstOrder(FirstOrderId(id)),
+            initial: state.initial.clone(),
+            scale: state.scale,
+        });
+        let states = positions.chain(velocities).chain(first_order).collect();
+        Layout { states, quadratures: 0 }
+    }
+
+    /// Number of entries.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.states.len()
+    }
+
+    /// Whether there is nothing to integrate.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.states.is_empty()
+    }
+
+    /// Number of positions among the entries.
+    #[must_use]
+    pub fn positions(&self) -> usize {
+        let is_position = |state: &&State| matches!(state.motion, Motion::Position { .. });
+        self.states.iter().filter(is_position).count()
+    }
+
+    /// Whether the entries are \[q, q', z\] of a system, all coordinates in order.
+    #[must_use]
+    pub fn is_of_all(&self, system: &LagrangianSystem) -> bool {
+        self.quantities().eq(Layout::of_all(system).quantities())
+    }
+
+    /// What expressions call the entries, in order.
+    pub fn symbols(&self) -> impl Iterator<Item = Symbol> {
+        self.states.iter().map(|state| state.motion.symbol())
+    }
+
+    /// The quantities, in order.
+    pub fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        self.states.iter().map(|state| &state.quantity)
+    }
+}

@@ -1,0 +1,277 @@
+//! A scene composed and resolved: one Lagrangian system.
+//!
+//! Excluded: units of the scene as separate things, joints (their coordinates
+//! are identified), names to look up, dimensions (they have been checked).
+
+use machinist_model::{Direction, Freeze, Name, Place, Quantity, RunDefaults, Table};
+
+use crate::expr::{CoordinateId, Expr, FirstOrderId, HandedId, ParameterId, Symbol};
+use crate::spec::SourceFile;
+
+/// A generalized coordinate with its velocity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coordinate {
+    /// q.
+    pub position: Quantity,
+    /// q'.
+    pub velocity: Quantity,
+    /// Names of the other port angles identified with this one, with the factor
+    /// by which they follow it, for documents: (`coupling.input.angle`, factor).
+    pub identified: Vec<(String, Expr)>,
+    /// Initial position and velocity; of parameters only.
+    pub initial: [Expr; 2],
+    /// Whether the spec gives them, so that constraints may not move them.
+    pub is_given: [bool; 2],
+    /// Typical sizes of position and velocity, for absolute tolerances.
+    pub scale: [f64; 2],
+}
+
+/// A first-order state z with z' = rate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstOrderState {
+    /// z.
+    pub quantity: Quantity,
+    /// h.
+    pub rate: Expr,
+    /// Initial value; of parameters only.
+    pub initial: Expr,
+    /// Typical size, for absolute tolerance.
+    pub scale: f64,
+    /// Whether it is a mode: a whole number, of rate 0, that only events change.
+    pub is_mode: bool,
+}
+
+/// What happens where a guard passes zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// The expression that passes zero.
+    pub guard: Expr,
+    /// Which way.
+    pub direction: Direction,
+    /// Modes with the values that they must have for it to happen.
+    pub when: Vec<(FirstOrderId, i32)>,
+    /// Coordinates, velocities and first-order states with their new values, all of
+    /// the state before.
+    pub set: Vec<(Symbol, Expr)>,
+}
+
+/// What coordinates must fulfil: g(q, t) = 0, or a(q, t) q' + b(q, t) = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constraint {
+    /// What it is called.
+    pub name: Name,
+    /// One sentence of meaning; may be empty.
+    pub doc: String,
+    /// SI unit of the expression.
+    pub unit: String,
+    /// g, or a q' + b.
+    pub expr: Expr,
+    /// Which of the two.
+    pub is_of_positions: bool,
+}
+
+/// A parameter with its value in the spec.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    /// What it is.
+    pub quantity: Quantity,
+    /// Its value in SI units.
+    pub value: f64,
+    /// Whether runs may give it another value; if not, it becomes a number.
+    pub tunable: bool,
+}
+
+/// A named expression: a helper of a unit, or an output of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Definition {
+    /// What it is.
+    pub quantity: Quantity,
+    /// What it stands for.
+    pub expr: Expr,
+}
+
+/// Generalized force on one coordinate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GeneralizedForce {
+    /// All of Q.
+    pub total: Expr,
+    /// The part that only converts energy between the first-order states and the
+    /// mechanics (a motor's torque); it supplies nothing.
+    pub conversion: Expr,
+}
+
+/// The potential energy of one instance of a unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spring {
+    /// The instance.
+    pub instance: String,
+    /// Its part of V.
+    pub potential: Expr,
+}
+
+/// A one-dimensional field u(x, t) by its densities a length.
+///
+/// Densities have symbols of their own: `Coordinate(0)` is u, `Coordinate(1)` its
+/// derivative u_x, `Velocity(0)` and `Velocity(1)` are the rates of both, and
+/// `FirstOrder(0)` is x. Parameters and time are those of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// u, u_x, u_t, u_xt and x.
+    pub quantities: [Quantity; 5],
+    /// Typical sizes of u and u_t.
+    pub scale: [f64; 2],
+    /// T a length; quadratic in u_t.
+    pub kinetic: Expr,
+    /// V a length.
+    pub potential: Expr,
+    /// D a length.
+    pub dissipation: Expr,
+    /// Q a length.
+    pub force: Expr,
+    /// u and u_t at the start, of x and parameters.
+    pub initial: [Expr; 2],
+    /// The field lies over 0 <= x <= length.
+    pub length: Expr,
+    /// Its value in the spec \[m\].
+    pub length_value: f64,
+    /// Places at which the machine takes hold of the field, by x.
+    pub attachments: Vec<Attachment>,
+    /// Whether the field is held at zero at its start and end.
+    pub fixed: [bool; 2],
+    /// Elements unless a run says otherwise.
+    pub elements: usize,
+    /// Order of the elements.
+    pub order: usize,
+}
+
+/// A place on a field whose u is a coordinate of the machine.
+///
+/// The machine's part of the node is like any other: it has an inertia and a force,
+/// both of which the field computes and hands over as parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attachment {
+    /// Its name.
+    pub name: Name,
+    /// The coordinate; none where the field is held at zero.
+    pub coordinate: Option<CoordinateId>,
+    /// x, of parameters.
+    pub at: Expr,
+    /// Where that is.
+    pub place: Place,
+    /// x in the spec \[m\].
+    pub x: f64,
+    /// The first of four numbers that the field hands over: inertia of the node,
+    /// force on it, u_x before it and after it.
+    pub handed: HandedId,
+}
+
+/// One Lagrangian system: L = T - V, D, Q, and first-order states.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LagrangianSystem {
+    /// The scene's name, a Rust identifier.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// What the machine is; several lines.
+    pub doc: String,
+    /// Where the equations come from.
+    pub source: String,
+    /// q.
+    pub coordinates: Vec<Coordinate>,
+    /// z.
+    pub first_order: Vec<FirstOrderState>,
+    /// p.
+    pub parameters: Vec<Parameter>,
+    /// What fields hand to the machine, port by port.
+    pub handed: Vec<Parameter>,
+    /// T.
+    pub kinetic: Expr,
+    /// V.
+    pub potential: Expr,
+    /// V by instances, for those that have one.
+    pub springs: Vec<Spring>,
+    /// D.
+    pub dissipation: Expr,
+    /// Q, one for each coordinate.
+    pub generalized_force: Vec<GeneralizedForce>,
+    /// Energy of the first-order states.
+    pub stored_energy: Expr,
+    /// Power supplied to the first-order states.
+    pub supplied_power: Expr,
+    /// Power lost by the first-order states.
+    pub dissipated_power: Expr,
+    /// Helper expressions by name, helpers within helpers already put in; their
+    /// names are given to equal subexpressions of the emitted code.
+    pub helpers: Vec<Definition>,
+    /// Wanted outputs.
+    pub outputs: Vec<Definition>,
+    /// Tables that expressions refer to.
+    pub tables: Vec<Table>,
+    /// Times at which the right-hand side jumps; of parameters only.
+    pub discontinuities: Vec<Expr>,
+    /// What happens where guards pass zero.
+    pub events: Vec<Event>,
+    /// What coordinates must fulfil.
+    pub constraints: Vec<Constraint>,
+    /// The run unless told otherwise.
+    pub run: RunDefaults,
+    /// Approximations wanted.
+    pub freeze: Freeze,
+    /// Fields, whose places are coordinates of the machine.
+    pub fields: Vec<Field>,
+    /// Every file read, in the order read.
+    pub files: Vec<SourceFile>,
+}
+
+impl Event {
+    /// Its guard and its new values.
+    pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
+        std::iter::once(&self.guard).chain(self.set.iter().map(|(_, value)| value))
+    }
+
+    /// Likewise.
+    pub fn exprs_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        std::iter::once(&mut self.guard).chain(self.set.iter_mut().map(|(_, value)| value))
+    }
+}
+
+impl LagrangianSystem {
+    /// The parameter of an id.
+    #[must_use]
+    pub fn parameter(&self, id: ParameterId) -> &Parameter {
+        &self.parameters[id.0 as usize]
+    }
+
+    /// Every expression of the self.
+    pub fn exprs_mut(&mut self) -> Vec<&mut Expr> {
+        let mut all = vec![
+            &mut self.kinetic,
+            &mut self.potential,
+            &mut self.dissipation,
+            &mut self.stored_energy,
+            &mut self.supplied_power,
+            &mut self.dissipated_power,
+        ];
+        for coordinate in &mut self.coordinates {
+            all.extend(&mut coordinate.initial);
+            all.extend(coordinate.identified.iter_mut().map(|(_, factor)| factor));
+        }
+        for state in &mut self.first_order {
+            all.extend([&mut state.rate, &mut state.initial]);
+        }
+        for force in &mut self.generalized_force {
+            all.extend([&mut force.total, &mut force.conversion]);
+        }
+        all.extend(self.springs.iter_mut().map(|spring| &mut spring.potential));
+        all.extend(self.helpers.iter_mut().map(|helper| &mut helper.expr));
+        all.extend(self.outputs.iter_mut().map(|output| &mut output.expr));
+        all.extend(&mut self.discontinuities);
+        all.extend(self.events.iter_mut().flat_map(Event::exprs_mut));
+        all.extend(self.constraints.iter_mut().map(|constraint| &mut constraint.expr));
+        all
+    }
+}

@@ -1,0 +1,344 @@
+//! What is wrong with a spec, where, and how to mend it.
+//!
+//! Excluded: absolute paths (files go by their labels), colours and times, so
+//! that the same mistake always reads the same.
+
+use std::fmt;
+use std::ops::Range;
+
+use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
+
+/// Errors reported of one spec before the rest is left out.
+const MAX_REPORTED: usize = 50;
+/// Columns of a rendered report.
+const WIDTH: usize = 100;
+/// Lines kept before and after a mistake.
+const CONTEXT: usize = 3;
+/// Bytes of a line shown at most; longer ones are cut around the mistake.
+const LONG_LINE: usize = 160;
+
+/// Index of a source text of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FileId(pub u32);
+
+/// A range of bytes of a source text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// The text.
+    pub file: FileId,
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+impl Span {
+    /// The bytes `range` of `file`.
+    #[must_use]
+    pub fn new(file: FileId, range: Range<usize>) -> Self {
+        Span { file, start: range.start as u32, end: range.end as u32 }
+    }
+
+    /// The smallest span over `self` and `other` of the same file.
+    #[must_use]
+    pub fn to(self, other: Span) -> Self {
+        Span { file: self.file, start: self.start.min(other.start), end: self.end.max(other.end) }
+    }
+}
+
+/// A value with the place it was read from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spanned<T> {
+    /// The value.
+    pub value: T,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A mistake found at a span, before the text around it is attached.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mistake {
+    /// What is wrong, one sentence.
+    pub message: String,
+    /// Where.
+    pub span: Span,
+    /// What stands there, a few words.
+    pub label: String,
+    /// How to mend it; may be empty.
+    pub help: String,
+}
+
+impl Mistake {
+    /// A mistake at `span`.
+    #[must_use]
+    pub fn new(span: Span, message: impl Into<String>, label: impl Into<String>) -> Self {
+        Mistake { message: message.into(), span, label: label.into(), help: String::new() }
+    }
+
+    /// The same with a hint.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = help.into();
+        self
+    }
+}
+
+/// One error of a spec, ready to be shown.
+#[derive(Debug, Clone)]
+pub struct Diagnostic {
+    /// What is wrong, one sentence.
+    pub message: String,
+    /// Label of the file, `scenes/saw_gin.toml`.
+    pub file: String,
+    /// Line of the mistake, from 1; 0 if the file could not be read.
+    pub line: usize,
+    /// Column of the mistake in characters, from 1; 0 likewise.
+    pub column: usize,
+    /// What stands at the span.
+    pub label: String,
+    /// How to mend it.
+    pub help: Option<String>,
+    source: Option<Box<Excerpt>>,
+}
+
+impl Diagnostic {
+    /// An error of a whole file, which has no text to show.
+    #[must_use]
+    pub fn of_file(file: &str, message: impl Into<String>, help: impl Into<String>) -> Self {
+        let help = help.into();
+        Diagnostic {
+            message: message.into(),
+            file: file.to_owned(),
+            line: 0,
+            column: 0,
+            label: String::new(),
+            help: (!help.is_empty()).then_some(help),
+            source: None,
+        }
+    }
+
+    /// The system granted no thread to work on.
+    #[must_use]
+    pub fn no_thread() -> Self {
+        Diagnostic::of_file("", "the system grants no thread to read the spec with", "")
+    }
+
+    /// The mistake with the text around it; `label` names the file.
+    #[must_use]
+    pub fn of_text(mistake: &Mistake, label: &str, text: &str) -> Self {
+        let start = floor_boundary(text, mistake.span.start as usize);
+        let end = floor_boundary(text, mistake.span.end as usize).max(start);
+        let before = &text[..start];
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Diagnostic {
+            message: mistake.message.clone(),
+            file: label.to_owned(),
+            line: before.matches('\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+            label: mistake.label.clone(),
+            help: (!mistake.help.is_empty()).then(|| mistake.help.clone()),
+            source: Some(Box::new(Excerpt::new(label, text, start..end))),
+        }
+    }
+}
+
+/// The lines around a mistake. Long ones are cut and control characters replaced,
+/// so that a report stays readable and cannot steer a terminal.
+#[derive(Debug, Clone)]
+struct Excerpt {
+    name: String,
+    text: String,
+    /// Lines of the file before the first one kept.
+    lines_before: usize,
+    /// The mistake, in bytes of `text`.
+    range: Range<usize>,
+}
+
+impl Excerpt {
+    fn new(name: &str, text: &str, range: Range<usize>) -> Self {
+        let line = text[..range.start].matches('\n').count();
+        let lines_before = line.saturating_sub(CONTEXT);
+        let mut offset = 0;
+        let mut kept = String::new();
+        let mut moved = None;
+        for (index, line) in text.split_inclusive('\n').enumerate().take(line + CONTEXT + 1) {
+            if index >= lines_before {
+                let inside = range.start.checked_sub(offset).filter(|at| *at < line.len());
+                let window = window(line, inside);
+                if let Some(at) = inside {
+                    let start = kept.len() + at - window.start;
+                    moved = Some(start..start + range.len().min(window.end.saturating_sub(at)));
+                }
+                kept.extend(line[window.clone()].chars().map(harmless));
+                if window.end < line.len() {
+                    kept.push('\n');
+                }
+            }
+            offset += line.len();
+        }
+        let end = kept.len()..kept.len();
+        Excerpt { name: name.to_owned(), text: kept, lines_before, range: moved.unwrap_or(end) }
+    }
+}
+
+impl SourceCode for Excerpt {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        context_lines_before: usize,
+        context_lines_after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let inner = self.text.read_span(span, context_lines_before, context_lines_after)?;
+        Ok(Box::new(MietteSpanContents::new_named(
+            self.name.clone(),
+            inner.data(),
+            *inner.span(),
+            inner.line() + self.lines_before,
+            inner.column(),
+            inner.line_count(),
+        )))
+    }
+}
+
+/// The part of a line that is shown; around the mistake, if it is `inside`.
+fn window(line: &str, inside: Option<usize>) -> Range<usize> {
+    let window = match inside {
+        _ if line.len() <= LONG_LINE => 0..line.len(),
+        Some(at) => at.saturating_sub(LONG_LINE / 3)..at + 2 * LONG_LINE / 3,
+        None => 0..LONG_LINE,
+    };
+    floor_boundary(line, window.start)..floor_boundary(line, window.end)
+}
+
+/// ASCII control characters as `?`, which keeps byte offsets.
+fn harmless(c: char) -> char {
+    if c.is_ascii_control() && c != '\n' && c != '\t' { '?' } else { c }
+}
+
+fn floor_boundary(text: &str, index: usize) -> usize {
+    let mut index = index.min(text.len());
+    while !text.is_char_boundary(index) {
+        index -= 1;
+    }
+    index
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.source.is_some() || self.file.is_empty() {
+            write!(f, "{}", self.message)
+        } else {
+            write!(f, "{}: {}", self.file, self.message)
+        }
+    }
+}
+
+impl std::error::Error for Diagnostic {}
+
+impl miette::Diagnostic for Diagnostic {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.source.as_ref().map(|source| source.as_ref() as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let range = self.source.as_ref()?.range.clone();
+        let label = LabeledSpan::new_primary_with_span(Some(self.label.clone()), range);
+        Some(Box::new(std::iter::once(label)))
+    }
+}
+
+/// All errors found in a spec, at least one, in the order found.
+#[derive(Debug, Clone)]
+pub struct Diagnostics {
+    errors: Vec<Diagnostic>,
+    left_out: usize,
+}
+
+impl Diagnostics {
+    /// The errors, at most fifty of them.
+    #[must_use]
+    pub fn errors(&self) -> &[Diagnostic] {
+        &self.errors
+    }
+
+    /// A report without colour, the same on every machine.
+    #[must_use]
+    pub fn render(&self) -> String {
+        let theme = miette::GraphicalTheme::unicode_nocolor();
+        let handler = miette::GraphicalReportHandler::new_themed(theme)
+            .with_width(WIDTH)
+            .without_syntax_highlighting();
+        let mut report = String::new();
+        // Writing to a string cannot fail; a report cut short is still a report.
+        if handler.render_report(&mut report, self).is_err() {
+            report.push_str(&self.to_string());
+        }
+        report
+    }
+}
+
+impl From<Diagnostic> for Diagnostics {
+    fn from(error: Diagnostic) -> Self {
+        Diagnostics { errors: vec![error], left_out: 0 }
+    }
+}
+
+impl FromIterator<Diagnostic> for Diagnostics {
+    fn from_iter<I: IntoIterator<Item = Diagnostic>>(errors: I) -> Self {
+        let mut errors: Vec<Diagnostic> = errors.into_iter().collect();
+        let left_out = errors.len().saturating_sub(MAX_REPORTED);
+        errors.truncate(MAX_REPORTED);
+        Diagnostics { errors, left_out }
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.errors.as_slice() {
+            [error] => write!(f, "{error}"),
+            errors => write!(f, "{} errors in the spec", errors.len() + self.left_out),
+        }
+    }
+}
+
+impl std::error::Error for Diagnostics {}
+
+impl miette::Diagnostic for Diagnostics {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        match self.errors.as_slice() {
+            [error] => error.help(),
+            _ if self.left_out > 0 => {
+                Some(Box::new(format!("{} more are not shown", self.left_out)))
+            }
+            _ => None,
+        }
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.single()?.source_code()
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        self.single()?.labels()
+    }
+
+    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn miette::Diagnostic> + 'a>> {
+        if self.single().is_some() {
+            return None;
+        }
+        Some(Box::new(self.errors.iter().map(|error| error as &dyn miette::Diagnostic)))
+    }
+}
+
+impl Diagnostics {
+    fn single(&self) -> Option<&Diagnostic> {
+        match self.errors.as_slice() {
+            [error] => Some(error),
+            _ => None,
+        }
+    }
+}

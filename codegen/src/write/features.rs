@@ -1,0 +1,74 @@
+//! One Cargo feature for each emitted scene, so that a program links only what it runs.
+//!
+//! Excluded: files (see [`crate::write`]).
+
+use std::path::{Path, PathBuf};
+
+use crate::emit::rust::TAKEN;
+use toml_edit::{Array, DocumentMut, TomlError, value};
+
+/// The feature that turns all scenes on.
+const ALL: &str = "scenes";
+
+/// The manifest of the crate whose `src/scenes` a folder is, if there is one.
+pub(crate) fn manifest_of(folder: &Path) -> Option<PathBuf> {
+    let source = folder.parent().filter(|source| source.ends_with("src"))?;
+    let manifest = source.parent()?.join("Cargo.toml");
+    manifest.is_file().then_some(manifest)
+}
+
+/// A manifest with a feature for each scene, and one for all of them; nothing if it
+/// has no feature for all.
+pub(crate) fn with_scenes(manifest: &str, scenes: &[&str]) -> Result<Option<String>, TomlError> {
+    let mut document: DocumentMut = manifest.parse()?;
+    let Some(features) = document.get_mut("features").and_then(|item| item.as_table_like_mut())
+    else {
+        return Ok(None);
+    };
+    if !features.contains_key(ALL) {
+        return Ok(None);
+    }
+    let gone: Vec<String> = features.iter().map(|(name, _)| name.to_owned()).collect();
+    for name in gone.iter().filter(|name| !TAKEN.contains(&name.as_str())) {
+        features.remove(name);
+    }
+    let mut scenes = scenes.to_vec();
+    scenes.sort_unstable();
+    let mut all = Array::new();
+    for scene in &scenes {
+        all.push_formatted(toml_edit::Value::from(*scene).decorated("\n    ", ""));
+        features.insert(scene, value(Array::new()));
+    }
+    all.set_trailing(if scenes.is_empty() { "" } else { "\n" });
+    all.set_trailing_comma(!scenes.is_empty());
+    // In place, so that its comment stays.
+    if let Some(item) = features.get_mut(ALL) {
+        *item = value(all);
+    }
+    Ok(Some(document.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_scenes;
+
+    const MANIFEST: &str = "[package]\nname = \"a\"\n\n[features]\n# How.\ndefault = [\"std\"]\n\
+                            std = []\n# Every scene.\nscenes = [\"old\"]\nold = []\n";
+
+    #[test]
+    fn features_follow_the_scenes_and_leave_the_rest_alone() {
+        let text = with_scenes(MANIFEST, &["pump", "gin"]).expect("a manifest").expect("a change");
+        let expected = "[package]\nname = \"a\"\n\n[features]\n# How.\ndefault = [\"std\"]\n\
+                        std = []\n# Every scene.\nscenes = [\n    \"gin\",\n    \"pump\",\n]\n\
+                        gin = []\npump = []\n";
+        assert_eq!(text, expected);
+        assert_eq!(with_scenes(&text, &["gin", "pump"]).expect("a manifest"), Some(text));
+    }
+
+    #[test]
+    fn a_manifest_without_the_feature_for_all_scenes_is_none_of_ours() {
+        assert_eq!(with_scenes("[features]\nstd = []\n", &["gin"]).expect("a manifest"), None);
+        assert_eq!(with_scenes("", &["gin"]).expect("a manifest"), None);
+        assert!(with_scenes("[features", &["gin"]).is_err());
+    }
+}

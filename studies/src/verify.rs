@@ -1,0 +1,320 @@
+//! Holds the simulators against what is known without them: closed forms,
+//! converged references, hand-written equations, complex-step derivatives and
+//! the energy account.
+//!
+//! The checks of a scene are a table in `src/verify/<scene>.rs`, those of every
+//! scene in `src/verify/every_scene.rs`. To add a check: write one function from
+//! a `Machine` to a `Measured` and one row in its table.
+//!
+//! References never follow a parameter that is overridden: they are those of the
+//! published numbers, so that a broken parameter makes rows fail.
+
+mod bouncing_mass;
+mod contact_oscillator;
+mod coulomb_oscillator;
+mod every_scene;
+mod linkages;
+mod loom_drive;
+pub(crate) mod machine;
+pub(crate) mod motor_run_up;
+mod motor_stationary_axes;
+mod pendulum_chain;
+mod random;
+mod reed_beat_up;
+mod reference;
+mod saw_gin;
+pub(crate) mod saw_gin_as_printed;
+mod saw_gin_shaft;
+mod shaft_step_torque;
+mod shaft_with_rotors;
+mod stick_slip;
+mod two_mass;
+mod winder_full;
+pub(crate) mod winder_linear;
+mod winder_linkage;
+mod winder_nonlinear;
+
+use comfy_table::{Table, presets};
+use serde::Serialize;
+use thiserror::Error;
+
+use machine::Machine;
+use machinist::error::SimulateError;
+use machinist::field::{FieldError, ModalError};
+use machinist::linear_analysis::LinearError;
+
+/// What is changed before the checks run.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct VerifyOptions {
+    /// Parameters set to other values, as `scene.parameter` and SI value:
+    /// `two_mass.coupling.stiffness`. They also win over what a check sets.
+    pub overrides: Vec<(String, f64)>,
+    /// Only checks whose `scene: check` contains this text, if any is given.
+    pub only: Option<String>,
+    /// Only these scenes, if any are given.
+    pub scenes: Option<Vec<String>>,
+}
+
+impl VerifyOptions {
+    fn want(&self, machine: &Machine, check: &Check) -> bool {
+        let name = || format!("{}: {}", machine.name(), check.name);
+        let is_of = |scenes: &Vec<String>| scenes.iter().any(|scene| scene == machine.name());
+        self.scenes.as_ref().is_none_or(is_of)
+            && self.only.as_ref().is_none_or(|text| name().contains(text.as_str()))
+    }
+}
+
+/// The outcome of one check.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Verdict {
+    /// The scene checked.
+    pub scene: &'static str,
+    /// What is checked, in a few words.
+    pub check: &'static str,
+    /// What it is held against.
+    pub reference: &'static str,
+    /// The error found, in the measure the reference states; `null` in JSON if the
+    /// check could not be done.
+    pub error: f64,
+    /// The largest error that passes.
+    pub tolerance: f64,
+    /// Why the tolerance is what it is.
+    pub reason: &'static str,
+    /// Whether the error is at most the tolerance.
+    pub pass: bool,
+    /// The number found, for checks of one number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<f64>,
+    /// The number expected, likewise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected: Option<f64>,
+    /// Why the check could not be done.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
+}
+
+/// Why nothing was checked.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum VerifyError {
+    /// An override names no parameter of a verified scene.
+    #[error("override `{0}`: no verified scene has this parameter; it is written scene.parameter")]
+    UnknownOverride(String),
+    /// An override is not a finite number.
+    #[error("override `{name}` is {value}, but must be a finite number")]
+    OverrideNotFinite {
+        /// The parameter.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+}
+
+/// Runs every check that is wanted, scene by scene, in the order of the tables.
+///
+/// # Errors
+/// [`VerifyError`] if an override makes no sense. A check that cannot be done, say
+/// because its run stops, is a verdict that fails and says why.
+pub fn verify_all(options: &VerifyOptions) -> Result<Vec<Verdict>, VerifyError> {
+    let mut machines = machine::all();
+    for (name, value) in &options.overrides {
+        override_parameter(&mut machines, name, *value)?;
+    }
+    let checks = |machine: &Machine| own_checks(machine.name()).iter().chain(every_scene::CHECKS);
+    let verdicts = machines.iter().flat_map(|machine| {
+        let wanted = checks(machine).filter(|check| options.want(machine, check));
+        wanted.map(|check| check.verdict(machine))
+    });
+    Ok(verdicts.collect())
+}
+
+/// The table of checks that only this scene has.
+fn own_checks(scene: &str) -> &'static [Check] {
+    match scene {
+        "two_mass" => two_mass::CHECKS,
+        "motor_run_up" => motor_run_up::CHECKS,
+        "saw_gin" => saw_gin::CHECKS,
+        "saw_gin_as_printed" => saw_gin_as_printed::CHECKS,
+        "motor_stationary_axes" => motor_stationary_axes::CHECKS,
+        "winder_linear" => winder_linear::CHECKS,
+        "winder_nonlinear" => winder_nonlinear::CHECKS,
+        "winder_full" => winder_full::CHECKS,
+        "pendulum_chain" => pendulum_chain::CHECKS,
+        "pendulum_relative" => linkages::RELATIVE_CHECKS,
+        "pendulum_constrained" => linkages::PENDULUM_CHECKS,
+        "slider_crank" => linkages::SLIDER_CRANK_CHECKS,
+        "four_bar" => linkages::FOUR_BAR_CHECKS,
+        "winder_linkage" => winder_linkage::CHECKS,
+        "winder_holder_drop" => winder_linkage::DROP_CHECKS,
+        "bouncing_mass" => bouncing_mass::CHECKS,
+        "coulomb_oscillator" => coulomb_oscillator::CHECKS,
+        "stick_slip" => stick_slip::CHECKS,
+        "stick_slip_smooth" => stick_slip::SMOOTH_CHECKS,
+        "contact_oscillator" => contact_oscillator::CHECKS,
+        "contact_oscillator_smooth" => contact_oscillator::SMOOTH_CHECKS,
+        "shaft_step_torque" => shaft_step_torque::CHECKS,
+        "shaft_with_rotors" => shaft_with_rotors::CHECKS,
+        "reed_beat_up" => reed_beat_up::CHECKS,
+        "saw_gin_shaft" => saw_gin_shaft::CHECKS,
+        "loom_drive" => loom_drive::CHECKS,
+        _ => &[],
+    }
+}
+
+fn override_parameter(machines: &mut [Machine], name: &str, value: f64) -> Result<(), VerifyError> {
+    if !value.is_finite() {
+        return Err(VerifyError::OverrideNotFinite { name: name.to_owned(), value });
+    }
+    let unknown = || VerifyError::UnknownOverride(name.to_owned());
+    let (scene, parameter) = name.split_once('.').ok_or_else(unknown)?;
+    let machine =
+        machines.iter_mut().find(|machine| machine.name() == scene).ok_or_else(unknown)?;
+    machine.override_parameter(parameter, value).map_err(|_| unknown())
+}
+
+/// The verdicts as aligned text: one row a check, and a last line that counts.
+#[must_use]
+pub fn render_table(verdicts: &[Verdict]) -> String {
+    let cells = verdicts.iter().map(|verdict| {
+        [
+            if verdict.pass { "pass" } else { "FAIL" }.to_owned(),
+            verdict.scene.to_owned(),
+            verdict.check.to_owned(),
+            format!("{:.1e}", verdict.error),
+            format!("{:.1e}", verdict.tolerance),
+            verdict.failure.clone().unwrap_or_else(|| verdict.reason.to_owned()),
+            verdict.reference.to_owned(),
+        ]
+    });
+    let header = ["", "scene", "check", "error", "tolerance", "because", "against"];
+    let failed = verdicts.iter().filter(|verdict| !verdict.pass).count();
+    format!("{}\n{} checks, {failed} failed\n", text_table(header, cells), verdicts.len())
+}
+
+/// Aligned text: a header, a rule, and one line a row.
+pub(crate) fn text_table<const N: usize>(
+    header: [&str; N],
+    rows: impl Iterator<Item = [String; N]>,
+) -> String {
+    let mut table = Table::new();
+    table.load_preset(presets::ASCII_MARKDOWN).set_header(header).add_rows(rows);
+    table.trim_fmt()
+}
+
+/// One row of a table of checks.
+struct Check {
+    name: &'static str,
+    reference: &'static str,
+    tolerance: f64,
+    reason: &'static str,
+    measure: fn(&Machine) -> Result<Measured, CheckFailure>,
+}
+
+/// What a check finds.
+struct Measured {
+    error: f64,
+    value: Option<f64>,
+    expected: Option<f64>,
+}
+
+/// Why a check, or a row of the ledger, could not be done.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CheckFailure {
+    /// Its run was refused or stopped.
+    #[error(transparent)]
+    Simulate(#[from] SimulateError),
+    /// Its linear analysis was refused or did not succeed.
+    #[error(transparent)]
+    Linear(#[from] LinearError),
+    /// Its fields cannot be cut into elements as wanted.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+    /// It is not seen through modes as wanted.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
+    /// The scene lacks a quantity.
+    #[error("scene `{scene}` has no {kind} `{name}`")]
+    Unknown {
+        /// The scene.
+        scene: &'static str,
+        /// Parameter, state, output or column.
+        kind: &'static str,
+        /// The name asked for.
+        name: String,
+    },
+    /// A machine that should oscillate does not.
+    #[error("the linearized scene does not oscillate")]
+    NoOscillation,
+    /// The motor has no single steady state.
+    #[error("the equations of the steady state are singular")]
+    Singular,
+}
+
+impl Check {
+    fn verdict(&self, machine: &Machine) -> Verdict {
+        let (measured, failure) = match (self.measure)(machine) {
+            Ok(measured) => (measured, None),
+            Err(failure) => (Measured::error(f64::INFINITY), Some(failure.to_string())),
+        };
+        Verdict {
+            scene: machine.name(),
+            check: self.name,
+            reference: self.reference,
+            error: measured.error,
+            tolerance: self.tolerance,
+            reason: self.reason,
+            // An error that is NaN must not pass.
+            pass: measured.error <= self.tolerance,
+            value: measured.value,
+            expected: measured.expected,
+            failure,
+        }
+    }
+}
+
+impl Measured {
+    fn error(error: f64) -> Self {
+        Self { error, value: None, expected: None }
+    }
+
+    /// |value - expected|.
+    fn absolute(value: f64, expected: f64) -> Self {
+        Self { error: (value - expected).abs(), value: Some(value), expected: Some(expected) }
+    }
+
+    /// |value - expected|/|expected|.
+    fn relative(value: f64, expected: f64) -> Self {
+        let error = ((value - expected) / expected).abs();
+        Self { error, value: Some(value), expected: Some(expected) }
+    }
+}
+
+/// Whether two counts agree: their difference, with both.
+fn counted(found: u64, expected: usize) -> Measured {
+    Measured::absolute(found as f64, expected as f64)
+}
+
+/// How fast a smooth twin nears the machine with events: log2 of the ratio of its
+/// errors at a width and half of it. The error of the check is what lacks to `order`.
+fn convergence([coarse, fine]: [f64; 2], order: f64) -> Measured {
+    let found = (coarse / fine).log2();
+    let error = if found.is_nan() { f64::NAN } else { (order - found).max(0.0) };
+    Measured { error, value: Some(found), expected: Some(order) }
+}
+
+/// The larger of two errors; NaN if one is, so that no NaN is lost.
+fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
+/// max |ours - reference|, divided by max |reference|; NaN if the lengths differ.
+fn relative_distance(ours: &[f64], reference: &[f64]) -> f64 {
+    if ours.len() != reference.len() {
+        return f64::NAN;
+    }
+    let distance = ours.iter().zip(reference).fold(0.0, |most, (a, b)| worse(most, (a - b).abs()));
+    distance / reference.iter().fold(0.0, |most, value| worse(most, value.abs()))
+}
+
+#[cfg(test)]
+#[path = "verify/tests.rs"]
+mod tests;

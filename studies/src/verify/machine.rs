@@ -1,0 +1,501 @@
+//! A scene under check: its simulator in two kinds of numbers, its parameters,
+//! its quantities by name, and random states.
+
+use std::cell::RefCell;
+
+use machinist_contract::field::FieldScene;
+use machinist_contract::{Quantity, Simulator};
+use machinist_scenes::scenes::bouncing_mass::BouncingMass;
+use machinist_scenes::scenes::contact_oscillator::ContactOscillator;
+use machinist_scenes::scenes::contact_oscillator_smooth::ContactOscillatorSmooth;
+use machinist_scenes::scenes::coulomb_oscillator::CoulombOscillator;
+use machinist_scenes::scenes::four_bar::FourBar;
+use machinist_scenes::scenes::loom_drive::LoomDrive;
+use machinist_scenes::scenes::motor_run_up::MotorRunUp;
+use machinist_scenes::scenes::motor_stationary_axes::MotorStationaryAxes;
+use machinist_scenes::scenes::pendulum_chain::PendulumChain;
+use machinist_scenes::scenes::pendulum_constrained::PendulumConstrained;
+use machinist_scenes::scenes::pendulum_relative::PendulumRelative;
+use machinist_scenes::scenes::reed_beat_up::ReedBeatUp;
+use machinist_scenes::scenes::saw_gin::SawGin;
+use machinist_scenes::scenes::saw_gin_as_printed::SawGinAsPrinted;
+use machinist_scenes::scenes::saw_gin_shaft::SawGinShaft;
+use machinist_scenes::scenes::shaft_step_torque::ShaftStepTorque;
+use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
+use machinist_scenes::scenes::slider_crank::SliderCrank;
+use machinist_scenes::scenes::stick_slip::StickSlip;
+use machinist_scenes::scenes::stick_slip_smooth::StickSlipSmooth;
+use machinist_scenes::scenes::two_mass::TwoMass;
+use machinist_scenes::scenes::winder_full::WinderFull;
+use machinist_scenes::scenes::winder_holder_drop::WinderHolderDrop;
+use machinist_scenes::scenes::winder_linear::WinderLinear;
+use machinist_scenes::scenes::winder_linkage::WinderLinkage;
+use machinist_scenes::scenes::winder_nonlinear::WinderNonlinear;
+use nalgebra::{DMatrix, DVector};
+
+use super::CheckFailure;
+pub(crate) use super::random::SplitMix;
+use machinist::complex_step::{self, ComplexStep};
+use machinist::constraints::{Constraints, Level};
+use machinist::field::{Discretisation, FieldSimulator};
+use machinist::linear_analysis::{Linearization, Place, Point as LinearPoint, operating_point};
+use machinist::trajectory::ColumnKind;
+use machinist::{Method, Simulation, Trajectory};
+
+/// A verified scene, with overridden parameters if any.
+#[derive(Clone)]
+pub(crate) struct Machine {
+    name: &'static str,
+    /// The simulator in `f64`.
+    pub(crate) real: &'static dyn Simulator<f64>,
+    /// The same emitted code in complex-step numbers.
+    pub(crate) complex: &'static dyn Simulator<ComplexStep>,
+    overrides: Vec<(usize, f64)>,
+}
+
+/// Time, state and parameters at which to evaluate.
+#[derive(Clone)]
+pub(crate) struct Point {
+    pub(crate) time: f64,
+    pub(crate) state: Vec<f64>,
+    pub(crate) parameters: Vec<f64>,
+}
+
+/// Every verified scene, in the order of the report.
+pub(crate) fn all() -> Vec<Machine> {
+    vec![
+        two_mass(),
+        motor_run_up(),
+        saw_gin(),
+        saw_gin_as_printed(),
+        motor_stationary_axes(),
+        winder_linear(),
+        winder_nonlinear(),
+        winder_full(),
+        pendulum_chain(),
+        pendulum_relative(),
+        pendulum_constrained(),
+        slider_crank(),
+        four_bar(),
+        winder_linkage(),
+        winder_holder_drop(),
+        bouncing_mass(),
+        coulomb_oscillator(),
+        stick_slip(),
+        stick_slip_smooth(),
+        contact_oscillator(),
+        contact_oscillator_smooth(),
+        shaft_step_torque(),
+        shaft_with_rotors(),
+        reed_beat_up(),
+        saw_gin_shaft(),
+        loom_drive(),
+    ]
+}
+
+/// Two rotors on a coupling.
+pub(crate) fn two_mass() -> Machine {
+    Machine::new("two_mass", &TwoMass, &TwoMass)
+}
+
+/// The motor alone.
+pub(crate) fn motor_run_up() -> Machine {
+    Machine::new("motor_run_up", &MotorRunUp, &MotorRunUp)
+}
+
+/// The saw gin in its consistent reading.
+pub(crate) fn saw_gin() -> Machine {
+    Machine::new("saw_gin", &SawGin, &SawGin)
+}
+
+/// The saw gin as printed.
+pub(crate) fn saw_gin_as_printed() -> Machine {
+    Machine::new("saw_gin_as_printed", &SawGinAsPrinted, &SawGinAsPrinted)
+}
+
+/// The motor alone, in charges.
+pub(crate) fn motor_stationary_axes() -> Machine {
+    Machine::new("motor_stationary_axes", &MotorStationaryAxes, &MotorStationaryAxes)
+}
+
+/// The bobbin on a linear layer.
+pub(crate) fn winder_linear() -> Machine {
+    Machine::new("winder_linear", &WinderLinear, &WinderLinear)
+}
+
+/// The bobbin on a stiffening layer.
+pub(crate) fn winder_nonlinear() -> Machine {
+    Machine::new("winder_nonlinear", &WinderNonlinear, &WinderNonlinear)
+}
+
+/// The bobbin with all nonlinearities.
+pub(crate) fn winder_full() -> Machine {
+    Machine::new("winder_full", &WinderFull, &WinderFull)
+}
+
+/// Three pendulums hanging on one another.
+pub(crate) fn pendulum_chain() -> Machine {
+    Machine::new("pendulum_chain", &PendulumChain, &PendulumChain)
+}
+
+/// The same by relative angles.
+pub(crate) fn pendulum_relative() -> Machine {
+    Machine::new("pendulum_relative", &PendulumRelative, &PendulumRelative)
+}
+
+/// The same by constraints.
+pub(crate) fn pendulum_constrained() -> Machine {
+    Machine::new("pendulum_constrained", &PendulumConstrained, &PendulumConstrained)
+}
+
+/// A slider-crank turned at constant speed.
+pub(crate) fn slider_crank() -> Machine {
+    Machine::new("slider_crank", &SliderCrank, &SliderCrank)
+}
+
+/// A four-bar linkage under gravity.
+pub(crate) fn four_bar() -> Machine {
+    Machine::new("four_bar", &FourBar, &FourBar)
+}
+
+/// The four-link bobbin holder.
+pub(crate) fn winder_linkage() -> Machine {
+    Machine::new("winder_linkage", &WinderLinkage, &WinderLinkage)
+}
+
+/// The holder let go, its contacts one-sided.
+pub(crate) fn winder_holder_drop() -> Machine {
+    Machine::new("winder_holder_drop", &WinderHolderDrop, &WinderHolderDrop)
+}
+
+/// A mass bouncing on a shaken plate.
+pub(crate) fn bouncing_mass() -> Machine {
+    Machine::new("bouncing_mass", &BouncingMass, &BouncingMass)
+}
+
+/// An oscillator braked by dry friction.
+pub(crate) fn coulomb_oscillator() -> Machine {
+    Machine::new("coulomb_oscillator", &CoulombOscillator, &CoulombOscillator)
+}
+
+/// A mass that sticks to a belt and slips.
+pub(crate) fn stick_slip() -> Machine {
+    Machine::new("stick_slip", &StickSlip, &StickSlip)
+}
+
+/// Its smooth twin.
+pub(crate) fn stick_slip_smooth() -> Machine {
+    Machine::new("stick_slip_smooth", &StickSlipSmooth, &StickSlipSmooth)
+}
+
+/// An oscillator with a stop on one side.
+pub(crate) fn contact_oscillator() -> Machine {
+    Machine::new("contact_oscillator", &ContactOscillator, &ContactOscillator)
+}
+
+/// Its smooth twin.
+pub(crate) fn contact_oscillator_smooth() -> Machine {
+    let scene = &ContactOscillatorSmooth;
+    Machine::new("contact_oscillator_smooth", scene, scene)
+}
+
+/// The uniform shaft, cut coarsely: checks over refinements cut it anew.
+pub(crate) fn shaft_step_torque() -> Machine {
+    Machine::with_fields("shaft_step_torque", &ShaftStepTorque, &ShaftStepTorque)
+}
+
+/// The reed on its driven shaft, likewise.
+pub(crate) fn reed_beat_up() -> Machine {
+    Machine::with_fields("reed_beat_up", &ReedBeatUp, &ReedBeatUp)
+}
+
+/// The saw gin with a distributed shaft, likewise.
+pub(crate) fn saw_gin_shaft() -> Machine {
+    Machine::with_fields("saw_gin_shaft", &SawGinShaft, &SawGinShaft)
+}
+
+/// Motor, coupling, shaft and reed, likewise.
+pub(crate) fn loom_drive() -> Machine {
+    Machine::with_fields("loom_drive", &LoomDrive, &LoomDrive)
+}
+
+/// The shaft between rotors, likewise.
+pub(crate) fn shaft_with_rotors() -> Machine {
+    Machine::with_fields("shaft_with_rotors", &ShaftWithRotors, &ShaftWithRotors)
+}
+
+impl Machine {
+    /// A scene with fields, of few elements. The simulators are made once a thread and
+    /// live as long as the program, as emitted ones do.
+    fn with_fields(
+        name: &'static str,
+        real: &'static dyn FieldScene<f64>,
+        complex: &'static dyn FieldScene<ComplexStep>,
+    ) -> Self {
+        type Cut = (&'static str, &'static dyn Simulator<f64>, &'static dyn Simulator<ComplexStep>);
+        thread_local! {
+            static CUT: RefCell<Vec<Cut>> = const { RefCell::new(Vec::new()) };
+        }
+        const FEW: Discretisation = Discretisation { elements: Some(4), order: Some(2) };
+        CUT.with_borrow_mut(|known| {
+            if let Some((_, real, complex)) = known.iter().find(|(other, ..)| *other == name) {
+                return Self::new(name, *real, *complex);
+            }
+            let four = "every scene has fewer than four stretches between ports";
+            let real: &'static FieldSimulator<'static, f64> =
+                Box::leak(Box::new(FieldSimulator::new(real, FEW).expect(four)));
+            let complex: &'static FieldSimulator<'static, ComplexStep> =
+                Box::leak(Box::new(FieldSimulator::new(complex, FEW).expect(four)));
+            known.push((name, real, complex));
+            Self::new(name, real, complex)
+        })
+    }
+
+    fn new(
+        name: &'static str,
+        real: &'static dyn Simulator<f64>,
+        complex: &'static dyn Simulator<ComplexStep>,
+    ) -> Self {
+        Self { name, real, complex, overrides: Vec::new() }
+    }
+
+    /// The scene's name.
+    pub(crate) fn name(&self) -> &'static str {
+        self.name
+    }
+
+    pub(crate) fn override_parameter(
+        &mut self,
+        name: &str,
+        value: f64,
+    ) -> Result<(), CheckFailure> {
+        let index = self.parameter_index(name)?;
+        self.overrides.push((index, value));
+        Ok(())
+    }
+
+    /// The spec's parameters, with `settings` and then the overrides put in.
+    pub(crate) fn parameters(&self, settings: &[(&str, f64)]) -> Result<Vec<f64>, CheckFailure> {
+        let count = self.real.shape().parameters;
+        let mut values: Vec<f64> =
+            (0..count).map(|index| self.real.parameter_default(index)).collect();
+        for (name, value) in settings {
+            values[self.parameter_index(name)?] = *value;
+        }
+        for (index, value) in &self.overrides {
+            values[*index] = *value;
+        }
+        Ok(values)
+    }
+
+    /// Value of one parameter in the spec, or overridden.
+    pub(crate) fn value(&self, name: &str) -> Result<f64, CheckFailure> {
+        Ok(self.parameters(&[])?[self.parameter_index(name)?])
+    }
+
+    /// A run with these settings.
+    pub(crate) fn simulation(
+        &self,
+        settings: &[(&str, f64)],
+    ) -> Result<Simulation<'static>, CheckFailure> {
+        Ok(Simulation::new(self.real).parameters(&self.parameters(settings)?))
+    }
+
+    /// A run whose errors are near rounding: relative tolerance 1e-12 and absolute
+    /// tolerances of 1e-13 in the unit of each state, by the explicit method.
+    pub(crate) fn precise(
+        &self,
+        settings: &[(&str, f64)],
+        until: f64,
+    ) -> Result<Simulation<'static>, CheckFailure> {
+        let atol = vec![1e-13; self.real.shape().states()];
+        let run = self.simulation(settings)?.until(until).rtol(1e-12).atol(&atol);
+        Ok(run.method(Method::Tsit45))
+    }
+
+    /// The linearization with these settings where asked for.
+    pub(crate) fn linearization(
+        &self,
+        settings: &[(&str, f64)],
+        place: Place,
+    ) -> Result<Linearization<'static>, CheckFailure> {
+        let point = operating_point(&self.simulation(settings)?, place)?;
+        Ok(Linearization::at(self.real, point)?)
+    }
+
+    /// The column of this name of one of this scene's runs.
+    pub(crate) fn column<'t>(
+        &self,
+        trajectory: &'t Trajectory,
+        name: &str,
+    ) -> Result<&'t [f64], CheckFailure> {
+        trajectory.column(name).ok_or_else(|| self.unknown("column", name))
+    }
+
+    /// The value at the end of the run of the column of this name.
+    pub(crate) fn last(&self, trajectory: &Trajectory, name: &str) -> Result<f64, CheckFailure> {
+        trajectory.last(name).ok_or_else(|| self.unknown("column", name))
+    }
+
+    /// Position of a parameter.
+    pub(crate) fn parameter_index(&self, name: &str) -> Result<usize, CheckFailure> {
+        let count = self.real.shape().parameters;
+        self.position("parameter", name, count, |index| self.real.parameter(index))
+    }
+
+    /// Position of a state.
+    pub(crate) fn state_index(&self, name: &str) -> Result<usize, CheckFailure> {
+        let count = self.real.shape().states();
+        self.position("state", name, count, |index| self.real.state(index))
+    }
+
+    /// Position of an output.
+    pub(crate) fn output_index(&self, name: &str) -> Result<usize, CheckFailure> {
+        let count = self.real.shape().outputs;
+        self.position("output", name, count, |index| self.real.output(index))
+    }
+
+    fn position<'a>(
+        &self,
+        kind: &'static str,
+        name: &str,
+        count: usize,
+        quantity: impl Fn(usize) -> Quantity<'a>,
+    ) -> Result<usize, CheckFailure> {
+        (0..count)
+            .find(|index| quantity(*index).name == name)
+            .ok_or_else(|| self.unknown(kind, name))
+    }
+
+    fn unknown(&self, kind: &'static str, name: &str) -> CheckFailure {
+        CheckFailure::Unknown { scene: self.name, kind, name: name.to_owned() }
+    }
+
+    /// y' at a point.
+    pub(crate) fn rate(&self, point: &Point) -> Vec<f64> {
+        let mut rate = vec![0.0; point.state.len()];
+        self.real.rate(point.time, &point.state, &point.parameters, &mut rate);
+        rate
+    }
+
+    /// The emitted dy'/dy at a point, as a full matrix.
+    pub(crate) fn rate_jacobian(&self, point: &Point) -> DMatrix<f64> {
+        let pattern = self.real.rate_jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        self.real.rate_jacobian(point.time, &point.state, &point.parameters, &mut values);
+        complex_step::dense(pattern, &values)
+    }
+
+    /// The emitted dy'/dp at a point, as a full matrix.
+    pub(crate) fn parameter_jacobian(&self, point: &Point) -> DMatrix<f64> {
+        let pattern = self.real.parameter_jacobian_pattern();
+        let mut values = vec![0.0; pattern.entries.len()];
+        self.real.parameter_jacobian(point.time, &point.state, &point.parameters, &mut values);
+        complex_step::dense(pattern, &values)
+    }
+
+    /// The point about which a scene was linearized.
+    pub(crate) fn point_of(linearization: &Linearization<'_>) -> Point {
+        let LinearPoint { time, state, parameters } = linearization.point().clone();
+        Point { time, state, parameters }
+    }
+
+    /// The output of this name at a point.
+    pub(crate) fn output(&self, point: &Point, name: &str) -> Result<f64, CheckFailure> {
+        let mut outputs = vec![0.0; self.real.shape().outputs];
+        self.real.outputs(point.time, &point.state, &point.parameters, &mut outputs);
+        Ok(outputs[self.output_index(name)?])
+    }
+
+    /// The point at t = 0 where states are as `settings` say, and zero otherwise.
+    pub(crate) fn point(
+        &self,
+        parameters: &[(&str, f64)],
+        settings: &[(&str, f64)],
+    ) -> Result<Point, CheckFailure> {
+        let mut state = vec![0.0; self.real.shape().states()];
+        for (name, value) in settings {
+            state[self.state_index(name)?] = *value;
+        }
+        Ok(Point { time: 0.0, state, parameters: self.parameters(parameters)? })
+    }
+
+    /// The point at which the states called `unknowns`, one or more, are at rest, all
+    /// others being as `settings` say or zero, at t = 0.
+    ///
+    /// Solves the emitted rates for zero by one Newton step from zero with the
+    /// emitted Jacobian: exact where they are linear in the unknowns, as those of a
+    /// motor are in its flux linkages at given speed.
+    pub(crate) fn steady_point(
+        &self,
+        parameters: &[(&str, f64)],
+        settings: &[(&str, f64)],
+        unknowns: &[&str],
+    ) -> Result<Point, CheckFailure> {
+        let mut point = self.point(parameters, settings)?;
+        let places =
+            unknowns.iter().map(|name| self.state_index(name)).collect::<Result<Vec<_>, _>>()?;
+        let rate = self.rate(&point);
+        let jacobian = self.rate_jacobian(&point).select_rows(&places).select_columns(&places);
+        let rest = DVector::from_iterator(places.len(), places.iter().map(|place| -rate[*place]));
+        let solution = jacobian.lu().solve(&rest).ok_or(CheckFailure::Singular)?;
+        for (place, value) in places.iter().zip(solution.iter()) {
+            point.state[*place] = *value;
+        }
+        Ok(point)
+    }
+
+    /// Points drawn evenly from the times of the scene's run and from states within
+    /// their scales, the same ones every time. Every fourth state is a hundredth as
+    /// large, so that loads are seen near standstill too.
+    ///
+    /// Of a machine with constraints, states of its run, moved by a tenth of their scales and
+    /// put back onto the constraints: elsewhere it may be near a dead point.
+    pub(crate) fn random_points(&self, count: usize) -> Result<Vec<Point>, CheckFailure> {
+        let defaults = self.real.run_defaults();
+        let parameters = self.parameters(&[])?;
+        let mut random = SplitMix(0x5eed);
+        let is_constrained = self.real.constraints() > 0;
+        let visited = if is_constrained { self.visited(count)? } else { Vec::new() };
+        let mut points = Vec::with_capacity(count);
+        for number in 0..count {
+            let size = if number % 4 == 3 { 0.01 } else { 1.0 };
+            let states = 0..self.real.shape().states();
+            let share = random.unit();
+            let drawn = states.map(|index| size * self.real.state_scale(index) * random.signed());
+            let mut state: Vec<f64> = drawn.collect();
+            let mut time = defaults.from + (defaults.until - defaults.from) * share;
+            if let Some((at, there)) = visited.get(number) {
+                time = *at;
+                for (index, (value, there)) in state.iter_mut().zip(there).enumerate() {
+                    let shift = if self.real.is_mode(index) { 0.0 } else { 0.1 * *value };
+                    *value = there + shift;
+                }
+            }
+            let point = Point { time, state, parameters: parameters.clone() };
+            points.push(self.on_constraints(&point));
+        }
+        Ok(points)
+    }
+
+    /// States at even times of the run.
+    fn visited(&self, count: usize) -> Result<Vec<(f64, Vec<f64>)>, CheckFailure> {
+        let run = self.simulation(&[])?.points(count.max(2)).run()?;
+        let columns: Vec<&[f64]> =
+            run.of_kind(ColumnKind::State).map(|column| column.values.as_slice()).collect();
+        let state = |sample: usize| columns.iter().map(|column| column[sample]).collect();
+        Ok(run.times.iter().enumerate().map(|(sample, time)| (*time, state(sample))).collect())
+    }
+
+    /// The point put back onto the constraints, if there are any: of NaN if that fails.
+    pub(crate) fn on_constraints(&self, point: &Point) -> Point {
+        let Point { time, mut state, parameters } = point.clone();
+        if let Some(constraints) = Constraints::of(self.real, &parameters) {
+            let put = |level| constraints.put_back(level, time, &mut state);
+            if [Level::Positions, Level::Velocities].into_iter().try_for_each(put).is_err() {
+                state.fill(f64::NAN);
+            }
+        }
+        Point { time, state, parameters }
+    }
+}

@@ -1,0 +1,208 @@
+//! Checks of two rotors on a coupling against the damped oscillator solved exactly.
+
+use std::f64::consts::PI;
+
+use num_complex::Complex64;
+
+use super::{Check, CheckFailure, Machine, Measured, relative_distance, worse};
+use crate::closed_form::two_mass::{Motion, SAW_GIN, Torques};
+use machinist::Trajectory;
+use machinist::linear_analysis::{Mode, ModeKind, Place, logarithmic_range};
+
+const NEAR_ROUNDING: &str =
+    "the run is held to 1e-12 a step; some thousand steps add their errors up";
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        name: "free decay from a twist of 0.01 rad",
+        reference: "closed form of speeds and twist, each relative to its largest",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: free_decay,
+    },
+    Check {
+        name: "transient under constant torques",
+        reference: "closed form of speeds and twist, each relative to its largest",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: constant_torques,
+    },
+    Check {
+        name: "transient under a harmonic load",
+        reference: "closed form of speeds and twist, each relative to its largest",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: harmonic_transient,
+    },
+    Check {
+        name: "amplitude of the steady harmonic twist",
+        reference: "closed form, relative",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: harmonic_amplitude,
+    },
+    Check {
+        name: "phase of the steady harmonic twist",
+        reference: "closed form, rad",
+        tolerance: 1e-9,
+        reason: NEAR_ROUNDING,
+        measure: harmonic_phase,
+    },
+    Check {
+        name: "static twist under constant torques",
+        reference: "(Md J2 + M Jd)/(c (Jd + J2)), relative",
+        tolerance: 1e-9,
+        reason: "the transient has faded to e^-67; what is left is the error of the run",
+        measure: static_twist,
+    },
+    Check {
+        name: "natural frequency of the coupling",
+        reference: "sqrt(c/Jr), 155.03 rad/s, relative",
+        tolerance: 1e-10,
+        reason: ALGEBRA,
+        measure: |machine| {
+            let value = swing(machine)?.natural_frequency();
+            Ok(Measured::relative(value, SAW_GIN.natural_frequency()))
+        },
+    },
+    Check {
+        name: "damping ratio of the coupling",
+        reference: "b/(2 sqrt(c Jr)), 0.432, relative",
+        tolerance: 1e-10,
+        reason: ALGEBRA,
+        measure: |machine| {
+            let value = swing(machine)?.damping_ratio();
+            Ok(Measured::relative(value, SAW_GIN.damping_ratio()))
+        },
+    },
+    Check {
+        name: "twist at constant speed, by the equilibrium solve",
+        reference: "M/c, relative",
+        tolerance: 1e-10,
+        reason: ALGEBRA,
+        measure: equilibrium_twist,
+    },
+    Check {
+        name: "frequency response of the twist to the load",
+        reference: "closed form at 61 frequencies from 1 to 1e4 rad/s, each relative",
+        tolerance: 1e-9,
+        reason: "one linear solve a frequency; outputs differentiated to about 1e-12",
+        measure: frequency_response,
+    },
+];
+
+const ALGEBRA: &str = "emitted Jacobian and dense algebra of four states, near rounding";
+/// Torques in balance, so that there is an equilibrium.
+const BALANCED: [(&str, f64); 1] = [("drive_torque", 843.72)];
+
+const LOAD_FREQUENCY: f64 = 241.8051;
+const CONSTANT: Torques = Torques {
+    driving: 974.4,
+    load: 843.72,
+    load_amplitude: 0.0,
+    load_frequency: LOAD_FREQUENCY,
+    load_phase: 0.0,
+};
+
+fn free_decay(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let settings = [("drive_torque", 0.0), ("load_torque", 0.0), ("initial_twist", 0.01)];
+    let start = Motion { driver_angle: 0.01, ..Motion::default() };
+    distance(machine, &settings, start, Torques::default())
+}
+
+fn constant_torques(machine: &Machine) -> Result<Measured, CheckFailure> {
+    distance(machine, &[], Motion::default(), CONSTANT)
+}
+
+fn harmonic_transient(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let settings = [("load_amplitude", 78.78), ("initial_twist_rate", 1.0)];
+    let start = Motion { driver_speed: 1.0, ..Motion::default() };
+    distance(machine, &settings, start, Torques { load_amplitude: 78.78, ..CONSTANT })
+}
+
+/// Largest distance over 0.2 s of any of the states from the closed form.
+fn distance(
+    machine: &Machine,
+    settings: &[(&str, f64)],
+    start: Motion,
+    torques: Torques,
+) -> Result<Measured, CheckFailure> {
+    type Quantity = (&'static str, fn(&Motion) -> f64);
+    let quantities: [Quantity; 3] = [
+        ("driver.omega", |motion| motion.driver_speed),
+        ("cylinder.omega", |motion| motion.driven_speed),
+        ("twist", |motion| motion.twist().angle),
+    ];
+    let trajectory = machine.precise(settings, 0.2)?.points(401).run()?;
+    let exact: Vec<Motion> =
+        trajectory.times.iter().map(|time| SAW_GIN.motion(*time, start, torques)).collect();
+    let mut error = 0.0;
+    for (name, quantity) in quantities {
+        let reference: Vec<f64> = exact.iter().map(quantity).collect();
+        error = worse(error, relative_distance(machine.column(&trajectory, name)?, &reference));
+    }
+    Ok(Measured::error(error))
+}
+
+fn harmonic_amplitude(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let answer = SAW_GIN.harmonic_response(78.78, LOAD_FREQUENCY);
+    Ok(Measured::relative(steady_harmonic(machine)?.norm(), answer.amplitude))
+}
+
+fn harmonic_phase(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let answer = SAW_GIN.harmonic_response(78.78, LOAD_FREQUENCY);
+    Ok(Measured::absolute(-steady_harmonic(machine)?.arg(), answer.phase_lag))
+}
+
+/// A e^(-j lag) of the twist A sin(w t - lag), by the Fourier sum over one period
+/// after 0.5 s, when the transient has faded to e^-33 of its size.
+///
+/// Driving and mean resisting torque are equal, so that speeds stay small.
+fn steady_harmonic(machine: &Machine) -> Result<Complex64, CheckFailure> {
+    const SAMPLES: u32 = 64;
+    let settings = [("drive_torque", 843.72), ("load_amplitude", 78.78)];
+    let period = 2.0 * PI / LOAD_FREQUENCY;
+    let times: Vec<f64> =
+        (0..SAMPLES).map(|k| 0.5 + period * f64::from(k) / f64::from(SAMPLES)).collect();
+    let trajectory = machine.precise(&settings, 0.5 + period)?.times(&times).run()?;
+    let twist = machine.column(&trajectory, "twist")?;
+    let sum: Complex64 = times
+        .iter()
+        .zip(twist)
+        .map(|(time, twist)| Complex64::from_polar(*twist, -LOAD_FREQUENCY * time))
+        .sum();
+    Ok(Complex64::i() * sum * 2.0 / f64::from(SAMPLES))
+}
+
+fn static_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let trajectory: Trajectory = machine.precise(&[], 1.0)?.points(2).run()?;
+    let expected = SAW_GIN.static_twist(CONSTANT.driving, CONSTANT.load);
+    Ok(Measured::relative(machine.last(&trajectory, "twist")?, expected))
+}
+
+/// The one oscillation there is.
+fn swing(machine: &Machine) -> Result<Mode, CheckFailure> {
+    let modes = machine.linearization(&BALANCED, Place::Equilibrium)?.modes()?;
+    let found = modes.into_iter().find(|mode| mode.kind == ModeKind::Oscillation);
+    found.ok_or(CheckFailure::NoOscillation)
+}
+
+fn equilibrium_twist(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let linearization = machine.linearization(&BALANCED, Place::Equilibrium)?;
+    let twist = machine.output(&Machine::point_of(&linearization), "twist")?;
+    Ok(Measured::relative(twist, SAW_GIN.static_twist(843.72, 843.72)))
+}
+
+fn frequency_response(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let linearization = machine.linearization(&BALANCED, Place::Equilibrium)?;
+    let frequencies = logarithmic_range(1.0, 1e4, 61)?;
+    let response = linearization.response("load_torque", "twist", &frequencies)?;
+    let mut error = 0.0;
+    for (index, frequency) in frequencies.iter().enumerate() {
+        let exact = SAW_GIN.harmonic_response(1.0, *frequency);
+        let exact = Complex64::from_polar(exact.amplitude, -exact.phase_lag);
+        let ours = Complex64::from_polar(response.amplitudes[index], response.phases[index]);
+        error = worse(error, (ours - exact).norm() / exact.norm());
+    }
+    Ok(Measured::error(error))
+}

@@ -1,0 +1,165 @@
+//! Checks of the bobbin with all nonlinearities: each of them alone against its closed form,
+//! and without them the second stage of modelling.
+
+use super::{Check, CheckFailure, Machine, Measured, counted, machine, relative_distance, worse};
+use crate::closed_form::BouncingBobbin;
+use crate::closed_form::winder::{BENCH_M5, FORCE_M5, SHAPE_M5};
+use crate::closed_form::winding_pair::{WindingPair, package_radius, package_speed};
+use machinist::Method;
+
+const HELD: &str = "the run is held to 1e-12 a step; some thousand steps add up";
+const COUNT: &str = "a count";
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        name: "radius and speed of the package from empty to full, thread as thick as a rope",
+        reference: "R^2 = Rmin^2 + V' t/(pi H) and w = v/R, relative",
+        tolerance: 1e-10,
+        reason: HELD,
+        measure: growth,
+    },
+    Check {
+        name: "mass of the full package",
+        reference: "m0 + mn lbc/lab + density times the volume of thread wound, relative",
+        tolerance: 1e-10,
+        reason: HELD,
+        measure: wound,
+    },
+    Check {
+        name: "transient, pressed too hard to lose contact",
+        reference: "winder_nonlinear, deflection and velocity relative to the largest",
+        tolerance: 1e-10,
+        reason: HELD,
+        measure: without_loss,
+    },
+    Check {
+        name: "bouncing over 0.4 s on a linear layer",
+        reference: "stitched exact motions, deflection, velocity, layer and pressure, relative",
+        tolerance: 1e-8,
+        reason: "errors of a step grow at each loss of contact",
+        measure: bouncing,
+    },
+    Check {
+        name: "losses of contact and touches in that time",
+        reference: "stitched exact motions, counted",
+        tolerance: 0.0,
+        reason: COUNT,
+        measure: switches,
+    },
+    Check {
+        name: "least pressure that turns packages of 25 to 60 mm, to a millionth",
+        reference: "Pn = N (f - (fa r + k)/R), radii and sides of it that are wrong",
+        tolerance: 0.0,
+        reason: COUNT,
+        measure: adhesion,
+    },
+    Check {
+        name: "package that lags behind, over 0.5 s, at half that pressure",
+        reference: "w falls by the missing moment over JA, relative",
+        tolerance: 1e-12,
+        reason: "linear in time; rounding is left",
+        measure: lagging,
+    },
+];
+
+/// Nothing shakes the bobbin, and nothing grows.
+const STEADY: [(&str, f64); 3] =
+    [("force_amplitude", 0.0), ("ovality", 0.0), ("pair.thread_area", 0.0)];
+
+const PAIR: WindingPair = WindingPair { friction: 0.18, support_arm: 4e-4, rolling_arm: 6e-4 };
+const TENSION: f64 = 0.6;
+
+/// A whole package of a thread of 57 mm^2, in 4 s.
+const ROPE: [(&str, f64); 3] =
+    [("force_amplitude", 0.0), ("ovality", 0.0), ("pair.thread_area", 5.7e-5)];
+
+fn growth(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let run = machine.simulation(&ROPE)?.until(4.0).points(401).rtol(1e-12).run()?;
+    let radii: Vec<f64> =
+        run.times.iter().map(|time| package_radius(*time, 0.03, 0.15, 5.7e-5 * 5.5)).collect();
+    let speeds: Vec<f64> =
+        radii.iter().map(|radius| package_speed(5.5 / 0.05, 0.05, *radius, 0.0)).collect();
+    let radius = relative_distance(machine.column(&run, "pair.radius")?, &radii);
+    let speed = relative_distance(machine.column(&run, "pair.omega")?, &speeds);
+    Ok(Measured::error(worse(radius, speed)))
+}
+
+fn wound(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let run = machine.simulation(&ROPE)?.until(4.0).points(2).rtol(1e-12).run()?;
+    let wound = 350.0 * 5.7e-5 * 5.5 * 4.0;
+    Ok(Measured::relative(machine.last(&run, "mass")?, 1.5 + 0.9 * 0.1 / 0.15 + wound))
+}
+
+fn without_loss(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let settings = [("holder.preload", 200.0), ("pair.thread_area", 0.0), ("package_force", 10.0)];
+    let run = |machine: &Machine, settings: &[(&str, f64)]| {
+        let run = machine.simulation(settings)?.until(0.5).points(1001).rtol(1e-12);
+        Ok::<_, CheckFailure>(run.method(Method::Dop853).run()?)
+    };
+    let full = run(machine, &settings)?;
+    let second = run(&machine::winder_nonlinear(), &settings[2..])?;
+    let mut error = if full.work.switches == 1 { 0.0 } else { f64::NAN };
+    for name in ["holder.x", "holder.v"] {
+        let exact = machine.column(&second, name)?;
+        error = worse(error, relative_distance(machine.column(&full, name)?, exact));
+    }
+    Ok(Measured::error(error))
+}
+
+const LINEAR: [(&str, f64); 2] = [("layer.cubic_stiffness", 0.0), ("pair.thread_area", 0.0)];
+const BENCH: BouncingBobbin =
+    BouncingBobbin { bobbin: BENCH_M5, preload: 40.0, force: FORCE_M5, shape: SHAPE_M5 };
+
+fn bouncing(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let run = machine.simulation(&LINEAR)?.until(0.4).points(1001).rtol(1e-12);
+    let run = run.method(Method::Dop853).run()?;
+    let (exact, _) = BENCH.motion(&run.times);
+    let mut error = 0.0;
+    let of = |of: fn(&crate::closed_form::bouncing_bobbin::Bounced) -> f64| {
+        exact.iter().map(of).collect::<Vec<f64>>()
+    };
+    for (name, exact) in [
+        ("holder.x", of(|now| now.deflection.value)),
+        ("holder.v", of(|now| now.deflection.rate)),
+        ("layer.surface", of(|now| now.surface)),
+        ("pressure", of(|now| now.pressure)),
+    ] {
+        error = worse(error, relative_distance(machine.column(&run, name)?, &exact));
+    }
+    Ok(Measured::error(error))
+}
+
+fn switches(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let run = machine.simulation(&LINEAR)?.until(0.4).points(2).rtol(1e-10);
+    let run = run.method(Method::Dop853).run()?;
+    let of_layer = run.switches.iter().filter(|switch| switch.event.starts_with("layer."));
+    let (_, exact) = BENCH.motion(&[0.4]);
+    Ok(counted(of_layer.count() as u64, exact))
+}
+
+/// A package sticks from a millionth above the least pressure on, and slips below.
+fn adhesion(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut wrong = 0;
+    for radius in [0.025, 0.03, 0.04, 0.05, 0.06] {
+        // The rule of practice is no limit of the machine's.
+        let least = TENSION / (PAIR.friction - (PAIR.support_arm + PAIR.rolling_arm) / radius);
+        for (share, slip) in [(1.0 - 1e-6, -1.0), (1.0 + 1e-6, 0.0)] {
+            let mut settings = STEADY.to_vec();
+            settings.extend([("pair.package_radius", radius), ("pair.bobbin_radius", 0.025)]);
+            settings.push(("holder.preload", share * least));
+            let run = machine.simulation(&settings)?.until(0.1).points(2).run()?;
+            wrong += u64::from((machine.last(&run, "pair.slip")? - slip).abs() > 0.0);
+        }
+    }
+    Ok(counted(wrong, 0))
+}
+
+fn lagging(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let pressure = 0.5 * PAIR.least_pressure(TENSION, 0.03);
+    let mut settings = STEADY.to_vec();
+    settings.push(("holder.preload", pressure));
+    let run = machine.simulation(&settings)?.until(0.5).points(101).rtol(1e-12).run()?;
+    let margin = PAIR.adhesion_margin(pressure, TENSION, 0.03, 0.0, 0.0);
+    let speeds: Vec<f64> = run.times.iter().map(|time| 5.5 / 0.03 + margin / 6e-4 * time).collect();
+    Ok(Measured::error(relative_distance(machine.column(&run, "pair.omega")?, &speeds)))
+}

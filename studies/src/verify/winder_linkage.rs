@@ -1,0 +1,148 @@
+//! Checks of the bobbin holder: mobility, contact forces at rest, closure.
+
+use nalgebra::DMatrix;
+
+use super::linkages::closure;
+use super::{Check, CheckFailure, Machine, Measured, worse};
+use crate::closed_form::bobbin_holder::{BobbinHolder, HOLDER};
+use crate::closed_form::holder_oscillation::SWINGING_HOLDER;
+use crate::closed_form::winding_pair::HOLDER_POSITIONS;
+use machinist::Method;
+use machinist::constraints::start;
+use machinist::linear_analysis::{Mode, ModeKind, Place};
+
+pub(super) const CHECKS: &[Check] = &[
+    Check {
+        name: "mobility of five positions, by rank and by Gruebler's count",
+        reference: "the study's table; positions that differ",
+        tolerance: 0.0,
+        reason: "a count",
+        measure: mobility,
+    },
+    Check {
+        name: "forces at contact and stop, winding force -8, 0 and 8 N",
+        reference: "balances of moments, relative to the larger",
+        tolerance: 1e-8,
+        reason: "at rest; rounding, grown by sixteen constraints solved together",
+        measure: forces,
+    },
+    Check {
+        name: "loop closure along the run at rtol 1e-10, largest over the shortest link",
+        reference: "zero",
+        tolerance: 1e-10,
+        reason: "every state is put back onto the constraints",
+        measure: |machine| closure(machine, 0.1),
+    },
+];
+
+pub(super) const DROP_CHECKS: &[Check] = &[
+    Check {
+        name: "forces at contact and stop once it has settled",
+        reference: "balances of moments with both contacts pressed, relative to the larger",
+        tolerance: 1e-6,
+        reason: "what is left of its swinging after 3 s, and second orders of contacts that give",
+        measure: settled,
+    },
+    Check {
+        name: "frequencies and dampings of small oscillations at work, on both contacts",
+        reference: "M, D and V'' in the angles of post and plate by hand, relative",
+        tolerance: 1e-9,
+        reason: "both are algebra; rounding, grown by twelve constraints and stiff contacts",
+        measure: oscillations,
+    },
+    Check {
+        name: "loop closure along the run at rtol 1e-10, largest over the shortest link",
+        reference: "zero",
+        tolerance: 1e-10,
+        reason: "every state is put back onto the constraints, at impacts too",
+        measure: |machine| closure(machine, 0.1),
+    },
+];
+
+/// What each position lacks of the first: coordinates and constraints that begin so.
+const LACKING: [&[&str]; 5] = [
+    &[],
+    &["drum.", "axle_b_", "contact"],
+    &["drum.", "axle_b_", "contact", "stop"],
+    &["stop"],
+    &["drum.", "axle_b_", "contact", "stop"],
+];
+
+fn mobility(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let parameters = machine.parameters(&[])?;
+    let simulator = machine.real;
+    let state = start(simulator, &parameters, 0.0)?;
+    let pattern = simulator.constraint_matrix_pattern();
+    let mut values = vec![0.0; pattern.entries.len()];
+    simulator.constraint_matrix(0.0, &state, &parameters, &mut values);
+    let whole = machinist::complex_step::dense(pattern, &values);
+    let mut differing = 0;
+    for (position, lacking) in HOLDER_POSITIONS.iter().zip(LACKING) {
+        let has = |name: &str| lacking.iter().all(|start| !name.starts_with(start));
+        let columns: Vec<usize> = (0..simulator.shape().coordinates)
+            .filter(|index| has(simulator.coordinate(*index).name))
+            .collect();
+        let rows: Vec<usize> = (0..simulator.constraints())
+            .filter(|index| has(simulator.constraint(*index).name))
+            .collect();
+        let matrix: DMatrix<f64> = whole.select_rows(&rows).select_columns(&columns);
+        let by_rank = columns.len() as i32 - matrix.rank(1e-9) as i32;
+        let by_count = columns.len() as i32 - rows.len() as i32;
+        let agrees = [by_rank, by_count] == [position.mobility(); 2]
+            && columns.len() as i32 == 3 * position.links;
+        differing += u64::from(!agrees);
+    }
+    Ok(super::counted(differing, 0))
+}
+
+fn forces(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let mut error = 0.0;
+    for winding_force in [-8.0, 0.0, 8.0] {
+        let run = machine.simulation(&[("winding_force", winding_force)])?.until(0.1).points(2);
+        let run = run.method(Method::Dop853).run()?;
+        let [normal, stop] = BobbinHolder { winding_force, ..HOLDER }.forces();
+        let largest = worse(normal.abs(), stop.abs());
+        for (name, exact) in [("contact_force", normal), ("stop_force", stop)] {
+            let found = machine.column(&run, name)?[0];
+            error = worse(error, (found - exact).abs() / largest);
+        }
+    }
+    Ok(Measured::error(error))
+}
+
+/// Forces after 3 s, against those of a rigid holder whose package and stop are moved by as
+/// much as the contacts give.
+fn settled(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let stiffness = machine.value("contact.stiffness")?;
+    let run = machine.simulation(&[])?.until(3.0).points(2).rtol(1e-9).method(Method::Auto);
+    let run = run.run()?;
+    let (mut holder, mut forces) = (HOLDER, [0.0, 0.0]);
+    for _ in 0..20 {
+        forces = holder.forces();
+        holder.radii[0] = HOLDER.radii[0] - forces[0] / stiffness;
+        // The stop gives along the post's circle.
+        let [x, y] = HOLDER.stop;
+        let arm = x.hypot(y);
+        let angle = y.atan2(x) - (forces[1] / stiffness / arm).asin();
+        holder.stop = [arm * angle.cos(), arm * angle.sin()];
+    }
+    let mut error = 0.0;
+    for (name, exact) in [("contact_force", forces[0]), ("stop_force", forces[1])] {
+        let found = machine.last(&run, name)?;
+        error = worse(error, (found - exact).abs() / worse(forces[0], forces[1]));
+    }
+    Ok(Measured::error(error))
+}
+
+/// Eigenvalues at the equilibrium near the end of the run.
+fn oscillations(machine: &Machine) -> Result<Measured, CheckFailure> {
+    let modes = machine.linearization(&[], Place::Equilibrium)?.modes()?;
+    let found = modes.iter().filter(|mode| mode.kind == ModeKind::Oscillation);
+    let found: Vec<_> = found.map(Mode::eigenvalue).collect();
+    let exact = SWINGING_HOLDER.eigenvalues();
+    if found.len() != exact.len() {
+        return Ok(Measured::error(f64::NAN));
+    }
+    let off = found.iter().zip(&exact).map(|(found, exact)| (found - exact).norm() / exact.norm());
+    Ok(Measured::error(off.fold(0.0, worse)))
+}

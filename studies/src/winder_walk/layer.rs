@@ -1,0 +1,97 @@
+//! Second stage: resonances of the stiffening layer, at the amplitude that there is.
+
+use std::f64::consts::TAU;
+
+use super::{Running, Stage, Winder, clearances, ends};
+use crate::closed_form::Duffing;
+use crate::verify::CheckFailure;
+use crate::verify::machine::{Machine, winder_nonlinear};
+
+/// How far operating frequencies must stay from resonances for this stage to be enough.
+pub const ENOUGH: f64 = 1.4;
+
+/// Radii at which it is run.
+pub(super) const RADII: u32 = 7;
+/// When transients have faded to a thousandth \[s\].
+pub(super) const SETTLED: f64 = 0.6;
+/// Turns of the drum looked at after that.
+const TURNS: f64 = 8.0;
+const SAMPLES_A_TURN: f64 = 240.0;
+
+/// Runs of the scene `winder_nonlinear`, and the resonance at the amplitude of compression
+/// that each of them reaches: the frequency at which the bobbin swings freely on the layer
+/// with that amplitude, by elliptic functions (the backbone curve).
+///
+/// # Errors
+/// [`CheckFailure`] if the scene lacks what is asked for or a run stops.
+pub fn stage(winder: &Winder) -> Result<Stage, CheckFailure> {
+    let machine = winder_nonlinear();
+    let mut spectrum = Vec::new();
+    let mut running = Running::NOTHING;
+    for radius in winder.radii(RADII) {
+        let Steady { deflections, compressions, pressures } = steady(&machine, winder, radius)?;
+        let pressures: Vec<f64> = pressures.iter().map(|beyond| winder.preload + beyond).collect();
+        running = running.worse(Running::of(&deflections, &pressures));
+        let amplitude = compressions.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        spectrum.push((radius, backbone(&machine, radius, amplitude)?));
+    }
+    let frequencies = winder.frequencies(machine.value("drum_radius")?);
+    Ok(Stage {
+        number: 2,
+        name: "stiffening layer",
+        enough: Some(ENOUGH),
+        resonance: ends(&spectrum),
+        clearances: clearances(&frequencies, &spectrum),
+        running,
+        seconds: 0.0,
+    })
+}
+
+/// 2 pi over the period of free swings of an amplitude \[m\], in rad/s.
+fn backbone(machine: &Machine, radius: f64, amplitude: f64) -> Result<f64, CheckFailure> {
+    let point = machine.point(&[("holder.package_radius", radius)], &[])?;
+    let free = Duffing {
+        mass: machine.output(&point, "mass")?,
+        stiffness: machine.value("layer.stiffness")? + machine.value("holder.stiffness")?,
+        cubic_stiffness: machine.value("layer.cubic_stiffness")?,
+    };
+    Ok(TAU / free.period(amplitude))
+}
+
+/// The run once it is steady.
+pub(super) struct Steady {
+    pub deflections: Vec<f64>,
+    pub compressions: Vec<f64>,
+    /// Beyond that at rest.
+    pub pressures: Vec<f64>,
+}
+
+pub(super) fn steady(
+    machine: &Machine,
+    winder: &Winder,
+    radius: f64,
+) -> Result<Steady, CheckFailure> {
+    let drum = winder.speed / machine.value("drum_radius")?;
+    let settings = [
+        ("winding_speed", winder.speed),
+        ("force_amplitude", winder.force),
+        ("ovality", winder.shape),
+        ("holder.package_radius", radius),
+    ];
+    let times = sampled(drum);
+    let until = times.last().copied().unwrap_or(SETTLED);
+    let run = machine.simulation(&settings)?.until(until).times(&times).rtol(1e-8);
+    let run = run.method(machinist::Method::Dop853).run()?;
+    let deflections = machine.column(&run, "deflection")?.to_vec();
+    let shapes = machine.column(&run, "shape")?;
+    let compressions = shapes.iter().zip(&deflections).map(|(shape, x)| shape - x).collect();
+    let pressures = machine.column(&run, "pressure")?.to_vec();
+    Ok(Steady { deflections, compressions, pressures })
+}
+
+/// Even times \[s\] once all is steady.
+pub(super) fn sampled(drum: f64) -> Vec<f64> {
+    let step = TAU / drum / SAMPLES_A_TURN;
+    let samples = (TURNS * SAMPLES_A_TURN) as u32;
+    (0..samples).map(|k| SETTLED + step * f64::from(k)).collect()
+}

@@ -1,0 +1,149 @@
+//! What errors are measured against.
+
+use machinist_contract::Simulator;
+use serde::{Serialize, Serializer};
+
+use super::{States, distance, precise, run, states};
+use crate::double_double::DoubleDouble;
+use machinist::error::SimulateError;
+use machinist::method::Method;
+use machinist::trajectory::{ColumnKind, Trajectory};
+
+/// Tolerances at which a reference is sought, tightest first: a method that cannot
+/// go on at one may at the next.
+const TIGHT: [f64; 3] = [1e-13, 1e-12, 1e-10];
+/// Tolerance of the run that tells the times and how large states are.
+const PILOT: f64 = 1e-8;
+/// How many runs a reference is chosen from.
+const CONFIRMING: usize = 3;
+/// A run for a reference may take so many steps.
+const MAX_STEPS: usize = 300_000;
+
+/// States over time that are nearer to the truth than what is measured by them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// What it is, in words: how it was found and how far it may be trusted.
+    pub name: String,
+    /// How far two ways to find it agree, as errors are measured. Errors below this
+    /// mean nothing.
+    pub agreement: f64,
+    states: States,
+}
+
+impl Reference {
+    /// A run of the same machine in numbers of 31 digits, where there is one and it
+    /// runs as series, else a converged run.
+    ///
+    /// # Errors
+    /// [`SimulateError`] of the last method tried if none gets through the run.
+    pub fn of(
+        simulator: &dyn Simulator<f64>,
+        twin: Option<&dyn Simulator<DoubleDouble>>,
+    ) -> Result<Self, SimulateError> {
+        let precise = twin.map(|twin| Self::precise(simulator, twin)).transpose()?;
+        precise.flatten().map_or_else(|| Self::converged(simulator), Ok)
+    }
+
+    /// By Taylor series in numbers of 31 digits; none where these do not do, or two
+    /// runs differ by more than the last digits of what is measured.
+    ///
+    /// # Errors
+    /// [`SimulateError`] if the scene does not run at all.
+    pub fn precise(
+        simulator: &dyn Simulator<f64>,
+        twin: &dyn Simulator<DoubleDouble>,
+    ) -> Result<Option<Self>, SimulateError> {
+        let Some(series) = precise::series(twin) else { return Ok(None) };
+        let pilot = run(simulator, Method::Auto, PILOT).run()?;
+        let Some(solved) = precise::solve(twin, series, &pilot) else { return Ok(None) };
+        let agreement = solved.agreement;
+        if agreement.is_nan() || agreement > f64::EPSILON {
+            return Ok(None);
+        }
+        let name = format!(
+            "Taylor series in numbers of 31 digits, two runs of which differ by {agreement:.1e}"
+        );
+        let columns = pilot.of_kind(ColumnKind::State).map(|column| column.name.clone());
+        let states = columns.zip(solved.states).collect();
+        Ok(Some(Self { name, agreement, states }))
+    }
+
+    /// Of the three methods of highest order that get through the run at their
+    /// tightest tolerance, the two that agree best; the one of higher order counts.
+    ///
+    /// # Errors
+    /// As [`Reference::of`].
+    pub fn converged(simulator: &dyn Simulator<f64>) -> Result<Self, SimulateError> {
+        let mut runs: Vec<Trajectory> = Vec::new();
+        let mut failure = None;
+        // `auto` would confirm the method it chose by that method.
+        let candidates = Method::ALL.iter().filter(|method| **method != Method::Auto);
+        let mut candidates: Vec<&Method> =
+            candidates.filter(|method| method.suits(simulator)).collect();
+        candidates.sort_by_key(|method| std::cmp::Reverse(method.order()));
+        for method in candidates {
+            if runs.len() == CONFIRMING {
+                break;
+            }
+            match tightest(simulator, *method) {
+                Ok(trajectory) => runs.push(trajectory),
+                Err(error) => failure = Some(error),
+            }
+        }
+        runs.sort_by_key(|run| std::cmp::Reverse(run.method.order()));
+        let pairs = runs.iter().enumerate().flat_map(|(index, first)| {
+            let others = runs[index + 1..].iter();
+            others.map(move |second| (distance(second, &states(first)), first, second))
+        });
+        let best = pairs.min_by(|a, b| a.0.total_cmp(&b.0));
+        match (best, runs.first(), failure) {
+            (Some((agreement, first, second)), ..) => {
+                let name = format!(
+                    "a run of {} at rtol {:.0e}, from which one of {} at rtol {:.0e} differs by \
+                     {agreement:.1e}",
+                    first.method, first.rtol, second.method, second.rtol
+                );
+                Ok(Self { name, agreement, states: states(first) })
+            }
+            (None, Some(only), _) => {
+                let name = format!(
+                    "a run of {} at rtol {:.0e}, which no other method confirms",
+                    only.method, only.rtol
+                );
+                Ok(Self { name, agreement: f64::NAN, states: states(only) })
+            }
+            (None, None, Some(error)) => Err(error),
+            (None, None, None) => unreachable!("there are methods"),
+        }
+    }
+
+    /// max over states of max over time |y - reference|/max over time |reference|.
+    #[must_use]
+    pub fn distance(&self, trajectory: &Trajectory) -> f64 {
+        distance(trajectory, &self.states)
+    }
+}
+
+impl Serialize for Reference {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Shown<'a> {
+            name: &'a str,
+            agreement: Option<f64>,
+        }
+        let agreement = self.agreement.is_finite().then_some(self.agreement);
+        Shown { name: &self.name, agreement }.serialize(serializer)
+    }
+}
+
+fn tightest(simulator: &dyn Simulator<f64>, method: Method) -> Result<Trajectory, SimulateError> {
+    let attempt = |rtol| run(simulator, method, rtol).max_steps(MAX_STEPS).run();
+    let mut result = attempt(TIGHT[0]);
+    for rtol in &TIGHT[1..] {
+        if result.is_ok() {
+            break;
+        }
+        result = attempt(*rtol);
+    }
+    result
+}

@@ -59,14 +59,14 @@ impl CompiledTape {
     /// # Panics
     /// If `results` is not as long as the tape's results, or if `inputs` lack an entry
     /// that the tape reads.
-    #[inline]
+    #[inline(always)]
     pub fn evaluate(&self, inputs: &Inputs<'_>, results: &mut [f64]) {
         let Inputs { ref time, state, parameters, handed, constants, .. } = *inputs;
         let time = std::slice::from_ref(time);
         self.run(&Regions { time, state, parameters, handed, constants }, results);
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn run(&self, read: &Regions<'_>, results: &mut [f64]) {
         assert_eq!(results.len(), self.results, "one place for each result");
         self.code.run(read, results);

@@ -92,13 +92,13 @@ impl ModelSimulator {
     }
 
     /// What tapes read, once the slices have the lengths the contract asks for.
-    #[inline]
+    #[inline(always)]
     fn read<'a, R: Lane>(&'a self, time: &'a R, state: &'a [R], parameters: &'a [R]) -> Read<'a> {
         assert_eq!(state.len(), self.model.states.len(), "length of the state");
         Read { state: R::numbers(state), ..self.read_without_state(time, parameters) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn read_without_state<'a, R: Lane>(&'a self, time: &'a R, parameters: &'a [R]) -> Read<'a> {
         let [own, handed] = [self.model.parameters.len(), self.model.handed.len()];
         assert_eq!(parameters.len(), own + handed, "number of parameters");
@@ -113,7 +113,7 @@ impl ModelSimulator {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn run<R: Lane>(&self, function: FunctionId, read: &Read<'_>, results: &mut [R]) {
         let tape = (|| self.model.tape(function), self.running);
         let results = R::numbers_mut(results);
@@ -124,7 +124,7 @@ impl ModelSimulator {
         self.hoisted.get_or_init(|| Hoisted::new(&self.model))
     }
 
-    #[inline]
+    #[inline(always)]
     fn run_prepared<R: Lane>(
         &self,
         (index, tape): (usize, fn(&Hoisted) -> &Tape),

@@ -168,29 +168,47 @@ impl Code {
     ///
     /// # Panics
     /// If a region is shorter than what the program reads or writes of it.
-    #[inline]
+    #[inline(always)]
     pub fn run(&self, read: &Regions<'_>, results: &mut [f64]) {
         let Regions { time, state, parameters, handed, constants } = *read;
-        let lengths = [time, state, parameters, handed, constants, &*results].map(<[f64]>::len);
-        assert!(
-            lengths.iter().zip(&self.needs).all(|(length, need)| length >= need),
-            "there are {lengths:?} numbers of {:?} that are read and written",
-            self.needs
-        );
+        let [of_time, of_state, of_parameters, of_handed, of_constants, of_results] = self.needs;
+        let is_there = time.len() >= of_time
+            && state.len() >= of_state
+            && parameters.len() >= of_parameters
+            && handed.len() >= of_handed
+            && constants.len() >= of_constants
+            && results.len() >= of_results;
+        if !is_there {
+            self.refuse(read, results.len());
+        }
         if self.room <= ON_STACK {
             let mut room = [const { MaybeUninit::uninit() }; ON_STACK];
             self.call(read, results, &mut room);
         } else {
-            ROOM.with_borrow_mut(|room| {
-                if room.len() < self.room {
-                    room.resize(self.room, MaybeUninit::uninit());
-                }
-                self.call(read, results, room);
-            });
+            self.run_in_much_room(read, results);
         }
     }
 
-    #[inline]
+    #[inline(never)]
+    fn run_in_much_room(&self, read: &Regions<'_>, results: &mut [f64]) {
+        ROOM.with_borrow_mut(|room| {
+            if room.len() < self.room {
+                room.resize(self.room, MaybeUninit::uninit());
+            }
+            self.call(read, results, room);
+        });
+    }
+
+    #[cold]
+    fn refuse(&self, read: &Regions<'_>, results: usize) -> ! {
+        let Regions { time, state, parameters, handed, constants } = *read;
+        let [time, state, parameters, handed, constants] =
+            [time, state, parameters, handed, constants].map(<[f64]>::len);
+        let lengths = [time, state, parameters, handed, constants, results];
+        panic!("there are {lengths:?} numbers of {:?} that are read and written", self.needs);
+    }
+
+    #[inline(always)]
     fn call(&self, read: &Regions<'_>, results: &mut [f64], room: &mut [MaybeUninit<f64>]) {
         let Regions { time, state, parameters, handed, constants } = *read;
         for piece in &self.pieces {

@@ -32,7 +32,7 @@ pub(super) struct Read<'a> {
 
 impl Read<'_> {
     #[cfg(feature = "compiled")]
-    #[inline]
+    #[inline(always)]
     fn regions(&self) -> Regions<'_> {
         let Self { time, state, parameters, handed, constants, .. } = *self;
         Regions { time, state, parameters, handed, constants }
@@ -119,7 +119,7 @@ pub(super) struct TapeFunction {
 
 impl TapeFunction {
     /// Writes the results of its tape for numbers of so many lanes.
-    #[inline]
+    #[inline(always)]
     pub fn run<'a>(
         &self,
         (tape, running): (impl FnOnce() -> &'a Tape, Running),
@@ -127,8 +127,10 @@ impl TapeFunction {
         read: &Read<'_>,
         results: &mut [f64],
     ) {
-        let ready =
-            self.ready[lanes - 1].get_or_init(|| Ready::new(tape(), read.tables, running, lanes));
+        let ready = match self.ready[lanes - 1].get() {
+            Some(ready) => ready,
+            None => self.make_ready(tape(), read.tables, running, lanes),
+        };
         match ready {
             #[cfg(feature = "compiled")]
             Ready::Compiled(compiled) => compiled.run(&read.regions(), results),
@@ -139,6 +141,19 @@ impl TapeFunction {
                 read.for_each_lane(lanes, results, evaluate);
             }
         }
+    }
+}
+
+impl TapeFunction {
+    #[cold]
+    fn make_ready(
+        &self,
+        tape: &Tape,
+        tables: &Arc<[Table]>,
+        running: Running,
+        lanes: usize,
+    ) -> &Ready {
+        self.ready[lanes - 1].get_or_init(|| Ready::new(tape, tables, running, lanes))
     }
 }
 

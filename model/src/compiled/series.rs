@@ -15,7 +15,7 @@ use super::native::{Code, Regions};
 use crate::Table;
 use crate::evaluate::Inputs;
 use crate::series::TaylorTape;
-use lowering::Lowered;
+use lowering::{Lowered, Orders};
 use sums::Sums;
 
 /// Numbers of an order: 1/k, k, 1/(k + 1), and the coefficient of time.
@@ -26,7 +26,8 @@ const NUMBERS: usize = 4;
 #[derive(Debug)]
 pub struct CompiledSeries {
     zeroth: Code,
-    higher: Code,
+    /// For the first two orders, and for those behind them.
+    higher: [Code; 2],
     states: usize,
     /// Zeroth coefficients and what follows from them.
     constants: usize,
@@ -47,18 +48,20 @@ impl CompiledSeries {
         tables: &Arc<[Table]>,
         lanes: usize,
     ) -> Option<Self> {
-        let Lowered { zeroth, higher, constants, sums } = Lowered::new(tape, tables.len())?;
+        let first = Lowered::new(tape, Orders::First, tables.len())?;
+        let later = Lowered::new(tape, Orders::Later, tables.len())?;
+        let code = |program| Code::new(program, tables, lanes);
         Some(Self {
-            zeroth: Code::new(&zeroth, tables, lanes)?,
-            higher: Code::new(&higher, tables, lanes)?,
+            zeroth: code(&first.zeroth)?,
+            higher: [code(&first.higher)?, code(&later.higher)?],
             states: tape.rate.len(),
-            constants,
-            sums,
+            constants: first.constants,
+            sums: first.sums,
             lanes,
         })
     }
 
-    /// Numbers of a row: left factors, right factors, coefficients of the state.
+    /// Numbers of a row: left factors, right factors, the next coefficients of the state.
     fn row(&self) -> usize {
         2 * self.sums.lanes() + self.states
     }
@@ -92,17 +95,23 @@ impl CompiledSeries {
         let [kept, lanes, row] =
             [self.constants, self.sums.lanes(), self.row()].map(|count| count * self.lanes);
         let (constants, rows) = workspace.split_at_mut(kept + lanes);
-        // What is written first: the zeroth coefficients, then those of order one.
+        // Row 0 has nothing but the coefficients of order one at its end; those of an order
+        // stand at the end of the row before, and are copied when they are long written.
         self.zeroth.run(read, constants);
-        coefficients[states..2 * states].copy_from_slice(&constants[kept - states..kept]);
+        rows[2 * lanes..row].copy_from_slice(&constants[kept - states..kept]);
         for order in 1..orders - 1 {
             let (known, newest) = rows[..(order + 1) * row].split_at_mut(order * row);
             self.sums.form(order, known, row, self.lanes, &mut constants[kept..]);
             let numbers = numbers(order, self.lanes);
-            let (state, next) = coefficients[order * states..].split_at_mut(states);
-            let read = Regions { time: &numbers, state, constants, ..*read };
-            self.higher.run(&read, newest);
-            next[..states].copy_from_slice(&newest[2 * lanes..]);
+            let first = if order < 3 { &[][..] } else { &known[row..2 * row] };
+            let last = &known[(order - 1) * row..];
+            let read =
+                Regions { time: &numbers, state: last, parameters: first, constants, ..*read };
+            self.higher[usize::from(order > 2)].run(&read, newest);
+        }
+        let rows = rows.chunks_exact(row);
+        for (next, row) in coefficients.chunks_exact_mut(states).skip(1).zip(rows) {
+            next.copy_from_slice(&row[2 * lanes..]);
         }
     }
 }
@@ -111,6 +120,6 @@ impl CompiledSeries {
 fn numbers(order: usize, lanes: usize) -> [f64; 2 * NUMBERS] {
     let k = order as f64;
     let time = if order == 1 { 1.0 } else { 0.0 };
-    let numbers = [1.0 / k, k, 1.0 / (k + 1.0), time];
-    std::array::from_fn(|index| numbers[(index / lanes) % NUMBERS])
+    let [a, b, c, d] = [1.0 / k, k, 1.0 / (k + 1.0), time];
+    if lanes == 1 { [a, b, c, d, 0.0, 0.0, 0.0, 0.0] } else { [a, a, b, b, c, c, d, d] }
 }

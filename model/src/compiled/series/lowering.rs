@@ -23,6 +23,12 @@ pub struct Lowered {
     pub sums: Sums,
 }
 
+/// The row of order one.
+const FIRST: Region = Region::Parameters;
+
+/// The row of the order before, whose end are the coefficients of the state.
+const LAST: Region = Region::State;
+
 /// The numbers of an order, as the program reads them.
 #[derive(Debug, Clone, Copy)]
 enum Number {
@@ -36,11 +42,22 @@ enum Number {
     Time,
 }
 
+/// Which orders a program is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Orders {
+    /// The first two: sums are read as they are.
+    First,
+    /// From the third on: to what is read of sums, products with the first and the newest
+    /// factors are added.
+    Later,
+}
+
 /// A factor of a sum: which node, and whether times its order.
 type Factor = (NodeId, bool);
 
 struct Lowering<'a> {
     tape: &'a TaylorTape,
+    orders: Orders,
     zeroth: Straight,
     higher: Straight,
     /// Zeroth coefficients of nodes.
@@ -56,9 +73,10 @@ struct Lowering<'a> {
 
 impl Lowered {
     /// Lowers a tape. `None` where it would be too long.
-    pub fn new(tape: &TaylorTape, tables: usize) -> Option<Self> {
+    pub fn new(tape: &TaylorTape, orders: Orders, tables: usize) -> Option<Self> {
         let mut lowering = Lowering {
             tape,
+            orders,
             zeroth: Straight::default(),
             higher: Straight::default(),
             values: vec![],
@@ -158,7 +176,7 @@ impl Lowering<'_> {
         let step = match self.tape[id].recurrence {
             Recurrence::Constant(_) | Recurrence::Acceleration(_) => return None,
             Recurrence::Time => return Some(self.number(Number::Time)),
-            Recurrence::State(entry) => Step::Read(Region::State, entry),
+            Recurrence::State(entry) => Step::Read(LAST, 2 * self.lanes() + entry),
             Recurrence::Neg(a) => Step::Neg(self.newest(a)),
             Recurrence::Add(a, b) => match [a, b].map(|id| self.tape.is_constant(id)) {
                 [true, _] => return Some(self.newest(b)),
@@ -323,19 +341,41 @@ impl Lowering<'_> {
         self.higher.push(Step::Mul(inverse, sum))
     }
 
-    /// A sum of the order; where it stands is known when all that is kept is.
+    fn lanes(&self) -> u32 {
+        (self.products.len() + self.lines.len()) as u32
+    }
+
+    /// A sum of the order.
     fn sum(&mut self, left: NodeId, weighted: bool, right: NodeId) -> StepId {
         let (left, right) = ((left, weighted), (right, false));
         // Sums of products go by their left factor: rounding tells sides apart.
+        let of_products = self.products.iter().position(|sum| *sum == (left, right));
         let mut lines = self.lines.iter();
         let line = lines.position(|sum| *sum == (left, right) || *sum == (right, left));
-        let lane = self
-            .products
-            .iter()
-            .position(|sum| *sum == (left, right))
+        let lane = of_products
             .or_else(|| Some(self.products.len() + line?))
-            .expect("sums are numbered before they are read");
-        self.higher.push(Step::Read(Region::Constants, SUMS + lane as u32))
+            .expect("sums are numbered before they are read") as u32;
+        if self.orders == Orders::First {
+            return self.middle(lane);
+        }
+        let (left, right) = (lane, self.lanes() + lane);
+        let [first_left, first_right, last_left, last_right] =
+            [(FIRST, left), (FIRST, right), (LAST, left), (LAST, right)]
+                .map(|(row, lane)| self.higher.push(Step::Read(row, lane)));
+        let product = self.higher.push(Step::Mul(first_left, last_right));
+        if of_products.is_none() {
+            return product;
+        }
+        let other = self.higher.push(Step::Mul(last_left, first_right));
+        let ends = self.higher.push(Step::Add(product, other));
+        let middle = self.middle(lane);
+        self.higher.push(Step::Add(middle, ends))
+    }
+
+    /// What is known of a sum before the order before is; where it stands is known when all
+    /// that is kept is.
+    fn middle(&mut self, lane: u32) -> StepId {
+        self.higher.push(Step::Read(Region::Constants, SUMS + lane))
     }
 
     fn solve(&mut self, mass: &MassMatrix, factors: &Factors) {

@@ -5,8 +5,8 @@
 //!         + (L_1 R_(k-1) + L_(k-1) R_1)
 //! ```
 //!
-//! What the order before has just given comes last, number by number: read back as part of
-//! a vector it would be waited for.
+//! What the order before has just given comes last, and is added number by number by the
+//! program of an order: read back as part of a vector it would be waited for.
 
 /// Which sums there are.
 #[derive(Debug, Clone, Copy)]
@@ -23,44 +23,38 @@ impl Sums {
         self.products + self.lines
     }
 
-    /// Forms the sums of an order from rows of left and right factors, for numbers of so
-    /// many lanes.
+    /// Forms the sums of the first two orders; from the third on, their middles: all but
+    /// what order one and the order before have to do with. For numbers of so many lanes,
+    /// from rows of left and right factors.
+    #[inline]
     pub fn form(&self, order: usize, rows: &[f64], row: usize, lanes: usize, sums: &mut [f64]) {
         let all = self.lanes() * lanes;
+        if order < 3 {
+            return first(order, &rows[order.saturating_sub(1) * row..], &mut sums[..all]);
+        }
         let products = self.products * lanes;
-        let sums = &mut sums[..all];
-        let factors = |order: usize| rows[order * row..][..2 * all].split_at(all);
-        if order < 2 {
-            sums.fill(0.0);
-            return;
-        }
-        let [first, last] = [factors(1), factors(order - 1)];
-        let lines = sums[products..].iter_mut().zip(&first.0[products..]);
-        for ((sum, left), right) in lines.zip(&last.1[products..]) {
-            *sum = left * right;
-        }
         let sums = &mut sums[..products];
-        let ends = first.0.iter().zip(first.1).zip(last.0.iter().zip(last.1));
-        if order == 2 {
-            for (sum, ((left, right), _)) in sums.iter_mut().zip(ends) {
-                *sum = left * right;
-            }
-            return;
-        }
         let mut at = 0;
         while at < products {
-            let left = products - at;
-            at += match left {
+            at += match products - at {
                 8.. => block::<8>(order, (rows, row, all), at, sums),
                 4.. => block::<4>(order, (rows, row, all), at, sums),
                 2.. => block::<2>(order, (rows, row, all), at, sums),
                 _ => block::<1>(order, (rows, row, all), at, sums),
             };
         }
-        for (sum, ((first_left, first_right), (last_left, last_right))) in sums.iter_mut().zip(ends)
-        {
-            *sum += first_left * last_right + last_left * first_right;
-        }
+    }
+}
+
+/// Of order one there are no products, of order two there is one, of the row of order one.
+#[inline(never)]
+fn first(order: usize, row: &[f64], sums: &mut [f64]) {
+    if order < 2 {
+        return sums.fill(0.0);
+    }
+    let (left, right) = row[..2 * sums.len()].split_at(sums.len());
+    for (sum, (left, right)) in sums.iter_mut().zip(left.iter().zip(right)) {
+        *sum = left * right;
     }
 }
 
@@ -74,16 +68,17 @@ fn block<const N: usize>(
 ) -> usize {
     let mut even = [0.0; N];
     let mut odd = [0.0; N];
-    if order > 3 {
-        let left = rows[2 * row + at..].chunks(row);
-        let right = rows[..(order - 2) * row + all + at + N][all + at..].chunks(row).rev();
-        let mut pairs = left.zip(right).take(order - 3);
-        loop {
-            let Some((left, right)) = pairs.next() else { break };
-            add_products(&mut even, left, right);
-            let Some((left, right)) = pairs.next() else { break };
-            add_products(&mut odd, left, right);
-        }
+    // From order two up, and from two before this order down.
+    let (mut left, mut right) = (2 * row + at, (order - 2) * row + all + at);
+    let mut count = order - 3;
+    while count >= 2 {
+        add_products(&mut even, rows, left, right);
+        add_products(&mut odd, rows, left + row, right - row);
+        (left, right) = (left + 2 * row, right - 2 * row);
+        count -= 2;
+    }
+    if count == 1 {
+        add_products(&mut even, rows, left, right);
     }
     for (sum, (even, odd)) in sums[at..at + N].iter_mut().zip(even.into_iter().zip(odd)) {
         *sum = even + odd;
@@ -92,10 +87,8 @@ fn block<const N: usize>(
 }
 
 #[inline(always)]
-fn add_products<const N: usize>(sums: &mut [f64; N], left: &[f64], right: &[f64]) {
-    let (Some(left), Some(right)) = (left.first_chunk::<N>(), right.first_chunk::<N>()) else {
-        return;
-    };
+fn add_products<const N: usize>(sums: &mut [f64; N], rows: &[f64], left: usize, right: usize) {
+    let (left, right) = (&rows[left..left + N], &rows[right..right + N]);
     for lane in 0..N {
         sums[lane] += left[lane] * right[lane];
     }

@@ -143,8 +143,8 @@ fn coupled(n: usize, entries: &[(u32, u32)]) -> Model {
         (0..n).map(|index| writer.push(Op::Mul(q[index], q[(index + n + 1) % (2 * n)]))).collect();
     let forcing = writer.finish(&forces);
     // The rates of velocities are not read: accelerations are solved for.
-    let rate: Vec<Op> = (0..2 * n as u32 + 1).map(Op::State).collect();
-    let results: Vec<u32> = (n as u32..2 * n as u32 + 1).chain(0..n as u32).collect();
+    let rate: Vec<Op> = (0..=2 * n as u32).map(Op::State).collect();
+    let results: Vec<u32> = (n as u32..=2 * n as u32).chain(0..n as u32).collect();
     model(n, tape(&rate, &results), mass, forcing)
 }
 
@@ -214,9 +214,9 @@ fn functions_are_the_same_in_lanes_and_on_threads() {
                     for (simulator, rate) in [compiled, interpreted].into_iter().zip(&mut rates) {
                         simulator.rate(F64x2([0.25; 2]), &state, &wide, rate);
                     }
-                    for lane in 0..2 {
-                        let expected = rate(interpreted, &pair[lane]);
-                        assert_same(&rate(compiled, &pair[lane]), &expected, "alone");
+                    for (lane, state) in pair.iter().enumerate() {
+                        let expected = rate(interpreted, state);
+                        assert_same(&rate(compiled, state), &expected, "alone");
                         for all in &rates {
                             assert_same(&all.map(|sides| sides.0[lane]), &expected, "in lanes");
                         }

@@ -55,8 +55,10 @@ pub struct Code {
     needs: [usize; Region::COUNT],
     /// Numbers that are put aside.
     room: usize,
+    /// Numbers of a row, where rows from the parameters to the state are walked through.
+    walks: Option<usize>,
     /// What the code is part of, and the tables it points at: they live as long as it.
-    module: Mutex<Option<JITModule>>,
+    module: Mutex<Option<Box<JITModule>>>,
     _tables: Arc<[Table]>,
 }
 
@@ -77,6 +79,7 @@ impl Drop for Code {
 }
 
 /// Whether there is machine code on this target.
+#[must_use]
 pub fn is_available() -> bool {
     isa().is_some()
 }
@@ -159,7 +162,8 @@ impl Code {
             pieces: ids.into_iter().map(address).collect(),
             needs: straight.needs().map(|need| need * lanes),
             room: schedule.room * lanes,
-            module: Mutex::new(Some(module)),
+            walks: straight.middles.map(|middles| middles.row * lanes),
+            module: Mutex::new(Some(Box::new(module))),
             _tables: tables.clone(),
         })
     }
@@ -177,7 +181,8 @@ impl Code {
             && parameters.len() >= of_parameters
             && handed.len() >= of_handed
             && constants.len() >= of_constants
-            && results.len() >= of_results;
+            && results.len() >= of_results
+            && self.walks.is_none_or(|row| is_walk(parameters, state, row));
         if !is_there {
             self.refuse(read, results.len());
         }
@@ -213,8 +218,10 @@ impl Code {
         let Regions { time, state, parameters, handed, constants } = *read;
         for piece in &self.pieces {
             // SAFETY: the code reads and writes no entry beyond `needs` and `room`, which
-            // the caller has compared with the lengths; it reads of the room only what it
-            // has written; what is written overlaps nothing that is read.
+            // the caller has compared with the lengths, nor, if it walks, beyond the rows
+            // from the parameters to the state, which are all among the parameters; it
+            // reads of the room only what it has written; what is written overlaps nothing
+            // that is read before it is.
             unsafe {
                 piece(
                     time.as_ptr(),
@@ -228,6 +235,15 @@ impl Code {
             }
         }
     }
+}
+
+/// Whether the state is a row among the parameters: rows that are walked through from
+/// behind the first one up to it, and as many down from before it, are too.
+#[inline(always)]
+fn is_walk(parameters: &[f64], state: &[f64], row: usize) -> bool {
+    let distance = state.as_ptr().addr().wrapping_sub(parameters.as_ptr().addr());
+    let (row, all) = (row * size_of::<f64>(), size_of_val(parameters));
+    distance < all && all - distance >= row
 }
 
 thread_local! {

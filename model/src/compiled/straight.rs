@@ -125,6 +125,25 @@ impl Step {
     }
 }
 
+/// Sums of products that are formed before the steps, for series:
+/// `sum of left_j right_(k-j)`, j from two to k - 2, in every lane side by side.
+///
+/// Rows of factors stand one after the other, that of order one first among the parameters,
+/// that of order k - 1 first of the state. Sums are put into the results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Middles {
+    /// How many sums.
+    pub count: usize,
+    /// Where left factors and right factors begin in a row, and where sums are put.
+    pub left: usize,
+    /// Likewise.
+    pub right: usize,
+    /// Likewise.
+    pub sums: usize,
+    /// Numbers of a row.
+    pub row: usize,
+}
+
 /// Steps in an order of evaluation, and what is written.
 #[derive(Debug, Clone, Default)]
 pub struct Straight {
@@ -132,6 +151,8 @@ pub struct Straight {
     pub steps: Vec<Step>,
     /// Entries of the results.
     pub writes: Vec<(u32, StepId)>,
+    /// What is formed first.
+    pub middles: Option<Middles>,
     known: HashMap<(u8, [u64; 4]), StepId>,
 }
 
@@ -232,7 +253,7 @@ impl Straight {
                 step.operands().for_each(|id| needed[id.0 as usize] = true);
             }
         }
-        let mut pruned = Self::default();
+        let mut pruned = Self { middles: self.middles, ..Self::default() };
         let mut places = vec![StepId(0); self.steps.len()];
         for (index, step) in self.steps.iter().enumerate().filter(|(index, _)| needed[*index]) {
             places[index] = pruned.push(step.with_operands(|id| places[id.0 as usize]));
@@ -255,6 +276,11 @@ impl Straight {
             }
         }
         self.writes.iter().for_each(|&(entry, _)| note(Region::Results, entry));
+        if let Some(middles) = self.middles {
+            for region in [Region::State, Region::Parameters, Region::Results] {
+                note(region, middles.row as u32 - 1);
+            }
+        }
         needs
     }
 }

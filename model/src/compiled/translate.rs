@@ -5,18 +5,23 @@
 use std::collections::HashMap;
 
 use cranelift_codegen::ir::{
-    AbiParam, FuncRef, InstBuilder as _, MemFlags, Signature, Type, Value, condcodes::FloatCC,
+    AbiParam, BlockArg, FuncRef, InstBuilder as _, MemFlags, Signature, Type, Value,
+    condcodes::{FloatCC, IntCC},
     types,
 };
 use cranelift_frontend::FunctionBuilder;
 
 use super::schedule::{Batch, BatchKind, Item, Schedule};
-use super::straight::{Region, Step, StepId, Straight};
+use super::straight::{Middles, Region, Step, StepId, Straight};
 use super::thunks::Thunk;
 use crate::{Function, Table};
 
 /// Pointers a piece is called with: one for each region, then the room.
 pub const POINTERS: usize = Region::COUNT + 1;
+
+/// Vectors of sums that are formed at once: two sums of each, and what is read, stay in
+/// registers.
+const BLOCK: usize = 6;
 
 /// The signature of pieces.
 pub fn signature(mut signature: Signature, pointer: Type) -> Signature {
@@ -71,6 +76,9 @@ impl Translator<'_> {
         for &(entry, id) in &self.straight.writes {
             writes.entry(id).or_default().push(entry);
         }
+        if let (0, Some(middles)) = (index, self.straight.middles) {
+            piece.form(middles);
+        }
         for item in &self.schedule.pieces[index] {
             match item {
                 Item::Step(id) => {
@@ -107,6 +115,66 @@ impl Piece<'_, '_, '_> {
                 matches!(function, Function::Sin | Function::Cos | Function::Tanh)
             }
             _ => false,
+        }
+    }
+
+    /// Forms sums of products row by row, a block of vectors at a time.
+    fn form(&mut self, middles: Middles) {
+        let vectors = (middles.count * self.of.lanes).div_ceil(2);
+        for first in (0..vectors).step_by(BLOCK) {
+            self.form_block(middles, first, BLOCK.min(vectors - first));
+        }
+    }
+
+    /// In each lane two sums take turns, so that neither waits for itself.
+    fn form_block(&mut self, middles: Middles, first: usize, count: usize) {
+        let flags = MemFlags::new().with_notrap();
+        let row = self.offset(middles.row as u32);
+        let of_rows = Region::Parameters as usize;
+        let [low, end] = [of_rows, Region::State as usize].map(|region| self.pointers[region]);
+        let low = self.builder.ins().iadd_imm(low, i64::from(row));
+        let high = self.builder.ins().iadd_imm(end, -i64::from(row));
+        let zeros = self.builder.func.dfg.constants.insert(vec![0; 16].into());
+        let zero = self.builder.ins().vconst(types::F64X2, zeros);
+        let [head, body, tail] = [(); 3].map(|()| self.builder.create_block());
+        for pointer in [self.pointer; 2] {
+            self.builder.append_block_param(head, pointer);
+        }
+        for _ in 0..2 * count {
+            self.builder.append_block_param(head, types::F64X2);
+        }
+        let begin: Vec<BlockArg> =
+            [low, high].into_iter().chain(vec![zero; 2 * count]).map(BlockArg::from).collect();
+        self.builder.ins().jump(head, &begin);
+        self.builder.switch_to_block(head);
+        let known = self.builder.block_params(head).to_vec();
+        let (low, high, sums) = (known[0], known[1], &known[2..]);
+        let goes_on = self.builder.ins().icmp(IntCC::UnsignedLessThan, low, end);
+        self.builder.ins().brif(goes_on, body, &[], tail, &[]);
+        self.builder.switch_to_block(body);
+        let mut next = sums[count..].to_vec();
+        for (vector, sum) in sums[..count].iter().enumerate() {
+            let at = 16 * (first + vector) as i32;
+            let [left, right] = [(low, middles.left), (high, middles.right)].map(|(row, entry)| {
+                let offset = self.offset(entry as u32) + at;
+                self.builder.ins().load(types::F64X2, flags, row, offset)
+            });
+            let product = self.builder.ins().fmul(left, right);
+            next.push(self.builder.ins().fadd(*sum, product));
+        }
+        let low = self.builder.ins().iadd_imm(low, i64::from(row));
+        let high = self.builder.ins().iadd_imm(high, -i64::from(row));
+        let next: Vec<BlockArg> = [low, high].into_iter().chain(next).map(BlockArg::from).collect();
+        self.builder.ins().jump(head, &next);
+        for block in [head, body, tail] {
+            self.builder.seal_block(block);
+        }
+        self.builder.switch_to_block(tail);
+        let results = self.pointers[Region::Results as usize];
+        for vector in 0..count {
+            let sum = self.builder.ins().fadd(sums[vector], sums[count + vector]);
+            let at = self.offset(middles.sums as u32) + 16 * (first + vector) as i32;
+            self.builder.ins().store(flags, sum, results, at);
         }
     }
 

@@ -114,7 +114,7 @@ impl Ready {
 #[derive(Debug, Default)]
 pub(super) struct TapeFunction {
     /// On one number, on two.
-    ready: [OnceLock<Ready>; 2],
+    ready: [OnceLock<Box<Ready>>; 2],
 }
 
 impl TapeFunction {
@@ -131,7 +131,7 @@ impl TapeFunction {
             Some(ready) => ready,
             None => self.make_ready(tape(), read.tables, running, lanes),
         };
-        match ready {
+        match &**ready {
             #[cfg(feature = "compiled")]
             Ready::Compiled(compiled) => compiled.run(&read.regions(), results),
             Ready::Interpreted(evaluator) => {
@@ -153,7 +153,7 @@ impl TapeFunction {
         running: Running,
         lanes: usize,
     ) -> &Ready {
-        self.ready[lanes - 1].get_or_init(|| Ready::new(tape, tables, running, lanes))
+        self.ready[lanes - 1].get_or_init(|| Box::new(Ready::new(tape, tables, running, lanes)))
     }
 }
 

@@ -2,13 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::super::straight::{Region, Step, StepId, Straight};
-use super::sums::Sums;
+use super::super::straight::{Middles, Region, Step, StepId, Straight};
+use super::Sums;
+use super::factors::Factors;
 use crate::NodeId;
 use crate::series::{Convolution, MassMatrix, Recurrence, TaylorTape};
-
-/// Operations of a factorization that is written out, at most.
-const MOST_OF_FACTORS: usize = 40_000;
 
 /// Recurrences as programs.
 pub struct Lowered {
@@ -19,7 +17,7 @@ pub struct Lowered {
     pub higher: Straight,
     /// How many results the first has.
     pub constants: usize,
-    /// Which sums the second reads, behind the constants.
+    /// Which sums the second reads.
     pub sums: Sums,
 }
 
@@ -88,7 +86,7 @@ impl Lowered {
         lowering.find_sums();
         lowering.zeroth_coefficients(tables)?;
         let factors = match &tape.mass_matrix {
-            Some(mass) => Some(lowering.factors(mass)?),
+            Some(mass) => Some(Factors::new(&mut lowering.zeroth, mass, &lowering.values)?),
             None => None,
         };
         if let (Some(mass), Some(factors)) = (&tape.mass_matrix, &factors) {
@@ -372,10 +370,10 @@ impl Lowering<'_> {
         self.higher.push(Step::Add(middle, ends))
     }
 
-    /// What is known of a sum before the order before is; where it stands is known when all
-    /// that is kept is.
+    /// What is known of a sum before the order before is.
     fn middle(&mut self, lane: u32) -> StepId {
-        self.higher.push(Step::Read(Region::Constants, SUMS + lane))
+        let before = 2 * self.lanes() + self.tape.rate.len() as u32;
+        self.higher.push(Step::Read(Region::Results, before + lane))
     }
 
     fn solve(&mut self, mass: &MassMatrix, factors: &Factors) {
@@ -419,91 +417,16 @@ impl Lowering<'_> {
         writes.sort_unstable();
         self.zeroth.writes.extend(writes);
         let constants = kept + self.tape.rate.len() as u32;
-        let mut higher = self.higher.pruned();
-        for step in &mut higher.steps {
-            if let Step::Read(Region::Constants, entry) = step
-                && *entry >= SUMS
-            {
-                *entry = *entry - SUMS + constants;
-            }
+        if self.orders == Orders::Later && sums.products > 0 {
+            self.higher.middles = Some(Middles {
+                count: sums.products,
+                left: 0,
+                right: sums.lanes(),
+                sums: 2 * sums.lanes() + self.tape.rate.len(),
+                row: sums.row(self.tape.rate.len()),
+            });
         }
-        let zeroth = self.zeroth.pruned();
+        let (zeroth, higher) = (self.zeroth.pruned(), self.higher.pruned());
         Lowered { zeroth, higher, constants: constants as usize, sums }
-    }
-}
-
-/// Sums are numbered from here until it is known how many constants stand before them.
-const SUMS: u32 = 1 << 30;
-
-/// L D L^T: L below the diagonal, 1/D on it, by rows; of zeros nothing.
-struct Factors(Vec<Vec<Option<StepId>>>);
-
-impl Lowering<'_> {
-    /// Factors the mass matrix among the zeroth coefficients. `None` where that is too long.
-    fn factors(&mut self, mass: &MassMatrix) -> Option<Factors> {
-        let n = mass.right_side.len();
-        let mut matrix = vec![vec![None; n]; n];
-        for &(row, column, entry) in &mass.lower {
-            matrix[row as usize][column as usize] = Some(self.values[entry.0 as usize]);
-        }
-        let program = &mut self.zeroth;
-        let (zero, one) = (program.literal(0.0), program.literal(1.0));
-        let begin = program.steps.len();
-        for column in 0..n {
-            let diagonal = matrix[column][column].unwrap_or(zero);
-            let inverse = program.push(Step::Div(one, diagonal));
-            for row in column + 1..n {
-                let Some(entry) = matrix[row][column] else { continue };
-                let scaled = program.push(Step::Mul(entry, inverse));
-                for other in column + 1..=row {
-                    let Some(factor) = matrix[other][column] else { continue };
-                    let product = program.push(Step::Mul(scaled, factor));
-                    let before = matrix[row][other].unwrap_or(zero);
-                    matrix[row][other] = Some(program.push(Step::Sub(before, product)));
-                }
-            }
-            for row in &mut matrix[column + 1..] {
-                row[column] = row[column].map(|entry| program.push(Step::Mul(entry, inverse)));
-            }
-            matrix[column][column] = Some(inverse);
-            if program.steps.len() - begin > MOST_OF_FACTORS {
-                return None;
-            }
-        }
-        Some(Factors(matrix))
-    }
-}
-
-impl Factors {
-    /// The solution, entries of the factors read as told.
-    fn solve(
-        &self,
-        program: &mut Straight,
-        mut solution: Vec<StepId>,
-        mut read: impl FnMut(&mut Straight, StepId) -> StepId,
-    ) -> Vec<StepId> {
-        let n = solution.len();
-        for row in 0..n {
-            for column in 0..row {
-                if let Some(factor) = self.0[row][column] {
-                    let factor = read(program, factor);
-                    let product = program.push(Step::Mul(factor, solution[column]));
-                    solution[row] = program.push(Step::Sub(solution[row], product));
-                }
-            }
-        }
-        for row in (0..n).rev() {
-            let Some(inverse) = self.0[row][row] else { continue };
-            let inverse = read(program, inverse);
-            solution[row] = program.push(Step::Mul(solution[row], inverse));
-            for below in row + 1..n {
-                if let Some(factor) = self.0[below][row] {
-                    let factor = read(program, factor);
-                    let product = program.push(Step::Mul(factor, solution[below]));
-                    solution[row] = program.push(Step::Sub(solution[row], product));
-                }
-            }
-        }
-        solution
     }
 }

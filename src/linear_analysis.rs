@@ -227,7 +227,3 @@ fn position<'q>(
 ) -> Option<usize> {
     (0..count).find(|index| quantity(*index).name == name)
 }
-
-#[cfg(all(test, feature = "implicit"))]
-#[path = "linear_analysis/tests.rs"]
-mod tests;

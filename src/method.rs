@@ -19,8 +19,6 @@ mod lanes;
 #[cfg(feature = "implicit")]
 mod lu;
 mod one_step;
-#[cfg(all(test, feature = "implicit"))]
-mod order;
 #[cfg(feature = "implicit")]
 mod quadrature;
 #[cfg(feature = "implicit")]

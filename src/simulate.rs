@@ -180,8 +180,8 @@ impl<'a> Simulation<'a> {
     }
 
     /// The simulator.
-    #[cfg(feature = "linear")]
-    pub(crate) fn simulator(&self) -> &'a dyn Simulator<f64> {
+    #[must_use]
+    pub fn simulator(&self) -> &'a dyn Simulator<f64> {
         self.simulator
     }
 

@@ -1,5 +1,4 @@
 //! The emitted benchmark scenes against their definitions, written down by hand.
-#![cfg(feature = "linear")]
 
 #[path = "../examples/machinist_peer/model.rs"]
 mod model;

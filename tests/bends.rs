@@ -1,6 +1,5 @@
 //! Machines that bend where their series do not tell: friction that turns over within a
 //! width, however narrow. None of it is passed over by long steps.
-#![cfg(feature = "cli")]
 
 use machinist::{Method, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;

@@ -1,5 +1,4 @@
 //! Exact solutions of fields, beside steps.
-#![cfg(all(feature = "scenes", feature = "implicit"))]
 
 use machinist::field::{Discretisation, FieldSimulator};
 use machinist::{Method, Simulation, Trajectory};

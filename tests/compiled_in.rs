@@ -28,8 +28,8 @@ fn linked(features: &str) -> BTreeSet<String> {
 #[test]
 fn explicit_methods_link_no_other_solver_and_no_computer_algebra() {
     let names = linked("");
-    assert!(names.contains("machinist-scenes"), "{names:?}");
-    for name in ["diffsol", "faer", "rayon", "symbolica", "machinist-codegen"] {
+    assert!(names.contains("machinist-contract"), "{names:?}");
+    for name in ["diffsol", "faer", "rayon", "symbolica", "machinist-codegen", "machinist-model"] {
         assert!(!names.contains(name), "{name} is linked");
     }
 }
@@ -39,8 +39,8 @@ fn each_family_of_methods_links_what_it_needs_only() {
     let implicit = linked("implicit");
     assert!(!implicit.contains("diffsol") && !implicit.contains("faer"), "{implicit:?}");
     assert!(linked("diffsol").contains("diffsol"));
-    let all_but_the_command_line = linked("verify,plot");
-    assert!(!all_but_the_command_line.contains("symbolica"), "{all_but_the_command_line:?}");
+    let everything = linked("diffsol,implicit,linear,sweep");
+    assert!(!everything.contains("symbolica"), "{everything:?}");
 }
 
 #[test]
@@ -74,14 +74,4 @@ fn explicit_methods_are_always_there_and_agree() {
     };
     assert!(Method::Taylor.is_compiled_in());
     assert!((end(Method::Tsit5) - end(Method::Dop853)).abs() < 1e-8);
-}
-
-#[test]
-fn scenes_that_are_off_are_not_listed() {
-    let names = machinist_scenes::scenes::NAMES;
-    assert_eq!(names.is_empty(), !cfg!(feature = "scenes"), "{names:?}");
-    for name in names {
-        assert!(machinist_scenes::scenes::find::<f64>(name).is_some(), "{name}");
-    }
-    assert!(machinist_scenes::scenes::find::<f64>("no such scene").is_none());
 }

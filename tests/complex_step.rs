@@ -1,9 +1,6 @@
 //! Jacobians written by hand against the complex step.
-#![cfg(feature = "linear")]
 
-mod common;
-
-use common::Oscillator;
+use crate::common::Oscillator;
 use machinist::complex_step::{dense, parameter_jacobian, rate_jacobian, time_derivative};
 use machinist_contract::{Describe, Simulator};
 

@@ -1,5 +1,4 @@
 //! Scenes with constraints run from their specs: started, kept to, refused by name.
-#![cfg(feature = "cli")]
 
 use machinist::constraints::{mobility, start};
 use machinist::error::Lack;

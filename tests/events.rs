@@ -1,5 +1,4 @@
 //! Events of scenes run from their specs: found, once each, by every method that watches.
-#![cfg(feature = "cli")]
 
 use machinist::error::StopCause;
 use machinist::method::{Problem, System};

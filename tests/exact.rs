@@ -1,5 +1,4 @@
 //! Linear machines solved without steps, beside methods that step.
-#![cfg(feature = "cli")]
 
 use machinist::error::StopCause;
 use machinist::{Method, SimulateError, Simulation, Trajectory};

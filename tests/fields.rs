@@ -1,6 +1,5 @@
 //! Scenes with fields, cut into elements: methods against each other, emitted code
 //! against interpreted, the numbers that are refused.
-#![cfg(feature = "verify")]
 
 use machinist::error::StopCause;
 use machinist::field::{Discretisation, FieldError, FieldSimulator, MAX_ELEMENTS};
@@ -57,7 +56,6 @@ fn numbers_of_elements_and_orders_out_of_range_are_refused() {
     }
 }
 
-#[cfg(feature = "cli")]
 mod emitted {
     use std::path::Path;
     use std::time::{Duration, Instant};
@@ -69,7 +67,7 @@ mod emitted {
     /// The emitted scene with so many elements, without the hash of its spec and with
     /// the number put back, and the time that took.
     fn emitted(elements: &str) -> (String, Duration) {
-        let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs");
+        let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs");
         let spec = std::fs::read_to_string(specs.join("scenes/shaft_with_rotors.toml")).unwrap();
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir_all(folder.path().join("scenes")).unwrap();

@@ -1,5 +1,4 @@
 //! A program interpreted is the simulator that is emitted from it.
-#![cfg(feature = "cli")]
 
 #[path = "../codegen/tests/support/mod.rs"]
 mod support;

@@ -1,10 +1,7 @@
 //! What the methods of this crate do that none other need do: stiff machines
 //! against each other, tolerances that are kept, choices that are told.
-#![cfg(feature = "verify")]
 
-mod common;
-
-use common::{HardSpring, Scalar};
+use crate::common::{HardSpring, Scalar};
 use machinist::error::StopCause;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_contract::Simulator;

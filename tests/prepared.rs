@@ -1,5 +1,4 @@
 //! What parameters alone decide is computed once a run and changes no bit.
-#![cfg(feature = "scenes")]
 
 use machinist_contract::Simulator;
 use machinist_scenes::scenes;

@@ -1,11 +1,8 @@
 //! Runs against closed forms, and every way a run can be refused.
-#![cfg(all(feature = "diffsol", feature = "implicit"))]
-
-mod common;
 
 use std::f64::consts::PI;
 
-use common::{Oscillator, Scalar, oscillator_state};
+use crate::common::{Oscillator, Scalar, oscillator_state};
 use machinist::error::StopCause;
 use machinist::method::Work;
 use machinist::trajectory::ColumnKind;

@@ -1,5 +1,4 @@
 //! Many variants at once are what they are one by one, to the last bit.
-#![cfg(all(feature = "sweep", feature = "implicit", feature = "scenes"))]
 
 use machinist::error::StopCause;
 use machinist::lanes::{F64x4, F64x8, Lanes};

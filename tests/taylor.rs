@@ -1,6 +1,5 @@
 //! Taylor's method on what is hard for it: series whose last coefficients vanish,
 //! branches, tables, jumps, and the energy account.
-#![cfg(all(feature = "diffsol", feature = "scenes"))]
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,8 +7,6 @@ use machinist::error::StopCause;
 use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_contract::Simulator;
 use machinist_scenes::scenes;
-
-mod common;
 
 #[allow(dead_code, clippy::pedantic, reason = "tests need not use all; bodies are long")]
 mod coupled {
@@ -45,10 +42,10 @@ fn difference(simulator: &dyn Simulator<f64>, a: &Trajectory, b: &Trajectory) ->
 fn errors_follow_the_tolerance_over_nine_decades() {
     for exponent in 3..=12 {
         let rtol = 10_f64.powi(-exponent);
-        let run = run(Simulation::new(&common::Oscillator), Method::Taylor, rtol);
+        let run = run(Simulation::new(&crate::common::Oscillator), Method::Taylor, rtol);
         let angle = run.column("rotor.angle").expect("a state");
         let errors = run.times.iter().zip(angle);
-        let errors = errors.map(|(time, q)| (q - common::oscillator_state(*time)[0]).abs());
+        let errors = errors.map(|(time, q)| (q - crate::common::oscillator_state(*time)[0]).abs());
         let error = errors.fold(0.0, f64::max);
         println!("{rtol:e}: {error:e} in {} steps", run.work.steps);
         assert!(error < 10.0 * rtol, "{rtol:e}: {error:e}");
@@ -146,7 +143,7 @@ fn the_energy_account_closes() {
 
 #[test]
 fn simulators_without_series_are_refused_with_advice() {
-    let scalar = common::Scalar::new(|_, y| -y, |_, _| -1.0, 1.0);
+    let scalar = crate::common::Scalar::new(|_, y| -y, |_, _| -1.0, 1.0);
     assert!(!Method::Taylor.suits(&scalar));
     match Simulation::new(&scalar).method(Method::Taylor).run() {
         Err(SimulateError::Stopped { cause: StopCause::Solver(message), .. }) => {

@@ -1,6 +1,5 @@
 //! The generic element of a field against the same chain written out, node by node,
 //! as an ordinary machine: all of it goes through Symbolica once more.
-#![cfg(feature = "cli")]
 
 use std::fmt::Write as _;
 use std::path::Path;

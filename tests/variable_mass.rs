@@ -1,6 +1,5 @@
 //! Kinetic energy that depends on first-order states: momentum, and what becomes of the
 //! energy.
-#![cfg(feature = "cli")]
 
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;

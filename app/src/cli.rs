@@ -6,7 +6,9 @@
 //! bad input. A command that fails leaves no file behind.
 
 mod bench;
+mod cache;
 mod check;
+mod compile;
 mod derive;
 pub mod explain;
 mod generate;
@@ -28,10 +30,15 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::deriving;
+
 /// Lagrangian specs of machines to fast, checked Rust simulators.
 #[derive(Debug, Parser)]
 #[command(name = "machinist", version, propagate_version = true)]
 struct Cli {
+    /// Derive anew, and remember nothing of it
+    #[arg(long, global = true)]
+    no_cache: bool,
     #[command(subcommand)]
     command: Command,
 }
@@ -44,6 +51,8 @@ enum Command {
     Check(check::Check),
     /// Print the equations of motion of a scene
     Derive(derive::Derive),
+    /// Derive a scene and write its model, which runs anywhere
+    Compile(compile::Compile),
     /// Say what is left out of a scene, why, and what that saves
     Explain(explain::Explain),
     /// Simulate a scene
@@ -66,11 +75,20 @@ enum Command {
     Report(report::Report),
     /// List the scenes that are built in
     List(list::List),
+    /// What is remembered of scenes that were derived
+    Cache(cache::CacheCommand),
+    /// What a parent process has its child do
+    #[command(name = deriving::COMMAND, hide = true)]
+    DeriveForParent,
 }
 
 /// Does what the arguments of this process ask for.
 pub fn main() -> ExitCode {
-    let done = match Cli::parse().command {
+    let Cli { no_cache, command } = Cli::parse();
+    if no_cache {
+        deriving::turn_off_cache();
+    }
+    let done = match command {
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
         Command::Derive(command) => command.execute(),
@@ -85,6 +103,9 @@ pub fn main() -> ExitCode {
         Command::Verify(command) => command.execute(),
         Command::Report(command) => command.execute(),
         Command::List(command) => command.execute(),
+        Command::Compile(command) => command.execute(),
+        Command::Cache(command) => command.execute(),
+        Command::DeriveForParent => deriving::answer_parent(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -10,7 +10,6 @@ use machinist_codegen::emit::rust::emit;
 use machinist_codegen::lower::structure::Structure;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Stages;
-use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_contract::Describe as _;
 use machinist_model::Model;
 use machinist_model::Reduction;
@@ -18,6 +17,7 @@ use machinist_model::interpreted::InterpretedSimulator;
 use machinist_model::operations;
 use serde::Serialize;
 
+use crate::failure::Failure;
 use crate::freeze::{self, Candidate};
 
 /// Runs of each, of which the median counts.
@@ -98,8 +98,9 @@ pub struct Times {
 }
 
 impl Explanation {
-    /// Looks at the models of a scene file, and times them if asked to.
-    pub fn new(scene: &Path, models: Stages, with_times: bool) -> Result<Self, Diagnostics> {
+    /// Looks at the models of a scene, and times them if asked to; with its file, also at
+    /// what could be frozen.
+    pub fn new(scene: Option<&Path>, models: Stages, with_times: bool) -> Result<Self, Failure> {
         // A scene with fields is kept whole, and runs once it is cut into elements only.
         let with_times = with_times && models.whole.fields.is_empty();
         let mut stages = vec![Stage::of(Keep::All, &models.whole)];
@@ -124,7 +125,10 @@ impl Explanation {
             structure: Structure::of(&needed),
             has_fields: !needed.fields.is_empty(),
             no_object,
-            candidates: if with_times { freeze::candidates(scene)? } else { Vec::new() },
+            candidates: match scene {
+                Some(scene) if with_times => freeze::candidates(scene)?,
+                _ => Vec::new(),
+            },
             times: with_times.then(|| Times::measure(models.whole, needed)),
         })
     }

@@ -6,11 +6,11 @@ use std::path::Path;
 use machinist::{SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::Model;
 use machinist_model::interpreted::InterpretedSimulator;
 use serde::Serialize;
 
+use crate::deriving::{self, Request, Wanted};
 use crate::explain::{median, relative_differences, timed};
 use crate::failure::Failure;
 
@@ -60,19 +60,21 @@ impl Price {
 }
 
 /// Every instance of a scene that can be taken for rigid, with its price.
-pub fn candidates(scene: &Path) -> Result<Vec<Candidate>, Diagnostics> {
+pub fn candidates(scene: &Path) -> Result<Vec<Candidate>, Failure> {
     let system = pipeline::check(scene)?;
-    let exact = pipeline::compile(system.clone(), Keep::Exact)?;
-    let mut candidates = Vec::new();
-    for spring in &system.springs {
-        let mut frozen = system.clone();
-        frozen.freeze.rigid = vec![spring.instance.clone()];
+    let exact = deriving::model(scene, Keep::Exact)?;
+    let requests = system.springs.iter().map(|spring| Request {
+        rigid: Some(vec![spring.instance.clone()]),
+        wanted: Wanted::ModelIfPossible,
+        ..Request::model(scene, Keep::Needed)
+    });
+    let frozen = deriving::possible(&requests.collect::<Vec<_>>())?;
+    let candidates = system.springs.iter().zip(frozen).filter_map(|(spring, frozen)| {
         // What cannot be frozen is no candidate.
-        let Ok(frozen) = pipeline::compile(frozen, Keep::Needed) else { continue };
-        let price = Price::measure(exact.clone(), frozen).map_err(|error| error.to_string());
-        candidates.push(Candidate { instance: spring.instance.clone(), price });
-    }
-    Ok(candidates)
+        let price = Price::measure(exact.clone(), frozen?).map_err(|error| error.to_string());
+        Some(Candidate { instance: spring.instance.clone(), price })
+    });
+    Ok(candidates.collect())
 }
 
 /// Refuses a program that is frozen at a price its scene does not allow.
@@ -81,7 +83,7 @@ pub fn admit(scene: &Path, model: &Model) -> Result<(), Failure> {
     if freeze.rigid.is_empty() {
         return Ok(());
     }
-    let exact = pipeline::generate(scene, Keep::Exact)?;
+    let exact = deriving::model(scene, Keep::Exact)?;
     let price = Price::measure(exact, model.clone())?;
     match price.worst() {
         // An error that is not a number is none that is allowed.

@@ -1,14 +1,5 @@
-//! The `machinist` model.
-
-mod cli;
-mod explain;
-mod failure;
-mod freeze;
-mod object;
-mod plot;
-mod progress;
-mod report;
+//! The `machinist` program.
 
 fn main() -> std::process::ExitCode {
-    cli::main()
+    machinist_app::main()
 }

@@ -23,12 +23,13 @@ use std::path::Path;
 use machinist::linear_analysis::LinearError;
 use machinist::trajectory::Trajectory;
 use machinist::{SimulateError, Simulation};
-use machinist_codegen::emit::document::{Document, Notation};
+use machinist_codegen::emit::document::Document;
 use machinist_codegen::mechanics::dependencies::Dependencies;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
+use machinist_codegen::pipeline::Derivation;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_contract::Simulator;
+use machinist_model::Model;
 use machinist_model::interpreted::InterpretedSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::ledger::{LedgerRow, ledger as ledger_rows};
@@ -36,7 +37,8 @@ use machinist_studies::stability::{Plan as Strain, Study, study};
 use machinist_studies::verify::{Verdict, VerifyOptions, verify_all};
 use machinist_studies::work_precision::{self, Plan, WorkPrecision};
 
-use crate::cli::specs::{self, Derived};
+use crate::cli::specs;
+use crate::deriving;
 use crate::explain::Explanation;
 use crate::failure::Failure;
 use crate::freeze::admit;
@@ -59,7 +61,8 @@ struct Report {
 
 /// One scene, derived and run.
 struct SceneData {
-    derived: Derived,
+    /// What the outputs need.
+    model: Model,
     document: Document,
     explanation: Explanation,
     dependencies: Dependencies,
@@ -83,11 +86,11 @@ pub struct Page {
 /// date on the way.
 pub fn page(specs: &Path, emitted: &Path, with_times: bool) -> Result<Page, Failure> {
     let files = specs::scene_files(specs)?;
-    let derived = during("deriving", || specs::all(&files, Derived::new))?;
+    let derived = deriving::derivations(&files, Keep::Needed)?;
     for (file, derived) in files.iter().zip(&derived) {
-        admit(file, &derived.model)?;
+        admit(file, derived.stages.needed())?;
     }
-    let models: Vec<_> = derived.iter().map(|derived| derived.model.clone()).collect();
+    let models: Vec<_> = derived.iter().map(|derived| derived.stages.needed().clone()).collect();
     let emitted = emit_scenes(emitted, &models, Mode::Write)?;
     let names = models.iter().map(|model| model.name.clone()).collect();
     let has_fields = models.iter().any(|model| !model.fields.is_empty());
@@ -140,46 +143,46 @@ impl Report {
 }
 
 impl SceneData {
-    fn new(derived: Derived, file: &Path, with_times: bool) -> Result<Self, Failure> {
-        let document = Document::new(&derived.equations, Notation::Latex);
-        let name = &derived.model.name;
+    fn new(derived: Derivation, file: &Path, with_times: bool) -> Result<Self, Failure> {
+        let Derivation { stages, latex: document, dependencies, .. } = derived;
+        let model = stages.needed().clone();
+        let name = &model.name;
         let built_in = scenes::find::<f64>(name);
         let run = |simulator: &dyn Simulator<f64>| {
             Simulation::new(simulator).with_energy_balance(true).run()
         };
         let both = |simulator: &dyn Simulator<f64>| (run(simulator), modes::modes(simulator));
         let mut along = Vec::new();
-        let has_fields = !derived.model.fields.is_empty();
+        let has_fields = !model.fields.is_empty();
         let (trajectory, modes) = match built_in {
             Some(simulator) => both(simulator),
             None if has_fields => {
-                let interpreted = InterpretedSimulator::new(derived.model.clone());
+                let interpreted = InterpretedSimulator::new(model.clone());
                 let scene = scenes::find_field::<f64>(name).unwrap_or(&interpreted);
                 let run = fields::run(scene)?;
                 along = run.along;
                 (run.trajectory, run.modes)
             }
-            None => both(&InterpretedSimulator::new(derived.model.clone())),
+            None => both(&InterpretedSimulator::new(model.clone())),
         };
-        let stages = pipeline::stages(derived.equations.clone(), Keep::Needed)?;
         let is_built_in = built_in.is_some() || scenes::find_field::<f64>(name).is_some();
         Ok(Self {
             document,
-            explanation: Explanation::new(file, stages, with_times)?,
-            dependencies: Dependencies::new(&derived.equations, &derived.model.reduction),
+            explanation: Explanation::new(Some(file), stages, with_times)?,
+            dependencies,
             is_built_in,
             run: trajectory,
             modes,
             along,
-            derived,
+            model,
         })
     }
 
     fn name(&self) -> &str {
-        &self.derived.model.name
+        &self.model.name
     }
 
     fn title(&self) -> &str {
-        &self.derived.model.title
+        &self.model.title
     }
 }

@@ -67,27 +67,28 @@ fn keep_standard_output_clean() {
 type Job = Box<dyn FnOnce(&mut Cas) -> Box<dyn Any + Send> + Send>;
 type Reply = std::thread::Result<Box<dyn Any + Send>>;
 
-/// Runs `job` on the one thread that may use Symbolica and waits for its result.
+/// Runs `job` on the one thread that may use Symbolica and waits for its result. Who has
+/// to wait for this process is told `purpose`, such as the name of a scene.
 ///
 /// # Errors
-/// If the lock shared by all processes of the user cannot be taken.
+/// If the lock shared by all processes of the machine cannot be taken.
 ///
 /// # Panics
 /// With the panic of `job`, if it panics.
-pub fn session<T, F>(job: F) -> Result<T, CasError>
+pub fn session<T, F>(purpose: &str, job: F) -> Result<T, CasError>
 where
     T: Send + 'static,
     F: FnOnce(&mut Cas) -> T + Send + 'static,
 {
-    type Request = (Job, mpsc::Sender<Result<Reply, CasError>>);
+    type Request = (String, Job, mpsc::Sender<Result<Reply, CasError>>);
     static WORKER: OnceLock<mpsc::Sender<Request>> = OnceLock::new();
     let worker = WORKER.get_or_init(|| {
         let (sender, receiver) = mpsc::channel::<Request>();
         std::thread::spawn(move || {
             let mut cas: Option<Cas> = None;
-            for (job, reply) in receiver {
-                let answer =
-                    Cas::started(&mut cas).map(|cas| catch_unwind(AssertUnwindSafe(|| job(cas))));
+            for (purpose, job, reply) in receiver {
+                let answer = Cas::started(&mut cas, &purpose)
+                    .map(|cas| catch_unwind(AssertUnwindSafe(|| job(cas))));
                 // The asker may be gone; then nobody needs the answer.
                 let _ = reply.send(answer);
             }
@@ -96,7 +97,7 @@ where
     });
     let (sender, receiver) = mpsc::channel();
     let job: Job = Box::new(move |cas| Box::new(job(cas)));
-    worker.send((job, sender)).map_err(|_| CasError::Gone)?;
+    worker.send((purpose.to_owned(), job, sender)).map_err(|_| CasError::Gone)?;
     match receiver.recv().map_err(|_| CasError::Gone)?? {
         Ok(value) => value.downcast::<T>().map(|value| *value).map_err(|_| CasError::Gone),
         Err(panic) => resume_unwind(panic),
@@ -105,9 +106,9 @@ where
 
 impl Cas {
     /// Starts the system at the first session.
-    fn started(cas: &mut Option<Cas>) -> Result<&mut Cas, CasError> {
+    fn started<'a>(cas: &'a mut Option<Cas>, purpose: &str) -> Result<&'a mut Cas, CasError> {
         if cas.is_none() {
-            lock::hold_for_this_process()?;
+            lock::hold_for_this_process(purpose)?;
             keep_standard_output_clean();
             *cas = Some(Cas { vocabulary: Vocabulary::new() });
         }

@@ -12,9 +12,12 @@ use std::path::Path;
 
 use machinist_model::Model;
 use machinist_model::file::Stamped;
+use serde::{Deserialize, Serialize};
 
 use crate::cas::{Cas, CasError, session};
+use crate::emit::document::{Document, Notation};
 use crate::mechanics::density::{self, FieldEquations};
+use crate::mechanics::dependencies::Dependencies;
 use crate::mechanics::lagrange::{self, EquationsOfMotion};
 use crate::mechanics::linearize::{Linearization, linearize};
 use crate::mechanics::reduce::{FreezeError, Keep, Step, drop_unused};
@@ -36,7 +39,7 @@ pub fn generate(scene: &Path, keep: Keep) -> Result<Model, Diagnostics> {
 /// As [`generate`].
 pub fn compile(system: LagrangianSystem, keep: Keep) -> Result<Model, Diagnostics> {
     let keep = possible(&system, keep);
-    let linear = session(move |cas| {
+    let linear = session(&system.name.clone(), move |cas| {
         let equations = lagrange::derive(cas, &system);
         let needed = reduce(cas, &equations, keep)?;
         Ok::<_, FreezeError>(Linear::of(cas, &needed))
@@ -93,7 +96,7 @@ impl Linear {
 }
 
 /// A scene's models, of the whole and after each step of reduction.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Stages {
     /// Nothing left out.
     pub whole: Model,
@@ -109,13 +112,27 @@ impl Stages {
     }
 }
 
-/// Equations of a whole scene to its models, step by step up to `keep`.
+/// Everything that is derived of a scene, for people and for machines.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Derivation {
+    /// Models, step by step.
+    pub stages: Stages,
+    /// The equations of the whole scene as text.
+    pub text: Document,
+    /// The same as LaTeX.
+    pub latex: Document,
+    /// Who needs whom.
+    pub dependencies: Dependencies,
+}
+
+/// A checked scene to all that is derived of it, reduced step by step up to `keep`.
 ///
 /// # Errors
 /// As [`generate`].
-pub fn stages(equations: EquationsOfMotion, keep: Keep) -> Result<Stages, Diagnostics> {
-    let keep = possible(&equations.system, keep);
-    let (whole, steps) = session(move |cas| {
+pub fn derivation(system: LagrangianSystem, keep: Keep) -> Result<Derivation, Diagnostics> {
+    let keep = possible(&system, keep);
+    let (equations, whole, steps) = session(&system.name.clone(), move |cas| {
+        let equations = lagrange::derive(cas, &system);
         let mut steps: Vec<(Keep, EquationsOfMotion)> = Vec::new();
         for step in Keep::STEPS.into_iter().filter(|step| *step <= keep) {
             let reduced = reduce(cas, &equations, step)?;
@@ -125,10 +142,17 @@ pub fn stages(equations: EquationsOfMotion, keep: Keep) -> Result<Stages, Diagno
         }
         let linear: Vec<_> =
             steps.iter().map(|(step, reduced)| (*step, Linear::of(cas, reduced))).collect();
-        Ok::<_, FreezeError>((Linear::of(cas, &equations), linear))
+        let whole = Linear::of(cas, &equations);
+        Ok::<_, FreezeError>((equations, whole, linear))
     })??;
     let steps = steps.iter().map(|(step, linear)| (*step, linear.lower()));
-    Ok(Stages { whole: whole.lower(), steps: steps.collect() })
+    let stages = Stages { whole: whole.lower(), steps: steps.collect() };
+    Ok(Derivation {
+        text: Document::new(&equations, Notation::Text),
+        latex: Document::new(&equations, Notation::Latex),
+        dependencies: Dependencies::new(&equations, &stages.needed().reduction),
+        stages,
+    })
 }
 
 /// A scene file to one Lagrangian system, names and dimensions checked.
@@ -146,20 +170,23 @@ pub fn check(scene: &Path) -> Result<LagrangianSystem, Diagnostics> {
 /// As [`generate`].
 pub fn derive(scene: &Path) -> Result<EquationsOfMotion, Diagnostics> {
     let system = check(scene)?;
-    Ok(session(move |cas| lagrange::derive(cas, &system))?)
+    Ok(session(&system.name.clone(), move |cas| lagrange::derive(cas, &system))?)
 }
 
 /// A model with word of what made it.
 #[must_use]
 pub fn stamped(model: Model, keep: Keep) -> Stamped {
-    Stamped { generator: format!("{}, {}", generator(), keep.name()), model }
+    Stamped { generator: format!("{GENERATOR}, {}", keep.name()), model }
 }
 
-/// What makes models here: name and version.
-#[must_use]
-pub fn generator() -> String {
-    format!("{} {}", env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION"))
-}
+/// What makes models here: name, version, and the hash of its own text.
+pub const GENERATOR: &str = concat!(
+    env!("CARGO_PKG_NAME"),
+    " ",
+    env!("CARGO_PKG_VERSION"),
+    " ",
+    env!("MACHINIST_GENERATOR")
+);
 
 impl From<CasError> for Diagnostics {
     fn from(error: CasError) -> Self {

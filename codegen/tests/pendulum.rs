@@ -86,7 +86,7 @@ fn chain(n: u32) -> LagrangianSystem {
 }
 
 fn program(system: LagrangianSystem) -> Model {
-    let linearization = session(move |cas| {
+    let linearization = session("a test", move |cas| {
         let equations = lagrange::derive(cas, &system);
         linearize(cas, &equations)
     });

@@ -18,7 +18,6 @@
 //! Times are medians of several runs. A simulation includes setting up and freeing
 //! the method; states are handed over as the benchmark models define them.
 
-#[cfg(feature = "cli")]
 mod chain;
 mod model;
 mod rhs;
@@ -218,7 +217,6 @@ fn sweep(key: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 }
 
 /// Seconds from the spec's text to equations and tapes, and from these to Rust.
-#[cfg(feature = "cli")]
 fn derive(key: &str) -> Result<(), Box<dyn Error>> {
     use machinist_codegen::emit::EmitOptions;
     use machinist_codegen::emit::rust::emit;
@@ -251,7 +249,6 @@ fn derive(key: &str) -> Result<(), Box<dyn Error>> {
 }
 
 /// The spec of a model: a scene's file, or that of a chain, written into `folder`.
-#[cfg(feature = "cli")]
 fn spec(key: &str, folder: &std::path::Path) -> std::io::Result<Option<std::path::PathBuf>> {
     if let Some(model) = Model::find(key) {
         let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/specs/scenes/bench");
@@ -263,14 +260,6 @@ fn spec(key: &str, folder: &std::path::Path) -> std::io::Result<Option<std::path
     let file = folder.join(format!("m6_{links}.toml"));
     std::fs::write(&file, chain::spec(links))?;
     Ok(Some(file))
-}
-
-/// As above, where Symbolica is not linked.
-#[cfg(not(feature = "cli"))]
-#[expect(clippy::unnecessary_wraps, reason = "alike with the feature `cli`")]
-fn derive(key: &str) -> Result<(), Box<dyn Error>> {
-    print(key, &json!({"skip": "built without `cli`"}));
-    Ok(())
 }
 
 fn check_tolerances(rtols: &[f64]) -> Result<(), Box<dyn Error>> {

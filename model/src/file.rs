@@ -12,6 +12,7 @@
 //! anything relies on it: a file that is cut off, altered or of another version is refused
 //! by name, and a model that breaks a rule of models is too.
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 use thiserror::Error;
@@ -71,19 +72,9 @@ pub enum FileError {
 }
 
 /// The bytes of a model.
-///
-/// # Panics
-/// Never: plain data can always be written to memory.
 #[must_use]
 pub fn write(stamped: &Stamped) -> Vec<u8> {
-    let content = postcard::to_stdvec(stamped).expect("plain data can be written to memory");
-    let mut bytes = Vec::with_capacity(HEADER + content.len());
-    bytes.extend_from_slice(MARK);
-    bytes.extend_from_slice(&VERSION.to_le_bytes());
-    bytes.extend_from_slice(&(content.len() as u64).to_le_bytes());
-    bytes.extend_from_slice(&Sha256::digest(&content));
-    bytes.extend_from_slice(&content);
-    bytes
+    seal(MARK, stamped)
 }
 
 /// The model of bytes.
@@ -91,12 +82,33 @@ pub fn write(stamped: &Stamped) -> Vec<u8> {
 /// # Errors
 /// [`FileError`] if they are not what [`write`] gave.
 pub fn read(bytes: &[u8]) -> Result<Stamped, FileError> {
-    let Some((mark, rest)) = bytes.split_at_checked(MARK.len()) else {
-        return Err(FileError::Foreign);
-    };
-    if mark != MARK {
-        return Err(FileError::Foreign);
-    }
+    let stamped: Stamped = open(MARK, bytes)?;
+    stamped.model.validate()?;
+    Ok(stamped)
+}
+
+/// The bytes of plain data behind a header with a mark of its own.
+///
+/// # Panics
+/// Never: plain data can always be written to memory.
+#[must_use]
+pub fn seal(mark: &[u8; 16], data: &impl Serialize) -> Vec<u8> {
+    let content = postcard::to_stdvec(data).expect("plain data can be written to memory");
+    let mut bytes = Vec::with_capacity(HEADER + content.len());
+    bytes.extend_from_slice(mark);
+    bytes.extend_from_slice(&VERSION.to_le_bytes());
+    bytes.extend_from_slice(&(content.len() as u64).to_le_bytes());
+    bytes.extend_from_slice(&Sha256::digest(&content));
+    bytes.extend_from_slice(&content);
+    bytes
+}
+
+/// The data of bytes that [`seal`] gave.
+///
+/// # Errors
+/// [`FileError`] if they are not.
+pub fn open<T: DeserializeOwned>(mark: &[u8; 16], bytes: &[u8]) -> Result<T, FileError> {
+    let rest = bytes.strip_prefix(mark).ok_or(FileError::Foreign)?;
     let cut_off = || FileError::Length { expected: HEADER as u64, found: bytes.len() as u64 };
     let (version, rest) = rest.split_first_chunk().ok_or_else(cut_off)?;
     let found = u32::from_le_bytes(*version);
@@ -114,13 +126,13 @@ pub fn read(bytes: &[u8]) -> Result<Stamped, FileError> {
         return Err(FileError::Altered);
     }
     let undecodable = |reason: String| FileError::Undecodable { reason };
-    let (stamped, left) = postcard::take_from_bytes::<Stamped>(content)
-        .map_err(|error| undecodable(error.to_string()))?;
-    if !left.is_empty() {
-        return Err(undecodable(format!("{} bytes are left over", left.len())));
+    let (data, left) =
+        postcard::take_from_bytes(content).map_err(|error| undecodable(error.to_string()))?;
+    if left.is_empty() {
+        Ok(data)
+    } else {
+        Err(undecodable(format!("{} bytes are left over", left.len())))
     }
-    stamped.model.validate()?;
-    Ok(stamped)
 }
 
 /// Whether bytes begin as models do.

@@ -223,8 +223,12 @@ impl Linearization<'_> {
         })
     }
 
-    /// C of one output.
-    pub(super) fn output_derivatives(&self, output: usize) -> Vec<f64> {
+    /// C of one output: its derivatives with respect to the states, `states` long.
+    ///
+    /// # Panics
+    /// If there is no such output.
+    #[must_use]
+    pub fn output_derivatives(&self, output: usize) -> Vec<f64> {
         let scales = scales(self.simulator);
         let mut state = self.point.state.clone();
         let by = |index: usize| {

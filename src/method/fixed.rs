@@ -89,8 +89,11 @@ impl Fixed {
     }
 
     /// Steps by given lengths, forth and back, and gives the state at the end.
-    #[cfg(test)]
-    pub(crate) fn walk(&self, system: &System<'_>, start: &[f64], steps: &[f64]) -> Vec<f64> {
+    ///
+    /// # Panics
+    /// If a step's equations cannot be solved.
+    #[must_use]
+    pub fn walk(&self, system: &System<'_>, start: &[f64], steps: &[f64]) -> Vec<f64> {
         let atol = vec![1e-6; start.len()];
         let stretch = Stretch::without_control(system, -1.0, 8.0, &atol);
         let mut method = (self.make)(&stretch);

@@ -7,11 +7,13 @@ use machinist::constraints;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_model::file::Stamped;
 use machinist_model::interpreted::InterpretedSimulator;
 
 use super::output::print;
-use super::scene::spec_path;
+use super::scene::Given;
 use super::specs;
+use crate::deriving;
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -23,38 +25,47 @@ pub struct Check {
 
 impl Check {
     pub fn execute(&self) -> Result<(), Failure> {
-        let mut files: Vec<PathBuf> = Vec::new();
+        let (mut files, mut text) = (Vec::<PathBuf>::new(), String::new());
         for path in &self.paths {
             if Path::new(path).is_dir() {
                 files.extend(specs::scene_files(Path::new(path))?);
                 files.extend(specs::bench_files(Path::new(path))?);
-            } else {
-                files.push(spec_path(path)?);
+                continue;
+            }
+            match Given::of(path)? {
+                Given::Spec(file) => files.push(file),
+                // It was checked as it was read.
+                Given::Model(stamped) => {
+                    let Stamped { generator, model } = *stamped;
+                    text.push_str(&format!(
+                        "{path}: ok, model of {}, made by {generator}\n",
+                        model.name
+                    ));
+                }
             }
         }
         let systems = specs::all(&files, pipeline::check)?;
-        let lines = files.iter().zip(&systems).map(|(file, system)| {
-            Ok::<_, Failure>(format!(
+        for (file, system) in files.iter().zip(&systems) {
+            text.push_str(&format!(
                 "{}: ok, {} coordinates, {} first-order states, {} parameters, {} outputs{}\n",
                 file.display(),
                 system.coordinates.len(),
                 system.first_order.len(),
                 system.parameters.len(),
                 system.outputs.len(),
-                constraints(system)?,
-            ))
-        });
-        print(&lines.collect::<Result<String, _>>()?)
+                constraints(file, system)?,
+            ));
+        }
+        print(&text)
     }
 }
 
 /// How many constraints, and how many ways of moving they leave at the start.
-fn constraints(system: &LagrangianSystem) -> Result<String, Failure> {
+fn constraints(file: &Path, system: &LagrangianSystem) -> Result<String, Failure> {
     if system.constraints.is_empty() {
         return Ok(String::new());
     }
-    let model = pipeline::compile(system.clone(), Keep::All)
-        .map_err(|diagnostics| Failure::Input(vec![diagnostics.into()]))?;
+    let model = deriving::model(file, Keep::All)?;
     let simulator = InterpretedSimulator::new(model);
     let parameters: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
     let time = system.run.from;

@@ -1,14 +1,17 @@
 //! `machinist derive`: the equations of motion of a scene, as text, LaTeX or JSON.
 
 use clap::Args;
-use machinist_codegen::emit::document::{Document, Equation, Notation};
+use machinist_codegen::emit::document::Equation;
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline::Derivation;
+use machinist_model::Model;
 use serde_json::{Value, json};
 
 use super::output::{columns, print};
-use super::scene::spec_path;
-use super::specs::{Cost, Derived, costs};
+use super::scene::Given;
+use super::specs::{Cost, costs};
+use crate::deriving;
 use crate::failure::Failure;
-use crate::progress::during;
 
 #[derive(Debug, Args)]
 pub struct Derive {
@@ -24,40 +27,48 @@ pub struct Derive {
 
 impl Derive {
     pub fn execute(&self) -> Result<(), Failure> {
-        let path = spec_path(&self.scene)?;
-        let derived = during("deriving", || Derived::new(&path))?;
-        let document = |notation| Document::new(&derived.equations, notation);
+        let derivation = match Given::of(&self.scene)? {
+            Given::Spec(path) => deriving::derivation(&path, Keep::Needed)?,
+            Given::Model(stamped) => return Err(no_equations(&stamped.model)),
+        };
         if self.latex {
-            print(&document(Notation::Latex).to_latex())
+            print(&derivation.latex.to_latex())
         } else if self.json {
-            let value = as_json(&derived, &document(Notation::Text), &document(Notation::Latex));
-            print(&format!("{value:#}\n"))
+            print(&format!("{:#}\n", as_json(&derivation)))
         } else {
-            print(&as_text(&derived, &document(Notation::Text)))
+            print(&as_text(&derivation))
         }
     }
 }
 
-fn as_text(derived: &Derived, document: &Document) -> String {
-    let system = &derived.equations.system;
+/// A model is what is computed; what it was derived from stays with its spec.
+fn no_equations(model: &Model) -> Failure {
+    let spec = model.files.first().map_or("its spec", |file| file.label.as_str());
+    let message = format!("the model of `{}` holds what is computed, and no equations", model.name);
+    Failure::input(message, format!("derive {spec}, of which it was made"))
+}
+
+fn as_text(derivation: &Derivation) -> String {
+    let model = derivation.stages.needed();
     let header = ["function", "results", "of", "operations"].map(str::to_owned);
     let row = |cost: &Cost| {
         let full = cost.full.map(|full| full.to_string()).unwrap_or_default();
         let [results, operations] = [cost.results, cost.operations].map(|n| n.to_string());
         [cost.function.to_owned(), results, full, operations]
     };
-    let rows: Vec<_> =
-        std::iter::once(header).chain(costs(&derived.model).iter().map(row)).collect();
+    let rows: Vec<_> = std::iter::once(header).chain(costs(model).iter().map(row)).collect();
     format!(
         "{}: {}\n\n{}Cost of the emitted functions\n{}",
-        system.name,
-        system.title,
-        document.to_text(),
+        model.name,
+        model.title,
+        derivation.text.to_text(),
         columns(&rows, 1)
     )
 }
 
-fn as_json(derived: &Derived, text: &Document, latex: &Document) -> Value {
+fn as_json(derivation: &Derivation) -> Value {
+    let (text, latex) = (&derivation.text, &derivation.latex);
+    let model = derivation.stages.needed();
     let section = |text: &[Equation], latex: &[Equation]| -> Value {
         let equations = text.iter().zip(latex).map(|(text, latex)| {
             json!({
@@ -72,7 +83,7 @@ fn as_json(derived: &Derived, text: &Document, latex: &Document) -> Value {
         });
         equations.collect()
     };
-    let costs = costs(&derived.model).into_iter().map(|cost| {
+    let costs = costs(model).into_iter().map(|cost| {
         json!({
             "function": cost.function,
             "results": cost.results,
@@ -80,10 +91,9 @@ fn as_json(derived: &Derived, text: &Document, latex: &Document) -> Value {
             "operations": cost.operations,
         })
     });
-    let system = &derived.equations.system;
     json!({
-        "scene": system.name,
-        "title": system.title,
+        "scene": model.name,
+        "title": model.title,
         "energies": section(&text.energies, &latex.energies),
         "motion": section(&text.motion, &latex.motion),
         "first_order": section(&text.first_order, &latex.first_order),

@@ -3,11 +3,12 @@
 use clap::Args;
 use machinist_codegen::lower::structure::Frequency;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
+use machinist_codegen::pipeline::Stages;
 use serde_json::{Value, json};
 
 use super::output::{columns, print};
-use super::scene::spec_path;
+use super::scene::Given;
+use crate::deriving;
 use crate::explain::{Explanation, Times};
 use crate::failure::Failure;
 use crate::freeze::{Candidate, admit};
@@ -31,14 +32,19 @@ pub struct Explain {
 
 impl Explain {
     pub fn execute(&self) -> Result<(), Failure> {
-        let path = spec_path(&self.scene)?;
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
-        let stages = during("deriving", || pipeline::stages(pipeline::derive(&path)?, keep))?;
-        if !self.keep_all {
-            admit(&path, stages.needed())?;
-        }
+        let (path, stages) = match Given::of(&self.scene)? {
+            Given::Spec(path) => {
+                let stages = deriving::derivation(&path, keep)?.stages;
+                if !self.keep_all {
+                    admit(&path, stages.needed())?;
+                }
+                (Some(path), stages)
+            }
+            Given::Model(stamped) => (None, Stages { whole: stamped.model, steps: Vec::new() }),
+        };
         let explanation =
-            during("running", || Explanation::new(&path, stages, !self.without_times))?;
+            during("running", || Explanation::new(path.as_deref(), stages, !self.without_times))?;
         if self.json {
             print(&format!("{:#}\n", as_json(&explanation)))
         } else {

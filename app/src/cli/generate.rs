@@ -4,15 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_model::Model;
 
 use super::output::print;
 use super::specs;
+use crate::deriving;
 use crate::failure::Failure;
 use crate::freeze::admit;
-use crate::progress::during;
 
 /// Where emitted scenes are kept.
 pub const EMITTED: &str = "generated/src/scenes";
@@ -38,8 +37,8 @@ impl Generate {
     pub fn execute(&self) -> Result<(), Failure> {
         let files = specs::scene_files(&self.specs)?;
         let bench_files = specs::bench_files(&self.specs)?;
-        let models = during("deriving", || self.models(&files))?;
-        let bench_programs = during("deriving", || self.models(&bench_files))?;
+        let models = self.models(&files)?;
+        let bench_programs = self.models(&bench_files)?;
         let mode = if self.check { Mode::Check } else { Mode::Write };
         let mut text = describe(&emit_scenes(&self.out, &models, mode)?, "");
         if !bench_programs.is_empty() {
@@ -53,7 +52,7 @@ impl Generate {
 impl Generate {
     fn models(&self, files: &[PathBuf]) -> Result<Vec<Model>, Failure> {
         let keep = if self.keep_all { Keep::All } else { Keep::Needed };
-        let models = specs::all(files, |file| pipeline::generate(file, keep))?;
+        let models = deriving::models(files, keep)?;
         if !self.keep_all {
             for (file, model) in files.iter().zip(&models) {
                 admit(file, model)?;

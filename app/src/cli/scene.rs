@@ -1,20 +1,50 @@
 //! What the name of a scene stands for: a simulator built in, or a spec file.
 
+use std::fs::{self, File};
+use std::io::Read as _;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use machinist::field::{Discretisation, FieldError, FieldSimulator};
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_codegen::spec::did_you_mean;
 use machinist_contract::{Real, Simulator};
+use machinist_model::file::{MARK, Stamped, read};
 use machinist_model::interpreted::InterpretedSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
 use super::specs;
+use crate::deriving;
 use crate::failure::Failure;
 use crate::freeze::admit;
-use crate::progress::during;
+
+/// What a command was given for a scene.
+pub enum Given {
+    /// A spec file.
+    Spec(PathBuf),
+    /// What was read from a model file.
+    Model(Box<Stamped>),
+}
+
+impl Given {
+    /// What an argument stands for: a file of either kind, or the spec of a name.
+    pub fn of(argument: &str) -> Result<Self, Failure> {
+        let path = spec_path(argument)?;
+        let mut mark = [0; MARK.len()];
+        let begins_as_model = File::open(&path)
+            .and_then(|mut file| file.read_exact(&mut mark))
+            .is_ok_and(|()| mark == *MARK);
+        if !begins_as_model {
+            return Ok(Self::Spec(path));
+        }
+        let bytes = fs::read(&path).map_err(|error| Failure::file(&path, &error))?;
+        let stamped = read(&bytes).map_err(|error| {
+            let help = "`machinist compile` makes it again from its spec";
+            Failure::input(format!("{}: {error}", path.display()), help)
+        })?;
+        Ok(Self::Model(Box::new(stamped)))
+    }
+}
 
 /// A scene ready to run.
 pub enum Scene {
@@ -47,12 +77,17 @@ impl Scene {
         if is_named && let Some(simulator) = built_in(argument) {
             return without_fields(wanted, Self::Emitted(simulator));
         }
-        let path = spec_path(argument)?;
         let keep = if keep_all { Keep::All } else { Keep::Needed };
-        let model = during("deriving", || pipeline::generate(&path, keep))?;
-        if !keep_all {
-            admit(&path, &model)?;
-        }
+        let model = match Given::of(argument)? {
+            Given::Model(stamped) => stamped.model,
+            Given::Spec(path) => {
+                let model = deriving::model(&path, keep)?;
+                if !keep_all {
+                    admit(&path, &model)?;
+                }
+                model
+            }
+        };
         let has_fields = !model.fields.is_empty();
         let simulator = Box::new(InterpretedSimulator::new(model));
         if !has_fields {
@@ -133,9 +168,13 @@ pub fn spec_path(argument: &str) -> Result<PathBuf, Failure> {
     ))
 }
 
+/// How names of model files end.
+pub const MODEL_ENDING: &str = "model";
+
 /// Whether an argument is meant as a path rather than as a name.
 fn is_path(argument: &str) -> bool {
-    Path::new(argument).extension().is_some_and(|ending| ending == "toml")
+    let ending = Path::new(argument).extension();
+    ending.is_some_and(|ending| ending == "toml" || ending == MODEL_ENDING)
         || argument.contains(['/', MAIN_SEPARATOR])
 }
 

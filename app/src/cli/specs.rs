@@ -2,9 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use machinist_codegen::mechanics::lagrange::EquationsOfMotion;
-use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::pipeline;
 use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::Model;
 use machinist_model::operations;
@@ -68,23 +65,6 @@ pub fn all<T>(
         }
     }
     if wrong.is_empty() { Ok(done) } else { Err(Failure::Input(wrong)) }
-}
-
-/// A scene with its equations and what is computed of them.
-pub struct Derived {
-    /// For people: of the whole scene.
-    pub equations: EquationsOfMotion,
-    /// For machines: of what the outputs need.
-    pub model: Model,
-}
-
-impl Derived {
-    /// Derives a scene file.
-    pub fn new(scene: &Path) -> Result<Self, Diagnostics> {
-        let equations = pipeline::derive(scene)?;
-        let model = pipeline::compile(equations.system.clone(), Keep::Needed)?;
-        Ok(Self { equations, model })
-    }
 }
 
 /// What one emitted function costs.

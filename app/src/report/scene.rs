@@ -11,7 +11,7 @@ use crate::cli::specs::{Cost, costs};
 
 /// The section of a scene.
 pub fn section(scene: &SceneData) -> Markup {
-    let model = &scene.derived.model;
+    let model = &scene.model;
     html! {
         section id=(model.name) {
             h2 { (model.title) }

@@ -10,6 +10,7 @@ use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 use machinist_model::Quantity;
 use printer::Printer;
+use serde::{Deserialize, Serialize};
 
 /// How mathematics is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,7 +22,7 @@ pub enum Notation {
 }
 
 /// One equation, left and right side, with what it is about.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Equation {
     /// The spec's name of what it governs or defines.
     pub subject: String,
@@ -36,7 +37,7 @@ pub struct Equation {
 }
 
 /// A machine in equations.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Document {
     /// T, V, D and the energy of first-order states, zero ones left out.
     pub energies: Vec<Equation>,

@@ -4,12 +4,14 @@
 
 use std::collections::BTreeSet;
 
+use serde::{Deserialize, Serialize};
+
 use crate::expr::{CoordinateId, Expr, FirstOrderId, ParameterId, Symbol};
 use crate::mechanics::lagrange::EquationsOfMotion;
 use machinist_model::{Reduction, What};
 
 /// A graph of needs.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Dependencies {
     /// The nodes, column by column.
     pub nodes: Vec<Node>,
@@ -18,7 +20,7 @@ pub struct Dependencies {
 }
 
 /// Columns of the graph, from what is wanted to what is given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Column {
     /// A wanted output.
     Output,
@@ -31,7 +33,7 @@ pub enum Column {
 }
 
 /// A node of the graph.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Node {
     /// Its column.
     pub column: Column,

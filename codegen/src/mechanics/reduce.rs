@@ -20,9 +20,10 @@ use crate::mechanics::lagrange::EquationsOfMotion;
 use crate::scene::system::LagrangianSystem;
 pub use frozen::FreezeError;
 use machinist_model::Reduction;
+use serde::{Deserialize, Serialize};
 
 /// How much of a scene is kept. Each leaves out all that the one before it does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize)]
 pub enum Keep {
     /// Everything.
     All,

@@ -4,8 +4,6 @@ use machinist_contract::Simulator;
 use machinist_contract::taylor::value as series_value;
 use machinist_scenes::scenes;
 
-use super::step;
-
 const UNTIL: f64 = 1.0;
 
 /// State after so many steps by series of an order.

@@ -1,6 +1,5 @@
 //! The command line as its users meet it: what it prints and where, what it
 //! writes, and its exit codes.
-#![cfg(feature = "cli")]
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +10,11 @@ const SAW_GIN: &str = "specs/scenes/saw_gin.toml";
 /// The program in the folder of the repository, without colours.
 fn machinist(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
-    command.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).env("NO_COLOR", "1");
+    command
+        .args(arguments)
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+        .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"))
+        .env("NO_COLOR", "1");
     command
 }
 
@@ -64,7 +67,7 @@ fn read_csv(text: &str) -> (Vec<String>, Vec<Vec<f64>>) {
 fn copy_specs(to: &Path) {
     for folder in ["units", "scenes"] {
         fs::create_dir_all(to.join(folder)).expect("a folder");
-        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs").join(folder);
+        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs").join(folder);
         for entry in fs::read_dir(from).expect("specs") {
             let path = entry.expect("a file").path();
             if path.is_file() {
@@ -493,7 +496,7 @@ fn explain_as_json(scene: &str) -> serde_json::Value {
 
 #[test]
 fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code() {
-    let files = names_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/scenes"));
+    let files = names_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes"));
     let is_scene =
         |file: &&String| Path::new(file).extension().is_some_and(|ending| ending == "toml");
     let files: Vec<&String> = files.iter().filter(is_scene).collect();
@@ -504,7 +507,8 @@ fn explain_works_for_every_scene_file_and_its_sums_are_those_of_the_emitted_code
         let size =
             &json["stages"].as_array().and_then(|stages| stages.last()).expect("a stage")["size"];
         let emitted = format!("generated/src/scenes/{scene}.rs");
-        let emitted = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(emitted));
+        let emitted =
+            fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(emitted));
         let lines = emitted.expect("an emitted file").lines().count();
         assert_eq!(size["lines"], lines, "{scene}");
         let Some(built_in) = machinist_scenes::scenes::find::<f64>(scene) else {

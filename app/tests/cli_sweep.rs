@@ -1,5 +1,4 @@
 //! `machinist sweep` as its users meet it: tables, refusals, variants that stop.
-#![cfg(feature = "cli")]
 
 use std::process::{Command, Output};
 
@@ -8,7 +7,11 @@ use machinist_scenes::scenes::two_mass::TwoMass;
 
 fn sweep(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
-    command.arg("sweep").args(arguments).current_dir(env!("CARGO_MANIFEST_DIR"));
+    command
+        .arg("sweep")
+        .args(arguments)
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+        .env("MACHINIST_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"));
     command.env("NO_COLOR", "1").output().expect("the program starts")
 }
 

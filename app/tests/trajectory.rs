@@ -1,6 +1,6 @@
 //! What a trajectory writes and draws.
-#![cfg(feature = "diffsol")]
 
+#[path = "../../tests/common/mod.rs"]
 mod common;
 
 use common::Oscillator;
@@ -47,9 +47,8 @@ fn json_holds_what_the_trajectory_holds() {
     assert!(json["energy_balance"]["residual"][300].is_number());
 }
 
-#[cfg(feature = "plot")]
 mod plots {
-    use crate::plot::{PlotError, plot};
+    use machinist_app::plot::{PlotError, plot};
 
     use super::run;
 

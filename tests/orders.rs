@@ -1,11 +1,8 @@
 //! Measured orders of convergence: one row a method.
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
-
-use super::System;
-use super::fixed::{FIXED, Fixed};
-use common::HardSpring;
+use crate::common::HardSpring;
+use machinist::method::System;
+use machinist::method::fixed::{FIXED, Fixed};
 use machinist_contract::Simulator;
 use machinist_studies::stability::machines::ByHand;
 

@@ -1,10 +1,9 @@
 //! What is left out of a scene changes nothing that is asked of it.
-#![cfg(feature = "cli")]
 
 use std::path::{Path, PathBuf};
 
-use crate::object::object;
 use machinist::{Method, Simulation, Trajectory};
+use machinist_app::object::object;
 use machinist_codegen::emit::EmitOptions;
 use machinist_codegen::emit::rust::emit;
 use machinist_codegen::lower::structure::Structure;
@@ -46,7 +45,7 @@ fn program(path: &Path, keep: Keep) -> Model {
 }
 
 fn scenes() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/scenes");
     let entries = std::fs::read_dir(folder).expect("the folder of scenes");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
     paths.retain(|path| path.extension().is_some_and(|ending| ending == "toml"));
@@ -55,7 +54,7 @@ fn scenes() -> Vec<PathBuf> {
 }
 
 fn scene(name: &str) -> Model {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("specs/scenes/{name}.toml"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../specs/scenes/{name}.toml"));
     program(&path, Keep::Needed)
 }
 
@@ -90,7 +89,7 @@ fn distance(needed: &Model, all: &Model, until: Option<f64>) -> f64 {
     let mut largest: f64 = 0.0;
     assert!(!all.wanted.is_empty());
     for output in &all.wanted {
-        let name = &output.quantity.name.path;
+        let name = &output.name.path;
         let column = |run: &Trajectory| run.column(name).expect("the output").to_vec();
         let (ours, theirs) = (column(&needed_run), column(&all_run));
         let size = theirs.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
@@ -156,9 +155,10 @@ fn assert_derivative(
 
 /// Whether runs of both are the same to the last bit, for all that they evaluate is.
 fn computes_the_same(one: &Model, other: &Model) -> bool {
-    one.layout == other.layout
-        && one.system.parameters == other.system.parameters
-        && one.system.tables == other.system.tables
+    one.states == other.states
+        && one.quadratures == other.quadratures
+        && one.parameters == other.parameters
+        && one.tables == other.tables
         && one.initial_state == other.initial_state
         && one.discontinuities == other.discontinuities
         && one.rate == other.rate
@@ -184,7 +184,7 @@ fn every_scene_gives_the_outputs_of_its_unreduced_twin() {
 #[test]
 fn the_motor_alone_has_no_angle() {
     let motor = scene("motor_run_up");
-    assert_eq!(motor.layout.len(), 5);
+    assert_eq!(motor.states.len(), 5);
     assert_eq!(left_out(&motor, What::State, Why::Cyclic), ["motor.phi"]);
     assert_sound(&motor);
 }
@@ -192,10 +192,10 @@ fn the_motor_alone_has_no_angle() {
 #[test]
 fn the_saw_gin_has_a_twist_in_place_of_two_angles() {
     let gin = scene("saw_gin");
-    assert_eq!(gin.layout.len(), 7);
+    assert_eq!(gin.states.len(), 7);
     assert_eq!(states(&gin)[..3], ["coupling.twist", "motor.omega", "cylinder.omega"]);
     assert_eq!(left_out(&gin, What::State, Why::Cyclic), ["cylinder.phi"]);
-    assert_eq!((gin.layout.positions(), gin.layout.quadratures), (1, 0));
+    assert_eq!((gin.positions(), gin.quadratures), (1, 0));
     assert_sound(&gin);
 }
 
@@ -361,7 +361,7 @@ twist = "first.twist"
 fn a_chain_with_ratios_has_one_position_less() {
     let spec = Spec::new(CHAIN);
     let needed = spec.needed();
-    assert_eq!((needed.states.len(), needed.layout.positions()), (5, 2));
+    assert_eq!((needed.states.len(), needed.positions()), (5, 2));
     distance(&needed, &spec.program(Keep::All), None);
     assert_sound(&needed);
 }
@@ -381,7 +381,7 @@ fn two_chains_apart_lose_a_position_each_and_both_angles_come_back() {
         );
     let spec = Spec::new(&format!("{other}other = \"f.torque\"\n"));
     let needed = spec.needed();
-    assert_eq!((needed.states.len(), needed.layout.positions()), (8, 3));
+    assert_eq!((needed.states.len(), needed.positions()), (8, 3));
     distance(&needed, &spec.program(Keep::All), Some(1.0));
     assert_sound(&needed);
     let spec = Spec::new(&format!(
@@ -521,7 +521,7 @@ fn functions_and_conditions_of_absolute_positions_keep_them() {
         "-2 [N m]*(a.phi - b.phi)*sign(a.phi)",
         "-2 [N m]*(a.phi - 0.5*b.phi)/(1 + (a.phi - b.phi)^2)",
     ] {
-        assert_eq!(pair(force).needed().layout.len(), 4, "{force}");
+        assert_eq!(pair(force).needed().states.len(), 4, "{force}");
     }
 }
 
@@ -595,7 +595,7 @@ fn fixed_parameters_become_numbers_and_zeros_take_their_terms_with_them() {
     distance(&needed, &all, None);
     assert_sound(&needed);
     let spec = Spec::new(&format!("{undamped}\n[tunable]\nparameters = []\n"));
-    assert!(spec.needed().system.parameters.is_empty());
+    assert!(spec.needed().parameters.is_empty());
     distance(&spec.needed(), &all, None);
 }
 
@@ -617,7 +617,7 @@ fn a_fixed_parameter_that_would_divide_by_zero_stays() {
 #[test]
 fn a_scene_without_outputs_keeps_its_states() {
     let text = CHAIN.split("[outputs]").next().expect("the rest");
-    assert_eq!(Spec::new(text).needed().layout.len(), 6);
+    assert_eq!(Spec::new(text).needed().states.len(), 6);
 }
 
 fn frozen(outputs: &str, tolerance: &str) -> Spec {

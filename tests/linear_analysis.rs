@@ -6,16 +6,27 @@ use machinist_scenes::scenes::saw_gin::SawGin;
 use machinist_scenes::scenes::two_mass::TwoMass;
 use num_complex::Complex64;
 
-use super::*;
-use crate::Simulation;
-use crate::complex_step;
+use machinist::Simulation;
+use machinist::complex_step;
+use machinist::linear_analysis::{
+    LinearError, Linearization, Mode, ModeKind, Place, Point, SecondOrder, logarithmic_range,
+    operating_point,
+};
+use machinist_contract::Simulator;
 use machinist_studies::closed_form::induction_motor::MOTOR_4A280M8;
 use machinist_studies::closed_form::two_mass::SAW_GIN;
+use nalgebra::DMatrix;
 
 /// Two masses under torques that are in balance.
 fn two_mass() -> Simulation<'static> {
     let run = Simulation::new(&TwoMass).parameter("drive_torque", 843.72);
     run.expect("the scene has it")
+}
+
+fn rate(simulator: &dyn Simulator<f64>, point: &Point) -> Vec<f64> {
+    let mut rate = vec![0.0; point.state.len()];
+    simulator.rate(point.time, &point.state, &point.parameters, &mut rate);
+    rate
 }
 
 fn at_equilibrium<'a>(run: &Simulation<'a>) -> Linearization<'a> {

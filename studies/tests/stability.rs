@@ -1,5 +1,4 @@
 //! Extreme cases: `auto` is never wrong, no method hangs, and what is right is known.
-#![cfg(feature = "verify")]
 
 use machinist::{Method, SimulateError};
 use machinist_studies::stability::{

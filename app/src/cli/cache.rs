@@ -1,0 +1,34 @@
+//! `machinist cache`: what is remembered of scenes that were derived.
+
+use clap::Args;
+
+use super::output::print;
+use crate::deriving::Cache;
+use crate::failure::Failure;
+
+#[derive(Debug, Args)]
+pub struct CacheCommand {
+    /// Forget everything
+    #[arg(long)]
+    clear: bool,
+}
+
+impl CacheCommand {
+    #[allow(clippy::unnecessary_wraps, reason = "commands are alike")]
+    pub fn execute(&self) -> Result<(), Failure> {
+        let cache = Cache::of_user();
+        let Some(folder) = cache.folder() else {
+            return print("there is no cache: nothing is remembered\n");
+        };
+        let folder = folder.display();
+        if self.clear {
+            let gone = cache.keep_within(0);
+            return print(&format!(
+                "{folder}: forgot {} entries, {} bytes\n",
+                gone.entries, gone.bytes
+            ));
+        }
+        let size = cache.size();
+        print(&format!("{folder}: {} entries, {} bytes\n", size.entries, size.bytes))
+    }
+}

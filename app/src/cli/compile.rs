@@ -1,0 +1,50 @@
+//! `machinist compile`: a scene to a model file, which needs neither its spec nor what
+//! derived it.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_model::file;
+
+use super::output::{print, require_ending, write_file};
+use super::scene::{Given, MODEL_ENDING};
+use crate::deriving::{self, Request};
+use crate::failure::Failure;
+use crate::freeze::admit;
+
+#[derive(Debug, Args)]
+pub struct Compile {
+    /// Name or file of the scene
+    scene: String,
+    /// The file to write, which ends in .model
+    #[arg(short, long, value_name = "FILE")]
+    out: PathBuf,
+    /// Leave nothing out, whether the outputs need it or not
+    #[arg(long)]
+    keep_all: bool,
+}
+
+impl Compile {
+    pub fn execute(&self) -> Result<(), Failure> {
+        require_ending(&self.out, &[MODEL_ENDING], "--out")?;
+        let keep = if self.keep_all { Keep::All } else { Keep::Needed };
+        let stamped = match Given::of(&self.scene)? {
+            Given::Spec(path) => {
+                let stamped = deriving::stamped(&Request::model(&path, keep))?;
+                if !self.keep_all {
+                    admit(&path, &stamped.model)?;
+                }
+                stamped
+            }
+            Given::Model(_) => {
+                let message = format!("{} is a model already", self.scene);
+                return Err(Failure::input(message, "copy it, or give the spec of a scene"));
+            }
+        };
+        let bytes = file::write(&stamped);
+        write_file(&self.out, |out| out.write_all(&bytes))?;
+        let (name, out) = (&stamped.model.name, self.out.display());
+        print(&format!("wrote {out}: {name}, {} bytes\n", bytes.len()))
+    }
+}

@@ -1,0 +1,181 @@
+//! What is derived of a scene: remembered, or derived in a process that ends at once.
+//!
+//! Symbolica may run in one process of a machine at a time, and keeps what it holds until
+//! that process ends. So this process never derives: it reads the spec, looks for what was
+//! derived of it before, and only then has a child of its own derive it.
+
+mod cache;
+mod child;
+
+use std::path::{Path, PathBuf};
+
+use machinist_codegen::mechanics::reduce::Keep;
+use machinist_codegen::pipeline::{self, Derivation};
+use machinist_codegen::spec::diagnostic::Diagnostics;
+use machinist_model::Model;
+use machinist_model::file::Stamped;
+use serde::{Deserialize, Serialize};
+
+use crate::failure::Failure;
+use crate::progress::during;
+pub use cache::{Cache, turn_off as turn_off_cache};
+pub use child::{COMMAND, answer_parent};
+
+/// What is to be derived of a scene file.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Request {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// How much of it is kept.
+    pub keep: Keep,
+    /// Instances to be taken for rigid instead of those that the scene names.
+    pub rigid: Option<Vec<String>>,
+    /// Only a model, or everything.
+    pub wanted: Wanted,
+}
+
+/// How much is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Wanted {
+    /// A model.
+    Model,
+    /// A model, or why there is none.
+    ModelIfPossible,
+    /// Models step by step, and equations for people.
+    Everything,
+}
+
+/// What was derived.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+enum Derived {
+    Model(Box<Stamped>),
+    /// There is no such model, for a reason.
+    Impossible(String),
+    Everything(Box<Derivation>),
+}
+
+impl Request {
+    /// A request for the model of a scene.
+    pub fn model(scene: &Path, keep: Keep) -> Self {
+        Self { scene: scene.to_owned(), keep, rigid: None, wanted: Wanted::Model }
+    }
+
+    /// The system of the scene file, as asked for.
+    fn system(&self) -> Result<machinist_codegen::scene::system::LagrangianSystem, Diagnostics> {
+        let mut system = pipeline::check(&self.scene)?;
+        if let Some(rigid) = &self.rigid {
+            system.freeze.rigid.clone_from(rigid);
+        }
+        Ok(system)
+    }
+}
+
+/// The model of a scene file.
+pub fn model(scene: &Path, keep: Keep) -> Result<Model, Failure> {
+    Ok(stamped(&Request::model(scene, keep))?.model)
+}
+
+/// The model of a request, with word of what made it.
+pub fn stamped(request: &Request) -> Result<Stamped, Failure> {
+    let mut derived = derive(std::slice::from_ref(request))?;
+    match derived.pop() {
+        Some(Derived::Model(stamped)) => Ok(*stamped),
+        _ => Err(child::broken("another thing than was asked for")),
+    }
+}
+
+/// A model for each request that can be fulfilled.
+pub fn possible(requests: &[Request]) -> Result<Vec<Option<Model>>, Failure> {
+    let derived = derive(requests)?.into_iter().map(|derived| match derived {
+        Derived::Model(stamped) => Ok(Some(stamped.model)),
+        Derived::Impossible(_) => Ok(None),
+        Derived::Everything(_) => Err(child::broken("more than was asked for")),
+    });
+    derived.collect()
+}
+
+/// The models of scene files.
+pub fn models(scenes: &[PathBuf], keep: Keep) -> Result<Vec<Model>, Failure> {
+    let requests: Vec<Request> = scenes.iter().map(|scene| Request::model(scene, keep)).collect();
+    let derived = derive(&requests)?.into_iter().map(|derived| match derived {
+        Derived::Model(stamped) => Ok(stamped.model),
+        _ => Err(child::broken("another thing than was asked for")),
+    });
+    derived.collect()
+}
+
+/// Everything that is derived of scene files.
+pub fn derivations(scenes: &[PathBuf], keep: Keep) -> Result<Vec<Derivation>, Failure> {
+    let request =
+        |scene: &PathBuf| Request { wanted: Wanted::Everything, ..Request::model(scene, keep) };
+    let requests: Vec<Request> = scenes.iter().map(request).collect();
+    let derived = derive(&requests)?.into_iter().map(|derived| match derived {
+        Derived::Everything(derivation) => Ok(*derivation),
+        _ => Err(child::broken("less than was asked for")),
+    });
+    derived.collect()
+}
+
+/// Everything that is derived of a scene file.
+pub fn derivation(scene: &Path, keep: Keep) -> Result<Derivation, Failure> {
+    let mut derivations = derivations(&[scene.to_owned()], keep)?;
+    derivations.pop().ok_or_else(|| child::broken("nothing"))
+}
+
+/// Answers requests, in their order: from the cache where it has them, by one child that
+/// derives all others.
+fn derive(requests: &[Request]) -> Result<Vec<Derived>, Failure> {
+    let cache = Cache::of_user();
+    let mut keys = Vec::with_capacity(requests.len());
+    let mut wrong = Vec::new();
+    for request in requests {
+        match request.system() {
+            Ok(system) => keys.push(cache::key(request, &system.files)),
+            Err(diagnostics) => wrong.push(diagnostics.into()),
+        }
+    }
+    if !wrong.is_empty() {
+        return Err(Failure::Input(wrong));
+    }
+    let mut derived: Vec<Option<Derived>> = keys.iter().map(|key| cache.get(key)).collect();
+    let missing: Vec<usize> = (0..requests.len()).filter(|at| derived[*at].is_none()).collect();
+    if !missing.is_empty() {
+        let asked: Vec<&Request> = missing.iter().map(|at| &requests[*at]).collect();
+        let answers = during("deriving", || child::ask(&asked))?;
+        for (at, answer) in missing.into_iter().zip(answers) {
+            // A file may have changed since it was looked at; what it is now is the answer,
+            // and belongs to another key.
+            if answer.files().is_some_and(|files| files == cache::hashes(&requests[at])) {
+                cache.put(&keys[at], &answer);
+            }
+            derived[at] = Some(answer);
+        }
+    }
+    derived.into_iter().map(|derived| derived.ok_or_else(|| child::broken("too little"))).collect()
+}
+
+impl Derived {
+    /// Hashes of the files it was derived from.
+    fn files(&self) -> Option<Vec<String>> {
+        let model = match self {
+            Derived::Model(stamped) => &stamped.model,
+            Derived::Everything(derivation) => &derivation.stages.whole,
+            Derived::Impossible(_) => return None,
+        };
+        Some(model.files.iter().map(|file| file.sha256.clone()).collect())
+    }
+
+    /// Whether all its models keep the rules of models.
+    fn is_valid(&self) -> bool {
+        match self {
+            Derived::Model(stamped) => stamped.model.validate().is_ok(),
+            Derived::Impossible(_) => true,
+            Derived::Everything(derivation) => {
+                let steps = derivation.stages.steps.iter().map(|(_, model)| model);
+                std::iter::once(&derivation.stages.whole)
+                    .chain(steps)
+                    .all(|model| model.validate().is_ok())
+            }
+        }
+    }
+}

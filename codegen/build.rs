@@ -1,0 +1,43 @@
+//! The hash of the generator's own text, by which models know what made them.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest as _, Sha256};
+
+/// Whose text decides what models are.
+const FOLDERS: [&str; 2] = ["src", "../model/src"];
+
+fn main() -> io::Result<()> {
+    let mut files = Vec::new();
+    // A package that stands alone has no folder of the model's text; its version says the rest.
+    for folder in FOLDERS.iter().map(Path::new).filter(|folder| folder.is_dir()) {
+        println!("cargo:rerun-if-changed={}", folder.display());
+        collect(folder, &mut files)?;
+    }
+    files.sort();
+    let mut hasher = Sha256::new();
+    for file in files {
+        hasher.update(fs::read(file)?);
+    }
+    let mut text = String::new();
+    for byte in &hasher.finalize()[..8] {
+        let _ = write!(text, "{byte:02x}");
+    }
+    println!("cargo:rustc-env=MACHINIST_GENERATOR={text}");
+    Ok(())
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            collect(&path, files)?;
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            files.push(path);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,21 @@
+//! What users rely on, one module a subject; `cargo test --test suite events::` runs one.
+
+mod common;
+
+mod bench_scenes;
+mod bends;
+mod chains;
+mod complex_step;
+mod constraints;
+mod events;
+mod exact;
+mod fields;
+mod linear_analysis;
+mod methods;
+mod orders;
+mod prepared;
+mod simulate;
+mod sweep;
+mod taylor;
+mod unrolled;
+mod variable_mass;

@@ -131,7 +131,7 @@ impl TapeFunction {
             Some(ready) => ready,
             None => self.make_ready(tape(), read.tables, running, lanes),
         };
-        match &**ready {
+        match ready {
             #[cfg(feature = "compiled")]
             Ready::Compiled(compiled) => compiled.run(&read.regions(), results),
             Ready::Interpreted(evaluator) => {

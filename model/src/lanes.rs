@@ -12,7 +12,7 @@ use machinist_contract::Real;
 pub struct F64x2(pub [f64; 2]);
 
 /// What models are run on: one number, or several side by side.
-pub trait Lane: Real + sealed::Sealed {
+pub trait Lane: Real + Send + Sync + sealed::Sealed + 'static {
     /// How many.
     const COUNT: usize;
     /// The numbers, those of one place side by side.

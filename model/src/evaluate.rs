@@ -5,6 +5,7 @@
 
 use machinist_contract::{CubicTable, Real};
 
+use crate::room::with_room;
 use crate::{Function, NodeId, Op, Table, Tape, needed_nodes};
 
 /// What tapes read from outside.
@@ -24,13 +25,13 @@ pub struct Inputs<'a> {
     pub tables: &'a [Table],
 }
 
-/// A tape with room for its values: evaluating it allocates nothing.
+/// A tape that is run as it is: evaluating it allocates nothing, but for room that a
+/// thread's later evaluations reuse.
 #[derive(Debug, Clone)]
 pub struct Evaluator {
     /// The operations results need, each reading values before its own.
     operations: Vec<Op>,
     results: Vec<NodeId>,
-    values: Vec<f64>,
 }
 
 impl Evaluator {
@@ -46,8 +47,7 @@ impl Evaluator {
             }
         }
         let results = tape.results.iter().map(|id| moved[id.0 as usize]).collect();
-        let values = vec![0.0; operations.len()];
-        Self { operations, results, values }
+        Self { operations, results }
     }
 
     /// Number of results.
@@ -61,15 +61,17 @@ impl Evaluator {
     /// # Panics
     /// If `results` is not as long as the tape's results, or if `inputs` lack an entry
     /// that the tape reads.
-    pub fn evaluate(&mut self, inputs: &Inputs<'_>, results: &mut [f64]) {
-        for (index, op) in self.operations.iter().enumerate() {
-            let value = |id: NodeId| self.values[id.0 as usize];
-            self.values[index] = operate(*op, value, inputs);
-        }
-        assert_eq!(results.len(), self.results.len(), "one place for each result");
-        for (result, id) in results.iter_mut().zip(&self.results) {
-            *result = self.values[id.0 as usize];
-        }
+    pub fn evaluate(&self, inputs: &Inputs<'_>, results: &mut [f64]) {
+        with_room(self.operations.len(), |values| {
+            for (index, op) in self.operations.iter().enumerate() {
+                let value = |id: NodeId| values[id.0 as usize];
+                values[index] = operate(*op, value, inputs);
+            }
+            assert_eq!(results.len(), self.results.len(), "one place for each result");
+            for (result, id) in results.iter_mut().zip(&self.results) {
+                *result = values[id.0 as usize];
+            }
+        });
     }
 }
 

@@ -8,21 +8,30 @@
 //! Excluded: symbols to look up, expressions, any type of a computer algebra system,
 //! methods of integration.
 
+#[cfg(feature = "compiled")]
+pub mod compiled;
 pub mod evaluate;
 mod excitation;
 pub mod file;
 pub mod functions;
 pub mod hoist;
-pub mod interpreted;
+/// The name that simulators of models had before they were compiled.
+pub mod interpreted {
+    pub use crate::ModelSimulator as InterpretedSimulator;
+}
+mod lanes;
 mod model;
 mod names;
 mod prune;
 mod reduction;
+mod room;
 pub mod series;
+mod simulator;
 mod tape;
 mod validate;
 
 pub use excitation::Excitation;
+pub use lanes::{F64x2, Lane};
 pub use model::{
     Attachment, Constraint, Coordinate, Event, FieldModel, Freeze, LocalForces, MatrixTape, Model,
     Parameter, SparsityPattern, State, StateKind,
@@ -30,5 +39,6 @@ pub use model::{
 pub use names::{Direction, Name, Place, Quantity, RunDefaults, SourceFile, Table};
 pub use prune::{Dependence, needed_nodes, operations, reachable};
 pub use reduction::{LeftOut, Reduction, What, Why};
+pub use simulator::{ModelSimulator, Running};
 pub use tape::{Function, Node, NodeId, Op, OpKey, TableId, Tape};
 pub use validate::Malformed;

@@ -260,15 +260,23 @@ impl TaylorTape {
         }
     }
 
-    /// The sums in a node's k-th coefficient. None where a factor is linear in
-    /// time: there the sum is one product.
+    /// The sums in a node's k-th coefficient that are written as sums. None where a factor
+    /// is linear in time: there the sum is one product.
     #[must_use]
     pub fn convolutions(&self, id: NodeId) -> Vec<Convolution> {
-        let plain = |left, right| Convolution { left, weighted: false, right };
-        let weighted = |left, right| Convolution { left, weighted: true, right };
         match self[id].recurrence {
             Recurrence::Product(a, b) if self.is_line(a) || self.is_line(b) => vec![],
             Recurrence::Integral { argument, .. } if self.is_line(argument) => vec![],
+            _ => self.all_convolutions(id),
+        }
+    }
+
+    /// The sums in a node's k-th coefficient, whatever their factors are.
+    #[must_use]
+    pub fn all_convolutions(&self, id: NodeId) -> Vec<Convolution> {
+        let plain = |left, right| Convolution { left, weighted: false, right };
+        let weighted = |left, right| Convolution { left, weighted: true, right };
+        match self[id].recurrence {
             Recurrence::Product(a, b) | Recurrence::Tail(a, b) => vec![plain(a, b)],
             Recurrence::Quotient(_, b) => vec![plain(b, id)],
             Recurrence::Root(_) => vec![plain(id, id)],

@@ -1,71 +1,75 @@
 //! Fields of scenes run from their tapes.
 
-use std::cell::RefCell;
-
 use machinist_contract::field::{FieldAttachment, FieldDescription, FieldPoint, FieldScene};
 
-use super::InterpretedSimulator;
-use crate::evaluate::{Evaluator, Inputs};
-use crate::{FieldModel, Model};
+use super::{ModelSimulator, Read, TapeFunction};
+use crate::{FieldModel, Model, Tape};
 
 /// The point functions of one field.
 #[derive(Debug)]
-pub(super) struct InterpretedField {
+pub(super) struct PointFunctions {
     attachments: Vec<FieldAttachment>,
-    parameters: Vec<u32>,
-    inertia: RefCell<Evaluator>,
-    inertia_gradient: RefCell<Evaluator>,
-    force: RefCell<Evaluator>,
-    force_jacobian: RefCell<Evaluator>,
-    force_gradient: RefCell<Evaluator>,
-    energy: RefCell<Evaluator>,
-    power: RefCell<Evaluator>,
-    places: RefCell<Evaluator>,
-    places_gradient: RefCell<Evaluator>,
-    initial: RefCell<Evaluator>,
+    inertia: TapeFunction,
+    inertia_gradient: TapeFunction,
+    force: TapeFunction,
+    force_jacobian: TapeFunction,
+    force_gradient: TapeFunction,
+    energy: TapeFunction,
+    power: TapeFunction,
+    places: TapeFunction,
+    places_gradient: TapeFunction,
+    initial: TapeFunction,
 }
 
-impl InterpretedField {
+impl PointFunctions {
     pub(super) fn new(model: &Model, field: &FieldModel) -> Self {
-        let prepared = |tape| RefCell::new(Evaluator::new(tape));
         let own = model.parameters.len();
         Self {
             attachments: field.attachments.iter().map(|at| at.described(own)).collect(),
-            parameters: field.parameters.clone(),
-            inertia: prepared(&field.inertia),
-            inertia_gradient: prepared(&field.inertia_gradient),
-            force: prepared(&field.force),
-            force_jacobian: prepared(&field.force_jacobian),
-            force_gradient: prepared(&field.force_gradient),
-            energy: prepared(&field.energy),
-            power: prepared(&field.power),
-            places: prepared(&field.places),
-            places_gradient: prepared(&field.places_gradient),
-            initial: prepared(&field.initial),
+            inertia: TapeFunction::default(),
+            inertia_gradient: TapeFunction::default(),
+            force: TapeFunction::default(),
+            force_jacobian: TapeFunction::default(),
+            force_gradient: TapeFunction::default(),
+            energy: TapeFunction::default(),
+            power: TapeFunction::default(),
+            places: TapeFunction::default(),
+            places_gradient: TapeFunction::default(),
+            initial: TapeFunction::default(),
         }
     }
 }
 
-impl InterpretedSimulator {
+/// A function of a field with its tape.
+type OfField<'a> = (&'a TapeFunction, &'a Tape);
+
+impl ModelSimulator {
     fn at_point(
         &self,
-        evaluator: &RefCell<Evaluator>,
+        (function, tape): OfField<'_>,
         (time, x, point): (f64, f64, &FieldPoint<f64>),
         p: &[f64],
         results: &mut [f64],
     ) {
         let [value, slope, rate, slope_rate] = *point;
         let state = [value, slope, rate, slope_rate, x];
-        let inputs = Inputs { state: &state, ..self.inputs_without_state(time, p) };
-        evaluator.borrow_mut().evaluate(&inputs, results);
+        let read = Read { state: &state, ..self.read_without_state(&time, p) };
+        function.run((|| tape, self.running), 1, &read, results);
     }
 
-    fn at_place(&self, evaluator: &RefCell<Evaluator>, x: f64, p: &[f64], results: &mut [f64]) {
-        self.at_point(evaluator, (0.0, x, &[0.0; 4]), p, results);
+    fn at_place(&self, of_field: OfField<'_>, x: f64, p: &[f64], results: &mut [f64]) {
+        self.at_point(of_field, (0.0, x, &[0.0; 4]), p, results);
     }
 }
 
-impl FieldScene<f64> for InterpretedSimulator {
+/// A function of a field with its tape, by its name.
+macro_rules! of_field {
+    ($simulator:ident, $index:ident, $name:ident) => {
+        (&$simulator.fields[$index].$name, &$simulator.model.fields[$index].$name)
+    };
+}
+
+impl FieldScene<f64> for ModelSimulator {
     fn fields(&self) -> usize {
         self.fields.len()
     }
@@ -80,7 +84,7 @@ impl FieldScene<f64> for InterpretedSimulator {
             fixed: field.fixed,
             length: field.length,
             attachments: &self.fields[index].attachments,
-            parameters: &self.fields[index].parameters,
+            parameters: &field.parameters,
             elements: field.elements,
             order: field.order,
         }
@@ -96,11 +100,11 @@ impl FieldScene<f64> for InterpretedSimulator {
     }
     fn field_inertia(&self, index: usize, x: f64, p: &[f64]) -> f64 {
         let mut inertia = [0.0];
-        self.at_place(&self.fields[index].inertia, x, p, &mut inertia);
+        self.at_place(of_field!(self, index, inertia), x, p, &mut inertia);
         inertia[0]
     }
     fn field_inertia_gradient(&self, index: usize, x: f64, p: &[f64], gradient: &mut [f64]) {
-        self.at_place(&self.fields[index].inertia_gradient, x, p, gradient);
+        self.at_place(of_field!(self, index, inertia_gradient), x, p, gradient);
     }
     fn field_force(
         &self,
@@ -111,7 +115,7 @@ impl FieldScene<f64> for InterpretedSimulator {
         p: &[f64],
     ) -> [f64; 2] {
         let mut force = [0.0; 2];
-        self.at_point(&self.fields[index].force, (time, x, point), p, &mut force);
+        self.at_point(of_field!(self, index, force), (time, x, point), p, &mut force);
         force
     }
     fn field_force_jacobian(
@@ -123,7 +127,7 @@ impl FieldScene<f64> for InterpretedSimulator {
         p: &[f64],
     ) -> [f64; 8] {
         let mut jacobian = [0.0; 8];
-        self.at_point(&self.fields[index].force_jacobian, (time, x, point), p, &mut jacobian);
+        self.at_point(of_field!(self, index, force_jacobian), (time, x, point), p, &mut jacobian);
         jacobian
     }
     fn field_force_gradient(
@@ -135,7 +139,7 @@ impl FieldScene<f64> for InterpretedSimulator {
         p: &[f64],
         gradient: &mut [f64],
     ) {
-        self.at_point(&self.fields[index].force_gradient, (time, x, point), p, gradient);
+        self.at_point(of_field!(self, index, force_gradient), (time, x, point), p, gradient);
     }
     fn field_energy(
         &self,
@@ -146,7 +150,7 @@ impl FieldScene<f64> for InterpretedSimulator {
         p: &[f64],
     ) -> [f64; 2] {
         let mut energy = [0.0; 2];
-        self.at_point(&self.fields[index].energy, (time, x, point), p, &mut energy);
+        self.at_point(of_field!(self, index, energy), (time, x, point), p, &mut energy);
         energy
     }
     fn field_power(
@@ -158,18 +162,18 @@ impl FieldScene<f64> for InterpretedSimulator {
         p: &[f64],
     ) -> [f64; 3] {
         let mut power = [0.0; 3];
-        self.at_point(&self.fields[index].power, (time, x, point), p, &mut power);
+        self.at_point(of_field!(self, index, power), (time, x, point), p, &mut power);
         power
     }
     fn field_places(&self, index: usize, p: &[f64], places: &mut [f64]) {
-        self.at_place(&self.fields[index].places, 0.0, p, places);
+        self.at_place(of_field!(self, index, places), 0.0, p, places);
     }
     fn field_places_gradient(&self, index: usize, p: &[f64], gradient: &mut [f64]) {
-        self.at_place(&self.fields[index].places_gradient, 0.0, p, gradient);
+        self.at_place(of_field!(self, index, places_gradient), 0.0, p, gradient);
     }
     fn field_initial(&self, index: usize, x: f64, p: &[f64]) -> [f64; 2] {
         let mut initial = [0.0; 2];
-        self.at_place(&self.fields[index].initial, x, p, &mut initial);
+        self.at_place(of_field!(self, index, initial), x, p, &mut initial);
         initial
     }
 }

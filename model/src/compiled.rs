@@ -1,0 +1,74 @@
+//! Models as machine code, made in the process by Cranelift.
+//!
+//! ```text
+//! Tape, TaylorTape -> Straight -> Schedule -> functions of Cranelift -> machine code
+//! ```
+//!
+//! Every operation is done on the operands it has on the tape, rounded as it is there, and
+//! the contract's own functions are called: results are those of
+//! [`Evaluator`](crate::evaluate::Evaluator) and
+//! [`SeriesEvaluator`](crate::series::SeriesEvaluator) to the last bit (but for the bits of
+//! what is no number). One program may be compiled for one number at a time or for two
+//! side by side.
+//!
+//! Excluded: what depends on a model beyond its tapes; when to compile.
+
+mod native;
+mod schedule;
+mod series;
+mod straight;
+mod thunks;
+mod translate;
+
+use std::sync::Arc;
+
+use crate::evaluate::Inputs;
+use crate::{Table, Tape};
+
+pub use native::is_available;
+pub use series::CompiledSeries;
+
+pub(crate) use native::Regions;
+
+use native::Code;
+use straight::Straight;
+
+/// A tape as machine code: evaluating it allocates nothing, from any number of threads.
+#[derive(Debug)]
+pub struct CompiledTape {
+    code: Code,
+    results: usize,
+}
+
+impl CompiledTape {
+    /// Compiles a tape. `None` where the target has no backend, or the tape breaks the rules
+    /// of models.
+    #[must_use]
+    pub fn new(tape: &Tape, tables: &Arc<[Table]>) -> Option<Self> {
+        Self::with_lanes(tape, tables, 1)
+    }
+
+    pub(crate) fn with_lanes(tape: &Tape, tables: &Arc<[Table]>, lanes: usize) -> Option<Self> {
+        let straight = Straight::of_tape(tape, tables.len())?;
+        let code = Code::new(&straight, tables, lanes)?;
+        Some(Self { code, results: tape.results.len() * lanes })
+    }
+
+    /// Writes the tape's results.
+    ///
+    /// # Panics
+    /// If `results` is not as long as the tape's results, or if `inputs` lack an entry
+    /// that the tape reads.
+    #[inline(always)]
+    pub fn evaluate(&self, inputs: &Inputs<'_>, results: &mut [f64]) {
+        let Inputs { ref time, state, parameters, handed, constants, .. } = *inputs;
+        let time = std::slice::from_ref(time);
+        self.run(&Regions { time, state, parameters, handed, constants }, results);
+    }
+
+    #[inline(always)]
+    pub(crate) fn run(&self, read: &Regions<'_>, results: &mut [f64]) {
+        assert_eq!(results.len(), self.results, "one place for each result");
+        self.code.run(read, results);
+    }
+}

@@ -1,0 +1,252 @@
+//! Machine code of a program, and the only place that jumps to it.
+
+#![allow(unsafe_code, reason = "machine code made here is called here, with checked lengths")]
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::mem::MaybeUninit;
+use std::sync::{Arc, Mutex, OnceLock};
+
+use cranelift_codegen::ir::{AbiParam, types};
+use cranelift_codegen::isa::OwnedTargetIsa;
+use cranelift_codegen::settings::{self, Configurable as _};
+use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
+use cranelift_jit::{JITBuilder, JITModule};
+use cranelift_module::{Linkage, Module as _, default_libcall_names};
+
+use super::schedule::Schedule;
+use super::straight::{Region, Straight};
+use super::thunks::Thunk;
+use super::translate::{Translator, signature};
+use crate::Table;
+
+type Piece = unsafe extern "C" fn(
+    *const f64,
+    *const f64,
+    *const f64,
+    *const f64,
+    *const f64,
+    *mut f64,
+    *mut MaybeUninit<f64>,
+);
+
+/// Numbers of the room that are kept on the stack.
+const ON_STACK: usize = 256;
+
+/// What a program reads, region by region, of numbers whose lanes stand side by side.
+#[derive(Debug, Clone, Copy)]
+pub struct Regions<'a> {
+    /// Time.
+    pub time: &'a [f64],
+    /// The state.
+    pub state: &'a [f64],
+    /// Parameters.
+    pub parameters: &'a [f64],
+    /// What fields hand over.
+    pub handed: &'a [f64],
+    /// What was computed before.
+    pub constants: &'a [f64],
+}
+
+/// Machine code of a program.
+pub struct Code {
+    pieces: Vec<Piece>,
+    /// How long regions must be.
+    needs: [usize; Region::COUNT],
+    /// Numbers that are put aside.
+    room: usize,
+    /// Numbers of a row, where rows from the parameters to the state are walked through.
+    walks: Option<usize>,
+    /// What the code is part of, and the tables it points at: they live as long as it.
+    module: Mutex<Option<Box<JITModule>>>,
+    _tables: Arc<[Table]>,
+}
+
+impl std::fmt::Debug for Code {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Code").field("pieces", &self.pieces.len()).finish_non_exhaustive()
+    }
+}
+
+impl Drop for Code {
+    fn drop(&mut self) {
+        let module = self.module.get_mut().map_or(None, Option::take);
+        if let Some(module) = module {
+            // SAFETY: pieces are called through `Code` alone, which is no more.
+            unsafe { module.free_memory() };
+        }
+    }
+}
+
+/// Whether there is machine code on this target.
+#[must_use]
+pub fn is_available() -> bool {
+    isa().is_some()
+}
+
+/// This machine; none where there is no backend for it.
+fn isa() -> Option<&'static OwnedTargetIsa> {
+    static ISA: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
+    let made = || {
+        let mut flags = settings::builder();
+        let verifies = if cfg!(debug_assertions) { "true" } else { "false" };
+        let chosen = [
+            ("opt_level", "speed"),
+            ("enable_verifier", verifies),
+            ("use_colocated_libcalls", "false"),
+            ("is_pic", "false"),
+            ("unwind_info", "false"),
+            // Frames larger than a page of guards touch every page of theirs.
+            ("enable_probestack", "true"),
+            ("probestack_strategy", "inline"),
+        ];
+        for (name, value) in chosen {
+            flags.set(name, value).ok()?;
+        }
+        let isa = cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()?;
+        // Numbers are laid out as machine code of these expects them.
+        let is_known = cfg!(all(target_endian = "little", target_pointer_width = "64"));
+        is_known.then_some(isa)
+    };
+    ISA.get_or_init(made).as_ref()
+}
+
+impl Code {
+    /// Compiles a program for numbers of 1 or 2 lanes. `None` where it cannot be.
+    pub fn new(straight: &Straight, tables: &Arc<[Table]>, lanes: usize) -> Option<Self> {
+        let schedule = Schedule::new(straight, lanes);
+        let mut builder = JITBuilder::with_isa(isa()?.clone(), default_libcall_names());
+        let mut thunks = HashMap::new();
+        for thunk in Thunk::all() {
+            builder.symbol(thunk.name(), thunk.address());
+        }
+        let mut module = JITModule::new(builder);
+        let pointer = module.target_config().pointer_type();
+        let translator = Translator { straight, schedule: &schedule, lanes, tables };
+        let mut context = module.make_context();
+        let mut of_builders = FunctionBuilderContext::new();
+        let mut ids = Vec::new();
+        for index in 0..schedule.pieces.len() {
+            context.func.signature = signature(module.make_signature(), pointer);
+            let name = format!("piece_{index}");
+            let id =
+                module.declare_function(&name, Linkage::Local, &context.func.signature).ok()?;
+            let mut used = HashMap::new();
+            let mut function = |thunk: Thunk, of: &mut cranelift_codegen::ir::Function| {
+                let id = *thunks.entry(thunk).or_insert_with(|| {
+                    let mut signature = module.make_signature();
+                    let (parameters, result) = thunk.signature(pointer);
+                    signature.params.extend(parameters.into_iter().map(AbiParam::new));
+                    signature.returns.extend(result.then(|| AbiParam::new(types::F64)));
+                    module
+                        .declare_function(&thunk.name(), Linkage::Import, &signature)
+                        .expect("every function is declared once")
+                });
+                *used.entry(thunk).or_insert_with(|| module.declare_func_in_func(id, of))
+            };
+            let mut builder = FunctionBuilder::new(&mut context.func, &mut of_builders);
+            translator.translate(index, &mut builder, pointer, &mut function);
+            builder.finalize();
+            module.define_function(id, &mut context).ok()?;
+            module.clear_context(&mut context);
+            ids.push(id);
+        }
+        module.finalize_definitions().ok()?;
+        let address = |id| {
+            let address = module.get_finalized_function(id);
+            // SAFETY: the function has been made with this signature, for the calling
+            // convention of the target.
+            unsafe { std::mem::transmute::<*const u8, Piece>(address) }
+        };
+        Some(Self {
+            pieces: ids.into_iter().map(address).collect(),
+            needs: straight.needs().map(|need| need * lanes),
+            room: schedule.room * lanes,
+            walks: straight.middles.map(|middles| middles.row * lanes),
+            module: Mutex::new(Some(Box::new(module))),
+            _tables: tables.clone(),
+        })
+    }
+
+    /// Runs the program.
+    ///
+    /// # Panics
+    /// If a region is shorter than what the program reads or writes of it.
+    #[inline(always)]
+    pub fn run(&self, read: &Regions<'_>, results: &mut [f64]) {
+        let Regions { time, state, parameters, handed, constants } = *read;
+        let [of_time, of_state, of_parameters, of_handed, of_constants, of_results] = self.needs;
+        let is_there = time.len() >= of_time
+            && state.len() >= of_state
+            && parameters.len() >= of_parameters
+            && handed.len() >= of_handed
+            && constants.len() >= of_constants
+            && results.len() >= of_results
+            && self.walks.is_none_or(|row| is_walk(parameters, state, row));
+        if !is_there {
+            self.refuse(read, results.len());
+        }
+        if self.room <= ON_STACK {
+            let mut room = [const { MaybeUninit::uninit() }; ON_STACK];
+            self.call(read, results, &mut room);
+        } else {
+            self.run_in_much_room(read, results);
+        }
+    }
+
+    #[inline(never)]
+    fn run_in_much_room(&self, read: &Regions<'_>, results: &mut [f64]) {
+        ROOM.with_borrow_mut(|room| {
+            if room.len() < self.room {
+                room.resize(self.room, MaybeUninit::uninit());
+            }
+            self.call(read, results, room);
+        });
+    }
+
+    #[cold]
+    fn refuse(&self, read: &Regions<'_>, results: usize) -> ! {
+        let Regions { time, state, parameters, handed, constants } = *read;
+        let [time, state, parameters, handed, constants] =
+            [time, state, parameters, handed, constants].map(<[f64]>::len);
+        let lengths = [time, state, parameters, handed, constants, results];
+        panic!("there are {lengths:?} numbers of {:?} that are read and written", self.needs);
+    }
+
+    #[inline(always)]
+    fn call(&self, read: &Regions<'_>, results: &mut [f64], room: &mut [MaybeUninit<f64>]) {
+        let Regions { time, state, parameters, handed, constants } = *read;
+        for piece in &self.pieces {
+            // SAFETY: the code reads and writes no entry beyond `needs` and `room`, which
+            // the caller has compared with the lengths, nor, if it walks, beyond the rows
+            // from the parameters to the state, which are all among the parameters; it
+            // reads of the room only what it has written; what is written overlaps nothing
+            // that is read before it is.
+            unsafe {
+                piece(
+                    time.as_ptr(),
+                    state.as_ptr(),
+                    parameters.as_ptr(),
+                    handed.as_ptr(),
+                    constants.as_ptr(),
+                    results.as_mut_ptr(),
+                    room.as_mut_ptr(),
+                );
+            }
+        }
+    }
+}
+
+/// Whether the state is a row among the parameters: rows that are walked through from
+/// behind the first one up to it, and as many down from before it, are too.
+#[inline(always)]
+fn is_walk(parameters: &[f64], state: &[f64], row: usize) -> bool {
+    let distance = state.as_ptr().addr().wrapping_sub(parameters.as_ptr().addr());
+    let (row, all) = (row * size_of::<f64>(), size_of_val(parameters));
+    distance < all && all - distance >= row
+}
+
+thread_local! {
+    /// Room of long programs, which grows to what the longest one asks for.
+    static ROOM: RefCell<Vec<MaybeUninit<f64>>> = const { RefCell::new(Vec::new()) };
+}

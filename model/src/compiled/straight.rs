@@ -1,0 +1,286 @@
+//! Straight-line programs as machine code is made from: what is read from where, what is
+//! computed, what is written where to.
+//!
+//! Excluded: integer powers (they are products), operations that nothing needs, names.
+
+use std::collections::HashMap;
+
+use crate::{Function, NodeId, Op, TableId, Tape, needed_nodes};
+
+/// Index of a step in its program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct StepId(pub u32);
+
+/// Numbers that lie behind one pointer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Region {
+    /// Time; of series the numbers of an order.
+    Time,
+    /// The state; of series its coefficients of an order.
+    State,
+    /// Parameters.
+    Parameters,
+    /// What fields hand over.
+    Handed,
+    /// What was computed before.
+    Constants,
+    /// What is computed: the only one that is written.
+    Results,
+}
+
+impl Region {
+    /// How many there are.
+    pub const COUNT: usize = 6;
+}
+
+/// One operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Step {
+    /// A literal.
+    Literal(f64),
+    /// The entry of a region.
+    Read(Region, u32),
+    /// -a.
+    Neg(StepId),
+    /// a + b.
+    Add(StepId, StepId),
+    /// a - b.
+    Sub(StepId, StepId),
+    /// a b.
+    Mul(StepId, StepId),
+    /// a / b.
+    Div(StepId, StepId),
+    /// Real power.
+    Powf(StepId, StepId),
+    /// A function of one argument.
+    Call(Function, StepId),
+    /// Where the first is less than the second the third, else the fourth.
+    SelectLess([StepId; 4]),
+    /// Cubic table or its derivative.
+    Table(TableId, u32, StepId),
+}
+
+impl Step {
+    /// The steps it reads.
+    pub fn operands(&self) -> impl Iterator<Item = StepId> + use<> {
+        let none = [None; 4];
+        let all = match *self {
+            Step::Literal(_) | Step::Read(..) => none,
+            Step::Neg(a) | Step::Call(_, a) | Step::Table(_, _, a) => [Some(a), None, None, None],
+            Step::Add(a, b)
+            | Step::Sub(a, b)
+            | Step::Mul(a, b)
+            | Step::Div(a, b)
+            | Step::Powf(a, b) => [Some(a), Some(b), None, None],
+            Step::SelectLess(all) => all.map(Some),
+        };
+        all.into_iter().flatten()
+    }
+
+    /// The same on other steps.
+    fn with_operands(self, to: impl Fn(StepId) -> StepId) -> Self {
+        match self {
+            Step::Literal(_) | Step::Read(..) => self,
+            Step::Neg(a) => Step::Neg(to(a)),
+            Step::Add(a, b) => Step::Add(to(a), to(b)),
+            Step::Sub(a, b) => Step::Sub(to(a), to(b)),
+            Step::Mul(a, b) => Step::Mul(to(a), to(b)),
+            Step::Div(a, b) => Step::Div(to(a), to(b)),
+            Step::Powf(a, b) => Step::Powf(to(a), to(b)),
+            Step::Call(function, a) => Step::Call(function, to(a)),
+            Step::SelectLess(all) => Step::SelectLess(all.map(to)),
+            Step::Table(table, order, a) => Step::Table(table, order, to(a)),
+        }
+    }
+
+    /// Whether it stands for nothing but a number in memory.
+    pub fn is_leaf(&self) -> bool {
+        matches!(self, Step::Literal(_) | Step::Read(..))
+    }
+
+    /// Whether a function outside is called for it.
+    pub fn is_call(&self) -> bool {
+        match self {
+            Step::Call(function, _) => !matches!(function, Function::Sqrt | Function::Abs),
+            Step::Powf(..) | Step::Table(..) => true,
+            _ => false,
+        }
+    }
+
+    fn key(&self) -> (u8, [u64; 4]) {
+        let n = |id: StepId| u64::from(id.0);
+        match *self {
+            Step::Literal(value) => (0, [value.to_bits(), 0, 0, 0]),
+            Step::Read(region, entry) => (1, [region as u64, u64::from(entry), 0, 0]),
+            Step::Neg(a) => (2, [n(a), 0, 0, 0]),
+            Step::Add(a, b) => (3, [n(a), n(b), 0, 0]),
+            Step::Sub(a, b) => (4, [n(a), n(b), 0, 0]),
+            Step::Mul(a, b) => (5, [n(a), n(b), 0, 0]),
+            Step::Div(a, b) => (6, [n(a), n(b), 0, 0]),
+            Step::Powf(a, b) => (7, [n(a), n(b), 0, 0]),
+            Step::Call(function, a) => (8, [function as u64, n(a), 0, 0]),
+            Step::SelectLess(all) => (9, all.map(n)),
+            Step::Table(table, order, a) => (10, [u64::from(table.0), u64::from(order), n(a), 0]),
+        }
+    }
+}
+
+/// Sums of products that are formed before the steps, for series:
+/// `sum of left_j right_(k-j)`, j from two to k - 2, in every lane side by side.
+///
+/// Rows of factors stand one after the other, that of order one first among the parameters,
+/// that of order k - 1 first of the state. Sums are put into the results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Middles {
+    /// How many sums.
+    pub count: usize,
+    /// Where left factors and right factors begin in a row, and where sums are put.
+    pub left: usize,
+    /// Likewise.
+    pub right: usize,
+    /// Likewise.
+    pub sums: usize,
+    /// Numbers of a row.
+    pub row: usize,
+}
+
+/// Steps in an order of evaluation, and what is written.
+#[derive(Debug, Clone, Default)]
+pub struct Straight {
+    /// Each reads steps before its own.
+    pub steps: Vec<Step>,
+    /// Entries of the results.
+    pub writes: Vec<(u32, StepId)>,
+    /// What is formed first.
+    pub middles: Option<Middles>,
+    known: HashMap<(u8, [u64; 4]), StepId>,
+}
+
+impl Straight {
+    /// The step that computes this, written once.
+    pub fn push(&mut self, step: Step) -> StepId {
+        let next = StepId(self.steps.len() as u32);
+        let id = *self.known.entry(step.key()).or_insert(next);
+        if id == next {
+            self.steps.push(step);
+        }
+        id
+    }
+
+    /// A literal.
+    pub fn literal(&mut self, value: f64) -> StepId {
+        self.push(Step::Literal(value))
+    }
+
+    /// What a step computes.
+    pub fn step(&self, id: StepId) -> Step {
+        self.steps[id.0 as usize]
+    }
+
+    /// An operation of a tape whose operands are known. `None` for a table that is not
+    /// there.
+    pub fn operation(
+        &mut self,
+        op: Op,
+        of: impl Fn(NodeId) -> Option<StepId>,
+        tables: usize,
+    ) -> Option<StepId> {
+        let step = match op {
+            Op::Literal(value) => Step::Literal(value),
+            Op::Time => Step::Read(Region::Time, 0),
+            Op::State(entry) => Step::Read(Region::State, entry),
+            Op::Parameter(entry) => Step::Read(Region::Parameters, entry),
+            Op::Handed(entry) => Step::Read(Region::Handed, entry),
+            Op::Constant(entry) => Step::Read(Region::Constants, entry),
+            Op::Neg(a) => Step::Neg(of(a)?),
+            Op::Add(a, b) => Step::Add(of(a)?, of(b)?),
+            Op::Sub(a, b) => Step::Sub(of(a)?, of(b)?),
+            Op::Mul(a, b) => Step::Mul(of(a)?, of(b)?),
+            Op::Div(a, b) => Step::Div(of(a)?, of(b)?),
+            Op::Powf(a, b) => Step::Powf(of(a)?, of(b)?),
+            Op::Powi(base, exponent) => return Some(self.integer_power(of(base)?, exponent)),
+            Op::Call(function, a) => Step::Call(function, of(a)?),
+            Op::SelectLess { lhs, rhs, then, otherwise } => {
+                Step::SelectLess([of(lhs)?, of(rhs)?, of(then)?, of(otherwise)?])
+            }
+            Op::Table { table, .. } if table.0 as usize >= tables => return None,
+            Op::Table { table, order, argument } => Step::Table(table, order, of(argument)?),
+        };
+        Some(self.push(step))
+    }
+
+    /// By repeated squaring, as the contract does it; the product with one that it begins
+    /// with changes nothing.
+    fn integer_power(&mut self, base: StepId, exponent: i32) -> StepId {
+        let (mut power, mut square) = (None, base);
+        let mut left = exponent.unsigned_abs();
+        while left > 0 {
+            if left & 1 == 1 {
+                power = Some(power.map_or(square, |power| self.push(Step::Mul(power, square))));
+            }
+            left >>= 1;
+            if left > 0 {
+                square = self.push(Step::Mul(square, square));
+            }
+        }
+        let one = self.literal(1.0);
+        let power = power.unwrap_or(one);
+        if exponent < 0 { self.push(Step::Div(one, power)) } else { power }
+    }
+
+    /// What a tape computes, its results one after the other. `None` for a tape that breaks
+    /// the rules of models.
+    pub fn of_tape(tape: &Tape, tables: usize) -> Option<Self> {
+        let mut straight = Self::default();
+        let mut places: Vec<Option<StepId>> = Vec::with_capacity(tape.nodes.len());
+        for (node, needed) in tape.nodes.iter().zip(needed_nodes(tape)) {
+            let of = |id: NodeId| places.get(id.0 as usize).copied().flatten();
+            let place = if needed { Some(straight.operation(node.op, of, tables)?) } else { None };
+            places.push(place);
+        }
+        for (entry, id) in tape.results.iter().enumerate() {
+            straight.writes.push((entry as u32, places.get(id.0 as usize).copied().flatten()?));
+        }
+        Some(straight.pruned())
+    }
+
+    /// The same without what no result needs.
+    pub fn pruned(&self) -> Self {
+        let mut needed = vec![false; self.steps.len()];
+        self.writes.iter().for_each(|(_, id)| needed[id.0 as usize] = true);
+        for (index, step) in self.steps.iter().enumerate().rev() {
+            if needed[index] {
+                step.operands().for_each(|id| needed[id.0 as usize] = true);
+            }
+        }
+        let mut pruned = Self { middles: self.middles, ..Self::default() };
+        let mut places = vec![StepId(0); self.steps.len()];
+        for (index, step) in self.steps.iter().enumerate().filter(|(index, _)| needed[*index]) {
+            places[index] = pruned.push(step.with_operands(|id| places[id.0 as usize]));
+        }
+        pruned.writes =
+            self.writes.iter().map(|&(entry, id)| (entry, places[id.0 as usize])).collect();
+        pruned
+    }
+
+    /// How long each region must be.
+    pub fn needs(&self) -> [usize; Region::COUNT] {
+        let mut needs = [0; Region::COUNT];
+        let mut note = |region: Region, entry: u32| {
+            let need = &mut needs[region as usize];
+            *need = (*need).max(entry as usize + 1);
+        };
+        for step in &self.steps {
+            if let Step::Read(region, entry) = *step {
+                note(region, entry);
+            }
+        }
+        self.writes.iter().for_each(|&(entry, _)| note(Region::Results, entry));
+        if let Some(middles) = self.middles {
+            for region in [Region::State, Region::Parameters, Region::Results] {
+                note(region, middles.row as u32 - 1);
+            }
+        }
+        needs
+    }
+}

@@ -1,0 +1,131 @@
+//! The contract's own functions, as machine code calls them.
+
+#![allow(unsafe_code, reason = "results are written behind a pointer, as machine code asks")]
+
+use cranelift_codegen::ir::{Type, types};
+use machinist_contract::Real;
+
+use crate::evaluate::{call, interpolate};
+use crate::{Function, Table};
+
+/// A function that machine code calls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Thunk {
+    /// Of one number.
+    Function(Function),
+    /// Real power.
+    Powf,
+    /// Table, order of the derivative, argument.
+    Table,
+    /// Sine and cosine of one number; the latter is put four places behind.
+    SinCos,
+    /// Four sines, then four cosines.
+    SinCosOfFour,
+    /// Four hyperbolic tangents.
+    TanhOfFour,
+}
+
+impl Thunk {
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let others = [Self::Powf, Self::Table, Self::SinCos, Self::SinCosOfFour, Self::TanhOfFour];
+        Function::ALL.into_iter().map(|(function, _)| Self::Function(function)).chain(others)
+    }
+
+    /// Types of what it takes, and whether it gives a number back.
+    pub fn signature(self, pointer: Type) -> (Vec<Type>, bool) {
+        match self {
+            Self::Function(_) => (vec![types::F64], true),
+            Self::Powf => (vec![types::F64; 2], true),
+            Self::Table => (vec![pointer, types::I32, types::F64], true),
+            Self::SinCos => (vec![types::F64, pointer], false),
+            Self::SinCosOfFour | Self::TanhOfFour => {
+                (vec![types::F64, types::F64, types::F64, types::F64, pointer], false)
+            }
+        }
+    }
+
+    /// Its name among the symbols of a module.
+    pub fn name(self) -> String {
+        match self {
+            Self::Function(function) => function.name().to_owned(),
+            Self::Powf => "powf".to_owned(),
+            Self::Table => "table".to_owned(),
+            Self::SinCos => "sin_cos".to_owned(),
+            Self::SinCosOfFour => "sin_cos_4".to_owned(),
+            Self::TanhOfFour => "tanh_4".to_owned(),
+        }
+    }
+
+    /// Where it is.
+    pub fn address(self) -> *const u8 {
+        match self {
+            Self::Function(function) => of_one(function) as *const u8,
+            Self::Powf => powf as *const u8,
+            Self::Table => table as *const u8,
+            Self::SinCos => sin_cos as *const u8,
+            Self::SinCosOfFour => sin_cos_of_four as *const u8,
+            Self::TanhOfFour => tanh_of_four as *const u8,
+        }
+    }
+}
+
+macro_rules! of_one {
+    ($($function:ident),*) => {
+        /// A function of one number.
+        fn of_one(function: Function) -> extern "C" fn(f64) -> f64 {
+            match function {
+                $(Function::$function => {
+                    extern "C" fn thunk(x: f64) -> f64 {
+                        call(Function::$function, x)
+                    }
+                    thunk
+                })*
+            }
+        }
+    };
+}
+
+of_one!(Sqrt, Abs, Exp, Ln, Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh);
+
+extern "C" fn powf(base: f64, exponent: f64) -> f64 {
+    base.powf(exponent)
+}
+
+/// # Safety
+/// `table` must be alive.
+unsafe extern "C" fn table(table: *const Table, order: u32, x: f64) -> f64 {
+    // SAFETY: as asked for.
+    interpolate(unsafe { &*table }, order, x)
+}
+
+/// # Safety
+/// `results` must have room for five numbers.
+unsafe extern "C" fn sin_cos(x: f64, results: *mut f64) {
+    let (sine, cosine) = Real::sin_cos(x);
+    // SAFETY: as asked for.
+    unsafe {
+        results.write(sine);
+        results.add(4).write(cosine);
+    }
+}
+
+/// # Safety
+/// `results` must have room for eight numbers.
+unsafe extern "C" fn sin_cos_of_four(a: f64, b: f64, c: f64, d: f64, results: *mut [f64; 8]) {
+    let pairs = Real::sin_cos_each([a, b, c, d]);
+    let mut all = [0.0; 8];
+    for (index, (sine, cosine)) in pairs.into_iter().enumerate() {
+        (all[index], all[index + 4]) = (sine, cosine);
+    }
+    // SAFETY: as asked for; numbers of machine code lie as those of Rust do.
+    unsafe { results.write(all) };
+}
+
+/// # Safety
+/// `results` must have room for four numbers.
+unsafe extern "C" fn tanh_of_four(a: f64, b: f64, c: f64, d: f64, results: *mut [f64; 4]) {
+    let tangents = Real::tanh_each([a, b, c, d]);
+    // SAFETY: as asked for.
+    unsafe { results.write(tangents) };
+}

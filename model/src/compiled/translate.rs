@@ -1,0 +1,345 @@
+//! A piece of a program as a function of Cranelift.
+//!
+//! Excluded: what is computed and in which order; that is the schedule's.
+
+use std::collections::HashMap;
+
+use cranelift_codegen::ir::{
+    AbiParam, BlockArg, FuncRef, InstBuilder as _, MemFlags, Signature, Type, Value,
+    condcodes::{FloatCC, IntCC},
+    types,
+};
+use cranelift_frontend::FunctionBuilder;
+
+use super::schedule::{Batch, BatchKind, Item, Schedule};
+use super::straight::{Middles, Region, Step, StepId, Straight};
+use super::thunks::Thunk;
+use crate::{Function, Table};
+
+/// Pointers a piece is called with: one for each region, then the room.
+pub const POINTERS: usize = Region::COUNT + 1;
+
+/// Vectors of sums that are formed at once: two sums of each, and what is read, stay in
+/// registers.
+const BLOCK: usize = 6;
+
+/// The signature of pieces.
+pub fn signature(mut signature: Signature, pointer: Type) -> Signature {
+    signature.params.extend([AbiParam::new(pointer); POINTERS]);
+    signature
+}
+
+/// Translates pieces of one program.
+pub struct Translator<'a> {
+    /// The program.
+    pub straight: &'a Straight,
+    /// Its order.
+    pub schedule: &'a Schedule,
+    /// 1 or 2.
+    pub lanes: usize,
+    /// The model's tables; they must outlive the code.
+    pub tables: &'a [Table],
+}
+
+/// What the translation of one piece knows.
+struct Piece<'a, 'b, 'c> {
+    of: &'a Translator<'a>,
+    builder: &'a mut FunctionBuilder<'b>,
+    thunks: &'c mut dyn FnMut(Thunk, &mut cranelift_codegen::ir::Function) -> FuncRef,
+    pointers: Vec<Value>,
+    pointer: Type,
+    /// Values of this piece that are not in memory.
+    values: HashMap<StepId, Value>,
+    /// Values from memory since the last call: behind it they are read again.
+    read: HashMap<StepId, Value>,
+    lane: Type,
+}
+
+impl Translator<'_> {
+    /// Writes the body of a piece.
+    pub fn translate(
+        &self,
+        index: usize,
+        builder: &mut FunctionBuilder<'_>,
+        pointer: Type,
+        thunks: &mut dyn FnMut(Thunk, &mut cranelift_codegen::ir::Function) -> FuncRef,
+    ) {
+        let block = builder.create_block();
+        builder.append_block_params_for_function_params(block);
+        builder.switch_to_block(block);
+        builder.seal_block(block);
+        let pointers = builder.block_params(block).to_vec();
+        let lane = if self.lanes == 2 { types::F64X2 } else { types::F64 };
+        let (values, read) = (HashMap::new(), HashMap::new());
+        let mut piece = Piece { of: self, builder, thunks, pointers, pointer, values, read, lane };
+        let mut writes: HashMap<StepId, Vec<u32>> = HashMap::new();
+        for &(entry, id) in &self.straight.writes {
+            writes.entry(id).or_default().push(entry);
+        }
+        if let (0, Some(middles)) = (index, self.straight.middles) {
+            piece.form(middles);
+        }
+        for item in &self.schedule.pieces[index] {
+            match item {
+                Item::Step(id) => {
+                    let value = piece.compute(*id);
+                    piece.values.insert(*id, value);
+                    if let Some(place) = self.schedule.places[id.0 as usize] {
+                        piece.store(Region::COUNT, place, value);
+                    }
+                    for &entry in writes.get(id).into_iter().flatten() {
+                        piece.store(Region::Results as usize, entry, value);
+                    }
+                }
+                Item::Batch(batch) => piece.batch(batch),
+            }
+        }
+        if index + 1 == self.schedule.pieces.len() {
+            // What is in memory already: leaves, and results of batches.
+            for &(entry, id) in &self.straight.writes {
+                if piece.is_in_memory(id) {
+                    let value = piece.value(id);
+                    piece.store(Region::Results as usize, entry, value);
+                }
+            }
+        }
+        piece.builder.ins().return_(&[]);
+    }
+}
+
+impl Piece<'_, '_, '_> {
+    fn is_in_memory(&self, id: StepId) -> bool {
+        match self.of.straight.step(id) {
+            step if step.is_leaf() => true,
+            Step::Call(function, _) => {
+                matches!(function, Function::Sin | Function::Cos | Function::Tanh)
+            }
+            _ => false,
+        }
+    }
+
+    /// Forms sums of products row by row, a block of vectors at a time.
+    fn form(&mut self, middles: Middles) {
+        let vectors = (middles.count * self.of.lanes).div_ceil(2);
+        for first in (0..vectors).step_by(BLOCK) {
+            self.form_block(middles, first, BLOCK.min(vectors - first));
+        }
+    }
+
+    /// In each lane two sums take turns, so that neither waits for itself.
+    fn form_block(&mut self, middles: Middles, first: usize, count: usize) {
+        let flags = MemFlags::new().with_notrap();
+        let row = self.offset(middles.row as u32);
+        let of_rows = Region::Parameters as usize;
+        let [low, end] = [of_rows, Region::State as usize].map(|region| self.pointers[region]);
+        let low = self.builder.ins().iadd_imm(low, i64::from(row));
+        let high = self.builder.ins().iadd_imm(end, -i64::from(row));
+        let zeros = self.builder.func.dfg.constants.insert(vec![0; 16].into());
+        let zero = self.builder.ins().vconst(types::F64X2, zeros);
+        let [head, body, tail] = [(); 3].map(|()| self.builder.create_block());
+        for pointer in [self.pointer; 2] {
+            self.builder.append_block_param(head, pointer);
+        }
+        for _ in 0..2 * count {
+            self.builder.append_block_param(head, types::F64X2);
+        }
+        let begin: Vec<BlockArg> =
+            [low, high].into_iter().chain(vec![zero; 2 * count]).map(BlockArg::from).collect();
+        self.builder.ins().jump(head, &begin);
+        self.builder.switch_to_block(head);
+        let known = self.builder.block_params(head).to_vec();
+        let (low, high, sums) = (known[0], known[1], &known[2..]);
+        let goes_on = self.builder.ins().icmp(IntCC::UnsignedLessThan, low, end);
+        self.builder.ins().brif(goes_on, body, &[], tail, &[]);
+        self.builder.switch_to_block(body);
+        let mut next = sums[count..].to_vec();
+        for (vector, sum) in sums[..count].iter().enumerate() {
+            let at = 16 * (first + vector) as i32;
+            let [left, right] = [(low, middles.left), (high, middles.right)].map(|(row, entry)| {
+                let offset = self.offset(entry as u32) + at;
+                self.builder.ins().load(types::F64X2, flags, row, offset)
+            });
+            let product = self.builder.ins().fmul(left, right);
+            next.push(self.builder.ins().fadd(*sum, product));
+        }
+        let low = self.builder.ins().iadd_imm(low, i64::from(row));
+        let high = self.builder.ins().iadd_imm(high, -i64::from(row));
+        let next: Vec<BlockArg> = [low, high].into_iter().chain(next).map(BlockArg::from).collect();
+        self.builder.ins().jump(head, &next);
+        for block in [head, body, tail] {
+            self.builder.seal_block(block);
+        }
+        self.builder.switch_to_block(tail);
+        let results = self.pointers[Region::Results as usize];
+        for vector in 0..count {
+            let sum = self.builder.ins().fadd(sums[vector], sums[count + vector]);
+            let at = self.offset(middles.sums as u32) + 16 * (first + vector) as i32;
+            self.builder.ins().store(flags, sum, results, at);
+        }
+    }
+
+    fn offset(&self, entry: u32) -> i32 {
+        (entry as usize * 8 * self.of.lanes) as i32
+    }
+
+    fn load(&mut self, pointer: usize, entry: u32) -> Value {
+        let offset = self.offset(entry);
+        let flags = MemFlags::new().with_notrap();
+        self.builder.ins().load(self.lane, flags, self.pointers[pointer], offset)
+    }
+
+    fn store(&mut self, pointer: usize, entry: u32, value: Value) {
+        let offset = self.offset(entry);
+        let flags = MemFlags::new().with_notrap();
+        self.builder.ins().store(flags, value, self.pointers[pointer], offset);
+    }
+
+    /// The value of a step that has been computed, here or in an earlier piece.
+    fn value(&mut self, id: StepId) -> Value {
+        if let Some(&value) = self.values.get(&id).or_else(|| self.read.get(&id)) {
+            return value;
+        }
+        let value = match self.of.straight.step(id) {
+            Step::Literal(literal) => return self.literal(literal),
+            Step::Read(region, entry) => return self.load(region as usize, entry),
+            _ => {
+                let place = self.of.schedule.places[id.0 as usize];
+                self.load(Region::COUNT, place.expect("what is read later has a place"))
+            }
+        };
+        self.read.insert(id, value);
+        value
+    }
+
+    fn literal(&mut self, literal: f64) -> Value {
+        if self.of.lanes == 1 {
+            return self.builder.ins().f64const(literal);
+        }
+        let bytes: Vec<u8> = [literal.to_le_bytes(); 2].concat();
+        let constant = self.builder.func.dfg.constants.insert(bytes.into());
+        self.builder.ins().vconst(self.lane, constant)
+    }
+
+    fn compute(&mut self, id: StepId) -> Value {
+        let step = self.of.straight.step(id);
+        let mut of = |id| self.value(id);
+        match step {
+            Step::Literal(_) | Step::Read(..) => of(id),
+            Step::Neg(a) => {
+                let a = of(a);
+                self.builder.ins().fneg(a)
+            }
+            Step::Add(a, b) => {
+                let (a, b) = (of(a), of(b));
+                self.builder.ins().fadd(a, b)
+            }
+            Step::Sub(a, b) => {
+                let (a, b) = (of(a), of(b));
+                self.builder.ins().fsub(a, b)
+            }
+            Step::Mul(a, b) => {
+                let (a, b) = (of(a), of(b));
+                self.builder.ins().fmul(a, b)
+            }
+            Step::Div(a, b) => {
+                let (a, b) = (of(a), of(b));
+                self.builder.ins().fdiv(a, b)
+            }
+            Step::Call(Function::Sqrt, a) => {
+                let a = of(a);
+                self.builder.ins().sqrt(a)
+            }
+            Step::Call(Function::Abs, a) => {
+                let a = of(a);
+                self.builder.ins().fabs(a)
+            }
+            Step::SelectLess(all) => {
+                let all = all.map(of);
+                self.select_less(all)
+            }
+            Step::Call(function, a) => {
+                let a = of(a);
+                self.each(Thunk::Function(function), &[], &[a])
+            }
+            Step::Powf(a, b) => {
+                let (a, b) = (of(a), of(b));
+                self.each(Thunk::Powf, &[], &[a, b])
+            }
+            Step::Table(table, order, a) => {
+                let a = of(a);
+                let address = &raw const self.of.tables[table.0 as usize];
+                let table = self.builder.ins().iconst(self.pointer, address as i64);
+                let order = self.builder.ins().iconst(types::I32, i64::from(order));
+                self.each(Thunk::Table, &[table, order], &[a])
+            }
+        }
+    }
+
+    fn select_less(&mut self, [lhs, rhs, then, otherwise]: [Value; 4]) -> Value {
+        let is_less = self.builder.ins().fcmp(FloatCC::LessThan, lhs, rhs);
+        if self.of.lanes == 1 {
+            return self.builder.ins().select(is_less, then, otherwise);
+        }
+        let as_vector = MemFlags::new().with_endianness(cranelift_codegen::ir::Endianness::Little);
+        let mask = self.builder.ins().bitcast(self.lane, as_vector, is_less);
+        self.builder.ins().bitselect(mask, then, otherwise)
+    }
+
+    /// Calls a function lane by lane.
+    fn each(&mut self, thunk: Thunk, before: &[Value], arguments: &[Value]) -> Value {
+        let lanes = 0..self.of.lanes;
+        let results: Vec<Value> = lanes
+            .map(|lane| {
+                let mut all = before.to_vec();
+                all.extend(arguments.iter().map(|argument| self.lane_of(*argument, lane)));
+                self.call(thunk, &all)[0]
+            })
+            .collect();
+        match results[..] {
+            [low, high] => {
+                let both = self.builder.ins().splat(self.lane, low);
+                self.builder.ins().insertlane(both, high, 1)
+            }
+            _ => results[0],
+        }
+    }
+
+    fn lane_of(&mut self, value: Value, lane: usize) -> Value {
+        if self.of.lanes == 1 { value } else { self.builder.ins().extractlane(value, lane as u8) }
+    }
+
+    fn call(&mut self, thunk: Thunk, arguments: &[Value]) -> Vec<Value> {
+        let function = (self.thunks)(thunk, self.builder.func);
+        let call = self.builder.ins().call(function, arguments);
+        self.read.clear();
+        self.builder.inst_results(call).to_vec()
+    }
+
+    fn batch(&mut self, batch: &Batch) {
+        let arguments: Vec<Value> = batch.arguments.iter().map(|id| self.value(*id)).collect();
+        let mut all: Vec<Value> = Vec::with_capacity(5);
+        for argument in arguments {
+            all.extend((0..self.of.lanes).map(|lane| self.lane_of(argument, lane)));
+        }
+        let place = self.offset(batch.place);
+        let room = self.pointers[Region::COUNT];
+        let out = self.builder.ins().iadd_imm(room, i64::from(place));
+        let is_alone = all.len() == 1;
+        while !is_alone && all.len() < 4 {
+            all.extend(all.last().copied());
+        }
+        let thunk = match batch.kind {
+            BatchKind::SinCos if is_alone => Thunk::SinCos,
+            BatchKind::SinCos => Thunk::SinCosOfFour,
+            BatchKind::Tanh if is_alone => Thunk::Function(Function::Tanh),
+            BatchKind::Tanh => Thunk::TanhOfFour,
+        };
+        if let Thunk::Function(_) = thunk {
+            let value = self.call(thunk, &all)[0];
+            self.store(Region::COUNT, batch.place, value);
+        } else {
+            all.push(out);
+            self.call(thunk, &all);
+        }
+    }
+}

@@ -1,0 +1,379 @@
+//! Models as simulators, compiled or interpreted.
+
+mod field;
+mod run;
+
+use std::sync::{Arc, OnceLock};
+
+use machinist_contract::linear::LinearEquations;
+use machinist_contract::taylor::{Bends, TaylorSeries};
+use machinist_contract::{
+    Constraint, Describe, Direction, Energy, Event, PowerBalance, Quantity, RunDefaults, Shape,
+    Simulator, SparsityPattern,
+};
+
+use crate::functions::{FUNCTIONS, FunctionId};
+use crate::hoist::Hoisted;
+use crate::lanes::Lane;
+use crate::{Model, StateKind, Table, Tape, names};
+
+use run::{Read, Series, TapeFunction};
+
+pub use run::Running;
+
+/// A model as a simulator: the numbers of the emitted code, to the last bit.
+///
+/// On `f64`, or on [`F64x2`](crate::lanes::F64x2): two variants of a machine side by side.
+/// Functions are made ready when they are first called, and called by any number of threads
+/// at once; calls allocate nothing after that.
+#[derive(Debug)]
+pub struct ModelSimulator {
+    model: Model,
+    running: Running,
+    /// Those of the model, for machine code to point at.
+    tables: Arc<[Table]>,
+    /// One for each row of the table of functions.
+    functions: [TapeFunction; FUNCTIONS.len()],
+    hoisted: OnceLock<Hoisted>,
+    /// What parameters alone decide, then rate and Jacobian that read it.
+    prepared: [TapeFunction; 3],
+    series: Series,
+    /// Excitation and switches.
+    linear: [TapeFunction; 2],
+    fields: Vec<field::PointFunctions>,
+}
+
+impl ModelSimulator {
+    /// A model as machine code, where the target has a backend for it; else interpreted.
+    #[must_use]
+    pub fn new(model: Model) -> Self {
+        #[cfg(feature = "compiled")]
+        let is_available = crate::compiled::is_available();
+        #[cfg(not(feature = "compiled"))]
+        let is_available = false;
+        let running = if is_available { Running::Compiled } else { Running::Interpreted };
+        Self::with(model, running)
+    }
+
+    /// A model that is run operation by operation: ready at once, and several times slower.
+    #[must_use]
+    pub fn interpreted(model: Model) -> Self {
+        Self::with(model, Running::Interpreted)
+    }
+
+    fn with(model: Model, running: Running) -> Self {
+        Self {
+            running,
+            tables: model.tables.clone().into(),
+            functions: Default::default(),
+            hoisted: OnceLock::new(),
+            prepared: Default::default(),
+            series: Series::default(),
+            linear: Default::default(),
+            fields: model
+                .fields
+                .iter()
+                .map(|field| field::PointFunctions::new(&model, field))
+                .collect(),
+            model,
+        }
+    }
+
+    /// The model that is run.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// How it is run.
+    #[must_use]
+    pub fn running(&self) -> Running {
+        self.running
+    }
+
+    /// What tapes read, once the slices have the lengths the contract asks for.
+    #[inline(always)]
+    fn read<'a, R: Lane>(&'a self, time: &'a R, state: &'a [R], parameters: &'a [R]) -> Read<'a> {
+        assert_eq!(state.len(), self.model.states.len(), "length of the state");
+        Read { state: R::numbers(state), ..self.read_without_state(time, parameters) }
+    }
+
+    #[inline(always)]
+    fn read_without_state<'a, R: Lane>(&'a self, time: &'a R, parameters: &'a [R]) -> Read<'a> {
+        let [own, handed] = [self.model.parameters.len(), self.model.handed.len()];
+        assert_eq!(parameters.len(), own + handed, "number of parameters");
+        let (parameters, handed) = parameters.split_at(own);
+        Read {
+            time: R::numbers(std::slice::from_ref(time)),
+            state: &[],
+            parameters: R::numbers(parameters),
+            handed: R::numbers(handed),
+            constants: &[],
+            tables: &self.tables,
+        }
+    }
+
+    #[inline(always)]
+    fn run<R: Lane>(&self, function: FunctionId, read: &Read<'_>, results: &mut [R]) {
+        let tape = (|| self.model.tape(function), self.running);
+        let results = R::numbers_mut(results);
+        self.functions[function as usize].run(tape, R::COUNT, read, results);
+    }
+
+    fn hoisted(&self) -> &Hoisted {
+        self.hoisted.get_or_init(|| Hoisted::new(&self.model))
+    }
+
+    #[inline(always)]
+    fn run_prepared<R: Lane>(
+        &self,
+        (index, tape): (usize, fn(&Hoisted) -> &Tape),
+        read: &Read<'_>,
+        results: &mut [R],
+    ) {
+        let tape = (|| tape(self.hoisted()), self.running);
+        self.prepared[index].run(tape, R::COUNT, read, R::numbers_mut(results));
+    }
+}
+
+impl ModelSimulator {
+    fn parameter_at(&self, index: usize) -> &crate::Parameter {
+        let own = self.model.parameters.len();
+        index
+            .checked_sub(own)
+            .map_or_else(|| &self.model.parameters[index], |k| &self.model.handed[k])
+    }
+}
+
+impl Describe for ModelSimulator {
+    fn name(&self) -> &str {
+        &self.model.name
+    }
+    fn title(&self) -> &str {
+        &self.model.title
+    }
+    fn shape(&self) -> Shape {
+        let model = &self.model;
+        Shape {
+            coordinates: model.coordinates.len(),
+            positions: model.positions(),
+            first_order: model.first_order(),
+            quadratures: model.quadratures,
+            parameters: model.parameters.len() + model.handed.len(),
+            outputs: model.wanted.len(),
+            discontinuities: model.discontinuities.results.len(),
+        }
+    }
+    fn state(&self, index: usize) -> Quantity<'_> {
+        self.model.states[index].quantity.described()
+    }
+    fn state_kind(&self, index: usize) -> machinist_contract::StateKind {
+        self.model.states[index].kind.described()
+    }
+    fn coordinate(&self, index: usize) -> Quantity<'_> {
+        self.model.coordinates[index].position.described()
+    }
+    fn state_scale(&self, index: usize) -> f64 {
+        self.model.states[index].scale
+    }
+    fn parameter(&self, index: usize) -> Quantity<'_> {
+        self.parameter_at(index).quantity.described()
+    }
+    fn parameter_default(&self, index: usize) -> f64 {
+        self.parameter_at(index).value
+    }
+    fn output(&self, index: usize) -> Quantity<'_> {
+        self.model.wanted[index].described()
+    }
+    fn rate_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        self.model.rate_jacobian.pattern.borrowed()
+    }
+    fn parameter_jacobian_pattern(&self) -> SparsityPattern<'_> {
+        self.model.parameter_jacobian.pattern.borrowed()
+    }
+    fn mass_matrix_pattern(&self) -> SparsityPattern<'_> {
+        self.model.mass_matrix.pattern.borrowed()
+    }
+    fn run_defaults(&self) -> RunDefaults<'_> {
+        let run = &self.model.run;
+        RunDefaults {
+            from: run.from,
+            until: run.until,
+            points: run.points,
+            rtol: run.rtol,
+            method: &run.method,
+        }
+    }
+    fn events(&self) -> usize {
+        self.model.events.len()
+    }
+    fn event(&self, index: usize) -> Event<'_> {
+        let event = &self.model.events[index];
+        Event {
+            name: &event.name.path,
+            doc: &event.doc,
+            direction: match event.direction {
+                names::Direction::Rising => Direction::Rising,
+                names::Direction::Falling => Direction::Falling,
+                names::Direction::Both => Direction::Both,
+            },
+            when: &event.when,
+            sets: &event.sets,
+        }
+    }
+    fn is_mode(&self, index: usize) -> bool {
+        self.model.states[index].kind == StateKind::Mode
+    }
+    fn constraints(&self) -> usize {
+        self.model.constraints.len()
+    }
+    fn constraint(&self, index: usize) -> Constraint<'_> {
+        let constraint = &self.model.constraints[index];
+        Constraint {
+            name: &constraint.name.path,
+            unit: &constraint.unit,
+            doc: &constraint.doc,
+            is_of_positions: constraint.is_of_positions,
+        }
+    }
+    fn constraint_matrix_pattern(&self) -> SparsityPattern<'_> {
+        self.model.constraint_matrix.pattern.borrowed()
+    }
+    fn is_given(&self, index: usize) -> bool {
+        self.model.states[index].is_given
+    }
+}
+
+/// Methods that write the results of one function each.
+macro_rules! functions {
+    ($($name:ident = $id:ident),*) => {
+        $(
+            fn $name(&self, time: R, state: &[R], parameters: &[R], values: &mut [R]) {
+                self.run(FunctionId::$id, &self.read(&time, state, parameters), values);
+            }
+        )*
+    };
+}
+
+impl<R: Lane> Simulator<R> for ModelSimulator {
+    fn initial_state(&self, parameters: &[R], state: &mut [R]) {
+        let zero = R::literal(0.0);
+        let read = self.read_without_state(&zero, parameters);
+        self.run(FunctionId::InitialState, &read, state);
+    }
+    fn discontinuities(&self, parameters: &[R], times: &mut [R]) {
+        let zero = R::literal(0.0);
+        let read = self.read_without_state(&zero, parameters);
+        self.run(FunctionId::Discontinuities, &read, times);
+    }
+    functions!(
+        rate = Rate,
+        rate_jacobian = RateJacobian,
+        parameter_jacobian = ParameterJacobian,
+        time_derivative = TimeDerivative,
+        mass_matrix = MassMatrix,
+        forcing = Forcing,
+        outputs = Outputs,
+        guards = Guards,
+        guard_rates = GuardRates,
+        resets = Resets,
+        constraint_values = ConstraintValues,
+        constraint_rates = ConstraintRates,
+        constraint_matrix = ConstraintMatrix
+    );
+    fn constants(&self) -> usize {
+        self.hoisted().constants.results.len()
+    }
+    fn prepare(&self, parameters: &[R], constants: &mut [R]) {
+        let zero = R::literal(0.0);
+        let read = self.read_without_state(&zero, parameters);
+        self.run_prepared((0, |hoisted| &hoisted.constants), &read, constants);
+    }
+    fn prepared_rate(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        rate: &mut [R],
+    ) {
+        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
+        self.run_prepared((1, |hoisted| &hoisted.rate), &read, rate);
+    }
+    fn prepared_rate_jacobian(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        constants: &[R],
+        values: &mut [R],
+    ) {
+        let read = Read { constants: R::numbers(constants), ..self.read(&time, state, parameters) };
+        self.run_prepared((2, |hoisted| &hoisted.rate_jacobian), &read, values);
+    }
+    fn energy(&self, time: R, state: &[R], parameters: &[R]) -> Energy<R> {
+        let mut values = [R::literal(0.0); 3];
+        self.run(FunctionId::Energy, &self.read(&time, state, parameters), &mut values);
+        let [kinetic, potential, stored] = values;
+        Energy { kinetic, potential, stored }
+    }
+    fn power_balance(&self, time: R, state: &[R], parameters: &[R]) -> PowerBalance<R> {
+        let mut values = [R::literal(0.0); 3];
+        self.run(FunctionId::PowerBalance, &self.read(&time, state, parameters), &mut values);
+        let [stored_rate, supplied, dissipated] = values;
+        PowerBalance { stored_rate, supplied, dissipated }
+    }
+    fn taylor(&self) -> Option<&dyn TaylorSeries<R>> {
+        self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<R>)
+    }
+    fn linear(&self) -> Option<&dyn LinearEquations<R>> {
+        self.model.excitation.is_some().then_some(self)
+    }
+}
+
+impl<R: Lane> LinearEquations<R> for ModelSimulator {
+    fn excitation_terms(&self) -> &[(u32, u32)] {
+        self.model.excitation.as_ref().map_or(&[], |excitation| &excitation.terms)
+    }
+    fn excitation(&self, time: R, parameters: &[R], values: &mut [R]) {
+        if let Some(excitation) = &self.model.excitation {
+            let read = self.read_without_state(&time, parameters);
+            let tape = (|| &excitation.values, self.running);
+            self.linear[0].run(tape, R::COUNT, &read, R::numbers_mut(values));
+        }
+    }
+    fn switches(&self) -> usize {
+        self.model.excitation.as_ref().map_or(0, |excitation| excitation.switches.results.len())
+    }
+    fn switch_times(&self, parameters: &[R], times: &mut [R]) {
+        if let Some(excitation) = &self.model.excitation {
+            let zero = R::literal(0.0);
+            let read = self.read_without_state(&zero, parameters);
+            let tape = (|| &excitation.switches, self.running);
+            self.linear[1].run(tape, R::COUNT, &read, R::numbers_mut(times));
+        }
+    }
+}
+
+impl<R: Lane> TaylorSeries<R> for ModelSimulator {
+    fn series_workspace(&self, order: usize) -> usize {
+        self.series.workspace((&self.model, self.running), &self.tables, R::COUNT, order)
+    }
+    fn series(
+        &self,
+        time: R,
+        state: &[R],
+        parameters: &[R],
+        coefficients: &mut [R],
+        workspace: &mut [R],
+    ) {
+        let read = self.read(&time, state, parameters);
+        let [coefficients, workspace] = [coefficients, workspace].map(R::numbers_mut);
+        let model = (&self.model, self.running);
+        self.series.run(model, R::COUNT, &read, coefficients, workspace);
+    }
+    fn bends(&self) -> Bends {
+        let jumps = self.model.discontinuities.results.len();
+        self.series.tape(&self.model).bends(jumps)
+    }
+}

@@ -1,0 +1,204 @@
+//! What is derived once is remembered, whatever becomes of the cache, and nobody waits for
+//! somebody else's simulation.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// A pendulum of a length, so that each has a text of its own.
+fn spec(length: f64) -> String {
+    format!(
+        r#"
+[scene]
+name = "pendulum"
+
+[units.bob]
+unit = "bob"
+
+[outputs]
+angle = "bob.phi"
+
+[run]
+until = 0.5
+points = 11
+rtol = 1e-9
+method = "dop853"
+
+[initial]
+"bob.phi" = 1.0
+
+[define.bob.unit]
+name = "bob"
+
+[define.bob.coordinates.phi]
+unit = "rad"
+velocity = "omega"
+
+[define.bob.parameters]
+mass = {{ value = 1.0, unit = "kg" }}
+length = {{ value = {length}, unit = "m" }}
+gravity = {{ value = 9.81, unit = "m/s^2" }}
+
+[define.bob.energy]
+kinetic = "mass*(length*omega)^2/2"
+potential = "-mass*gravity*length*cos(phi)"
+"#
+    )
+}
+
+/// The program in a folder, with its cache there.
+fn machinist(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_machinist"));
+    command
+        .args(arguments)
+        .current_dir(folder)
+        .env("MACHINIST_CACHE", folder.join("cache"))
+        .env("NO_COLOR", "1");
+    command
+}
+
+fn answer(folder: &Path, arguments: &[&str]) -> String {
+    let output = machinist(folder, arguments).output().expect("the program starts");
+    succeeded(&output)
+}
+
+fn succeeded(output: &Output) -> String {
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout.clone()).expect("text")
+}
+
+fn folder_with(length: f64) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("own.toml"), spec(length)).expect("a spec");
+    folder
+}
+
+const RUN: [&str; 4] = ["run", "own.toml", "--out", "-"];
+
+#[test]
+fn a_second_run_derives_nothing_and_gives_the_same() {
+    let folder = folder_with(0.7);
+    let first = machinist(folder.path(), &RUN).output().expect("the program starts");
+    assert!(String::from_utf8_lossy(&first.stderr).contains("deriving with Symbolica"));
+    let second = machinist(folder.path(), &RUN).output().expect("the program starts");
+    assert!(second.stderr.is_empty(), "{}", String::from_utf8_lossy(&second.stderr));
+    assert_eq!(succeeded(&first), succeeded(&second));
+    assert!(answer(folder.path(), &["cache"]).contains(" 1 entries"));
+    // Another text is another entry.
+    fs::write(folder.path().join("own.toml"), spec(0.8)).expect("a spec");
+    assert_ne!(answer(folder.path(), &RUN), succeeded(&first));
+    assert!(answer(folder.path(), &["cache"]).contains(" 2 entries"));
+    assert!(answer(folder.path(), &["cache", "--clear"]).contains("forgot 2 entries"));
+    assert!(answer(folder.path(), &["cache"]).contains(" 0 entries"));
+}
+
+#[test]
+fn a_model_file_gives_what_its_spec_gives_and_needs_it_no_more() {
+    let folder = folder_with(0.7);
+    let by_spec = answer(folder.path(), &RUN);
+    answer(folder.path(), &["compile", "own.toml", "--out", "own.model"]);
+    fs::remove_file(folder.path().join("own.toml")).expect("it is there");
+    fs::remove_dir_all(folder.path().join("cache")).expect("it is there");
+    let output = machinist(folder.path(), &["run", "own.model", "--out", "-"]).output();
+    let output = output.expect("the program starts");
+    assert_eq!(succeeded(&output), by_spec);
+    assert!(output.stderr.is_empty(), "nothing is derived");
+    for command in ["modes", "check", "explain"] {
+        let arguments = [command, "own.model"];
+        let wanted = if command == "explain" { "nothing" } else { "" };
+        let output = machinist(folder.path(), &arguments).output().expect("the program starts");
+        let said = succeeded(&output).to_lowercase();
+        assert!(said.contains(wanted), "{command}: {said}");
+    }
+}
+
+#[test]
+fn damaged_entries_are_derived_again() {
+    let folder = folder_with(0.7);
+    let right = answer(folder.path(), &RUN);
+    let entries = || {
+        let files = fs::read_dir(folder.path().join("cache")).expect("a cache");
+        files.map(|file| file.expect("an entry").path()).collect::<Vec<_>>()
+    };
+    let [entry] = entries().try_into().expect("one entry");
+    let whole = fs::read(&entry).expect("an entry");
+    for damaged in [&whole[..whole.len() / 2], &[], b"nothing of the kind"] {
+        fs::write(&entry, damaged).expect("an entry");
+        assert_eq!(answer(folder.path(), &RUN), right);
+        assert_eq!(fs::read(&entry).expect("an entry"), whole, "it is whole again");
+    }
+}
+
+#[test]
+fn a_cache_that_cannot_be_is_done_without() {
+    let folder = folder_with(0.7);
+    let right = answer(folder.path(), &["--no-cache", "run", "own.toml", "--out", "-"]);
+    assert!(!folder.path().join("cache").exists());
+    // A file stands where the folder should be.
+    fs::write(folder.path().join("cache"), "in the way").expect("a file");
+    let output = machinist(folder.path(), &RUN).output().expect("the program starts");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("not remembered"));
+    assert_eq!(succeeded(&output), right);
+}
+
+#[test]
+fn processes_at_once_get_the_same_and_fill_one_entry() {
+    let folder = folder_with(0.7);
+    let start = || {
+        let mut command = machinist(folder.path(), &RUN);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts")
+    };
+    let children: Vec<Child> = (0..4).map(|_| start()).collect();
+    let outputs = children.into_iter().map(|child| child.wait_with_output().expect("it ends"));
+    let answers: Vec<String> = outputs.map(|output| succeeded(&output)).collect();
+    assert!(answers.iter().all(|answer| *answer == answers[0]));
+    assert!(answer(folder.path(), &["cache"]).contains(" 1 entries"));
+}
+
+#[test]
+fn nobody_waits_for_a_simulation_of_somebody_else() {
+    let long = folder_with(0.7);
+    let arguments = ["run", "own.toml", "--until", "1e9", "--rtol", "1e-12", "--points", "2"];
+    let mut simulates = machinist(long.path(), &arguments);
+    let simulates = simulates.stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+    let mut simulates = simulates.expect("the program starts");
+    // Once its entry is there, it has derived.
+    let begin = Instant::now();
+    while fs::read_dir(long.path().join("cache")).map_or(0, Iterator::count) == 0 {
+        assert!(begin.elapsed() < Duration::from_secs(60), "it derives");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let other = folder_with(0.9);
+    let output = machinist(other.path(), &RUN).output().expect("the program starts");
+    let is_running = simulates.try_wait().expect("it is there").is_none();
+    simulates.kill().expect("it is there");
+    simulates.wait().expect("it ends");
+    assert!(is_running, "it simulated all the time");
+    succeeded(&output);
+}
+
+#[test]
+fn a_model_of_another_kind_or_version_is_refused_by_name() {
+    let folder = folder_with(0.7);
+    let file = folder.path().join("own.model");
+    answer(folder.path(), &["compile", "own.toml", "--out", "own.model"]);
+    let whole = fs::read(&file).expect("a model");
+    let mut older = whole.clone();
+    older[16] = 77;
+    let mut altered = whole.clone();
+    *altered.last_mut().expect("it is not empty") ^= 1;
+    for (bytes, words) in [
+        (older.as_slice(), "has version 77"),
+        (altered.as_slice(), "has been altered"),
+        (&whole[..100], "cut off"),
+    ] {
+        fs::write(&file, bytes).expect("a file");
+        let output = machinist(folder.path(), &["run", "own.model"]).output();
+        let output = output.expect("the program starts");
+        let said = String::from_utf8_lossy(&output.stderr).replace('│', " ");
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(words) && output.stdout.is_empty(), "{said}");
+    }
+}

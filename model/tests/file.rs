@@ -1,0 +1,126 @@
+//! Models as files: the same bytes for the same model, and every damage refused by name.
+
+mod support;
+
+use fastrand::Rng;
+use machinist_model::file::{FileError, MARK, Stamped, VERSION, read, seal, write};
+use machinist_model::{Model, NodeId, Op, StateKind, TableId};
+use support::{matrix, model, random_tape, tape};
+
+/// One coordinate with a rate that is made of everything there is.
+fn stamped() -> Stamped {
+    let mut rng = Rng::with_seed(11);
+    let mut rate = random_tape(&mut rng, 60, 0.3);
+    for node in &mut rate.nodes {
+        node.op = match node.op {
+            Op::State(entry) => Op::State(entry % 2),
+            Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) | Op::Table { .. } => Op::Time,
+            op => op,
+        };
+    }
+    rate.results.truncate(2);
+    let one = [Op::Literal(1.0)];
+    let mut model = model(1, rate, matrix(1, 1, &[(0, 0)], tape(&one, &[0])), tape(&one, &[0]));
+    complete(&mut model);
+    Stamped { generator: "a test".to_owned(), model }
+}
+
+/// Gives every function as many results as it should have.
+fn complete(model: &mut Model) {
+    let numbers = |count: usize| tape(&[Op::Literal(0.5)], &vec![0; count]);
+    let states = model.states.len();
+    model.initial_state = numbers(states);
+    model.time_derivative = numbers(states);
+    model.outputs = numbers(model.wanted.len());
+    model.energy = numbers(3);
+    model.power_balance = numbers(3);
+    model.rate_jacobian = matrix(states, states, &[(0, 1)], numbers(1));
+    let parameters = model.all_parameters().count();
+    model.parameter_jacobian = matrix(states, parameters, &[], numbers(0));
+    model.constraint_matrix = matrix(0, model.coordinates.len(), &[], numbers(0));
+}
+
+#[test]
+fn what_is_written_is_read_and_written_the_same() {
+    let stamped = stamped();
+    let bytes = write(&stamped);
+    let again = read(&bytes).expect("a model");
+    assert_eq!(again, stamped);
+    assert_eq!(write(&again), bytes);
+}
+
+#[test]
+fn a_file_cut_off_anywhere_is_refused() {
+    let bytes = write(&stamped());
+    for length in 0..bytes.len() {
+        let error = read(&bytes[..length]).expect_err("cut off");
+        let is_named = match error {
+            FileError::Foreign => length < MARK.len(),
+            FileError::Length { .. } => length >= MARK.len(),
+            _ => false,
+        };
+        assert!(is_named, "{length}: {error}");
+    }
+    let overfull = [bytes.as_slice(), b"more"].concat();
+    assert!(matches!(read(&overfull), Err(FileError::Length { .. })));
+}
+
+#[test]
+fn ten_thousand_flipped_bits_are_refused() {
+    let bytes = write(&stamped());
+    let mut rng = Rng::with_seed(5);
+    for _ in 0..10_000 {
+        let mut damaged = bytes.clone();
+        for _ in 0..rng.usize(1..4) {
+            let at = rng.usize(0..damaged.len());
+            damaged[at] ^= 1 << rng.u32(0..8);
+        }
+        if damaged != bytes {
+            read(&damaged).expect_err("altered");
+        }
+    }
+}
+
+#[test]
+fn another_version_is_refused_by_name() {
+    let mut bytes = write(&stamped());
+    bytes[16..20].copy_from_slice(&(VERSION + 6).to_le_bytes());
+    let error = read(&bytes).expect_err("of another version");
+    assert_eq!(error, FileError::Version { found: VERSION + 6 });
+    assert!(error.to_string().contains(&format!("version {}", VERSION + 6)), "{error}");
+}
+
+/// What somebody could write by hand, with the hash it should have.
+#[test]
+fn a_model_that_breaks_a_rule_is_refused_although_its_hash_is_right() {
+    let breaks: [(&str, fn(&mut Model)); 10] = [
+        ("rate", |model| model.rate.results[0] = NodeId(1_000_000)),
+        ("rate", |model| model.rate.nodes[0].op = Op::Neg(NodeId(7))),
+        ("rate", |model| model.rate.nodes[0].op = Op::State(9)),
+        ("rate", |model| model.rate.nodes[0].op = Op::Parameter(u32::MAX)),
+        ("rate", |model| model.rate.nodes[0].op = Op::Constant(0)),
+        ("rate", |model| {
+            let argument = NodeId(0);
+            model.rate.nodes[1].op = Op::Table { table: TableId(3), order: 0, argument };
+        }),
+        ("energy", |model| model.energy.results.clear()),
+        ("initial_state", |model| model.initial_state.nodes[0].op = Op::Time),
+        ("rate_jacobian", |model| model.rate_jacobian.pattern.entries[0] = (5, 5)),
+        ("coordinate", |model| model.states[0].kind = StateKind::Position(4)),
+    ];
+    for (part, damage) in breaks {
+        let mut stamped = stamped();
+        damage(&mut stamped.model);
+        let error = read(&seal(MARK, &stamped)).expect_err(part);
+        assert!(matches!(error, FileError::Malformed(_)), "{part}: {error}");
+        assert!(error.to_string().contains(part), "{part}: {error}");
+    }
+}
+
+#[test]
+fn content_that_is_no_model_is_refused_although_its_hash_is_right() {
+    for content in [vec![0xff_u8; 40], vec![0; 3], (0..200).collect()] {
+        let error = read(&seal(MARK, &content)).expect_err("no model");
+        assert!(matches!(error, FileError::Undecodable { .. } | FileError::Malformed(_)), "{error}");
+    }
+}

@@ -297,7 +297,8 @@ impl NotCompiledIn {
 
 /// ` (did you mean ...?)` if one of `known` resembles `name` or ends in it after
 /// a dot, else nothing.
-pub(crate) fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+#[must_use]
+pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
     const RESEMBLES: f64 = 0.6;
     let likeness = |candidate: &str| {
         let is_last_part = candidate.strip_suffix(name).is_some_and(|owner| owner.ends_with('.'));

@@ -6,10 +6,10 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::Simulator as _;
 use machinist_contract::taylor::{Bends, TaylorSeries};
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 
 /// x'' + x = cos(1.3 t) - 0.2 `law`, where the law turns at v = 0 within `width`.
-fn rubbing(law: &str) -> InterpretedSimulator {
+fn rubbing(law: &str) -> ModelSimulator {
     let text = format!(
         r#"
         [scene]
@@ -38,12 +38,12 @@ fn rubbing(law: &str) -> InterpretedSimulator {
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).expect("written");
     match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => InterpretedSimulator::new(program),
+        Ok(program) => ModelSimulator::new(program),
         Err(errors) => panic!("{}", errors.render()),
     }
 }
 
-fn run(block: &InterpretedSimulator, width: f64, method: Method, rtol: f64) -> Trajectory {
+fn run(block: &ModelSimulator, width: f64, method: Method, rtol: f64) -> Trajectory {
     let run = Simulation::new(block).initial_state(&[0.0, 1.0]).method(method).rtol(rtol);
     run.parameter("block.width", width).expect("a parameter").run().expect("it runs")
 }

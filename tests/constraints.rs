@@ -8,10 +8,10 @@ use machinist::linear_analysis::{
 use machinist::{Method, SimulateError, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 
 /// A scene of point masses `a` and `b`, 1 kg each, with more of the scene.
-fn scene(more: &str) -> InterpretedSimulator {
+fn scene(more: &str) -> ModelSimulator {
     let text = format!(
         r#"
         [scene]
@@ -31,17 +31,17 @@ fn scene(more: &str) -> InterpretedSimulator {
     of_text(&text)
 }
 
-fn of_text(text: &str) -> InterpretedSimulator {
+fn of_text(text: &str) -> ModelSimulator {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).expect("written");
     match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => InterpretedSimulator::new(program),
+        Ok(program) => ModelSimulator::new(program),
         Err(errors) => panic!("{}", errors.render()),
     }
 }
 
-fn start_of(scene: &InterpretedSimulator) -> Result<Vec<f64>, SimulateError> {
+fn start_of(scene: &ModelSimulator) -> Result<Vec<f64>, SimulateError> {
     use machinist_contract::Describe as _;
     let count = scene.shape().parameters;
     let parameters: Vec<f64> = (0..count).map(|index| scene.parameter_default(index)).collect();
@@ -220,7 +220,7 @@ fn an_event_is_followed_by_the_impulse_of_constraints() {
 }
 
 /// Natural motions about the equilibrium near the start.
-fn modes_near_the_start(scene: &InterpretedSimulator) -> (Vec<f64>, Vec<Mode>) {
+fn modes_near_the_start(scene: &ModelSimulator) -> (Vec<f64>, Vec<Mode>) {
     use machinist_contract::Describe as _;
     let count = scene.shape().parameters;
     let parameters = (0..count).map(|index| scene.parameter_default(index)).collect();
@@ -270,7 +270,7 @@ fn a_rod_by_its_velocity_swings_likewise_and_has_any_length() {
 }
 
 /// The scene `slider_crank` let go, its crank near the lowest place.
-fn slider_crank_let_go() -> InterpretedSimulator {
+fn slider_crank_let_go() -> ModelSimulator {
     let text = include_str!("../specs/scenes/slider_crank.toml");
     let (head, rest) = text.split_once("[constraints.drive]").expect("it is driven");
     let (_, outputs) = rest.split_once("[outputs]").expect("it has outputs");

@@ -6,10 +6,10 @@ use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::Describe;
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 
 /// A scene of one unit `ball` of coordinate `x`, mass 1 kg, with more of the unit.
-fn scene(more: &str) -> InterpretedSimulator {
+fn scene(more: &str) -> ModelSimulator {
     let text = format!(
         r#"
         [scene]
@@ -37,7 +37,7 @@ fn scene(more: &str) -> InterpretedSimulator {
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).expect("written");
     match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => InterpretedSimulator::new(program),
+        Ok(program) => ModelSimulator::new(program),
         Err(errors) => panic!("{}", errors.render()),
     }
 }
@@ -53,7 +53,7 @@ const FALLS: &str = r#"
 "#;
 
 /// A swing x = cos t, with events.
-fn swings(events: &str) -> InterpretedSimulator {
+fn swings(events: &str) -> ModelSimulator {
     scene(&format!(
         "[define.ball.energy]\nkinetic = \"1 [kg]*v^2/2\"\n\
          potential = \"1 [N/m]*x^2/2\"\n{events}"
@@ -64,7 +64,7 @@ fn watching() -> impl Iterator<Item = Method> {
     Method::ALL.iter().copied().filter(|method| method.watches_events())
 }
 
-fn from_height(ball: &InterpretedSimulator, method: Method) -> Simulation<'_> {
+fn from_height(ball: &ModelSimulator, method: Method) -> Simulation<'_> {
     Simulation::new(ball).initial_state(&[1.0, 0.0, 0.0, 0.0]).method(method)
 }
 

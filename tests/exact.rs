@@ -5,22 +5,22 @@ use machinist::{Method, SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::{Describe, Simulator};
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 
 /// The machine of a spec in one file, nothing left out.
-fn machine(text: &str) -> InterpretedSimulator {
+fn machine(text: &str) -> ModelSimulator {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).expect("written");
     match pipeline::generate(&path, Keep::All) {
-        Ok(program) => InterpretedSimulator::new(program),
+        Ok(program) => ModelSimulator::new(program),
         Err(errors) => panic!("{}", errors.render()),
     }
 }
 
 /// One mass on a spring and a damper, driven by a force.
-fn oscillator(mass: f64, damping: f64, stiffness: f64, force: &str) -> InterpretedSimulator {
+fn oscillator(mass: f64, damping: f64, stiffness: f64, force: &str) -> ModelSimulator {
     machine(&format!(
         r#"
 [scene]
@@ -58,7 +58,7 @@ method = "auto"
 }
 
 /// Rotors in a row; damping in proportion to stiffness, or not.
-fn chain(damping: f64) -> InterpretedSimulator {
+fn chain(damping: f64) -> ModelSimulator {
     machine(&format!(
         r#"
 [scene]

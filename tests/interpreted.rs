@@ -10,7 +10,7 @@ mod emitted {
 
 use emitted::Pendulum;
 use machinist_contract::{Describe, Simulator};
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 
 /// Times, states and parameters between the table's knots and beyond its ends.
 fn inputs() -> impl Iterator<Item = (f64, [f64; 3], [f64; 6])> {
@@ -52,7 +52,7 @@ fn numbers(s: &impl Simulator<f64>, (t, y, p): &(f64, [f64; 3], [f64; 6])) -> Ve
 
 #[test]
 fn an_interpreted_program_computes_what_emitted_code_computes() {
-    let interpreted = InterpretedSimulator::new(support::pendulum());
+    let interpreted = ModelSimulator::new(support::pendulum());
     for inputs in inputs() {
         assert_eq!(numbers(&interpreted, &inputs), numbers(&Pendulum, &inputs), "{inputs:?}");
     }
@@ -60,7 +60,7 @@ fn an_interpreted_program_computes_what_emitted_code_computes() {
 
 #[test]
 fn an_interpreted_program_describes_itself_as_emitted_code_does() {
-    let interpreted = InterpretedSimulator::new(support::pendulum());
+    let interpreted = ModelSimulator::new(support::pendulum());
     let shape = Pendulum.shape();
     assert_eq!(interpreted.shape(), shape);
     assert_eq!(interpreted.name(), Pendulum.name());
@@ -85,6 +85,6 @@ fn an_interpreted_program_describes_itself_as_emitted_code_does() {
 #[test]
 #[should_panic(expected = "length of the state")]
 fn a_state_of_another_length_is_refused() {
-    let interpreted = InterpretedSimulator::new(support::pendulum());
+    let interpreted = ModelSimulator::new(support::pendulum());
     interpreted.rate(0.0, &[0.0; 4], &[1.0; 6], &mut [0.0; 3]);
 }

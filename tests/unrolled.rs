@@ -9,7 +9,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::field::FieldScene;
 use machinist_contract::{Describe as _, Simulator};
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes::shaft_with_rotors::ShaftWithRotors;
 
 /// A field with everything that may vary, an inner port and machines at two of three.
@@ -208,12 +208,12 @@ fn written_out(chain: &Chain, x: &[f64], order: usize) -> String {
     text
 }
 
-fn interpreted(text: &str) -> InterpretedSimulator {
+fn interpreted(text: &str) -> ModelSimulator {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("scene.toml");
     std::fs::write(&file, text).unwrap();
     let program = pipeline::generate(Path::new(&file), Keep::All);
-    InterpretedSimulator::new(program.unwrap_or_else(|error| panic!("{}", error.render())))
+    ModelSimulator::new(program.unwrap_or_else(|error| panic!("{}", error.render())))
 }
 
 /// Largest difference over largest entry.

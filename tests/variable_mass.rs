@@ -4,7 +4,7 @@
 use machinist::{Method, Simulation};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 
 /// A cart that is loaded with sand while it is pushed; sand falls in from rest.
 const CART: &str = r#"
@@ -55,12 +55,12 @@ expression = "force"
 doc = "push"
 "#;
 
-fn cart() -> InterpretedSimulator {
+fn cart() -> ModelSimulator {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("cart.toml");
     std::fs::write(&path, CART).expect("written");
     match pipeline::generate(&path, Keep::Needed) {
-        Ok(program) => InterpretedSimulator::new(program),
+        Ok(program) => ModelSimulator::new(program),
         Err(errors) => panic!("{}", errors.render()),
     }
 }

@@ -12,8 +12,8 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline::Stages;
 use machinist_contract::Describe as _;
 use machinist_model::Model;
+use machinist_model::ModelSimulator;
 use machinist_model::Reduction;
-use machinist_model::interpreted::InterpretedSimulator;
 use machinist_model::operations;
 use serde::Serialize;
 
@@ -183,7 +183,7 @@ fn measure_objects(stages: &mut [Stage], models: &Stages) -> Result<(), ObjectEr
 
 impl Times {
     fn measure(whole: Model, needed: Model) -> Result<Self, SimulateError> {
-        let [whole, needed] = [whole, needed].map(InterpretedSimulator::new);
+        let [whole, needed] = [whole, needed].map(ModelSimulator::new);
         let (mut whole_times, mut needed_times) = (Vec::new(), Vec::new());
         let mut steps = (0, 0);
         // In turns, so that what slows the machine down slows both.
@@ -213,13 +213,13 @@ impl Times {
 }
 
 /// Time of the scene's own run \[ms\], and the run.
-pub fn timed(simulator: &InterpretedSimulator) -> Result<(f64, Trajectory), SimulateError> {
+pub fn timed(simulator: &ModelSimulator) -> Result<(f64, Trajectory), SimulateError> {
     let start = Instant::now();
     let run = Simulation::new(simulator).run()?;
     Ok((start.elapsed().as_secs_f64() * 1e3, run))
 }
 
-fn fine(simulator: &InterpretedSimulator) -> Result<Trajectory, SimulateError> {
+fn fine(simulator: &ModelSimulator) -> Result<Trajectory, SimulateError> {
     let atol = vec![1e-13; simulator.shape().states()];
     Simulation::new(simulator).rtol(FINE).atol(&atol).points(101).run()
 }

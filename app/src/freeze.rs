@@ -7,7 +7,7 @@ use machinist::{SimulateError, Simulation, Trajectory};
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_model::Model;
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 use serde::Serialize;
 
 use crate::deriving::{self, Request, Wanted};
@@ -46,7 +46,7 @@ impl Price {
 
     fn measure(exact: Model, frozen: Model) -> Result<Self, SimulateError> {
         let states = frozen.states.len();
-        let [exact, frozen] = [exact, frozen].map(InterpretedSimulator::new);
+        let [exact, frozen] = [exact, frozen].map(ModelSimulator::new);
         let (mut exact_times, mut frozen_times) = (Vec::new(), Vec::new());
         for _ in 0..RUNS {
             exact_times.push(timed(&exact)?.0);

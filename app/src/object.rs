@@ -1,7 +1,7 @@
 //! An emitted scene as machine code: how large it is and which names are in it.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write as _};
 use std::path::Path;
 use std::process::Command;
 
@@ -55,18 +55,18 @@ pub fn object(model: &Model) -> Result<Vec<u8>, ObjectError> {
     fs::read(folder.path().join("machine.o")).map_err(failed)
 }
 
-/// The contract crate with the scene alone, and a name that keeps its functions in.
+/// The contract crate with the scene in it, and a name that keeps its functions in.
 fn write_crate(folder: &Path, scene: &str, text: &str) -> io::Result<()> {
     for (file, text) in SOURCES {
         fs::write(folder.join(file), text)?;
     }
-    let scenes = folder.join("scenes");
-    fs::create_dir(&scenes)?;
-    fs::write(scenes.join("machine.rs"), text)?;
-    let index = format!(
-        "pub mod machine;\n#[unsafe(no_mangle)]\n\
-         pub static MACHINE: &(dyn crate::Simulator<f64> + Sync) = &machine::{};\n",
+    fs::write(folder.join("machine.rs"), text)?;
+    // The scene asks for the contract by name, which here is the crate itself.
+    let scene = format!(
+        "extern crate self as machinist_contract;\npub mod machine;\n#[unsafe(no_mangle)]\n\
+         pub static MACHINE: &(dyn Simulator<f64> + Sync) = &machine::{};\n",
         type_name(scene)
     );
-    fs::write(scenes.join("mod.rs"), index)
+    let mut library = fs::OpenOptions::new().append(true).open(folder.join("lib.rs"))?;
+    library.write_all(scene.as_bytes())
 }

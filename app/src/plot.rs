@@ -16,8 +16,8 @@ use plotters::style::register_font;
 use thiserror::Error;
 
 pub use linear::{plot_modes, plot_response};
+use machinist::error::did_you_mean;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
-use machinist_codegen::spec::did_you_mean;
 pub use map::plot_map;
 use panel::Panel;
 use ruler::Axis;

@@ -30,7 +30,7 @@ use machinist_codegen::pipeline::Derivation;
 use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_contract::Simulator;
 use machinist_model::Model;
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 use machinist_studies::ledger::{LedgerRow, ledger as ledger_rows};
 use machinist_studies::stability::{Plan as Strain, Study, study};
@@ -157,13 +157,13 @@ impl SceneData {
         let (trajectory, modes) = match built_in {
             Some(simulator) => both(simulator),
             None if has_fields => {
-                let interpreted = InterpretedSimulator::new(model.clone());
+                let interpreted = ModelSimulator::new(model.clone());
                 let scene = scenes::find_field::<f64>(name).unwrap_or(&interpreted);
                 let run = fields::run(scene)?;
                 along = run.along;
                 (run.trajectory, run.modes)
             }
-            None => both(&InterpretedSimulator::new(model.clone())),
+            None => both(&ModelSimulator::new(model.clone())),
         };
         let is_built_in = built_in.is_some() || scenes::find_field::<f64>(name).is_some();
         Ok(Self {

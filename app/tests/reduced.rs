@@ -11,7 +11,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_contract::{Describe as _, Simulator as _};
 use machinist_model::Model;
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::ModelSimulator;
 use machinist_model::{What, Why};
 
 /// A scene file with the given text, in a folder that lasts as long as it.
@@ -75,7 +75,7 @@ fn left_out(program: &Model, what: What, why: Why) -> Vec<&str> {
 
 /// A run with errors near rounding.
 fn run(program: &Model, until: Option<f64>) -> Trajectory {
-    let simulator = InterpretedSimulator::new(program.clone());
+    let simulator = ModelSimulator::new(program.clone());
     let states = simulator.shape().states();
     let until = until.unwrap_or(simulator.run_defaults().until);
     let run = Simulation::new(&simulator).until(until).points(41).rtol(1e-13);
@@ -105,7 +105,7 @@ fn distance(needed: &Model, all: &Model, until: Option<f64>) -> f64 {
 /// Asserts that the power balance closes and that the Jacobian is that of the rate,
 /// at some states.
 fn assert_sound(program: &Model) {
-    let simulator = InterpretedSimulator::new(program.clone());
+    let simulator = ModelSimulator::new(program.clone());
     let shape = simulator.shape();
     let parameters: Vec<f64> =
         (0..shape.parameters).map(|index| simulator.parameter_default(index)).collect();
@@ -122,12 +122,7 @@ fn assert_sound(program: &Model) {
 }
 
 /// The rate Jacobian by central differences.
-fn assert_derivative(
-    simulator: &InterpretedSimulator,
-    time: f64,
-    state: &[f64],
-    parameters: &[f64],
-) {
+fn assert_derivative(simulator: &ModelSimulator, time: f64, state: &[f64], parameters: &[f64]) {
     let pattern = simulator.rate_jacobian_pattern();
     let mut values = vec![0.0; pattern.entries.len()];
     simulator.rate_jacobian(time, state, parameters, &mut values);

@@ -15,10 +15,6 @@ mod excitation;
 pub mod file;
 pub mod functions;
 pub mod hoist;
-/// The name that simulators of models had before they were compiled.
-pub mod interpreted {
-    pub use crate::ModelSimulator as InterpretedSimulator;
-}
 mod lanes;
 mod model;
 mod names;

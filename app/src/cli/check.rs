@@ -7,8 +7,8 @@ use machinist::constraints;
 use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::pipeline;
 use machinist_codegen::scene::system::LagrangianSystem;
+use machinist_model::ModelSimulator;
 use machinist_model::file::Stamped;
-use machinist_model::interpreted::InterpretedSimulator;
 
 use super::output::print;
 use super::scene::Given;
@@ -66,7 +66,7 @@ fn constraints(file: &Path, system: &LagrangianSystem) -> Result<String, Failure
         return Ok(String::new());
     }
     let model = deriving::model(file, Keep::All)?;
-    let simulator = InterpretedSimulator::new(model);
+    let simulator = ModelSimulator::new(model);
     let parameters: Vec<f64> = system.parameters.iter().map(|parameter| parameter.value).collect();
     let time = system.run.from;
     let start = constraints::start(&simulator, &parameters, time);

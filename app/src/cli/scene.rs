@@ -9,7 +9,7 @@ use machinist_codegen::mechanics::reduce::Keep;
 use machinist_codegen::spec::did_you_mean;
 use machinist_contract::{Real, Simulator};
 use machinist_model::file::{MARK, Stamped, read};
-use machinist_model::interpreted::InterpretedSimulator;
+use machinist_model::{ModelSimulator, Running};
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
@@ -50,10 +50,10 @@ impl Given {
 pub enum Scene {
     /// Built in, by name.
     Emitted(&'static dyn Simulator<f64>),
-    /// From a file, evaluated from its tapes.
-    Interpreted(Box<InterpretedSimulator>),
-    /// With fields, cut into elements; whether its machine is emitted code.
-    Fields(Box<FieldSimulator<'static, f64>>, bool),
+    /// Of a model, derived or read.
+    Model(Box<ModelSimulator>),
+    /// With fields, cut into elements, and how its machine runs; nothing for emitted code.
+    Fields(Box<FieldSimulator<'static, f64>>, Option<Running>),
 }
 
 impl Scene {
@@ -72,7 +72,7 @@ impl Scene {
         let is_named = !keep_all && !is_path(argument);
         if is_named && let Some(scene) = scenes::find_field::<f64>(argument) {
             let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
-            return Ok(Self::Fields(Box::new(cut), true));
+            return Ok(Self::Fields(Box::new(cut), None));
         }
         if is_named && let Some(simulator) = built_in(argument) {
             return without_fields(wanted, Self::Emitted(simulator));
@@ -89,21 +89,21 @@ impl Scene {
             }
         };
         let has_fields = !model.fields.is_empty();
-        let simulator = Box::new(InterpretedSimulator::new(model));
+        let simulator = Box::new(ModelSimulator::new(model));
         if !has_fields {
-            return without_fields(wanted, Self::Interpreted(simulator));
+            return without_fields(wanted, Self::Model(simulator));
         }
         // It lives as long as the command, which loads one scene.
-        let scene: &'static InterpretedSimulator = Box::leak(simulator);
+        let scene: &'static ModelSimulator = Box::leak(simulator);
         let cut = FieldSimulator::new(scene, wanted).map_err(|error| refused(&error))?;
-        Ok(Self::Fields(Box::new(cut), false))
+        Ok(Self::Fields(Box::new(cut), Some(scene.running())))
     }
 
     /// The simulator.
     pub fn simulator(&self) -> &dyn Simulator<f64> {
         match self {
             Self::Emitted(simulator) => *simulator,
-            Self::Interpreted(simulator) => simulator.as_ref(),
+            Self::Model(simulator) => simulator.as_ref(),
             Self::Fields(simulator, _) => simulator.as_ref(),
         }
     }
@@ -112,15 +112,21 @@ impl Scene {
     pub fn twin(&self) -> Option<&'static dyn Simulator<DoubleDouble>> {
         match self {
             Self::Emitted(simulator) => built_in(simulator.name()),
-            Self::Interpreted(_) | Self::Fields(..) => None,
+            Self::Model(_) | Self::Fields(..) => None,
         }
     }
 
     /// How it runs, for people.
     pub fn how(&self) -> &'static str {
-        match self {
-            Self::Emitted(_) | Self::Fields(_, true) => "emitted code",
-            Self::Interpreted(_) | Self::Fields(_, false) => "evaluated from its tapes",
+        let running = match self {
+            Self::Emitted(_) => None,
+            Self::Model(simulator) => Some(simulator.running()),
+            Self::Fields(_, running) => *running,
+        };
+        match running {
+            None => "emitted code",
+            Some(Running::Compiled) => "compiled at once",
+            Some(Running::Interpreted) => "interpreted",
         }
     }
 }

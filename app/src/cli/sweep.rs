@@ -9,6 +9,7 @@ use machinist::sweep::{Sweepable, VariantRun, one};
 use machinist::{Method, SimulateError, Simulation};
 use machinist_codegen::spec::did_you_mean;
 use machinist_contract::Simulator;
+use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;
 
 use super::assignment;
@@ -186,19 +187,45 @@ impl Sweep {
         variants: &[Vec<f64>],
         method: Option<Method>,
     ) -> Vec<Result<VariantRun, SimulateError>> {
-        if let Scene::Emitted(_) = scene {
-            let machine = BuiltIn { name: self.scene.clone() };
-            let sweep = machinist::Sweep::new(&machine)
-                .each(|run| self.adjusted(run, method))
-                .variants(variants.to_vec())
-                .threads(self.threads.unwrap_or_default());
-            return sweep.run();
+        match scene {
+            Scene::Emitted(_) => {
+                return self.sweep(&BuiltIn { name: self.scene.clone() }, variants, method);
+            }
+            Scene::Model(simulator) => return self.sweep(&OfModel(simulator), variants, method),
+            Scene::Fields(..) => {}
         }
         let run = |parameters: &Vec<f64>| {
             let run = Simulation::new(scene.simulator()).parameters(parameters);
             one(&self.adjusted(run, method))
         };
         variants.iter().map(run).collect()
+    }
+}
+
+impl Sweep {
+    fn sweep<M: Sweepable>(
+        &self,
+        machine: &M,
+        variants: &[Vec<f64>],
+        method: Option<Method>,
+    ) -> Vec<Result<VariantRun, SimulateError>> {
+        let sweep = machinist::Sweep::new(machine)
+            .each(|run| self.adjusted(run, method))
+            .variants(variants.to_vec())
+            .threads(self.threads.unwrap_or_default());
+        sweep.run()
+    }
+}
+
+/// A model, which threads may share; one variant at a time.
+struct OfModel<'a>(&'a ModelSimulator);
+
+impl Sweepable for OfModel<'_> {
+    fn single(&self) -> &dyn Simulator<f64> {
+        self.0
+    }
+    fn in_lanes(&self) -> Option<&dyn Simulator<F64x8>> {
+        None
     }
 }
 

@@ -116,7 +116,7 @@ fn run(scene: &SceneData, trajectory: &Trajectory) -> Markup {
         ("Newton iterations", work.newton_iterations),
         ("switches", work.switches),
     ];
-    let how = if scene.is_built_in { "Emitted code" } else { "Evaluated from its tapes" };
+    let how = if scene.is_built_in { "Emitted code" } else { "Compiled at once" };
     let (first, last) = match trajectory.times.as_slice() {
         [first, .., last] => (*first, *last),
         _ => (f64::NAN, f64::NAN),

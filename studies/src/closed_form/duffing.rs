@@ -10,8 +10,6 @@
 //!
 //! Source: textbook.
 
-use spec_math::cephes64::ellpj;
-
 /// Mass on a spring with force k1 x + k3 x^3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Duffing {
@@ -28,7 +26,7 @@ impl Duffing {
     #[must_use]
     pub fn motion(&self, t: f64, amplitude: f64) -> (f64, f64) {
         let frequency = self.frequency(amplitude);
-        let (sn, cn, dn, _) = ellpj(frequency * t, self.parameter(amplitude));
+        let [sn, cn, dn] = jacobi(frequency * t, self.parameter(amplitude));
         (amplitude * cn, -amplitude * frequency * sn * dn)
     }
 
@@ -61,6 +59,28 @@ fn arithmetic_geometric_mean(mut a: f64, mut b: f64) -> f64 {
         (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
     }
     a
+}
+
+/// sn, cn and dn of u at the parameter n, 0 <= n < 1, by the means of 1 and sqrt(1 - n):
+/// from the amplitude 2^k a_k u of the last of them back to that of the first (Abramowitz
+/// and Stegun 16.4).
+fn jacobi(u: f64, n: f64) -> [f64; 3] {
+    const STEPS: usize = 6;
+    let (mut a, mut b) = (1.0, (1.0 - n).sqrt());
+    let mut ratios = [0.0; STEPS];
+    let mut scale = 1.0;
+    for ratio in &mut ratios {
+        let next = f64::midpoint(a, b);
+        *ratio = (a - b) / 2.0 / next;
+        (a, b) = (next, (a * b).sqrt());
+        scale *= 2.0;
+    }
+    let mut amplitude = scale * a * u;
+    for ratio in ratios.iter().rev() {
+        amplitude = f64::midpoint(amplitude, (ratio * amplitude.sin()).asin());
+    }
+    let (sn, cn) = amplitude.sin_cos();
+    [sn, cn, (1.0 - n * sn * sn).sqrt()]
 }
 
 #[cfg(test)]

@@ -9,35 +9,19 @@ use support::{matrix, model, random_tape, tape};
 
 /// One coordinate with a rate that is made of everything there is.
 fn stamped() -> Stamped {
-    let mut rng = Rng::with_seed(11);
-    let mut rate = random_tape(&mut rng, 60, 0.3);
+    let mut rate = random_tape(&mut Rng::with_seed(11), 60, 0.3);
     for node in &mut rate.nodes {
         node.op = match node.op {
-            Op::State(entry) => Op::State(entry % 2),
-            Op::Parameter(_) | Op::Handed(_) | Op::Constant(_) | Op::Table { .. } => Op::Time,
+            Op::State(entry) => Op::State(entry % 3),
+            Op::Handed(_) | Op::Constant(_) => Op::Time,
             op => op,
         };
     }
-    rate.results.truncate(2);
-    let one = [Op::Literal(1.0)];
-    let mut model = model(1, rate, matrix(1, 1, &[(0, 0)], tape(&one, &[0])), tape(&one, &[0]));
-    complete(&mut model);
+    rate.results.truncate(3);
+    let one = || tape(&[Op::Literal(1.0)], &[0]);
+    let mut model = model(1, rate, matrix(1, 1, &[(0, 0)], one()), one());
+    model.rate_jacobian = matrix(3, 3, &[(0, 1)], one());
     Stamped { generator: "a test".to_owned(), model }
-}
-
-/// Gives every function as many results as it should have.
-fn complete(model: &mut Model) {
-    let numbers = |count: usize| tape(&[Op::Literal(0.5)], &vec![0; count]);
-    let states = model.states.len();
-    model.initial_state = numbers(states);
-    model.time_derivative = numbers(states);
-    model.outputs = numbers(model.wanted.len());
-    model.energy = numbers(3);
-    model.power_balance = numbers(3);
-    model.rate_jacobian = matrix(states, states, &[(0, 1)], numbers(1));
-    let parameters = model.all_parameters().count();
-    model.parameter_jacobian = matrix(states, parameters, &[], numbers(0));
-    model.constraint_matrix = matrix(0, model.coordinates.len(), &[], numbers(0));
 }
 
 #[test]
@@ -106,7 +90,7 @@ fn a_model_that_breaks_a_rule_is_refused_although_its_hash_is_right() {
         ("energy", |model| model.energy.results.clear()),
         ("initial_state", |model| model.initial_state.nodes[0].op = Op::Time),
         ("rate_jacobian", |model| model.rate_jacobian.pattern.entries[0] = (5, 5)),
-        ("coordinate", |model| model.states[0].kind = StateKind::Position(4)),
+        ("y_0", |model| model.states[0].kind = StateKind::Position(4)),
     ];
     for (part, damage) in breaks {
         let mut stamped = stamped();
@@ -121,6 +105,9 @@ fn a_model_that_breaks_a_rule_is_refused_although_its_hash_is_right() {
 fn content_that_is_no_model_is_refused_although_its_hash_is_right() {
     for content in [vec![0xff_u8; 40], vec![0; 3], (0..200).collect()] {
         let error = read(&seal(MARK, &content)).expect_err("no model");
-        assert!(matches!(error, FileError::Undecodable { .. } | FileError::Malformed(_)), "{error}");
+        assert!(
+            matches!(error, FileError::Undecodable { .. } | FileError::Malformed(_)),
+            "{error}"
+        );
     }
 }

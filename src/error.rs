@@ -295,18 +295,21 @@ impl NotCompiledIn {
     }
 }
 
-/// ` (did you mean ...?)` if one of `known` resembles `name` or ends in it after
-/// a dot, else nothing.
+/// The one of `known` that resembles `name` most, or ends in it after a dot, if any does.
 #[must_use]
-pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+pub fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     const RESEMBLES: f64 = 0.6;
     let likeness = |candidate: &str| {
         let is_last_part = candidate.strip_suffix(name).is_some_and(|owner| owner.ends_with('.'));
         if is_last_part { 1.0 } else { strsim::normalized_damerau_levenshtein(name, candidate) }
     };
-    known
-        .map(|candidate| (likeness(candidate), candidate))
-        .filter(|(likeness, _)| *likeness > RESEMBLES)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or_else(String::new, |(_, candidate)| format!(" (did you mean `{candidate}`?)"))
+    let likely = known.map(|candidate| (likeness(candidate), candidate));
+    let likely = likely.filter(|(likeness, _)| *likeness > RESEMBLES);
+    likely.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, candidate)| candidate)
+}
+
+/// ` (did you mean ...?)` for the nearest of `known`, else nothing.
+#[must_use]
+pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+    nearest(name, known).map_or_else(String::new, |name| format!(" (did you mean `{name}`?)"))
 }

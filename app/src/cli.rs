@@ -6,20 +6,28 @@
 //! bad input. A command that fails leaves no file behind.
 
 mod bench;
+#[cfg(feature = "derive")]
 mod cache;
+#[cfg(feature = "derive")]
 mod check;
+#[cfg(feature = "derive")]
 mod compile;
+#[cfg(feature = "derive")]
 mod derive;
+#[cfg(feature = "derive")]
 pub mod explain;
+#[cfg(feature = "derive")]
 mod generate;
 mod linear;
 mod list;
 pub mod modes;
 mod output;
+#[cfg(feature = "derive")]
 mod report;
 mod response;
 mod run;
 mod scene;
+#[cfg(feature = "derive")]
 pub mod specs;
 mod stability;
 mod sweep;
@@ -30,6 +38,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+#[cfg(feature = "derive")]
 use crate::deriving;
 
 /// Lagrangian specs of machines to fast, checked Rust simulators.
@@ -37,6 +46,7 @@ use crate::deriving;
 #[command(name = "machinist", version, propagate_version = true)]
 struct Cli {
     /// Derive anew, and remember nothing of it
+    #[cfg(feature = "derive")]
     #[arg(long, global = true)]
     no_cache: bool,
     #[command(subcommand)]
@@ -46,14 +56,19 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Emit the simulators of all scenes as Rust
+    #[cfg(feature = "derive")]
     Gen(generate::Generate),
     /// Check specs and say what is wrong with them
+    #[cfg(feature = "derive")]
     Check(check::Check),
     /// Print the equations of motion of a scene
+    #[cfg(feature = "derive")]
     Derive(derive::Derive),
     /// Derive a scene and write its model, which runs anywhere
+    #[cfg(feature = "derive")]
     Compile(compile::Compile),
     /// Say what is left out of a scene, why, and what that saves
+    #[cfg(feature = "derive")]
     Explain(explain::Explain),
     /// Simulate a scene
     Run(run::Run),
@@ -72,26 +87,34 @@ enum Command {
     /// Hold the simulators against closed forms and references
     Verify(verify::Verify),
     /// Make one page with equations, plots, checks and costs of all scenes
+    #[cfg(feature = "derive")]
     Report(report::Report),
     /// List the scenes that are built in
     List(list::List),
     /// What is remembered of scenes that were derived
+    #[cfg(feature = "derive")]
     Cache(cache::CacheCommand),
     /// What a parent process has its child do
+    #[cfg(feature = "derive")]
     #[command(name = deriving::COMMAND, hide = true)]
     DeriveForParent,
 }
 
 /// Does what the arguments of this process ask for.
 pub fn main() -> ExitCode {
-    let Cli { no_cache, command } = Cli::parse();
-    if no_cache {
+    let cli = Cli::parse();
+    #[cfg(feature = "derive")]
+    if cli.no_cache {
         deriving::turn_off_cache();
     }
-    let done = match command {
+    let done = match cli.command {
+        #[cfg(feature = "derive")]
         Command::Gen(command) => command.execute(),
+        #[cfg(feature = "derive")]
         Command::Check(command) => command.execute(),
+        #[cfg(feature = "derive")]
         Command::Derive(command) => command.execute(),
+        #[cfg(feature = "derive")]
         Command::Explain(command) => command.execute(),
         Command::Run(command) => command.execute(),
         Command::Sweep(command) => command.execute(),
@@ -101,10 +124,14 @@ pub fn main() -> ExitCode {
         Command::Response(command) => command.execute(),
         Command::Walk(command) => command.execute(),
         Command::Verify(command) => command.execute(),
+        #[cfg(feature = "derive")]
         Command::Report(command) => command.execute(),
         Command::List(command) => command.execute(),
+        #[cfg(feature = "derive")]
         Command::Compile(command) => command.execute(),
+        #[cfg(feature = "derive")]
         Command::Cache(command) => command.execute(),
+        #[cfg(feature = "derive")]
         Command::DeriveForParent => deriving::answer_parent(),
     };
     match done {

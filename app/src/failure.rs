@@ -6,8 +6,11 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use machinist::SimulateError;
+use machinist::error::nearest;
 use machinist::linear_analysis::LinearError;
+#[cfg(feature = "derive")]
 use machinist_codegen::spec::diagnostic::Diagnostics;
+#[cfg(feature = "derive")]
 use machinist_codegen::write::WriteError;
 use miette::{Report, miette};
 
@@ -49,6 +52,17 @@ impl Failure {
     }
 }
 
+/// A hint for a name that is not known: the nearest one, or all there are.
+pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    match nearest(name, known.clone()) {
+        Some(nearest) => format!("did you mean `{nearest}`?"),
+        None => match known.collect::<Vec<_>>().join(", ") {
+            all if all.is_empty() => all,
+            all => format!("known are {all}"),
+        },
+    }
+}
+
 fn with_help(message: &str, help: &str) -> Report {
     if help.is_empty() {
         miette!("{message}")
@@ -57,6 +71,7 @@ fn with_help(message: &str, help: &str) -> Report {
     }
 }
 
+#[cfg(feature = "derive")]
 impl From<Diagnostics> for Failure {
     fn from(diagnostics: Diagnostics) -> Self {
         Self::Input(vec![diagnostics.into()])
@@ -84,6 +99,7 @@ impl From<LinearError> for Failure {
     }
 }
 
+#[cfg(feature = "derive")]
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         match error {

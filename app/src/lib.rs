@@ -1,15 +1,25 @@
 //! The program `machinist`: command line, report, plots.
 //!
+//! Without the feature `derive` it reads no specs, needs no computer algebra, and runs scenes
+//! that are built in and model files.
+//!
 //! A library only so that its parts can be tested; other programs want `machinist`.
 
 mod cli;
+#[cfg(feature = "derive")]
 mod deriving;
+#[cfg(feature = "derive")]
 mod explain;
 mod failure;
+#[cfg(feature = "derive")]
 mod freeze;
+mod number;
+#[cfg(feature = "derive")]
 pub mod object;
 pub mod plot;
 mod progress;
+#[cfg(feature = "derive")]
 mod report;
+mod trials;
 
 pub use cli::main;

@@ -7,8 +7,8 @@ use machinist_studies::work_precision::{Curve, Plan, Point, TOLERANCES, WorkPrec
 use super::output::{columns, print, print_with};
 use super::scene::Scene;
 use crate::failure::Failure;
+use crate::number::number;
 use crate::progress::during;
-use crate::report::number::number;
 
 #[derive(Debug, Args)]
 pub struct Bench {

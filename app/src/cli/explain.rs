@@ -12,8 +12,8 @@ use crate::deriving;
 use crate::explain::{Explanation, Times};
 use crate::failure::Failure;
 use crate::freeze::{Candidate, admit};
+use crate::number::number;
 use crate::progress::during;
-use crate::report::number::number;
 
 #[derive(Debug, Args)]
 pub struct Explain {

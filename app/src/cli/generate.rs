@@ -8,7 +8,7 @@ use machinist_codegen::write::{Mode, Summary, Written, emit_scenes};
 use machinist_model::Model;
 
 use super::output::print;
-use super::specs;
+use super::{scene, specs};
 use crate::deriving;
 use crate::failure::Failure;
 use crate::freeze::admit;
@@ -22,7 +22,7 @@ pub struct Generate {
     #[arg(long)]
     check: bool,
     /// The folder of the scenes
-    #[arg(long, value_name = "DIR", default_value = specs::SCENES)]
+    #[arg(long, value_name = "DIR", default_value = scene::SCENES)]
     specs: PathBuf,
     /// The folder of the emitted files
     #[arg(long, value_name = "DIR", default_value = EMITTED)]
@@ -42,7 +42,7 @@ impl Generate {
         let mode = if self.check { Mode::Check } else { Mode::Write };
         let mut text = describe(&emit_scenes(&self.out, &models, mode)?, "");
         if !bench_programs.is_empty() {
-            let emitted = emit_scenes(&self.out.join(specs::BENCH), &bench_programs, mode)?;
+            let emitted = emit_scenes(&self.out.join(scene::BENCH), &bench_programs, mode)?;
             text.push_str(&describe(&emitted, "bench/"));
         }
         print(&text)

@@ -12,7 +12,7 @@ use serde::Serialize;
 use super::linear::Where;
 use super::output::{columns, draw_file, print, require_ending};
 use crate::failure::Failure;
-use crate::report::number::number;
+use crate::number::number;
 
 /// States with less than this share of the largest are left out of the table.
 const MINOR: f64 = 0.1;

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::generate::EMITTED;
 use super::output::{print, write_file};
-use super::specs;
+use super::scene;
 use crate::failure::Failure;
 use crate::report;
 
@@ -16,7 +16,7 @@ pub struct Report {
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     out: PathBuf,
     /// The folder of the scenes
-    #[arg(long, value_name = "DIR", default_value = specs::SCENES)]
+    #[arg(long, value_name = "DIR", default_value = scene::SCENES)]
     specs: PathBuf,
     /// The folder of the emitted files, which are brought up to date
     #[arg(long, value_name = "DIR", default_value = EMITTED)]

@@ -9,7 +9,7 @@ use machinist::linear_analysis::{Response, logarithmic_range};
 use super::linear::Where;
 use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
 use crate::failure::Failure;
-use crate::report::number::number;
+use crate::number::number;
 
 #[derive(Debug, Args)]
 pub struct FrequencyResponse {

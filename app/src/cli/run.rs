@@ -2,19 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::field::ModalSimulator;
 use machinist::trajectory::{Column, ColumnKind, Trajectory};
 use machinist::{Discretisation, Method, Simulation};
-use machinist_codegen::spec::did_you_mean;
 use machinist_contract::Simulator;
 
 use super::assignment;
 use super::output::{columns, draw_file, print, print_with, require_ending, write_file};
 use super::scene::Scene;
 use crate::failure::Failure;
+use crate::number::number;
 use crate::progress::during;
-use crate::report::number::number;
 
 #[derive(Debug, Args)]
 pub struct Run {

@@ -4,18 +4,20 @@ use std::fs::{self, File};
 use std::io::Read as _;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
+use crate::failure::did_you_mean;
 use machinist::field::{Discretisation, FieldError, FieldSimulator};
+#[cfg(feature = "derive")]
 use machinist_codegen::mechanics::reduce::Keep;
-use machinist_codegen::spec::did_you_mean;
 use machinist_contract::{Real, Simulator};
 use machinist_model::file::{MARK, Stamped, read};
-use machinist_model::{ModelSimulator, Running};
+use machinist_model::{Model, ModelSimulator, Running};
 use machinist_scenes::scenes;
 use machinist_studies::double_double::DoubleDouble;
 
-use super::specs;
+#[cfg(feature = "derive")]
 use crate::deriving;
 use crate::failure::Failure;
+#[cfg(feature = "derive")]
 use crate::freeze::admit;
 
 /// What a command was given for a scene.
@@ -77,16 +79,9 @@ impl Scene {
         if is_named && let Some(simulator) = built_in(argument) {
             return without_fields(wanted, Self::Emitted(simulator));
         }
-        let keep = if keep_all { Keep::All } else { Keep::Needed };
         let model = match Given::of(argument)? {
             Given::Model(stamped) => stamped.model,
-            Given::Spec(path) => {
-                let model = deriving::model(&path, keep)?;
-                if !keep_all {
-                    admit(&path, &model)?;
-                }
-                model
-            }
+            Given::Spec(path) => derived(&path, keep_all)?,
         };
         let has_fields = !model.fields.is_empty();
         let simulator = Box::new(ModelSimulator::new(model));
@@ -131,6 +126,24 @@ impl Scene {
     }
 }
 
+/// The model of a spec.
+#[cfg(feature = "derive")]
+fn derived(path: &Path, keep_all: bool) -> Result<Model, Failure> {
+    let keep = if keep_all { Keep::All } else { Keep::Needed };
+    let model = deriving::model(path, keep)?;
+    if !keep_all {
+        admit(path, &model)?;
+    }
+    Ok(model)
+}
+
+/// This program reads no specs.
+#[cfg(not(feature = "derive"))]
+fn derived(path: &Path, _keep_all: bool) -> Result<Model, Failure> {
+    let message = format!("{}: this program was built without what derives", path.display());
+    Err(Failure::input(message, "give a model, as `machinist compile` of a whole build writes it"))
+}
+
 fn refused(error: &FieldError) -> Failure {
     let help = "`--elements` and `--order` say how fields are cut; without them the spec does";
     Failure::input(error, help)
@@ -154,13 +167,25 @@ pub fn built_in<R: Real>(name: &str) -> Option<&'static dyn Simulator<R>> {
     scenes::find(name)
 }
 
+/// Where scenes are kept.
+pub const SCENES: &str = "specs/scenes";
+/// The folder below it with scenes that are there to be measured, and the folder
+/// below that of the emitted files with their simulators.
+pub const BENCH: &str = "bench";
+
+/// Where the spec of a scene may be.
+pub fn places_of(name: &str) -> [PathBuf; 2] {
+    let file = format!("{name}.toml");
+    [Path::new(SCENES).join(&file), Path::new(SCENES).join(BENCH).join(&file)]
+}
+
 /// The spec file of a name or a path. A name is looked for among the specs of
 /// the current folder.
 pub fn spec_path(argument: &str) -> Result<PathBuf, Failure> {
     if is_path(argument) {
         return Ok(PathBuf::from(argument));
     }
-    let places = specs::places_of(argument);
+    let places = places_of(argument);
     if let Some(found) = places.iter().find(|place| place.is_file()) {
         return Ok(found.clone());
     }

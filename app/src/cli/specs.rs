@@ -6,19 +6,8 @@ use machinist_codegen::spec::diagnostic::Diagnostics;
 use machinist_model::Model;
 use machinist_model::operations;
 
+use super::scene::BENCH;
 use crate::failure::Failure;
-
-/// Where scenes are kept.
-pub const SCENES: &str = "specs/scenes";
-/// The folder below it with scenes that are there to be measured, and the folder
-/// below that of the emitted files with their simulators.
-pub const BENCH: &str = "bench";
-
-/// Where the spec of a scene may be.
-pub fn places_of(name: &str) -> [PathBuf; 2] {
-    let file = format!("{name}.toml");
-    [Path::new(SCENES).join(&file), Path::new(SCENES).join(BENCH).join(&file)]
-}
 
 /// All scene files of a folder, sorted by name.
 pub fn scene_files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {

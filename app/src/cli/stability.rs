@@ -7,7 +7,7 @@ use machinist_studies::stability::{self, ObservedOrders, Outcome, POWERS, Plan, 
 use super::output::{print, print_with};
 use crate::failure::Failure;
 use crate::progress::during;
-use crate::report::stability::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
+use crate::trials::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
 
 #[derive(Debug, Args)]
 pub struct Stability {

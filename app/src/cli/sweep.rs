@@ -3,11 +3,11 @@
 use std::io;
 use std::path::PathBuf;
 
+use crate::failure::did_you_mean;
 use clap::Args;
 use machinist::lanes::F64x8;
 use machinist::sweep::{Sweepable, VariantRun, one};
 use machinist::{Method, SimulateError, Simulation};
-use machinist_codegen::spec::did_you_mean;
 use machinist_contract::Simulator;
 use machinist_model::ModelSimulator;
 use machinist_scenes::scenes;

@@ -10,8 +10,8 @@ use serde::Serialize;
 
 use super::output::{columns, draw_file, print, require_ending};
 use crate::failure::Failure;
+use crate::number::number;
 use crate::progress::during;
-use crate::report::number::number;
 
 #[derive(Debug, Args)]
 pub struct WalkCommand {

@@ -16,8 +16,8 @@ use maud::{Markup, html};
 
 use super::figure::{self, Named};
 use super::modes::{self, Modes};
-use super::number::number;
 use crate::failure::Failure;
+use crate::number::number;
 
 /// Modes are those of so many elements of this order, which a table has room for.
 const FEW: Discretisation = Discretisation { elements: Some(8), order: Some(4) };

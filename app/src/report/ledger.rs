@@ -3,7 +3,7 @@
 use machinist_studies::ledger::LedgerRow;
 use maud::{Markup, html};
 
-use super::number::number;
+use crate::number::number;
 
 /// All rows, or why there are none.
 pub fn section(ledger: &Result<Vec<LedgerRow>, String>) -> Markup {

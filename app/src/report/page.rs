@@ -5,7 +5,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use machinist_studies::work_precision::{Plan, WorkPrecision};
 
-use super::{Report, figure, ledger, licences, scene, stability, verification, winder_walk};
+use super::gather::Report;
+use super::{figure, ledger, licences, scene, stability, verification, winder_walk};
 
 /// Nothing may be loaded: everything the page needs is in it.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; font-src data:; \

@@ -5,9 +5,10 @@ use machinist_codegen::emit::document::Document;
 use machinist_model::Model;
 use maud::{Markup, html};
 
-use super::number::{exact, number};
-use super::{SceneData, equations, fields, figure, modes, reduction};
+use super::gather::SceneData;
+use super::{equations, fields, figure, modes, reduction};
 use crate::cli::specs::{Cost, costs};
+use crate::number::{exact, number};
 
 /// The section of a scene.
 pub fn section(scene: &SceneData) -> Markup {

@@ -1,11 +1,9 @@
 //! The table of extreme cases: what is right, what refuses, what is wrong.
 
-use machinist_studies::stability::{
-    ALLOWED, LARGEST, LongRun, MAX_STEPS, ObservedOrders, Outcome, POWERS, Row, Study,
-};
+use machinist_studies::stability::{LongRun, ObservedOrders, Outcome, POWERS, Row, Study};
 use maud::{Markup, html};
 
-use super::number::number;
+use crate::trials::{DRIFT, ORDERS, cell, drift_cells, order, refusals, rule};
 
 /// All cases by all methods.
 pub fn section(study: &Study) -> Markup {
@@ -63,18 +61,6 @@ fn long_runs(runs: &[LongRun]) -> Markup {
     }
 }
 
-/// Scene, method, end, steps, and how far it was off before and after being put back.
-pub fn drift_cells(run: &LongRun) -> [String; 6] {
-    [
-        run.scene.to_owned(),
-        run.method.name().to_owned(),
-        format!("{:.0} s", run.until),
-        run.steps.to_string(),
-        format!("{:.1e}", run.before),
-        format!("{:.1e}", run.after),
-    ]
-}
-
 fn orders(rows: &[ObservedOrders]) -> Markup {
     html! {
         div.scroll {
@@ -119,68 +105,4 @@ fn title(outcome: &Outcome) -> String {
         Outcome::Refused { reason, .. } => reason.clone(),
         Outcome::Right { steps, .. } | Outcome::Wrong { steps, .. } => format!("{steps} steps"),
     }
-}
-
-/// What the long runs show.
-pub const DRIFT: &str = "How far machines come off their constraints at most over very many \
-    steps, relative to the size of their coordinates: at the ends of steps, and after being put \
-    back there.";
-
-/// What the orders are.
-pub const ORDERS: &str = "Orders of convergence that remain on the problem of Prothero and \
-    Robinson, y' = lambda (y - cos t) - sin t, between equal steps and half of them; a dash \
-    where only rounding is left of the errors.";
-
-/// One order.
-pub fn order(found: Option<f64>) -> String {
-    found.map_or_else(|| "-".to_owned(), |order| format!("{order:.1}"))
-}
-
-/// One outcome in a few letters.
-pub fn cell(outcome: &Outcome) -> String {
-    match outcome {
-        Outcome::Right { error, .. } => number(*error, 2),
-        Outcome::Refused { word, .. } => (*word).to_owned(),
-        Outcome::Wrong { error, .. } => format!("WRONG {error:.0e}"),
-    }
-}
-
-/// What the numbers are and what counts as wrong.
-pub fn rule(study: &Study) -> String {
-    format!(
-        "Numbers are errors over the relative tolerance, which is {:.0e}: the largest over all \
-         states and times judged, relative to the largest value of the state at these times. A \
-         run that ends with more than {ALLOWED}, and with more than one a step, or with more \
-         than {} %, is WRONG.",
-        study.rtol,
-        100.0 * LARGEST
-    )
-}
-
-/// What the words mean that occur.
-pub fn refusals(study: &Study) -> String {
-    const WORDS: [(&str, &str); 10] = [
-        ("steps", "more steps than are allowed"),
-        ("small", "steps too small for time to advance"),
-        ("newton", "Newton's iteration does not converge"),
-        ("nan", "a value that is no number"),
-        ("rounding", "rounding would exceed the tolerance"),
-        ("unfit", "a machine that the method is not for"),
-        ("zeno", "events without end"),
-        ("drift", "off a constraint"),
-        ("large", "more memory than is allowed"),
-        ("solver", "another error of the solver"),
-    ];
-    let cells = || study.rows.iter().flat_map(|row| &row.cells);
-    let occurs = |word: &str| {
-        cells().any(
-            |cell| matches!(&cell.outcome, Outcome::Refused { word: found, .. } if *found == word),
-        )
-    };
-    let words = WORDS.iter().filter(|(word, _)| occurs(word));
-    let words: Vec<String> = words.map(|(word, meaning)| format!("{word}: {meaning}")).collect();
-    if words.is_empty() {
-        return "No run was refused.".to_owned();
-    }
-    format!("Refused for {}. At most {MAX_STEPS} steps are allowed.", words.join("; "))
 }

@@ -3,7 +3,7 @@
 use machinist_studies::verify::Verdict;
 use maud::{Markup, html};
 
-use super::number::number;
+use crate::number::number;
 
 /// All verdicts.
 pub fn section(verdicts: &[Verdict]) -> Markup {

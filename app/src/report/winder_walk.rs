@@ -6,8 +6,8 @@ use machinist_studies::winder_walk::{SPEEDS, Stage, Walk, Winder, spectrum};
 use maud::{Markup, html};
 
 use super::figure;
-use super::number::number;
 use crate::cli::walk::{HEADING, line};
+use crate::number::number;
 
 /// Pressure of the second map \[N\]; the first has the bench winder's own.
 const HARDER: f64 = 100.0;

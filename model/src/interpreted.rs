@@ -193,39 +193,49 @@ impl Describe for InterpretedSimulator {
     }
 }
 
-/// Methods that write the results of one function each.
+/// The methods of the table of functions.
 macro_rules! functions {
-    ($($name:ident = $id:ident),*) => {
-        $(
-            fn $name(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
-                self.run(FunctionId::$id, &self.inputs(time, state, parameters), values);
-            }
-        )*
+    (
+        []
+        every { $($every:tt)* }
+        events { $($events:tt)* }
+        constraints { $($constraints:tt)* }
+    ) => {
+        $(function! $every)*
+        $(function! $events)*
+        $(function! $constraints)*
+    };
+}
+
+macro_rules! function {
+    ($id:ident $name:ident Parameters $result:tt [] $meaning:literal $doc:literal) => {
+        fn $name(&self, parameters: &[f64], values: &mut [f64]) {
+            self.run(FunctionId::$id, &self.inputs_without_state(0.0, parameters), values);
+        }
+    };
+    (
+        $id:ident $name:ident Motion [structure $structure:ident $($field:ident)*] []
+        $meaning:literal $doc:literal
+    ) => {
+        fn $name(&self, time: f64, state: &[f64], parameters: &[f64]) -> $structure<f64> {
+            let mut values = [0.0; [$(stringify!($field)),*].len()];
+            self.run(FunctionId::$id, &self.inputs(time, state, parameters), &mut values);
+            let [$($field),*] = values;
+            $structure { $($field),* }
+        }
+    };
+    (
+        $id:ident $name:ident Motion $result:tt [$($prepared:ident)?] $meaning:literal
+        $doc:literal
+    ) => {
+        fn $name(&self, time: f64, state: &[f64], parameters: &[f64], values: &mut [f64]) {
+            self.run(FunctionId::$id, &self.inputs(time, state, parameters), values);
+        }
     };
 }
 
 impl Simulator<f64> for InterpretedSimulator {
-    fn initial_state(&self, parameters: &[f64], state: &mut [f64]) {
-        self.run(FunctionId::InitialState, &self.inputs_without_state(0.0, parameters), state);
-    }
-    fn discontinuities(&self, parameters: &[f64], times: &mut [f64]) {
-        self.run(FunctionId::Discontinuities, &self.inputs_without_state(0.0, parameters), times);
-    }
-    functions!(
-        rate = Rate,
-        rate_jacobian = RateJacobian,
-        parameter_jacobian = ParameterJacobian,
-        time_derivative = TimeDerivative,
-        mass_matrix = MassMatrix,
-        forcing = Forcing,
-        outputs = Outputs,
-        guards = Guards,
-        guard_rates = GuardRates,
-        resets = Resets,
-        constraint_values = ConstraintValues,
-        constraint_rates = ConstraintRates,
-        constraint_matrix = ConstraintMatrix
-    );
+    machinist_contract::for_each_function! { [functions] }
     fn constants(&self) -> usize {
         self.prepared[0].borrow().results()
     }
@@ -254,18 +264,6 @@ impl Simulator<f64> for InterpretedSimulator {
     ) {
         let inputs = Inputs { constants, ..self.inputs(time, state, parameters) };
         self.prepared[2].borrow_mut().evaluate(&inputs, values);
-    }
-    fn energy(&self, time: f64, state: &[f64], parameters: &[f64]) -> Energy<f64> {
-        let mut values = [0.0; 3];
-        self.run(FunctionId::Energy, &self.inputs(time, state, parameters), &mut values);
-        let [kinetic, potential, stored] = values;
-        Energy { kinetic, potential, stored }
-    }
-    fn power_balance(&self, time: f64, state: &[f64], parameters: &[f64]) -> PowerBalance<f64> {
-        let mut values = [0.0; 3];
-        self.run(FunctionId::PowerBalance, &self.inputs(time, state, parameters), &mut values);
-        let [stored_rate, supplied, dissipated] = values;
-        PowerBalance { stored_rate, supplied, dissipated }
     }
     fn taylor(&self) -> Option<&dyn TaylorSeries<f64>> {
         self.model.constraints.is_empty().then_some(self as &dyn TaylorSeries<f64>)

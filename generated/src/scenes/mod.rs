@@ -13,10 +13,8 @@ use ::machinist_contract::{Real, Simulator, field::FieldScene};
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod bouncing_mass;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod bouncing_mass;
 /// Oscillator with a one-sided stop
 #[cfg(feature = "contact_oscillator")]
 #[rustfmt::skip]
@@ -25,10 +23,8 @@ pub mod bouncing_mass;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod contact_oscillator;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod contact_oscillator;
 /// Oscillator with a one-sided stop, smoothed
 #[cfg(feature = "contact_oscillator_smooth")]
 #[rustfmt::skip]
@@ -37,10 +33,8 @@ pub mod contact_oscillator;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod contact_oscillator_smooth;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod contact_oscillator_smooth;
 /// Oscillator braked by dry friction
 #[cfg(feature = "coulomb_oscillator")]
 #[rustfmt::skip]
@@ -49,10 +43,8 @@ pub mod contact_oscillator_smooth;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod coulomb_oscillator;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod coulomb_oscillator;
 /// Four-bar linkage under gravity
 #[cfg(feature = "four_bar")]
 #[rustfmt::skip]
@@ -61,10 +53,8 @@ pub mod coulomb_oscillator;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod four_bar;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod four_bar;
 /// Loom: motor, coupling, shaft and reed in one machine
 #[cfg(feature = "loom_drive")]
 #[rustfmt::skip]
@@ -73,10 +63,8 @@ pub mod four_bar;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod loom_drive;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod loom_drive;
 /// Induction motor running up empty
 #[cfg(feature = "motor_run_up")]
 #[rustfmt::skip]
@@ -85,10 +73,8 @@ pub mod loom_drive;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod motor_run_up;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod motor_run_up;
 /// Induction motor running up empty, from its co-energy
 #[cfg(feature = "motor_stationary_axes")]
 #[rustfmt::skip]
@@ -97,10 +83,8 @@ pub mod motor_run_up;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod motor_stationary_axes;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod motor_stationary_axes;
 /// Chain of three pendulums
 #[cfg(feature = "pendulum_chain")]
 #[rustfmt::skip]
@@ -109,10 +93,8 @@ pub mod motor_stationary_axes;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod pendulum_chain;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod pendulum_chain;
 /// Chain of three pendulums, by constraints
 #[cfg(feature = "pendulum_constrained")]
 #[rustfmt::skip]
@@ -121,10 +103,8 @@ pub mod pendulum_chain;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod pendulum_constrained;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod pendulum_constrained;
 /// Chain of three pendulums, by relative angles
 #[cfg(feature = "pendulum_relative")]
 #[rustfmt::skip]
@@ -133,10 +113,8 @@ pub mod pendulum_constrained;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod pendulum_relative;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod pendulum_relative;
 /// Beat-up of a reed by an elastic shaft
 #[cfg(feature = "reed_beat_up")]
 #[rustfmt::skip]
@@ -145,10 +123,8 @@ pub mod pendulum_relative;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod reed_beat_up;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod reed_beat_up;
 /// Saw gin: motor, coupling and saw cylinder
 #[cfg(feature = "saw_gin")]
 #[rustfmt::skip]
@@ -157,10 +133,8 @@ pub mod reed_beat_up;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod saw_gin;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod saw_gin;
 /// Saw gin with the equations and numbers as printed
 #[cfg(feature = "saw_gin_as_printed")]
 #[rustfmt::skip]
@@ -169,10 +143,8 @@ pub mod saw_gin;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod saw_gin_as_printed;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod saw_gin_as_printed;
 /// Saw gin with a distributed shaft
 #[cfg(feature = "saw_gin_shaft")]
 #[rustfmt::skip]
@@ -181,10 +153,8 @@ pub mod saw_gin_as_printed;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod saw_gin_shaft;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod saw_gin_shaft;
 /// Uniform shaft under a step of end torque
 #[cfg(feature = "shaft_step_torque")]
 #[rustfmt::skip]
@@ -193,10 +163,8 @@ pub mod saw_gin_shaft;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod shaft_step_torque;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod shaft_step_torque;
 /// Shaft with a rotor at each end, let go twisted
 #[cfg(feature = "shaft_with_rotors")]
 #[rustfmt::skip]
@@ -205,10 +173,8 @@ pub mod shaft_step_torque;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod shaft_with_rotors;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod shaft_with_rotors;
 /// Slider-crank turned at constant speed
 #[cfg(feature = "slider_crank")]
 #[rustfmt::skip]
@@ -217,10 +183,8 @@ pub mod shaft_with_rotors;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod slider_crank;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod slider_crank;
 /// Stick-slip oscillation on a belt
 #[cfg(feature = "stick_slip")]
 #[rustfmt::skip]
@@ -229,10 +193,8 @@ pub mod slider_crank;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod stick_slip;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod stick_slip;
 /// Stick-slip oscillation on a belt, smoothed
 #[cfg(feature = "stick_slip_smooth")]
 #[rustfmt::skip]
@@ -241,10 +203,8 @@ pub mod stick_slip;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod stick_slip_smooth;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod stick_slip_smooth;
 /// Two rotors on an elasto-dissipative coupling
 #[cfg(feature = "two_mass")]
 #[rustfmt::skip]
@@ -253,10 +213,8 @@ pub mod stick_slip_smooth;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod two_mass;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod two_mass;
 /// Bobbin on a winding drum, all nonlinearities
 #[cfg(feature = "winder_full")]
 #[rustfmt::skip]
@@ -265,10 +223,8 @@ pub mod two_mass;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod winder_full;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod winder_full;
 /// Four-link bobbin holder, let go
 #[cfg(feature = "winder_holder_drop")]
 #[rustfmt::skip]
@@ -277,10 +233,8 @@ pub mod winder_full;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod winder_holder_drop;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod winder_holder_drop;
 /// Bobbin on a winding drum, linear layer
 #[cfg(feature = "winder_linear")]
 #[rustfmt::skip]
@@ -289,10 +243,8 @@ pub mod winder_holder_drop;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod winder_linear;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod winder_linear;
 /// Four-link bobbin holder, at work
 #[cfg(feature = "winder_linkage")]
 #[rustfmt::skip]
@@ -301,10 +253,8 @@ pub mod winder_linear;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod winder_linkage;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod winder_linkage;
 /// Bobbin on a winding drum, stiffening layer
 #[cfg(feature = "winder_nonlinear")]
 #[rustfmt::skip]
@@ -313,10 +263,8 @@ pub mod winder_linkage;
     clippy::approx_constant,
     clippy::struct_field_names,
     clippy::too_many_lines,
-    reason = "the spec's own names and numbers, in bodies as long as its equations"
-)]
-pub mod winder_nonlinear;
-
+    reason = "the spec's own names and numbers, in bodies as long as its equations")]
+        pub mod winder_nonlinear;
 /// Names of all scenes whose feature is on, sorted.
 #[rustfmt::skip]
 pub const NAMES: &[&str] = &[

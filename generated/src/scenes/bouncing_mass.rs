@@ -157,8 +157,8 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let ball_v_dot_by_amplitude = R::select_less(ball_resting, R::literal(0.5), R::literal(0.0),
         -(p.ball_mass * frequency_squared * sin_frequency_times_time)) * inverse_ball_mass;
     let ball_v_dot_by_frequency = R::select_less(ball_resting, R::literal(0.5), R::literal(0.0),
-        p.ball_mass * (-(frequency_times_time * plate_speed)).sub_product(R::literal(2.0)
-        * p.frequency, plate)) * inverse_ball_mass;
+        -(p.ball_mass * (R::literal(2.0) * p.frequency * plate).add_product(frequency_times_time,
+        plate_speed))) * inverse_ball_mass;
     let ball_v_dot_by_ball_mass = (R::select_less(ball_resting, R::literal(0.5), R::literal(0.0),
         t0) - p.ball_gravity - ball_v_dot) * inverse_ball_mass;
     let ball_v_dot_by_ball_gravity = (R::select_less(ball_resting, R::literal(0.5),
@@ -254,8 +254,8 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
     let plate_speed = p.amplitude * p.frequency * cos_frequency_times_time;
     let ball_approach = ball_v - plate_speed;
     let ball_weight = p.ball_mass * p.ball_gravity.sub_product(p.frequency * p.frequency, plate);
-    let ball_settles = R::literal(0.25) * (R::literal(1.0) - R::select_less(-p.ball_rest_speed
-        - ball_approach, R::literal(0.0), R::literal(-1.0), R::literal(1.0))) * (R::literal(1.0)
+    let ball_settles = R::literal(0.25) * (R::literal(1.0) - R::select_less(-(p.ball_rest_speed
+        + ball_approach), R::literal(0.0), R::literal(-1.0), R::literal(1.0))) * (R::literal(1.0)
         + R::select_less(ball_weight, R::literal(0.0), R::literal(-1.0), R::literal(1.0)));
     let ball_v_after_ball_impact = plate_speed.sub_product(p.ball_restitution * ball_approach,
         R::literal(1.0) - ball_settles);

@@ -17,8 +17,8 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 6 of 2 by 7.
-// Operations: rate 18, forcing 16, rate_jacobian 25, parameter_jacobian 44, energy 16,
-//     power_balance 24, prepare 5, prepared_rate 15, prepared_rate_jacobian 20.
+// Operations: rate 17, forcing 16, rate_jacobian 25, parameter_jacobian 40, energy 16,
+//     power_balance 23, prepare 6, prepared_rate 14, prepared_rate_jacobian 20.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -66,18 +66,20 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    stop_width_squared, inverse_oscillator_mass, t0, oscillator_v_dot_by_oscillator_v
+    stop_width_squared, t0, t1, inverse_oscillator_mass, oscillator_v_dot_by_oscillator_v
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 5 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 6 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let stop_width_squared = p.stop_width * p.stop_width;
-    let inverse_oscillator_mass = R::literal(1.0) / p.oscillator_mass;
     let t0 = R::literal(0.25) * p.stop_stiffness;
+    let t1 = R::literal(-1.0) / p.oscillator_mass;
+    let inverse_oscillator_mass = R::literal(1.0) / p.oscillator_mass;
     let oscillator_v_dot_by_oscillator_v = -(p.oscillator_damping * inverse_oscillator_mass);
-    Constants { stop_width_squared, inverse_oscillator_mass, t0, oscillator_v_dot_by_oscillator_v }
+    Constants { stop_width_squared, t0, t1, inverse_oscillator_mass,
+        oscillator_v_dot_by_oscillator_v }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -92,7 +94,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 15 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 14 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -101,10 +103,10 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
     let t0 = c.stop_width_squared.add_product(oscillator_x_minus_stop_distance,
         oscillator_x_minus_stop_distance).sqrt();
-    let oscillator_v_dot = (-(p.oscillator_stiffness * oscillator_x).add_product(c.t0
+    let oscillator_v_dot = (p.oscillator_stiffness * oscillator_x).add_product(c.t0
         * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0),
-        oscillator_x_minus_stop_distance + t0)).sub_product(p.oscillator_damping, oscillator_v)
-        * c.inverse_oscillator_mass;
+        oscillator_x_minus_stop_distance + t0).add_product(p.oscillator_damping, oscillator_v)
+        * c.t1;
     [oscillator_v, oscillator_v_dot]
 }
 
@@ -121,10 +123,10 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
     let oscillator_x_minus_stop_distance = oscillator_x - p.stop_distance;
     let t0 = (p.stop_width * p.stop_width).add_product(oscillator_x_minus_stop_distance,
         oscillator_x_minus_stop_distance).sqrt();
-    let oscillator_x_forcing = (-(p.oscillator_stiffness * oscillator_x)
+    let oscillator_x_forcing = -(p.oscillator_stiffness * oscillator_x)
         .add_product(R::literal(0.25) * p.stop_stiffness * (R::literal(1.0)
-        + oscillator_x_minus_stop_distance / t0), oscillator_x_minus_stop_distance + t0))
-        .sub_product(p.oscillator_damping, oscillator_v);
+        + oscillator_x_minus_stop_distance / t0), oscillator_x_minus_stop_distance + t0)
+        .add_product(p.oscillator_damping, oscillator_v);
     [oscillator_x_forcing]
 }
 
@@ -143,7 +145,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     [R::literal(1.0), oscillator_v_dot_by_oscillator_x, c.oscillator_v_dot_by_oscillator_v]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 44 operations.
+/// `dy'/dp`, values in the order of its pattern. 40 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 6] {
     let [oscillator_x, oscillator_v] = *state;
@@ -153,18 +155,17 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t1 = oscillator_x_minus_stop_distance + t0;
     let inverse_oscillator_mass = R::literal(1.0) / p.oscillator_mass;
     let t2 = R::literal(0.25) * p.stop_stiffness;
-    let oscillator_v_dot = (-(p.oscillator_stiffness * oscillator_x).add_product(t2
-        * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0), t1))
-        .sub_product(p.oscillator_damping, oscillator_v) * inverse_oscillator_mass;
     let t3 = t0 * t0 * t0;
-    let oscillator_v_dot_by_oscillator_mass = -(oscillator_v_dot * inverse_oscillator_mass);
+    let oscillator_v_dot_by_oscillator_mass = (p.oscillator_stiffness * oscillator_x)
+        .add_product(t2 * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0), t1)
+        .add_product(p.oscillator_damping, oscillator_v) * inverse_oscillator_mass
+        * inverse_oscillator_mass;
     let oscillator_v_dot_by_oscillator_stiffness = -(oscillator_x * inverse_oscillator_mass);
     let oscillator_v_dot_by_oscillator_damping = -(oscillator_v * inverse_oscillator_mass);
     let t4 = t1 * t1;
-    let oscillator_v_dot_by_stop_distance = -(t2 * oscillator_x_minus_stop_distance
-        .sub_product(R::literal(2.0), t0) * t4 / t3 * inverse_oscillator_mass);
-    let oscillator_v_dot_by_stop_stiffness = -(R::literal(0.25) * t4 / t0
-        * inverse_oscillator_mass);
+    let oscillator_v_dot_by_stop_distance = t2 * (-oscillator_x_minus_stop_distance)
+        .add_product(R::literal(2.0), t0) * t4 / t3 * inverse_oscillator_mass;
+    let oscillator_v_dot_by_stop_stiffness = R::literal(-0.25) * t4 / t0 * inverse_oscillator_mass;
     let oscillator_v_dot_by_stop_width = t2 * p.stop_width * (oscillator_x_minus_stop_distance
         - t0) * t1 / t3 * inverse_oscillator_mass;
     [oscillator_v_dot_by_oscillator_mass, oscillator_v_dot_by_oscillator_stiffness,
@@ -203,7 +204,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 24 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 23 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [oscillator_x, oscillator_v] = *state;
@@ -213,11 +214,10 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     let t1 = (p.oscillator_stiffness * oscillator_x).add_product(R::literal(0.25)
         * p.stop_stiffness * (R::literal(1.0) + oscillator_x_minus_stop_distance / t0),
         oscillator_x_minus_stop_distance + t0);
-    let oscillator_v_dot = (-t1).sub_product(p.oscillator_damping, oscillator_v) * (R::literal(1.0)
-        / p.oscillator_mass);
     PowerBalance {
-        stored_rate: (t1 * oscillator_v).add_product(p.oscillator_mass * oscillator_v,
-            oscillator_v_dot),
+        stored_rate: (t1 * oscillator_v).sub_product(p.oscillator_mass * oscillator_v, t1
+            .add_product(p.oscillator_damping, oscillator_v) * (R::literal(1.0)
+            / p.oscillator_mass)),
         supplied: R::literal(0.0),
         dissipated: p.oscillator_damping * (oscillator_v * oscillator_v),
     }
@@ -242,18 +242,17 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t3 = t0 + t2;
     let t4 = t3.sqrt();
     let t5 = t1 + t4;
-    let t6 = R::literal(1.0) / p.oscillator_mass;
-    let t7 = oscillator_v * p.oscillator_damping;
-    let t8 = t1 / t4;
-    let t9 = R::literal(1.0) + t8;
-    let t10 = R::literal(0.25) * p.stop_stiffness;
-    let t11 = t9 * t10;
-    let t12 = t11 * t5;
-    let t13 = oscillator_x * p.oscillator_stiffness;
-    let t14 = t12 + t13;
-    let t15 = -t7;
-    let t16 = t15 - t14;
-    let oscillator_v_dot = t16 * t6;
+    let t6 = oscillator_v * p.oscillator_damping;
+    let t7 = t1 / t4;
+    let t8 = R::literal(1.0) + t7;
+    let t9 = R::literal(0.25) * p.stop_stiffness;
+    let t10 = t8 * t9;
+    let t11 = t10 * t5;
+    let t12 = oscillator_x * p.oscillator_stiffness;
+    let t13 = t11 + t12;
+    let t14 = t6 + t13;
+    let t15 = R::literal(-1.0) / p.oscillator_mass;
+    let oscillator_v_dot = t14 * t15;
     let inverse_t4 = R::literal(1.0) / (t4 + t4);
     let inverse_t4_2 = R::literal(1.0) / t4;
     let mut rates = [oscillator_v, oscillator_v_dot];
@@ -270,15 +269,13 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let t2_k = (t1 + t1).mul_add(oscillator_x_k, sums[0]);
         let t4_k = (t2_k - sums[1]) * inverse_t4;
         let t5_k = oscillator_x_k + t4_k;
-        let t7_k = oscillator_v_k * p.oscillator_damping;
-        let t8_k = (-t4_k).mul_add(t8, oscillator_x_k - sums[2]) * inverse_t4_2;
-        let t11_k = t8_k * t10;
-        let t12_k = t5.mul_add(t11_k, t11.mul_add(t5_k, sums[3]));
-        let t14_k = oscillator_x_k.mul_add(p.oscillator_stiffness, t12_k);
-        let t15_k = -t7_k;
-        let t16_k = t15_k - t14_k;
-        let oscillator_v_dot_k = t16_k * t6;
-        lanes.set(order, [oscillator_x_k, t4_k, t4_k, t5_k], [oscillator_x_k, t4_k, t8_k, t11_k]);
+        let t7_k = (-t4_k).mul_add(t7, oscillator_x_k - sums[2]) * inverse_t4_2;
+        let t10_k = t7_k * t9;
+        let t11_k = t5.mul_add(t10_k, t10.mul_add(t5_k, sums[3]));
+        let t13_k = oscillator_x_k.mul_add(p.oscillator_stiffness, t11_k);
+        let t14_k = oscillator_v_k.mul_add(p.oscillator_damping, t13_k);
+        let oscillator_v_dot_k = t14_k * t15;
+        lanes.set(order, [oscillator_x_k, t4_k, t4_k, t5_k], [oscillator_x_k, t4_k, t7_k, t10_k]);
         rates = [oscillator_v_k, oscillator_v_dot_k];
     }
 }

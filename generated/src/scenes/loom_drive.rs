@@ -22,9 +22,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 6, first-order states 4, states 16, parameters 39, outputs 8.
 // Nonzeros: mass_matrix 6 of 6 by 6, rate_jacobian 39 of 16 by 16, parameter_jacobian 47 of 16 by 39.
-// Operations: rate 87, mass_matrix 2, forcing 42, rate_jacobian 83, parameter_jacobian 189,
-//     outputs 17, energy 75, power_balance 187, prepare 60, prepared_rate 61,
-//     prepared_rate_jacobian 29.
+// Operations: rate 87, mass_matrix 2, forcing 42, rate_jacobian 82, parameter_jacobian 187,
+//     outputs 17, energy 75, power_balance 185, prepare 57, prepared_rate 61,
+//     prepared_rate_jacobian 31.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -128,15 +128,15 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia, inverse_crank_inertia,
+    motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia, inverse_crank_inertia,
     inverse_shaft_driven_field_inertia, inverse_shaft_reed_field_inertia,
-    inverse_shaft_middle_field_inertia, t3, t4, crank_ratio_times_crank_stiffness, t5,
+    inverse_shaft_middle_field_inertia, t2, t3, crank_ratio_times_crank_stiffness, t4,
     motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
-    motor_omega_dot_by_motor_phi, crank_turn_speed_dot_by_motor_phi, t6, t7,
-    motor_omega_dot_by_crank_turn, shaft_driven_dot_dot_by_shaft_driven, t8,
+    motor_omega_dot_by_motor_phi, crank_turn_speed_dot_by_motor_phi, t5, t6,
+    motor_omega_dot_by_crank_turn, shaft_driven_dot_dot_by_shaft_driven, t7,
     shaft_reed_dot_dot_by_shaft_reed, reed_speed_dot_by_shaft_reed, reed_speed_dot_by_reed_angle,
     motor_omega_dot_by_motor_omega, crank_turn_speed_dot_by_motor_omega,
-    motor_omega_dot_by_crank_turn_speed, crank_turn_speed_dot_by_crank_turn_speed, t9,
+    motor_omega_dot_by_crank_turn_speed, crank_turn_speed_dot_by_crank_turn_speed,
     motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
     motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
     motor_psi_rx_dot_by_motor_psi_rx
@@ -154,63 +154,61 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 1.75 => End, coordinate Some(4), handed 35;
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 60 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 57 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
+        * motor_sigma);
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
     let inverse_shaft_middle_field_inertia = R::literal(1.0) / p.shaft_middle_field_inertia;
-    let t3 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
-    let t4 = p.coupling_stiffness * p.coupling_ratio;
+    let t2 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
+    let t3 = p.coupling_stiffness * p.coupling_ratio;
     let crank_ratio_times_crank_stiffness = p.crank_ratio * p.crank_stiffness;
-    let t5 = p.coupling_damping * p.coupling_ratio;
+    let t4 = p.coupling_damping * p.coupling_ratio;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
-    let crank_turn_speed_dot_by_motor_phi = t4 * inverse_crank_inertia;
+    let crank_turn_speed_dot_by_motor_phi = t3 * inverse_crank_inertia;
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let t6 = p.coupling_stiffness * coupling_ratio_squared;
-    let t7 = p.crank_stiffness * (p.crank_ratio * p.crank_ratio);
-    let motor_omega_dot_by_crank_turn = t4 * inverse_motor_inertia;
+    let t5 = p.coupling_stiffness * coupling_ratio_squared;
+    let t6 = p.crank_stiffness * (p.crank_ratio * p.crank_ratio);
+    let motor_omega_dot_by_crank_turn = t3 * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven = -(p.crank_stiffness
         * inverse_shaft_driven_field_inertia);
-    let t8 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
-    let shaft_reed_dot_dot_by_shaft_reed = -t8;
-    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t3;
-    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t3);
+    let t7 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
+    let shaft_reed_dot_dot_by_shaft_reed = -t7;
+    let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t2;
+    let reed_speed_dot_by_reed_angle = -((p.reed_stiffness + p.fell_stiffness) * t2);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let crank_turn_speed_dot_by_motor_omega = t5 * inverse_crank_inertia;
-    let motor_omega_dot_by_crank_turn_speed = t5 * inverse_motor_inertia;
+    let crank_turn_speed_dot_by_motor_omega = t4 * inverse_crank_inertia;
+    let motor_omega_dot_by_crank_turn_speed = t4 * inverse_motor_inertia;
     let crank_turn_speed_dot_by_crank_turn_speed = -(p.crank_drag.add_product(p.coupling_damping,
         coupling_ratio_squared) * inverse_crank_inertia);
-    let t9 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, t2, inverse_motor_inertia,
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, inverse_motor_inertia,
         inverse_crank_inertia, inverse_shaft_driven_field_inertia,
-        inverse_shaft_reed_field_inertia, inverse_shaft_middle_field_inertia, t3, t4,
-        crank_ratio_times_crank_stiffness, t5, motor_alpha_s_times_motor_omega_0,
+        inverse_shaft_reed_field_inertia, inverse_shaft_middle_field_inertia, t2, t3,
+        crank_ratio_times_crank_stiffness, t4, motor_alpha_s_times_motor_omega_0,
         motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
-        crank_turn_speed_dot_by_motor_phi, t6, t7, motor_omega_dot_by_crank_turn,
-        shaft_driven_dot_dot_by_shaft_driven, t8, shaft_reed_dot_dot_by_shaft_reed,
+        crank_turn_speed_dot_by_motor_phi, t5, t6, motor_omega_dot_by_crank_turn,
+        shaft_driven_dot_dot_by_shaft_driven, t7, shaft_reed_dot_dot_by_shaft_reed,
         reed_speed_dot_by_shaft_reed, reed_speed_dot_by_reed_angle, motor_omega_dot_by_motor_omega,
         crank_turn_speed_dot_by_motor_omega, motor_omega_dot_by_crank_turn_speed,
-        crank_turn_speed_dot_by_crank_turn_speed, t9, motor_psi_sx_dot_by_motor_psi_sx,
+        crank_turn_speed_dot_by_crank_turn_speed, motor_psi_sx_dot_by_motor_psi_sx,
         motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
         motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx }
 }
@@ -246,19 +244,19 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
+    let motor_torque = c.t1 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let t0 = p.reed_stiffness * (shaft_reed - reed_angle);
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let crank_turn_speed_dot = ((c.t4 * coupling_twist)
+    let crank_turn_speed_dot = ((c.t3 * coupling_twist)
         .add_product(c.crank_ratio_times_crank_stiffness * shaft_driven_minus_crank_angle,
-        cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(c.t5, coupling_twist_rate))
+        cos_crank_turn) - (p.crank_drag * crank_turn_speed).sub_product(c.t4, coupling_twist_rate))
         * c.inverse_crank_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
         shaft_driven_minus_crank_angle) * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = (p.shaft_reed_field_force - t0) * c.inverse_shaft_reed_field_inertia;
     let shaft_middle_dot_dot = p.shaft_middle_field_force * c.inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t0 - fell_torque) * c.t3;
+    let reed_speed_dot = (t0 - fell_torque) * c.t2;
     let motor_psi_sx_dot = c.motor_u_x.add_product(c.motor_omega_0, motor_psi_sy)
         .sub_product(c.motor_alpha_s_times_motor_omega_0, motor_psi_sx.sub_product(p.motor_k_r,
         motor_psi_rx));
@@ -316,7 +314,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         p.shaft_middle_field_force, reed_angle_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 29 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 31 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 39] {
@@ -327,18 +325,18 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
     let t0 = c.crank_ratio_times_crank_stiffness * cos_crank_turn;
-    let crank_turn_speed_dot_by_crank_turn = -(c.t6.add_product(p.crank_stiffness * crank_angle,
-        shaft_driven - crank_angle).add_product(c.t7, cos_crank_turn * cos_crank_turn)
+    let crank_turn_speed_dot_by_crank_turn = -(c.t5.add_product(p.crank_stiffness * crank_angle,
+        shaft_driven - crank_angle).add_product(c.t6, cos_crank_turn * cos_crank_turn)
         * c.inverse_crank_inertia);
     let shaft_driven_dot_dot_by_crank_turn = t0 * c.inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_shaft_driven = t0 * c.inverse_crank_inertia;
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let motor_omega_dot_by_motor_psi_sx = c.t9 * motor_psi_ry * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t1 * motor_psi_ry * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_sy = c.t1 * motor_psi_rx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_rx = c.t1 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = c.t9 * motor_psi_sx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_ry = -(c.t1 * motor_psi_sx * c.inverse_motor_inertia);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), c.motor_omega_dot_by_motor_phi, c.motor_omega_dot_by_crank_turn,
         c.motor_omega_dot_by_motor_omega, c.motor_omega_dot_by_crank_turn_speed,
@@ -347,7 +345,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         c.crank_turn_speed_dot_by_motor_phi, crank_turn_speed_dot_by_crank_turn,
         crank_turn_speed_dot_by_shaft_driven, c.crank_turn_speed_dot_by_motor_omega,
         c.crank_turn_speed_dot_by_crank_turn_speed, shaft_driven_dot_dot_by_crank_turn,
-        c.shaft_driven_dot_dot_by_shaft_driven, c.shaft_reed_dot_dot_by_shaft_reed, c.t8,
+        c.shaft_driven_dot_dot_by_shaft_driven, c.shaft_reed_dot_dot_by_shaft_reed, c.t7,
         c.reed_speed_dot_by_shaft_reed, c.reed_speed_dot_by_reed_angle,
         c.motor_psi_sx_dot_by_motor_psi_sx, c.motor_omega_0, c.motor_psi_sx_dot_by_motor_psi_rx,
         c.motor_psi_sy_dot_by_motor_psi_sx, c.motor_psi_sx_dot_by_motor_psi_sx,
@@ -357,7 +355,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 189 operations.
+/// `dy'/dp`, values in the order of its pattern. 187 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 47] {
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
@@ -381,22 +379,21 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         coupling_twist_rate);
     let t2 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t3 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t4 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t5 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t5 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t4;
+    let t3 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t4 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t4 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t3;
     let reed_arm_squared = p.reed_arm * p.reed_arm;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_crank_inertia = R::literal(1.0) / p.crank_inertia;
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
     let inverse_shaft_middle_field_inertia = R::literal(1.0) / p.shaft_middle_field_inertia;
-    let t6 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
+    let t5 = R::literal(1.0) / (p.reed_mass * reed_arm_squared);
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
     let shaft_reed_minus_reed_angle = shaft_reed - reed_angle;
-    let t7 = p.reed_stiffness * shaft_reed_minus_reed_angle;
+    let t6 = p.reed_stiffness * shaft_reed_minus_reed_angle;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let crank_turn_speed_dot = ((p.coupling_stiffness * p.coupling_ratio * coupling_twist)
         .add_product(p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle,
@@ -404,52 +401,53 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         * p.coupling_ratio, coupling_twist_rate)) * inverse_crank_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.crank_stiffness,
         shaft_driven_minus_crank_angle) * inverse_shaft_driven_field_inertia;
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t7) * inverse_shaft_reed_field_inertia;
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t6) * inverse_shaft_reed_field_inertia;
     let shaft_middle_dot_dot = p.shaft_middle_field_force * inverse_shaft_middle_field_inertia;
-    let reed_speed_dot = (t7 - fell_torque) * t6;
+    let reed_speed_dot = (t6 - fell_torque) * t5;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t8 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t7 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t9 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let t10 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t8 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t4
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t3
         * inverse_motor_inertia;
-    let t11 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t11, t2);
-    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx)).sub_product(t11, t3);
-    let t12 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sy).sub_product(R::literal(core::f64::consts::TAU) * p.motor_alpha_s, t2);
+    let motor_psi_sy_dot_by_motor_supply_frequency = R::literal(-6.283_185_307_179_586)
+        * motor_psi_sx.add_product(p.motor_alpha_s, motor_psi_sy).sub_product(p.motor_k_r
+        * p.motor_alpha_s, motor_psi_ry);
+    let t9 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t12, t8);
+        * motor_psi_ry).add_product(t9, t7);
     let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(core::f64::consts::TAU)
-        * motor_psi_rx)).add_product(t12, t9);
+        * motor_psi_rx)).add_product(t9, t8);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t4 * inverse_motor_inertia;
+        / motor_x_s_times_motor_sigma * t3 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t5 * motor_omega_0 / (p.motor_x_s * (t10 * t10))
-        * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
-        * inverse_motor_inertia);
+    let t10 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_k_r = t4 * motor_omega_0 / (p.motor_x_s * (t10 * t10))
+        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia);
+    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t2);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t3);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t8;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t9;
+    let motor_psi_sy_dot_by_motor_alpha_s = motor_omega_0 * (-motor_psi_sy)
+        .add_product(p.motor_k_r, motor_psi_ry);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t7;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t8;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_crank_turn - motor_phi)
         * inverse_motor_inertia;
     let crank_turn_speed_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
@@ -473,13 +471,13 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let shaft_driven_dot_dot_by_crank_stiffness = (crank_angle - shaft_driven)
         * inverse_shaft_driven_field_inertia;
     let crank_turn_speed_dot_by_crank_drag = -(crank_turn_speed * inverse_crank_inertia);
-    let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t6);
-    let reed_speed_dot_by_reed_arm = -(R::literal(2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
-        * t6);
+    let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t5);
+    let reed_speed_dot_by_reed_arm = R::literal(-2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
+        * t5;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * inverse_shaft_reed_field_inertia;
-    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t6;
-    let reed_speed_dot_by_fell_stiffness = -(reed_angle * t6);
+    let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t5;
+    let reed_speed_dot_by_fell_stiffness = -(reed_angle * t5);
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * inverse_shaft_driven_field_inertia);
     let shaft_reed_dot_dot_by_shaft_reed_field_inertia = -(shaft_reed_dot_dot
@@ -583,7 +581,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 187 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 185 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [motor_phi, crank_turn, shaft_driven, shaft_reed, _, reed_angle, motor_omega,
@@ -619,22 +617,22 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         / motor_x_s_times_motor_sigma * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx,
         motor_psi_ry);
     let reed_mass_times_reed_arm_squared = p.reed_mass * (p.reed_arm * p.reed_arm);
-    let t6 = p.coupling_stiffness * p.coupling_ratio * coupling_twist;
     let shaft_driven_minus_crank_angle = shaft_driven - crank_angle;
-    let t7 = p.crank_ratio * p.crank_stiffness * shaft_driven_minus_crank_angle * cos_crank_turn;
-    let t8 = (p.crank_drag * crank_turn_speed).sub_product(p.coupling_damping * p.coupling_ratio,
+    let t6 = (p.coupling_stiffness * p.coupling_ratio * coupling_twist).add_product(p.crank_ratio
+        * p.crank_stiffness * shaft_driven_minus_crank_angle, cos_crank_turn);
+    let t7 = (p.crank_drag * crank_turn_speed).sub_product(p.coupling_damping * p.coupling_ratio,
         coupling_twist_rate);
-    let t9 = p.crank_stiffness * shaft_driven_minus_crank_angle;
-    let t10 = p.reed_stiffness * (shaft_reed - reed_angle);
+    let t8 = p.crank_stiffness * shaft_driven_minus_crank_angle;
+    let t9 = p.reed_stiffness * (shaft_reed - reed_angle);
     let motor_omega_dot = (motor_torque - coupling_torque) * (R::literal(1.0) / p.motor_inertia);
-    let crank_turn_speed_dot = (t7 + t6 - t8) * (R::literal(1.0) / p.crank_inertia);
-    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t9) * (R::literal(1.0)
+    let crank_turn_speed_dot = (t6 - t7) * (R::literal(1.0) / p.crank_inertia);
+    let shaft_driven_dot_dot = (p.shaft_driven_field_force - t8) * (R::literal(1.0)
         / p.shaft_driven_field_inertia);
-    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t10) * (R::literal(1.0)
+    let shaft_reed_dot_dot = (p.shaft_reed_field_force - t9) * (R::literal(1.0)
         / p.shaft_reed_field_inertia);
     let shaft_middle_dot_dot = p.shaft_middle_field_force * (R::literal(1.0)
         / p.shaft_middle_field_inertia);
-    let reed_speed_dot = (t10 - fell_torque) * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
+    let reed_speed_dot = (t9 - fell_torque) * (R::literal(1.0) / reed_mass_times_reed_arm_squared);
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
     let motor_psi_sx_dot = motor_u_x.add_product(motor_omega_0, motor_psi_sy)
         .sub_product(motor_alpha_s_times_motor_omega_0, t2);
@@ -646,23 +644,23 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         - motor_psi_rx);
     let motor_psi_ry_dot = (motor_alpha_r_times_motor_omega_0 * (motor_k_s_times_motor_psi_sy
         - motor_psi_ry)).sub_product(motor_psi_rx, motor_slip_speed);
-    let t11 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
-    let t12 = (t1 * motor_omega).add_product(-t6 - t7, crank_turn_speed).add_product(t9,
-        shaft_driven_dot).add_product(t10, shaft_reed_dot).add_product(fell_torque - t10,
-        reed_speed).add_product(p.motor_inertia * motor_omega, motor_omega_dot)
-        .add_product(p.crank_inertia * crank_turn_speed, crank_turn_speed_dot)
-        .add_product(shaft_driven_dot * p.shaft_driven_field_inertia, shaft_driven_dot_dot)
-        .add_product(shaft_reed_dot * p.shaft_reed_field_inertia, shaft_reed_dot_dot)
-        .add_product(shaft_middle_dot * p.shaft_middle_field_inertia, shaft_middle_dot_dot)
+    let t10 = p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma;
+    let t11 = (t1 * motor_omega).sub_product(t6, crank_turn_speed).add_product(t8, shaft_driven_dot)
+        .add_product(t9, shaft_reed_dot).add_product(fell_torque - t9, reed_speed)
+        .add_product(p.motor_inertia * motor_omega, motor_omega_dot).add_product(p.crank_inertia
+        * crank_turn_speed, crank_turn_speed_dot).add_product(shaft_driven_dot
+        * p.shaft_driven_field_inertia, shaft_driven_dot_dot).add_product(shaft_reed_dot
+        * p.shaft_reed_field_inertia, shaft_reed_dot_dot).add_product(shaft_middle_dot
+        * p.shaft_middle_field_inertia, shaft_middle_dot_dot)
         .add_product(reed_mass_times_reed_arm_squared * reed_speed, reed_speed_dot)
-        .add_product(R::literal(0.75) * motor_i_sx.add_product(t3, motor_psi_sx).sub_product(t11,
+        .add_product(R::literal(0.75) * motor_i_sx.add_product(t3, motor_psi_sx).sub_product(t10,
         motor_psi_rx), motor_psi_sx_dot);
     PowerBalance {
-        stored_rate: t12.add_product(R::literal(0.75) * motor_i_sy.add_product(t3, motor_psi_sy)
-            .sub_product(t11, motor_psi_ry), motor_psi_sy_dot).add_product(R::literal(0.75)
-            * motor_i_rx.add_product(t5, motor_psi_rx).sub_product(t11, motor_psi_sx),
+        stored_rate: t11.add_product(R::literal(0.75) * motor_i_sy.add_product(t3, motor_psi_sy)
+            .sub_product(t10, motor_psi_ry), motor_psi_sy_dot).add_product(R::literal(0.75)
+            * motor_i_rx.add_product(t5, motor_psi_rx).sub_product(t10, motor_psi_sx),
             motor_psi_rx_dot).add_product(R::literal(0.75) * motor_i_ry.add_product(t5,
-            motor_psi_ry).sub_product(t11, motor_psi_sy), motor_psi_ry_dot),
+            motor_psi_ry).sub_product(t10, motor_psi_sy), motor_psi_ry_dot),
         supplied: (shaft_driven_dot * p.shaft_driven_field_force).add_product(R::literal(1.5),
             (motor_u_x * motor_i_sx).add_product(motor_u_y, motor_i_sy))
             .add_product(shaft_reed_dot, p.shaft_reed_field_force).add_product(shaft_middle_dot,
@@ -671,7 +669,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
             .add_product(R::literal(1.5), (p.motor_x_s * p.motor_alpha_s * motor_sigma
             * (motor_i_sx * motor_i_sx).add_product(motor_i_sy, motor_i_sy))
             .add_product(p.motor_alpha_r * motor_sigma * motor_x_r, (motor_i_rx * motor_i_rx)
-            .add_product(motor_i_ry, motor_i_ry))).add_product(crank_turn_speed, t8),
+            .add_product(motor_i_ry, motor_i_ry))).add_product(crank_turn_speed, t7),
     }
 }
 
@@ -703,15 +701,15 @@ pub mod shaft_u {
             * p.shaft_radius), R::literal(core::f64::consts::FRAC_PI_2) * (shaft_radius_squared
             * shaft_radius_squared), R::literal(0.0), R::literal(0.0)]
     }
-    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 8 operations.
+    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 7 operations.
     #[must_use]
     #[inline]
     pub fn force<R: Real>(_time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 2] {
         let [_, u_x_2, _, u_x_dot] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        [R::literal(0.0), -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+        [R::literal(0.0), R::literal(-1.570_796_326_794_896_6) * p.shaft_shear_modulus
             * (shaft_radius_squared * shaft_radius_squared) * u_x_2
-            .add_product(p.shaft_damping_time, u_x_dot))]
+            .add_product(p.shaft_damping_time, u_x_dot)]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt. 8 operations.
     #[must_use]
@@ -725,7 +723,7 @@ pub mod shaft_u {
             -(t0 * shaft_radius_squared_squared), R::literal(0.0), -(t0 * p.shaft_damping_time
             * shaft_radius_squared_squared)]
     }
-    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 16 operations.
+    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 13 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(_time: R, _x: R, point: &FieldPoint<R>,
@@ -736,11 +734,11 @@ pub mod shaft_u {
         let t0 = u_x_2.add_product(p.shaft_damping_time, u_x_dot);
         [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
             R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            -(R::literal(core::f64::consts::TAU) * p.shaft_shear_modulus * (shaft_radius_squared
-            * p.shaft_radius) * t0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            -(R::literal(core::f64::consts::FRAC_PI_2) * shaft_radius_squared_squared * t0),
-            R::literal(0.0), -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
-            * shaft_radius_squared_squared * u_x_dot)]
+            R::literal(-6.283_185_307_179_586) * p.shaft_shear_modulus * (shaft_radius_squared
+            * p.shaft_radius) * t0, R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(-1.570_796_326_794_896_6) * shaft_radius_squared_squared * t0,
+            R::literal(0.0), R::literal(-1.570_796_326_794_896_6) * p.shaft_shear_modulus
+            * shaft_radius_squared_squared * u_x_dot]
     }
     /// T and V a length \[J/m\]. 10 operations.
     #[must_use]
@@ -816,13 +814,13 @@ pub mod shaft_u {
     }
     /// f_1 alone, at many points.
     ///
-    /// 4 operations for all points, 4 for each.
+    /// 4 operations for all points, 3 for each.
     pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+        let t0 = R::literal(-1.570_796_326_794_896_6) * p.shaft_shear_modulus
             * (shaft_radius_squared * shaft_radius_squared);
         for ((&u_x_2, &u_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(t0 * u_x_2.add_product(p.shaft_damping_time, u_x_dot));
+            *force = t0 * u_x_2.add_product(p.shaft_damping_time, u_x_dot);
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

@@ -16,9 +16,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, states 6, parameters 7, outputs 2.
 // Nonzeros: mass_matrix 9 of 3 by 3, rate_jacobian 21 of 6 by 6, parameter_jacobian 21 of 6 by 7.
-// Operations: rate 116, mass_matrix 24, forcing 56, rate_jacobian 284, parameter_jacobian 328,
-//     outputs 17, energy 48, power_balance 220, prepare 30, prepared_rate 94,
-//     prepared_rate_jacobian 254.
+// Operations: rate 116, mass_matrix 24, forcing 56, rate_jacobian 281, parameter_jacobian 319,
+//     outputs 17, energy 48, power_balance 219, prepare 30, prepared_rate 94,
+//     prepared_rate_jacobian 251.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -147,17 +147,16 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         .add_product(c.chain_m_3_times_chain_l_2 * chain_w_2_squared, t0).add_product(t10, t2)
         .add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t12 = (p.chain_l_2 * (c.chain_m_2_times_chain_l_1 * chain_w_1_squared * t0)
-        .add_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared, t0)
-        .sub_product(c.chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t10, t4)
-        .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2)).add_product(t5, t11);
+    let t12 = (-(p.chain_l_2 * (c.chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t10,
+        t4).add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2)
+        .sub_product(c.chain_m_2_times_chain_l_1 * chain_w_1_squared, t0)
+        .sub_product(c.chain_m_3_times_chain_l_1 * chain_w_1_squared, t0))).add_product(t5, t11);
     let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared * t2)
         .add_product(p.chain_l_2 * chain_w_2_squared, t4).sub_product(p.chain_gravity,
         sin_chain_th_3)).add_product(t6, t11).sub_product(t9, t12) * (R::literal(1.0)
         / c.chain_m_3_times_chain_l_3_squared.sub_product(t6, t3).sub_product(t9, t8));
     let chain_w_2_dot = (t12 * t7).sub_product(t9, chain_w_3_dot);
-    let chain_w_1_dot = (-(t11 * c.t4)).sub_product(t5, chain_w_2_dot).sub_product(t6,
-        chain_w_3_dot);
+    let chain_w_1_dot = -(t11 * c.t4).add_product(t5, chain_w_2_dot).add_product(t6, chain_w_3_dot);
     [chain_w_1, chain_w_2, chain_w_3, chain_w_1_dot, chain_w_2_dot, chain_w_3_dot]
 }
 
@@ -197,18 +196,19 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R;
         sin_chain_th_1_minus_chain_th_3).add_product(chain_m_3_times_chain_gravity,
         sin_chain_th_1));
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let chain_th_2_forcing = p.chain_l_2 * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_2).add_product(p.chain_m_3 * p.chain_l_1
-        * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2)
-        .sub_product(chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t0,
-        sin_chain_th_2_minus_chain_th_3).sub_product(chain_m_3_times_chain_gravity, sin_chain_th_2);
+    let chain_th_2_forcing = p.chain_l_2 * (-(chain_m_2_times_chain_gravity * sin_chain_th_2)
+        .add_product(t0, sin_chain_th_2_minus_chain_th_3)
+        .add_product(chain_m_3_times_chain_gravity, sin_chain_th_2).sub_product(p.chain_m_2
+        * p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2))
+        .add_product(p.chain_m_3 * p.chain_l_1 * chain_w_1_squared,
+        sin_chain_th_1_minus_chain_th_2);
     let chain_th_3_forcing = chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared
         * sin_chain_th_1_minus_chain_th_3).add_product(p.chain_l_2 * chain_w_2_squared,
         sin_chain_th_2_minus_chain_th_3).sub_product(p.chain_gravity, sin_chain_th_3);
     [chain_th_1_forcing, chain_th_2_forcing, chain_th_3_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 254 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 251 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 21] {
@@ -243,70 +243,69 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t19 = c.chain_m_3_times_chain_l_1 * chain_w_1_squared;
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t20 = (p.chain_l_2 * (t18 * t0).add_product(t19, t0)
-        .sub_product(c.chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t16, t6)
-        .sub_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2)).add_product(t8, t17);
+    let t20 = (-(p.chain_l_2 * (c.chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t16,
+        t6).add_product(c.chain_m_3_times_chain_gravity, sin_chain_th_2).sub_product(t18, t0)
+        .sub_product(t19, t0))).add_product(t8, t17);
     let chain_w_3_dot = (c.chain_m_3_times_chain_l_3 * (chain_l_1_times_chain_w_1_squared * t3)
         .add_product(chain_l_2_times_chain_w_2_squared, t6).sub_product(p.chain_gravity,
         sin_chain_th_3)).add_product(t9, t17).sub_product(t12, t20) * t13;
     let chain_w_2_dot = (t20 * t10).sub_product(t12, chain_w_3_dot);
-    let chain_w_1_dot = (-(t17 * c.t4)).sub_product(t8, chain_w_2_dot).sub_product(t9,
-        chain_w_3_dot);
-    let t21 = c.t0 * t0;
-    let t22 = t21 * chain_w_2_dot;
-    let t23 = t21 * chain_w_1_dot;
-    let t24 = c.t1 * t3;
-    let t25 = t24 * chain_w_3_dot;
-    let t26 = t22.sub_product(p.chain_l_1, (c.chain_m_1_times_chain_gravity * cos_chain_th_1)
+    let t21 = (t17 * c.t4).add_product(t8, chain_w_2_dot).add_product(t9, chain_w_3_dot);
+    let t22 = c.t0 * t0;
+    let t23 = t22 * chain_w_2_dot;
+    let t24 = t22 * t21;
+    let t25 = c.t1 * t3;
+    let t26 = t25 * chain_w_3_dot;
+    let t27 = t23.sub_product(p.chain_l_1, (c.chain_m_1_times_chain_gravity * cos_chain_th_1)
         .add_product(t14, t1).add_product(c.chain_m_2_times_chain_gravity, cos_chain_th_1)
         .add_product(t15, t1).add_product(t16, t4).add_product(c.chain_m_3_times_chain_gravity,
-        cos_chain_th_1)) + t25;
-    let t27 = t24 * chain_w_1_dot;
-    let t28 = t23.add_product(c.t0 * chain_w_1_squared, t1).sub_product(t8, t26);
-    let chain_w_3_dot_by_chain_th_1 = t27.add_product(c.t1 * chain_w_1_squared, t4).sub_product(t9,
-        t26).sub_product(t12, t28) * t13;
-    let chain_w_2_dot_by_chain_th_1 = (t28 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_1);
-    let chain_w_1_dot_by_chain_th_1 = (t26 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_1)
+        cos_chain_th_1)) + t26;
+    let t28 = t25 * t21;
+    let t29 = (-t24).add_product(c.t0 * chain_w_1_squared, t1).sub_product(t8, t27);
+    let chain_w_3_dot_by_chain_th_1 = (-t28).add_product(c.t1 * chain_w_1_squared, t4)
+        .sub_product(t9, t27).sub_product(t12, t29) * t13;
+    let chain_w_2_dot_by_chain_th_1 = (t29 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_1);
+    let chain_w_1_dot_by_chain_th_1 = (t27 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_1)
         .sub_product(t9, chain_w_3_dot_by_chain_th_1);
-    let t29 = (-t22).add_product(c.t0 * chain_w_2_squared, t1);
-    let t30 = c.t3 * t6;
-    let t31 = t30 * chain_w_3_dot;
-    let t32 = t30 * chain_w_2_dot;
-    let t33 = ((-t23).add_product(p.chain_l_2, (-(c.chain_m_2_times_chain_gravity * cos_chain_th_2))
-        .sub_product(t18, t1).sub_product(t19, t1).sub_product(t16, t7)
-        .sub_product(c.chain_m_3_times_chain_gravity, cos_chain_th_2)) + t31).sub_product(t8, t29);
-    let chain_w_3_dot_by_chain_th_2 = t32.add_product(c.t3 * chain_w_2_squared, t7).sub_product(t9,
-        t29).sub_product(t12, t33) * t13;
-    let chain_w_2_dot_by_chain_th_2 = (t33 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_2);
-    let chain_w_1_dot_by_chain_th_2 = (t29 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_2)
+    let t30 = (-t23).add_product(c.t0 * chain_w_2_squared, t1);
+    let t31 = c.t3 * t6;
+    let t32 = t31 * chain_w_3_dot;
+    let t33 = t31 * chain_w_2_dot;
+    let t34 = (t24.sub_product(p.chain_l_2, (c.chain_m_2_times_chain_gravity * cos_chain_th_2)
+        .add_product(t18, t1).add_product(t19, t1).add_product(t16, t7)
+        .add_product(c.chain_m_3_times_chain_gravity, cos_chain_th_2)) + t32).sub_product(t8, t30);
+    let chain_w_3_dot_by_chain_th_2 = t33.add_product(c.t3 * chain_w_2_squared, t7).sub_product(t9,
+        t30).sub_product(t12, t34) * t13;
+    let chain_w_2_dot_by_chain_th_2 = (t34 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_2);
+    let chain_w_1_dot_by_chain_th_2 = (t30 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_2)
         .sub_product(t9, chain_w_3_dot_by_chain_th_2);
-    let t34 = (-t25).add_product(c.t1 * chain_w_3_squared, t4);
-    let t35 = (-t31).add_product(c.t3 * chain_w_3_squared, t7).sub_product(t8, t34);
-    let chain_w_3_dot_by_chain_th_3 = ((-t27).add_product(c.chain_m_3_times_chain_l_3,
-        (-(chain_l_2_times_chain_w_2_squared * t7)).sub_product(chain_l_1_times_chain_w_1_squared,
-        t4).sub_product(p.chain_gravity, cos_chain_th_3)) - t32).sub_product(t9, t34)
-        .sub_product(t12, t35) * t13;
-    let chain_w_2_dot_by_chain_th_3 = (t35 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_3);
-    let chain_w_1_dot_by_chain_th_3 = (t34 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_3)
+    let t35 = (-t26).add_product(c.t1 * chain_w_3_squared, t4);
+    let t36 = (-t32).add_product(c.t3 * chain_w_3_squared, t7).sub_product(t8, t35);
+    let chain_w_3_dot_by_chain_th_3 = (t28.sub_product(c.chain_m_3_times_chain_l_3,
+        (chain_l_1_times_chain_w_1_squared * t4).add_product(chain_l_2_times_chain_w_2_squared, t7)
+        .add_product(p.chain_gravity, cos_chain_th_3)) - t33).sub_product(t9, t35).sub_product(t12,
+        t36) * t13;
+    let chain_w_2_dot_by_chain_th_3 = (t36 * t10).sub_product(t12, chain_w_3_dot_by_chain_th_3);
+    let chain_w_1_dot_by_chain_th_3 = (t35 * c.t4).sub_product(t8, chain_w_2_dot_by_chain_th_3)
         .sub_product(t9, chain_w_3_dot_by_chain_th_3);
-    let t36 = c.t5 * chain_w_1 * t0;
-    let chain_w_3_dot_by_chain_w_1 = (c.t7 * chain_w_1 * t3).sub_product(t12, t36) * t13;
-    let chain_w_2_dot_by_chain_w_1 = (t36 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_1);
-    let chain_w_1_dot_by_chain_w_1 = (-(t9 * chain_w_3_dot_by_chain_w_1)).sub_product(t8,
+    let t37 = c.t5 * chain_w_1 * t0;
+    let chain_w_3_dot_by_chain_w_1 = (c.t7 * chain_w_1 * t3).sub_product(t12, t37) * t13;
+    let chain_w_2_dot_by_chain_w_1 = (t37 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_1);
+    let chain_w_1_dot_by_chain_w_1 = -(t9 * chain_w_3_dot_by_chain_w_1).add_product(t8,
         chain_w_2_dot_by_chain_w_1);
-    let t37 = c.t5 * chain_w_2 * t0;
-    let t38 = t8 * t37;
-    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_w_2 * t6).add_product(t9, t37).sub_product(t12,
-        t38) * t13;
-    let chain_w_2_dot_by_chain_w_2 = (t38 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_2);
-    let chain_w_1_dot_by_chain_w_2 = (-(t37 * c.t4)).sub_product(t8, chain_w_2_dot_by_chain_w_2)
-        .sub_product(t9, chain_w_3_dot_by_chain_w_2);
-    let t39 = c.t7 * chain_w_3 * t3;
-    let t40 = (-(c.t8 * chain_w_3 * t6)).add_product(t8, t39);
-    let chain_w_3_dot_by_chain_w_3 = (t9 * t39).sub_product(t12, t40) * t13;
-    let chain_w_2_dot_by_chain_w_3 = (t40 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_3);
-    let chain_w_1_dot_by_chain_w_3 = (-(t39 * c.t4)).sub_product(t8, chain_w_2_dot_by_chain_w_3)
-        .sub_product(t9, chain_w_3_dot_by_chain_w_3);
+    let t38 = c.t5 * chain_w_2 * t0;
+    let t39 = t8 * t38;
+    let chain_w_3_dot_by_chain_w_2 = (c.t8 * chain_w_2 * t6).add_product(t9, t38).sub_product(t12,
+        t39) * t13;
+    let chain_w_2_dot_by_chain_w_2 = (t39 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_2);
+    let chain_w_1_dot_by_chain_w_2 = -(t38 * c.t4).add_product(t8, chain_w_2_dot_by_chain_w_2)
+        .add_product(t9, chain_w_3_dot_by_chain_w_2);
+    let t40 = c.t7 * chain_w_3 * t3;
+    let t41 = (-(c.t8 * chain_w_3 * t6)).add_product(t8, t40);
+    let chain_w_3_dot_by_chain_w_3 = (t9 * t40).sub_product(t12, t41) * t13;
+    let chain_w_2_dot_by_chain_w_3 = (t41 * t10).sub_product(t12, chain_w_3_dot_by_chain_w_3);
+    let chain_w_1_dot_by_chain_w_3 = -(t40 * c.t4).add_product(t8, chain_w_2_dot_by_chain_w_3)
+        .add_product(t9, chain_w_3_dot_by_chain_w_3);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), chain_w_1_dot_by_chain_th_1,
         chain_w_1_dot_by_chain_th_2, chain_w_1_dot_by_chain_th_3, chain_w_1_dot_by_chain_w_1,
         chain_w_1_dot_by_chain_w_2, chain_w_1_dot_by_chain_w_3, chain_w_2_dot_by_chain_th_1,
@@ -316,7 +315,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         chain_w_3_dot_by_chain_w_2, chain_w_3_dot_by_chain_w_3]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 328 operations.
+/// `dy'/dp`, values in the order of its pattern. 319 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 21] {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
@@ -362,105 +361,107 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         .add_product(t10, sin_chain_th_1_minus_chain_th_3)
         .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
     let t12 = p.chain_l_1 * t11;
-    let t13 = chain_m_2_times_chain_gravity * sin_chain_th_2;
-    let t14 = t10 * sin_chain_th_2_minus_chain_th_3;
-    let t15 = chain_m_3_times_chain_gravity * sin_chain_th_2;
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t16 = p.chain_m_2 * p.chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
-    let t17 = chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
+    let t13 = chain_m_3_times_chain_l_1 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
+    let t14 = (chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t10,
+        sin_chain_th_2_minus_chain_th_3).add_product(chain_m_3_times_chain_gravity, sin_chain_th_2)
+        .sub_product(p.chain_m_2 * p.chain_l_1 * chain_w_1_squared,
+        sin_chain_th_1_minus_chain_th_2);
     let chain_l_1_times_chain_w_1_squared = p.chain_l_1 * chain_w_1_squared;
     let chain_l_2_times_chain_w_2_squared = p.chain_l_2 * chain_w_2_squared;
-    let t18 = (chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
+    let t15 = (chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_3)
         .add_product(chain_l_2_times_chain_w_2_squared, sin_chain_th_2_minus_chain_th_3)
         .sub_product(p.chain_gravity, sin_chain_th_3);
-    let t19 = (p.chain_l_2 * (t16 + t17 - t13 - t14 - t15)).add_product(t4, t12);
-    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t18).add_product(t5, t12).sub_product(t8, t19)
+    let t16 = (-(p.chain_l_2 * (t14 - t13))).add_product(t4, t12);
+    let chain_w_3_dot = (chain_m_3_times_chain_l_3 * t15).add_product(t5, t12).sub_product(t8, t16)
         * t9;
-    let chain_w_2_dot = (t19 * t6).sub_product(t8, chain_w_3_dot);
-    let chain_w_1_dot = (-(t12 * t3)).sub_product(t4, chain_w_2_dot).sub_product(t5, chain_w_3_dot);
-    let t20 = chain_l_1_squared * chain_w_1_dot;
-    let t21 = (-t20).sub_product(p.chain_gravity, chain_x_1);
-    let t22 = t4 * t21;
-    let chain_w_3_dot_by_chain_m_1 = (-(t5 * t21)).add_product(t8, t22) * t9;
-    let chain_w_2_dot_by_chain_m_1 = (-(t22 * t6)).sub_product(t8, chain_w_3_dot_by_chain_m_1);
-    let chain_w_1_dot_by_chain_m_1 = (t21 * t3).sub_product(t4, chain_w_2_dot_by_chain_m_1)
-        .sub_product(t5, chain_w_3_dot_by_chain_m_1);
-    let t23 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
+    let chain_w_2_dot = (t16 * t6).sub_product(t8, chain_w_3_dot);
+    let t17 = (t12 * t3).add_product(t4, chain_w_2_dot).add_product(t5, chain_w_3_dot);
+    let t18 = chain_l_1_squared * t17;
+    let t19 = t18.sub_product(p.chain_gravity, chain_x_1);
+    let t20 = t4 * t19;
+    let chain_w_3_dot_by_chain_m_1 = (-(t5 * t19)).add_product(t8, t20) * t9;
+    let t21 = (t20 * t6).add_product(t8, chain_w_3_dot_by_chain_m_1);
+    let chain_w_2_dot_by_chain_m_1 = -t21;
+    let chain_w_1_dot_by_chain_m_1 = (t19 * t3).add_product(t4, t21).sub_product(t5,
+        chain_w_3_dot_by_chain_m_1);
+    let t22 = chain_l_2_times_chain_w_2_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_1 = p.chain_gravity * sin_chain_th_1;
+    let t23 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
     let chain_gravity_times_sin_chain_th_2 = p.chain_gravity * sin_chain_th_2;
-    let t24 = chain_l_1_times_chain_w_1_squared * sin_chain_th_1_minus_chain_th_2;
-    let t25 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
-    let t26 = t25 * chain_w_2_dot;
-    let t27 = (-t20).sub_product(p.chain_l_1, t23 + chain_gravity_times_sin_chain_th_1) - t26;
-    let t28 = t25 * chain_w_1_dot;
-    let t29 = chain_l_2_squared * chain_w_2_dot;
-    let t30 = ((-t28).add_product(p.chain_l_2, t24 - chain_gravity_times_sin_chain_th_2) - t29)
-        .sub_product(t4, t27);
-    let chain_w_3_dot_by_chain_m_2 = (-(t5 * t27)).sub_product(t8, t30) * t9;
-    let chain_w_2_dot_by_chain_m_2 = (t30 * t6).sub_product(t8, chain_w_3_dot_by_chain_m_2);
-    let chain_w_1_dot_by_chain_m_2 = (t27 * t3).sub_product(t4, chain_w_2_dot_by_chain_m_2)
-        .sub_product(t5, chain_w_3_dot_by_chain_m_2);
+    let t24 = chain_l_1_times_chain_l_2 * cos_chain_th_1_minus_chain_th_2;
+    let t25 = t24 * chain_w_2_dot;
+    let t26 = t18.sub_product(p.chain_l_1, t22 + chain_gravity_times_sin_chain_th_1) - t25;
+    let t27 = t24 * t17;
+    let t28 = chain_l_2_squared * chain_w_2_dot;
+    let t29 = (t27.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2 - t23) - t28)
+        .sub_product(t4, t26);
+    let t30 = (t5 * t26).add_product(t8, t29) * t9;
+    let chain_w_3_dot_by_chain_m_2 = -t30;
+    let chain_w_2_dot_by_chain_m_2 = (t29 * t6).add_product(t8, t30);
+    let chain_w_1_dot_by_chain_m_2 = (t26 * t3).sub_product(t4, chain_w_2_dot_by_chain_m_2)
+        .add_product(t5, t30);
     let chain_l_3_times_chain_w_3_squared = p.chain_l_3 * chain_w_3_squared;
     let t31 = p.chain_l_1 * p.chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t32 = ((-t20).sub_product(p.chain_l_1, t23.add_product(chain_l_3_times_chain_w_3_squared,
-        sin_chain_th_1_minus_chain_th_3) + chain_gravity_times_sin_chain_th_1) - t26)
+    let t32 = (t18.sub_product(p.chain_l_1, t22.add_product(chain_l_3_times_chain_w_3_squared,
+        sin_chain_th_1_minus_chain_th_3) + chain_gravity_times_sin_chain_th_1) - t25)
         .sub_product(t31, chain_w_3_dot);
     let t33 = p.chain_l_2 * p.chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t34 = ((-t28).add_product(p.chain_l_2, t24.sub_product(chain_l_3_times_chain_w_3_squared,
-        sin_chain_th_2_minus_chain_th_3) - chain_gravity_times_sin_chain_th_2) - t29)
-        .sub_product(t33, chain_w_3_dot).sub_product(t4, t32);
-    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t18).sub_product(t31, chain_w_1_dot)
-        .sub_product(t33, chain_w_2_dot).sub_product(chain_l_3_squared, chain_w_3_dot)
-        .sub_product(t5, t32).sub_product(t8, t34) * t9;
+    let t34 = (t27.sub_product(p.chain_l_2, chain_gravity_times_sin_chain_th_2
+        .add_product(chain_l_3_times_chain_w_3_squared, sin_chain_th_2_minus_chain_th_3) - t23)
+        - t28).sub_product(t33, chain_w_3_dot).sub_product(t4, t32);
+    let chain_w_3_dot_by_chain_m_3 = (p.chain_l_3 * t15).add_product(t31, t17).sub_product(t33,
+        chain_w_2_dot).sub_product(chain_l_3_squared, chain_w_3_dot).sub_product(t5, t32)
+        .sub_product(t8, t34) * t9;
     let chain_w_2_dot_by_chain_m_3 = (t34 * t6).sub_product(t8, chain_w_3_dot_by_chain_m_3);
     let chain_w_1_dot_by_chain_m_3 = (t32 * t3).sub_product(t4, chain_w_2_dot_by_chain_m_3)
         .sub_product(t5, chain_w_3_dot_by_chain_m_3);
     let t35 = p.chain_l_2 * chain_m_2_plus_chain_m_3;
     let t36 = t35 * cos_chain_th_1_minus_chain_th_2;
     let t37 = chain_m_3_times_chain_l_3 * cos_chain_th_1_minus_chain_th_3;
-    let t38 = (-t11).sub_product(R::literal(2.0) * p.chain_l_1 * t0, chain_w_1_dot)
-        .sub_product(t36, chain_w_2_dot).sub_product(t37, chain_w_3_dot);
-    let t39 = (t35 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2).sub_product(t36,
-        chain_w_1_dot).sub_product(t4, t38);
+    let t38 = (-t11).add_product(R::literal(2.0) * p.chain_l_1 * t0, t17).sub_product(t36,
+        chain_w_2_dot).sub_product(t37, chain_w_3_dot);
+    let t39 = (t35 * chain_w_1_squared * sin_chain_th_1_minus_chain_th_2).add_product(t36, t17)
+        .sub_product(t4, t38);
     let chain_w_3_dot_by_chain_l_1 = (chain_m_3_times_chain_l_3 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_3).sub_product(t37, chain_w_1_dot).sub_product(t5, t38)
+        * sin_chain_th_1_minus_chain_th_3).add_product(t37, t17).sub_product(t5, t38)
         .sub_product(t8, t39) * t9;
     let chain_w_2_dot_by_chain_l_1 = (t39 * t6).sub_product(t8, chain_w_3_dot_by_chain_l_1);
     let chain_w_1_dot_by_chain_l_1 = (t38 * t3).sub_product(t4, chain_w_2_dot_by_chain_l_1)
         .sub_product(t5, chain_w_3_dot_by_chain_l_1);
     let t40 = p.chain_l_1 * chain_m_2_plus_chain_m_3;
     let t41 = t40 * cos_chain_th_1_minus_chain_th_2;
-    let t42 = (-(t40 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2)).sub_product(t41,
+    let t42 = (t40 * chain_w_2_squared * sin_chain_th_1_minus_chain_th_2).add_product(t41,
         chain_w_2_dot);
     let t43 = chain_m_3_times_chain_l_3 * cos_chain_th_2_minus_chain_th_3;
-    let t44 = (t17 - (t13 + t14 + t15 - t16)).sub_product(t41, chain_w_1_dot)
-        .sub_product(R::literal(2.0) * p.chain_l_2 * chain_m_2_plus_chain_m_3, chain_w_2_dot)
-        .sub_product(t43, chain_w_3_dot).sub_product(t4, t42);
+    let t44 = (t13 - t14).add_product(t41, t17).sub_product(R::literal(2.0) * p.chain_l_2
+        * chain_m_2_plus_chain_m_3, chain_w_2_dot).sub_product(t43, chain_w_3_dot).add_product(t4,
+        t42);
     let chain_w_3_dot_by_chain_l_2 = (chain_m_3_times_chain_l_3 * chain_w_2_squared
-        * sin_chain_th_2_minus_chain_th_3).sub_product(t43, chain_w_2_dot).sub_product(t5, t42)
+        * sin_chain_th_2_minus_chain_th_3).sub_product(t43, chain_w_2_dot).add_product(t5, t42)
         .sub_product(t8, t44) * t9;
     let chain_w_2_dot_by_chain_l_2 = (t44 * t6).sub_product(t8, chain_w_3_dot_by_chain_l_2);
-    let chain_w_1_dot_by_chain_l_2 = (t42 * t3).sub_product(t4, chain_w_2_dot_by_chain_l_2)
-        .sub_product(t5, chain_w_3_dot_by_chain_l_2);
+    let chain_w_1_dot_by_chain_l_2 = -(t42 * t3).add_product(t4, chain_w_2_dot_by_chain_l_2)
+        .add_product(t5, chain_w_3_dot_by_chain_l_2);
     let t45 = chain_m_3_times_chain_l_1 * cos_chain_th_1_minus_chain_th_3;
-    let t46 = (-(chain_m_3_times_chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_th_3))
-        .sub_product(t45, chain_w_3_dot);
+    let t46 = (chain_m_3_times_chain_l_1 * chain_w_3_squared * sin_chain_th_1_minus_chain_th_3)
+        .add_product(t45, chain_w_3_dot);
     let t47 = chain_m_3_times_chain_l_2 * cos_chain_th_2_minus_chain_th_3;
-    let t48 = (-(chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3))
-        .sub_product(t47, chain_w_3_dot).sub_product(t4, t46);
-    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t18).sub_product(t45, chain_w_1_dot)
-        .sub_product(t47, chain_w_2_dot).sub_product(R::literal(2.0) * p.chain_m_3 * p.chain_l_3,
-        chain_w_3_dot).sub_product(t5, t46).sub_product(t8, t48) * t9;
+    let t48 = (-(chain_m_3_times_chain_l_2 * chain_w_3_squared * sin_chain_th_2_minus_chain_th_3)
+        .add_product(t47, chain_w_3_dot)).add_product(t4, t46);
+    let chain_w_3_dot_by_chain_l_3 = (p.chain_m_3 * t15).add_product(t45, t17).sub_product(t47,
+        chain_w_2_dot).sub_product(R::literal(2.0) * p.chain_m_3 * p.chain_l_3, chain_w_3_dot)
+        .add_product(t5, t46).sub_product(t8, t48) * t9;
     let chain_w_2_dot_by_chain_l_3 = (t48 * t6).sub_product(t8, chain_w_3_dot_by_chain_l_3);
-    let chain_w_1_dot_by_chain_l_3 = (t46 * t3).sub_product(t4, chain_w_2_dot_by_chain_l_3)
-        .sub_product(t5, chain_w_3_dot_by_chain_l_3);
+    let chain_w_1_dot_by_chain_l_3 = -(t46 * t3).add_product(t4, chain_w_2_dot_by_chain_l_3)
+        .add_product(t5, chain_w_3_dot_by_chain_l_3);
     let t49 = t0 * chain_x_1;
     let t50 = (-(t35 * sin_chain_th_2)).add_product(t4, t49);
     let chain_w_3_dot_by_chain_gravity = (-(chain_m_3_times_chain_l_3 * sin_chain_th_3))
         .add_product(t5, t49).sub_product(t8, t50) * t9;
     let chain_w_2_dot_by_chain_gravity = (t50 * t6).sub_product(t8, chain_w_3_dot_by_chain_gravity);
-    let chain_w_1_dot_by_chain_gravity = (-(t49 * t3)).sub_product(t4,
-        chain_w_2_dot_by_chain_gravity).sub_product(t5, chain_w_3_dot_by_chain_gravity);
+    let chain_w_1_dot_by_chain_gravity = -(t49 * t3).add_product(t4, chain_w_2_dot_by_chain_gravity)
+        .add_product(t5, chain_w_3_dot_by_chain_gravity);
     [chain_w_1_dot_by_chain_m_1, chain_w_1_dot_by_chain_m_2, chain_w_1_dot_by_chain_m_3,
         chain_w_1_dot_by_chain_l_1, chain_w_1_dot_by_chain_l_2, chain_w_1_dot_by_chain_l_3,
         chain_w_1_dot_by_chain_gravity, chain_w_2_dot_by_chain_m_1, chain_w_2_dot_by_chain_m_2,
@@ -484,11 +485,10 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let [(sin_chain_th_1, cos_chain_th_1), (sin_chain_th_2, cos_chain_th_2), (sin_chain_th_3,
         cos_chain_th_3)] = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3]);
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
-    let chain_y_1 = -(p.chain_l_1 * cos_chain_th_1);
     let chain_x_2 = chain_x_1.add_product(p.chain_l_2, sin_chain_th_2);
-    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_th_2);
     let chain_x_3 = chain_x_2.add_product(p.chain_l_3, sin_chain_th_3);
-    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_th_3);
+    let chain_y_3 = -(p.chain_l_1 * cos_chain_th_1).add_product(p.chain_l_2, cos_chain_th_2)
+        .add_product(p.chain_l_3, cos_chain_th_3);
     Outputs {
         end_x: chain_x_3,
         end_y: chain_y_3,
@@ -503,14 +503,12 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
         cos_chain_th_3)] = R::sin_cos_each([chain_th_1, chain_th_2, chain_th_3]);
     let chain_x_1 = p.chain_l_1 * sin_chain_th_1;
     let chain_l_1_times_cos_chain_th_1 = p.chain_l_1 * cos_chain_th_1;
-    let chain_y_1 = -chain_l_1_times_cos_chain_th_1;
     let chain_vx_1 = chain_w_1 * chain_l_1_times_cos_chain_th_1;
     let chain_vy_1 = chain_w_1 * chain_x_1;
-    let chain_y_2 = chain_y_1.sub_product(p.chain_l_2, cos_chain_th_2);
+    let t0 = chain_l_1_times_cos_chain_th_1.add_product(p.chain_l_2, cos_chain_th_2);
     let chain_l_2_times_chain_w_2 = p.chain_l_2 * chain_w_2;
     let chain_vx_2 = chain_vx_1.add_product(chain_l_2_times_chain_w_2, cos_chain_th_2);
     let chain_vy_2 = chain_vy_1.add_product(chain_l_2_times_chain_w_2, sin_chain_th_2);
-    let chain_y_3 = chain_y_2.sub_product(p.chain_l_3, cos_chain_th_3);
     let chain_l_3_times_chain_w_3 = p.chain_l_3 * chain_w_3;
     let chain_vx_3 = chain_vx_2.add_product(chain_l_3_times_chain_w_3, cos_chain_th_3);
     let chain_vy_3 = chain_vy_2.add_product(chain_l_3_times_chain_w_3, sin_chain_th_3);
@@ -519,13 +517,14 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
             chain_vy_1)).add_product(R::literal(0.5) * p.chain_m_2, (chain_vx_2 * chain_vx_2)
             .add_product(chain_vy_2, chain_vy_2)).add_product(R::literal(0.5) * p.chain_m_3,
             (chain_vx_3 * chain_vx_3).add_product(chain_vy_3, chain_vy_3)),
-        potential: p.chain_gravity * (-(p.chain_m_1 * chain_l_1_times_cos_chain_th_1))
-            .add_product(p.chain_m_2, chain_y_2).add_product(p.chain_m_3, chain_y_3),
+        potential: -(p.chain_gravity * (p.chain_m_1 * chain_l_1_times_cos_chain_th_1)
+            .add_product(p.chain_m_2, t0).add_product(p.chain_m_3, t0.add_product(p.chain_l_3,
+            cos_chain_th_3))),
         stored: R::literal(0.0),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 220 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 219 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [chain_th_1, chain_th_2, chain_th_3, chain_w_1, chain_w_2, chain_w_3] = *state;
@@ -575,19 +574,17 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         .add_product(t8, sin_chain_th_1_minus_chain_th_3)
         .add_product(chain_m_3_times_chain_gravity, sin_chain_th_1);
     let chain_w_1_squared = chain_w_1 * chain_w_1;
-    let t10 = (p.chain_l_2 * (p.chain_m_2 * p.chain_l_1 * chain_w_1_squared
-        * sin_chain_th_1_minus_chain_th_2).add_product(chain_m_3_times_chain_l_1
-        * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2)
-        .sub_product(chain_m_2_times_chain_gravity, sin_chain_th_2).sub_product(t8,
-        sin_chain_th_2_minus_chain_th_3).sub_product(chain_m_3_times_chain_gravity, sin_chain_th_2))
-        .add_product(t3, t9);
+    let t10 = (-(p.chain_l_2 * (chain_m_2_times_chain_gravity * sin_chain_th_2).add_product(t8,
+        sin_chain_th_2_minus_chain_th_3).add_product(chain_m_3_times_chain_gravity, sin_chain_th_2)
+        .sub_product(p.chain_m_2 * p.chain_l_1 * chain_w_1_squared, sin_chain_th_1_minus_chain_th_2)
+        .sub_product(chain_m_3_times_chain_l_1 * chain_w_1_squared,
+        sin_chain_th_1_minus_chain_th_2))).add_product(t3, t9);
     let chain_w_3_dot = (chain_m_3_times_chain_l_3 * (p.chain_l_1 * chain_w_1_squared
         * sin_chain_th_1_minus_chain_th_3).add_product(p.chain_l_2 * chain_w_2_squared,
         sin_chain_th_2_minus_chain_th_3).sub_product(p.chain_gravity, sin_chain_th_3))
         .add_product(t4, t9).sub_product(t7, t10) * (R::literal(1.0) / (p.chain_m_3 * (p.chain_l_3
         * p.chain_l_3)).sub_product(t4, t1).sub_product(t7, t6));
     let chain_w_2_dot = (t10 * t5).sub_product(t7, chain_w_3_dot);
-    let chain_w_1_dot = (-(t9 * t2)).sub_product(t3, chain_w_2_dot).sub_product(t4, chain_w_3_dot);
     let t11 = R::literal(2.0) * p.chain_l_2;
     let t12 = R::literal(0.5) * p.chain_m_2;
     let t13 = R::literal(0.5) * p.chain_m_3;
@@ -608,15 +605,16 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
         sin_chain_th_3)), chain_w_3);
     let t20 = R::literal(2.0) * chain_l_1_times_cos_chain_th_1;
     let t21 = R::literal(2.0) * chain_x_1;
-    let t22 = t19.add_product((R::literal(0.5) * p.chain_m_1 * (t21 * chain_vy_1).add_product(t20,
+    let t22 = t19.sub_product((R::literal(0.5) * p.chain_m_1 * (t21 * chain_vy_1).add_product(t20,
         chain_vx_1)).add_product(t12, (t21 * chain_vy_2).add_product(t20, chain_vx_2))
-        .add_product(t13, (t21 * chain_vy_3).add_product(t20, chain_vx_3)), chain_w_1_dot)
-        .add_product((t12 * (t11 * chain_vx_2 * cos_chain_th_2).add_product(t11 * chain_vy_2,
-        sin_chain_th_2)).add_product(t13, (t11 * chain_vx_3 * cos_chain_th_2).add_product(t11
-        * chain_vy_3, sin_chain_th_2)), chain_w_2_dot);
+        .add_product(t13, (t21 * chain_vy_3).add_product(t20, chain_vx_3)), (t9 * t2)
+        .add_product(t3, chain_w_2_dot).add_product(t4, chain_w_3_dot));
     PowerBalance {
-        stored_rate: t22.add_product(t13 * (t17 * chain_vx_3 * cos_chain_th_3).add_product(t17
-            * chain_vy_3, sin_chain_th_3), chain_w_3_dot),
+        stored_rate: t22.add_product((t12 * (t11 * chain_vx_2 * cos_chain_th_2).add_product(t11
+            * chain_vy_2, sin_chain_th_2)).add_product(t13, (t11 * chain_vx_3 * cos_chain_th_2)
+            .add_product(t11 * chain_vy_3, sin_chain_th_2)), chain_w_2_dot).add_product(t13
+            * (t17 * chain_vx_3 * cos_chain_th_3).add_product(t17 * chain_vy_3, sin_chain_th_3),
+            chain_w_3_dot),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }
@@ -698,22 +696,22 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t47 = t46 + t42;
     let t48 = t47 * p.chain_l_1;
     let t49 = -t48;
-    let t50 = sin_chain_th_2 * t33;
-    let t51 = t39 * t20;
-    let t52 = sin_chain_th_2 * t41;
-    let t53 = chain_w_1 * chain_w_1;
-    let t54 = p.chain_m_2 * p.chain_l_1;
-    let t55 = t53 * t54;
-    let t56 = t55 * t6;
-    let t57 = t53 * t14;
-    let t58 = t57 * t6;
-    let t59 = t56 + t58;
-    let t60 = t59 - t50;
-    let t61 = t60 - t51;
-    let t62 = t61 - t52;
+    let t50 = chain_w_1 * chain_w_1;
+    let t51 = p.chain_m_2 * p.chain_l_1;
+    let t52 = t50 * t51;
+    let t53 = t52 * t6;
+    let t54 = t50 * t14;
+    let t55 = t54 * t6;
+    let t56 = sin_chain_th_2 * t33;
+    let t57 = t39 * t20;
+    let t58 = sin_chain_th_2 * t41;
+    let t59 = t56 + t57;
+    let t60 = t59 + t58;
+    let t61 = t60 - t53;
+    let t62 = t55 - t61;
     let t63 = t62 * p.chain_l_2;
     let t64 = sin_chain_th_3 * p.chain_gravity;
-    let t65 = t53 * p.chain_l_1;
+    let t65 = t50 * p.chain_l_1;
     let t66 = t65 * t12;
     let t67 = t29 * p.chain_l_2;
     let t68 = t67 * t20;
@@ -775,17 +773,17 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let t47_k = sin_chain_th_1_k.mul_add(t41, t46_k);
         let t48_k = t47_k * p.chain_l_1;
         let t49_k = -t48_k;
-        let t51_k = t39.mul_add(t20_k, t20.mul_add(t39_k, sums_4[2]));
-        let t53_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
-        let t55_k = t53_k * t54;
-        let t56_k = t55.mul_add(t6_k, t6.mul_add(t55_k, sums_4[3]));
-        let t57_k = t53_k * t14;
-        let t58_k = t57.mul_add(t6_k, t6.mul_add(t57_k, sums_5[0]));
-        let t59_k = t56_k + t58_k;
-        let t60_k = (-sin_chain_th_2_k).mul_add(t33, t59_k);
-        let t61_k = t60_k - t51_k;
-        let t62_k = (-sin_chain_th_2_k).mul_add(t41, t61_k);
-        let t65_k = t53_k * p.chain_l_1;
+        let t50_k = (chain_w_1 + chain_w_1).mul_add(chain_w_1_k, sums[2]);
+        let t52_k = t50_k * t51;
+        let t53_k = t52.mul_add(t6_k, t6.mul_add(t52_k, sums_4[2]));
+        let t54_k = t50_k * t14;
+        let t55_k = t54.mul_add(t6_k, t6.mul_add(t54_k, sums_4[3]));
+        let t57_k = t39.mul_add(t20_k, t20.mul_add(t39_k, sums_5[0]));
+        let t59_k = sin_chain_th_2_k.mul_add(t33, t57_k);
+        let t60_k = sin_chain_th_2_k.mul_add(t41, t59_k);
+        let t61_k = t60_k - t53_k;
+        let t62_k = t55_k - t61_k;
+        let t65_k = t50_k * p.chain_l_1;
         let t66_k = t65.mul_add(t12_k, t12.mul_add(t65_k, sums_5[1]));
         let t67_k = t29_k * p.chain_l_2;
         let t68_k = t67.mul_add(t20_k, t20.mul_add(t67_k, sums_5[2]));
@@ -813,8 +811,8 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         lanes_2.set(order, [k * chain_th_3_k, k * t5_k, k * t5_k, k * t11_k], [sin_chain_th_3_k,
             t7_k, t6_k, t13_k]);
         lanes_3.set(order, [k * t11_k, k * t19_k, k * t19_k, t6_k], [t12_k, t21_k, t20_k, t31_k]);
-        lanes_4.set(order, [t6_k, t12_k, t20_k, t6_k], [t35_k, t39_k, t39_k, t55_k]);
-        lanes_5.set(order, [t6_k, t12_k, t20_k, t10_k], [t57_k, t65_k, t67_k, chain_w_2_dot_k]);
+        lanes_4.set(order, [t6_k, t12_k, t6_k, t6_k], [t35_k, t39_k, t52_k, t54_k]);
+        lanes_5.set(order, [t20_k, t12_k, t20_k, t10_k], [t39_k, t65_k, t67_k, chain_w_2_dot_k]);
         lanes_6.set(order, [t16_k, t10_k, t24_k, t16_k], [chain_w_3_dot_k, chain_w_1_dot_k,
             chain_w_3_dot_k, chain_w_1_dot_k]);
         lanes_7.set(order, [t24_k], [chain_w_2_dot_k]);

@@ -21,7 +21,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 4, states 8, parameters 25, outputs 8.
 // Nonzeros: mass_matrix 4 of 4 by 4, rate_jacobian 9 of 8 by 8, parameter_jacobian 14 of 8 by 25.
-// Operations: rate 21, mass_matrix 2, forcing 11, rate_jacobian 13, parameter_jacobian 49,
+// Operations: rate 21, mass_matrix 2, forcing 11, rate_jacobian 12, parameter_jacobian 48,
 //     time_derivative 7, outputs 7, energy 33, power_balance 51, prepare 14, prepared_rate 15.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
@@ -125,8 +125,8 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let inverse_shaft_reed_field_inertia = R::literal(1.0) / p.shaft_reed_field_inertia;
     let inverse_shaft_middle_field_inertia = R::literal(1.0) / p.shaft_middle_field_inertia;
     let t0 = R::literal(1.0) / (p.reed_mass * (p.reed_arm * p.reed_arm));
-    let shaft_driven_dot_dot_by_shaft_driven = -(p.drive_stiffness
-        * inverse_shaft_driven_field_inertia);
+    let shaft_driven_dot_dot_by_shaft_driven = p.drive_stiffness * (R::literal(-1.0)
+        / p.shaft_driven_field_inertia);
     let t1 = p.reed_stiffness * inverse_shaft_reed_field_inertia;
     let shaft_reed_dot_dot_by_shaft_reed = -t1;
     let reed_speed_dot_by_shaft_reed = p.reed_stiffness * t0;
@@ -199,7 +199,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
         c.reed_speed_dot_by_shaft_reed, c.reed_speed_dot_by_reed_angle]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 49 operations.
+/// `dy'/dp`, values in the order of its pattern. 48 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 14] {
     let [shaft_driven, shaft_reed, _, reed_angle, ..] = *state;
@@ -227,8 +227,8 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let shaft_driven_dot_dot_by_drive_frequency = p.drive_stiffness * p.drive_amplitude * time
         * cos_drive_frequency_times_time * inverse_shaft_driven_field_inertia;
     let reed_speed_dot_by_reed_mass = -(reed_arm_squared * reed_speed_dot * t0);
-    let reed_speed_dot_by_reed_arm = -(R::literal(2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
-        * t0);
+    let reed_speed_dot_by_reed_arm = R::literal(-2.0) * p.reed_mass * p.reed_arm * reed_speed_dot
+        * t0;
     let shaft_reed_dot_dot_by_reed_stiffness = (reed_angle - shaft_reed)
         * inverse_shaft_reed_field_inertia;
     let reed_speed_dot_by_reed_stiffness = shaft_reed_minus_reed_angle * t0;
@@ -393,15 +393,15 @@ pub mod shaft_u {
             * p.shaft_radius), R::literal(core::f64::consts::FRAC_PI_2) * (shaft_radius_squared
             * shaft_radius_squared), R::literal(0.0), R::literal(0.0)]
     }
-    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 8 operations.
+    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 7 operations.
     #[must_use]
     #[inline]
     pub fn force<R: Real>(_time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 2] {
         let [_, u_x_2, _, u_x_dot] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        [R::literal(0.0), -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+        [R::literal(0.0), R::literal(-1.570_796_326_794_896_6) * p.shaft_shear_modulus
             * (shaft_radius_squared * shaft_radius_squared) * u_x_2
-            .add_product(p.shaft_damping_time, u_x_dot))]
+            .add_product(p.shaft_damping_time, u_x_dot)]
     }
     /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt. 8 operations.
     #[must_use]
@@ -415,7 +415,7 @@ pub mod shaft_u {
             -(t0 * shaft_radius_squared_squared), R::literal(0.0), -(t0 * p.shaft_damping_time
             * shaft_radius_squared_squared)]
     }
-    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 16 operations.
+    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 13 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(_time: R, _x: R, point: &FieldPoint<R>,
@@ -426,11 +426,11 @@ pub mod shaft_u {
         let t0 = u_x_2.add_product(p.shaft_damping_time, u_x_dot);
         [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
             R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            -(R::literal(core::f64::consts::TAU) * p.shaft_shear_modulus * (shaft_radius_squared
-            * p.shaft_radius) * t0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            -(R::literal(core::f64::consts::FRAC_PI_2) * shaft_radius_squared_squared * t0),
-            R::literal(0.0), -(R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
-            * shaft_radius_squared_squared * u_x_dot)]
+            R::literal(-6.283_185_307_179_586) * p.shaft_shear_modulus * (shaft_radius_squared
+            * p.shaft_radius) * t0, R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(-1.570_796_326_794_896_6) * shaft_radius_squared_squared * t0,
+            R::literal(0.0), R::literal(-1.570_796_326_794_896_6) * p.shaft_shear_modulus
+            * shaft_radius_squared_squared * u_x_dot]
     }
     /// T and V a length \[J/m\]. 10 operations.
     #[must_use]
@@ -506,13 +506,13 @@ pub mod shaft_u {
     }
     /// f_1 alone, at many points.
     ///
-    /// 4 operations for all points, 4 for each.
+    /// 4 operations for all points, 3 for each.
     pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        let t0 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_shear_modulus
+        let t0 = R::literal(-1.570_796_326_794_896_6) * p.shaft_shear_modulus
             * (shaft_radius_squared * shaft_radius_squared);
         for ((&u_x_2, &u_x_dot), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(t0 * u_x_2.add_product(p.shaft_damping_time, u_x_dot));
+            *force = t0 * u_x_2.add_product(p.shaft_damping_time, u_x_dot);
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.

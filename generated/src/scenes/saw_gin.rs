@@ -20,9 +20,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 7, parameters 21, outputs 8.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 26 of 7 by 7, parameter_jacobian 39 of 7 by 21.
-// Operations: rate 78, forcing 43, rate_jacobian 73, parameter_jacobian 184, time_derivative 32,
-//     outputs 55, energy 39, power_balance 152, prepare 44, prepared_rate 55,
-//     prepared_rate_jacobian 34.
+// Operations: rate 77, forcing 42, rate_jacobian 71, parameter_jacobian 182, time_derivative 30,
+//     outputs 54, energy 39, power_balance 151, prepare 40, prepared_rate 54,
+//     prepared_rate_jacobian 36.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -103,32 +103,30 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, inverse_load_engagement_width, t2, t3,
-    inverse_load_standstill_band, inverse_motor_inertia, inverse_cylinder_inertia, t4, t5,
-    motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
-    motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_coupling_twist,
-    motor_omega_dot_by_motor_omega, cylinder_omega_dot_by_motor_omega, t6,
-    motor_omega_dot_by_cylinder_omega, coupling_twist_dot_by_cylinder_omega, t7,
-    motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
-    motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-    motor_psi_rx_dot_by_motor_psi_rx
+    motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_load_standstill_band,
+    inverse_motor_inertia, inverse_cylinder_inertia, t4, t5, motor_alpha_s_times_motor_omega_0,
+    motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_coupling_twist,
+    cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_motor_omega,
+    cylinder_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
+    coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
+    motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
+    motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 44 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 40 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let t1 = R::literal(-1.0) / p.load_engagement_width;
+    let t2 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
+        * motor_sigma);
     let t3 = R::literal(core::f64::consts::PI) * load_omega_2;
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
@@ -141,24 +139,22 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let cylinder_omega_dot_by_coupling_twist = t4 * inverse_cylinder_inertia;
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
-    let t6 = -(p.coupling_damping * (p.coupling_ratio * p.coupling_ratio));
+    let t6 = p.coupling_damping * (p.coupling_ratio * p.coupling_ratio);
     let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
     let coupling_twist_dot_by_cylinder_omega = -p.coupling_ratio;
-    let t7 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, inverse_load_engagement_width, t2, t3,
-        inverse_load_standstill_band, inverse_motor_inertia, inverse_cylinder_inertia, t4, t5,
-        motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_coupling_twist,
-        motor_omega_dot_by_motor_omega, cylinder_omega_dot_by_motor_omega, t6,
-        motor_omega_dot_by_cylinder_omega, coupling_twist_dot_by_cylinder_omega, t7,
-        motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
-        motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
-        motor_psi_rx_dot_by_motor_psi_rx }
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_load_standstill_band,
+        inverse_motor_inertia, inverse_cylinder_inertia, t4, t5, motor_alpha_s_times_motor_omega_0,
+        motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_coupling_twist,
+        cylinder_omega_dot_by_coupling_twist, motor_omega_dot_by_motor_omega,
+        cylinder_omega_dot_by_motor_omega, t6, motor_omega_dot_by_cylinder_omega,
+        coupling_twist_dot_by_cylinder_omega, motor_psi_sx_dot_by_motor_psi_sx,
+        motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
+        motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -174,7 +170,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 55 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 54 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -185,8 +181,8 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_load_engagement_width
-        * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.load_engagement_time)).exp());
     let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, p.load_phase
         .add_product(c.t3, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
@@ -214,7 +210,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [p.motor_inertia, p.cylinder_inertia]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 43 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 42 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
@@ -225,8 +221,8 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.load_engagement_width * (time - p.load_engagement_time)).exp());
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
         / (p.motor_x_s * motor_sigma) * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx,
         motor_psi_ry);
@@ -239,7 +235,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 34 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 36 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 26] {
@@ -247,20 +243,20 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         = *state;
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_load_engagement_width
-        * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.load_engagement_time)).exp());
     let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = c.t6.sub_product(c.inverse_load_standstill_band
+    let cylinder_omega_dot_by_cylinder_omega = -(c.t6.add_product(c.inverse_load_standstill_band
         * load_engagement * R::literal(1.0).sub_product(t0, t0), p.load_mean
         .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin()))
-        * c.inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_psi_sx = c.t7 * motor_psi_ry * c.inverse_motor_inertia;
+        * c.inverse_cylinder_inertia);
+    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = c.t7 * motor_psi_sx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
     [R::literal(1.0), c.coupling_twist_dot_by_cylinder_omega, c.motor_omega_dot_by_coupling_twist,
         c.motor_omega_dot_by_motor_omega, c.motor_omega_dot_by_cylinder_omega,
         motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
@@ -275,7 +271,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 184 operations.
+/// `dy'/dp`, values in the order of its pattern. 182 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 39] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
@@ -301,15 +297,14 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let load_engagement = R::literal(1.0) / t6;
     let t7 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t8 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t9 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t10 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t10 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t9;
-    let t11 = p.load_mean.add_product(p.load_amplitude, t1);
-    let t12 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t11 * t12;
+    let t8 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t9 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t9 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t8;
+    let t10 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t11 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t10 * t11;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
@@ -317,48 +312,49 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .add_product(p.coupling_damping * p.coupling_ratio, coupling_twist_rate) - load_resistance)
         * inverse_cylinder_inertia;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t13 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t12 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t14 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t13 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t9
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t8
         * inverse_motor_inertia;
-    let t16 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t16, t7);
-    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx)).sub_product(t16, t8);
-    let t17 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sy).sub_product(R::literal(core::f64::consts::TAU) * p.motor_alpha_s, t7);
+    let motor_psi_sy_dot_by_motor_supply_frequency = R::literal(-6.283_185_307_179_586)
+        * motor_psi_sx.add_product(p.motor_alpha_s, motor_psi_sy).sub_product(p.motor_k_r
+        * p.motor_alpha_s, motor_psi_ry);
+    let t14 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t17, t13);
+        * motor_psi_ry).add_product(t14, t12);
     let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(core::f64::consts::TAU)
-        * motor_psi_rx)).add_product(t17, t14);
+        * motor_psi_rx)).add_product(t14, t13);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t9 * inverse_motor_inertia;
+        / motor_x_s_times_motor_sigma * t8 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t10 * motor_omega_0 / (p.motor_x_s * (t15 * t15))
-        * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
-        * inverse_motor_inertia);
+    let t15 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_k_r = t9 * motor_omega_0 / (p.motor_x_s * (t15 * t15))
+        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia);
+    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t7);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t8);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t13;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t14;
+    let motor_psi_sy_dot_by_motor_alpha_s = motor_omega_0 * (-motor_psi_sy)
+        .add_product(p.motor_k_r, motor_psi_ry);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t12;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t13;
     let motor_omega_dot_by_coupling_stiffness = -(coupling_twist * inverse_motor_inertia);
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
         * inverse_cylinder_inertia;
@@ -373,22 +369,22 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * inverse_cylinder_inertia;
     let coupling_twist_dot_by_coupling_ratio = -cylinder_omega;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t12 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t12
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t11 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t11
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_speed = -(R::literal(0.328_986_813_369_645_25)
-        * p.load_amplitude * time * load_engagement * t2 * t12 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t12
+    let cylinder_omega_dot_by_load_speed = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude
+        * time * load_engagement * t2 * t11 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t11
         * inverse_cylinder_inertia);
-    let t18 = t6 * t6;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t11 * t5 * t12
-        / t18 * inverse_cylinder_inertia;
+    let t16 = t6 * t6;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t10 * t5 * t11
+        / t16 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0) / (p.load_engagement_width
-        * p.load_engagement_width) * time_minus_load_engagement_time * t11 * t5 * t12 / t18
+        * p.load_engagement_width) * time_minus_load_engagement_time * t10 * t5 * t11 / t16
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0) / (p.load_standstill_band
         * p.load_standstill_band) * cylinder_omega * load_engagement * R::literal(1.0)
-        .sub_product(t12, t12) * t11 * inverse_cylinder_inertia;
+        .sub_product(t11, t11) * t10 * inverse_cylinder_inertia;
     [coupling_twist_dot_by_coupling_ratio, motor_omega_dot_by_motor_inertia,
         motor_omega_dot_by_motor_supply_frequency, motor_omega_dot_by_motor_pole_pairs,
         motor_omega_dot_by_motor_k_s, motor_omega_dot_by_motor_k_r, motor_omega_dot_by_motor_x_s,
@@ -410,7 +406,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         motor_psi_ry_dot_by_motor_alpha_r]
 }
 
-/// Partial derivative of `y'` with respect to time. 32 operations.
+/// Partial derivative of `y'` with respect to time. 30 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, cylinder_omega, ..] = *state;
@@ -418,19 +414,19 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let t0 = p.load_phase.add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let (t1, t2) = t0.sin_cos();
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t3 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
+    let t3 = (inverse_load_engagement_width * (p.load_engagement_time - time)).exp();
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width * p.load_mean
-        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
-        .sub_product(R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
-        * load_engagement * t2, t5) * (R::literal(1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (inverse_load_engagement_width * p.load_mean
+        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4))
+        .add_product(R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
+        * load_engagement * t2, t5) * (R::literal(-1.0) / p.cylinder_inertia);
     [R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time, R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 55 operations.
+/// Wanted outputs. 54 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
@@ -441,8 +437,8 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.load_engagement_width * (time - p.load_engagement_time)).exp());
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t0 = motor_omega_0 / motor_x_s_times_motor_sigma;
     let motor_i_sx = t0 * motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
@@ -491,7 +487,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 152 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 151 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
@@ -510,8 +506,8 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
     let t2 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t2.add_product(p.coupling_damping, coupling_twist_rate);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.load_engagement_width * (time - p.load_engagement_time)).exp());
     let t3 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
     let t4 = motor_omega_0 / motor_x_s_times_motor_sigma;
@@ -599,76 +595,74 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t7 = coupling_twist_rate * p.coupling_damping;
     let coupling_torque = t6 + t7;
     let t8 = time - p.load_engagement_time;
-    let t9 = R::literal(1.0) / p.load_engagement_width;
+    let t9 = R::literal(-1.0) / p.load_engagement_width;
     let t10 = t8 * t9;
-    let t11 = -t10;
-    let t12 = t11.exp();
-    let t13 = R::literal(1.0) + t12;
-    let load_engagement = R::literal(1.0) / t13;
-    let t14 = motor_psi_rx * p.motor_k_r;
-    let t15 = motor_psi_sx - t14;
-    let t16 = p.motor_x_s * motor_sigma;
-    let t17 = motor_psi_ry * p.motor_k_r;
-    let t18 = motor_psi_sy - t17;
-    let t19 = motor_psi_sx * p.motor_k_s;
-    let t20 = motor_psi_sy * p.motor_k_s;
-    let t21 = motor_psi_sx * motor_psi_ry;
-    let t22 = motor_psi_sy * motor_psi_rx;
-    let t23 = t22 - t21;
-    let t24 = R::literal(1.5) * p.motor_pole_pairs;
-    let t25 = t24 * p.motor_k_r;
-    let t26 = t25 * motor_omega_0;
-    let t27 = t26 / t16;
-    let motor_torque = t23 * t27;
-    let t28 = R::literal(core::f64::consts::PI) * load_omega_2;
-    let t29 = time * t28;
-    let t30 = p.load_phase + t29;
-    let t31 = t30.sin();
-    let t32 = t30.cos();
-    let t33 = t31 * p.load_amplitude;
-    let t34 = p.load_mean + t33;
-    let t35 = R::literal(1.0) / p.load_standstill_band;
-    let t36 = cylinder_omega * t35;
-    let t37 = t36.tanh();
-    let t38 = t37 * t37;
-    let t39 = R::literal(1.0) - t38;
-    let t40 = load_engagement * t34;
-    let load_resistance = t40 * t37;
-    let t41 = R::literal(1.0) / p.motor_inertia;
-    let t42 = R::literal(1.0) / p.cylinder_inertia;
-    let t43 = motor_torque - coupling_torque;
-    let t44 = p.coupling_stiffness * p.coupling_ratio;
-    let t45 = coupling_twist * t44;
-    let t46 = p.coupling_damping * p.coupling_ratio;
-    let t47 = coupling_twist_rate * t46;
-    let t48 = t45 + t47;
-    let t49 = t48 - load_resistance;
-    let motor_omega_dot = t43 * t41;
-    let cylinder_omega_dot = t49 * t42;
-    let t50 = p.motor_alpha_s * motor_omega_0;
-    let t51 = t15 * t50;
-    let t52 = motor_psi_sy * motor_omega_0;
-    let t53 = motor_u_x + t52;
-    let motor_psi_sx_dot = t53 - t51;
-    let t54 = motor_psi_sx * motor_omega_0;
-    let t55 = t18 * t50;
-    let t56 = motor_u_y - t54;
-    let motor_psi_sy_dot = t56 - t55;
-    let t57 = motor_psi_ry * motor_slip_speed;
-    let t58 = t19 - motor_psi_rx;
-    let t59 = p.motor_alpha_r * motor_omega_0;
-    let t60 = t58 * t59;
-    let motor_psi_rx_dot = t57 + t60;
-    let t61 = motor_psi_rx * motor_slip_speed;
-    let t62 = t20 - motor_psi_ry;
-    let t63 = t62 * t59;
-    let motor_psi_ry_dot = t63 - t61;
+    let t11 = t10.exp();
+    let t12 = R::literal(1.0) + t11;
+    let load_engagement = R::literal(1.0) / t12;
+    let t13 = motor_psi_rx * p.motor_k_r;
+    let t14 = motor_psi_sx - t13;
+    let t15 = p.motor_x_s * motor_sigma;
+    let t16 = motor_psi_ry * p.motor_k_r;
+    let t17 = motor_psi_sy - t16;
+    let t18 = motor_psi_sx * p.motor_k_s;
+    let t19 = motor_psi_sy * p.motor_k_s;
+    let t20 = motor_psi_sx * motor_psi_ry;
+    let t21 = motor_psi_sy * motor_psi_rx;
+    let t22 = t21 - t20;
+    let t23 = R::literal(1.5) * p.motor_pole_pairs;
+    let t24 = t23 * p.motor_k_r;
+    let t25 = t24 * motor_omega_0;
+    let t26 = t25 / t15;
+    let motor_torque = t22 * t26;
+    let t27 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let t28 = time * t27;
+    let t29 = p.load_phase + t28;
+    let t30 = t29.sin();
+    let t31 = t29.cos();
+    let t32 = t30 * p.load_amplitude;
+    let t33 = p.load_mean + t32;
+    let t34 = R::literal(1.0) / p.load_standstill_band;
+    let t35 = cylinder_omega * t34;
+    let t36 = t35.tanh();
+    let t37 = t36 * t36;
+    let t38 = R::literal(1.0) - t37;
+    let t39 = load_engagement * t33;
+    let load_resistance = t39 * t36;
+    let t40 = R::literal(1.0) / p.motor_inertia;
+    let t41 = R::literal(1.0) / p.cylinder_inertia;
+    let t42 = motor_torque - coupling_torque;
+    let t43 = p.coupling_stiffness * p.coupling_ratio;
+    let t44 = coupling_twist * t43;
+    let t45 = p.coupling_damping * p.coupling_ratio;
+    let t46 = coupling_twist_rate * t45;
+    let t47 = t44 + t46;
+    let t48 = t47 - load_resistance;
+    let motor_omega_dot = t42 * t40;
+    let cylinder_omega_dot = t48 * t41;
+    let t49 = p.motor_alpha_s * motor_omega_0;
+    let t50 = t14 * t49;
+    let t51 = motor_psi_sy * motor_omega_0;
+    let t52 = motor_u_x + t51;
+    let motor_psi_sx_dot = t52 - t50;
+    let t53 = motor_psi_sx * motor_omega_0;
+    let t54 = t17 * t49;
+    let t55 = motor_u_y - t53;
+    let motor_psi_sy_dot = t55 - t54;
+    let t56 = motor_psi_ry * motor_slip_speed;
+    let t57 = t18 - motor_psi_rx;
+    let t58 = p.motor_alpha_r * motor_omega_0;
+    let t59 = t57 * t58;
+    let motor_psi_rx_dot = t56 + t59;
+    let t60 = motor_psi_rx * motor_slip_speed;
+    let t61 = t19 - motor_psi_ry;
+    let t62 = t61 * t58;
+    let motor_psi_ry_dot = t62 - t60;
     let t10_slope = R::literal(1.0) * t9;
-    let t11_slope = -t10_slope;
-    let inverse_t13 = R::literal(1.0) / t13;
-    let mut t12_before = t12;
+    let inverse_t12 = R::literal(1.0) / t12;
+    let mut t11_before = t11;
+    let mut t30_before = t30;
     let mut t31_before = t31;
-    let mut t32_before = t32;
     let mut rates = [coupling_twist_rate, motor_omega_dot, cylinder_omega_dot, motor_psi_sx_dot,
         motor_psi_sy_dot, motor_psi_rx_dot, motor_psi_ry_dot];
     coefficients[0] = *state;
@@ -688,48 +682,48 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let motor_slip_speed_k = -motor_omega_k * p.motor_pole_pairs;
         let coupling_torque_k = coupling_twist_rate_k.mul_add(p.coupling_damping, coupling_twist_k
             * p.coupling_stiffness);
-        let t12_k = inverse * t11_slope * t12_before;
-        let load_engagement_k = -t12_k.mul_add(load_engagement, sums_1[1]) * inverse_t13;
-        let t15_k = (-motor_psi_rx_k).mul_add(p.motor_k_r, motor_psi_sx_k);
-        let t18_k = (-motor_psi_ry_k).mul_add(p.motor_k_r, motor_psi_sy_k);
-        let t21_k = motor_psi_sx.mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k,
+        let t11_k = inverse * t10_slope * t11_before;
+        let load_engagement_k = -t11_k.mul_add(load_engagement, sums_1[1]) * inverse_t12;
+        let t14_k = (-motor_psi_rx_k).mul_add(p.motor_k_r, motor_psi_sx_k);
+        let t17_k = (-motor_psi_ry_k).mul_add(p.motor_k_r, motor_psi_sy_k);
+        let t20_k = motor_psi_sx.mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k,
             sums[0]));
-        let t22_k = motor_psi_sy.mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k,
+        let t21_k = motor_psi_sy.mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k,
             sums[1]));
-        let t23_k = t22_k - t21_k;
-        let t31_k = inverse * t28 * t32_before;
-        let t32_k = -inverse * t28 * t31_before;
-        let t36_k = cylinder_omega_k * t35;
-        let t37_k = t36_k.mul_add(t39, inverse * sums_1[3]);
-        let t38_k = (t37 + t37).mul_add(t37_k, sums[2]);
-        let t39_k = -t38_k;
-        let t40_k = load_engagement.mul_add(t31_k * p.load_amplitude, t34
+        let t22_k = t21_k - t20_k;
+        let t30_k = inverse * t27 * t31_before;
+        let t31_k = -inverse * t27 * t30_before;
+        let t35_k = cylinder_omega_k * t34;
+        let t36_k = t35_k.mul_add(t38, inverse * sums_1[3]);
+        let t37_k = (t36 + t36).mul_add(t36_k, sums[2]);
+        let t38_k = -t37_k;
+        let t39_k = load_engagement.mul_add(t30_k * p.load_amplitude, t33
             .mul_add(load_engagement_k, sums_1[2]));
-        let load_resistance_k = t37.mul_add(t40_k, t40.mul_add(t37_k, sums_2[0]));
-        let t43_k = t23_k.mul_add(t27, -coupling_torque_k);
-        let t48_k = coupling_twist_rate_k.mul_add(t46, coupling_twist_k * t44);
-        let t49_k = t48_k - load_resistance_k;
-        let motor_omega_dot_k = t43_k * t41;
-        let cylinder_omega_dot_k = t49_k * t42;
-        let motor_psi_sx_dot_k = (-t15_k).mul_add(t50, motor_psi_sy_k * motor_omega_0);
-        let t56_k = -motor_psi_sx_k * motor_omega_0;
-        let motor_psi_sy_dot_k = (-t18_k).mul_add(t50, t56_k);
-        let t57_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
+        let load_resistance_k = t36.mul_add(t39_k, t39.mul_add(t36_k, sums_2[0]));
+        let t42_k = t22_k.mul_add(t26, -coupling_torque_k);
+        let t47_k = coupling_twist_rate_k.mul_add(t45, coupling_twist_k * t43);
+        let t48_k = t47_k - load_resistance_k;
+        let motor_omega_dot_k = t42_k * t40;
+        let cylinder_omega_dot_k = t48_k * t41;
+        let motor_psi_sx_dot_k = (-t14_k).mul_add(t49, motor_psi_sy_k * motor_omega_0);
+        let t55_k = -motor_psi_sx_k * motor_omega_0;
+        let motor_psi_sy_dot_k = (-t17_k).mul_add(t49, t55_k);
+        let t56_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_ry_k, sums[3]));
-        let t58_k = motor_psi_sx_k.mul_add(p.motor_k_s, -motor_psi_rx_k);
-        let motor_psi_rx_dot_k = t58_k.mul_add(t59, t57_k);
-        let t61_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
+        let t57_k = motor_psi_sx_k.mul_add(p.motor_k_s, -motor_psi_rx_k);
+        let motor_psi_rx_dot_k = t57_k.mul_add(t58, t56_k);
+        let t60_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_rx_k, sums_1[0]));
-        let t62_k = motor_psi_sy_k.mul_add(p.motor_k_s, -motor_psi_ry_k);
-        let motor_psi_ry_dot_k = t62_k.mul_add(t59, -t61_k);
-        lanes.set(order, [motor_psi_sx_k, motor_psi_rx_k, t37_k, motor_slip_speed_k],
-            [motor_psi_ry_k, motor_psi_sy_k, t37_k, motor_psi_ry_k]);
-        lanes_1.set(order, [motor_slip_speed_k, t12_k, load_engagement_k, k * t36_k],
-            [motor_psi_rx_k, load_engagement_k, t31_k * p.load_amplitude, t39_k]);
-        lanes_2.set(order, [t37_k], [t40_k]);
-        t12_before = t12_k;
+        let t61_k = motor_psi_sy_k.mul_add(p.motor_k_s, -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t61_k.mul_add(t58, -t60_k);
+        lanes.set(order, [motor_psi_sx_k, motor_psi_rx_k, t36_k, motor_slip_speed_k],
+            [motor_psi_ry_k, motor_psi_sy_k, t36_k, motor_psi_ry_k]);
+        lanes_1.set(order, [motor_slip_speed_k, t11_k, load_engagement_k, k * t35_k],
+            [motor_psi_rx_k, load_engagement_k, t30_k * p.load_amplitude, t38_k]);
+        lanes_2.set(order, [t36_k], [t39_k]);
+        t11_before = t11_k;
+        t30_before = t30_k;
         t31_before = t31_k;
-        t32_before = t32_k;
         rates = [coupling_twist_rate_k, motor_omega_dot_k, cylinder_omega_dot_k,
             motor_psi_sx_dot_k, motor_psi_sy_dot_k, motor_psi_rx_dot_k, motor_psi_ry_dot_k];
     }

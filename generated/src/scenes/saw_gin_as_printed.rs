@@ -19,9 +19,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 23, outputs 5.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 30 of 8 by 8, parameter_jacobian 38 of 8 by 23.
-// Operations: rate 86, forcing 42, rate_jacobian 78, parameter_jacobian 185, time_derivative 32,
-//     outputs 43, energy 12, power_balance 63, prepare 42, prepared_rate 62,
-//     prepared_rate_jacobian 40.
+// Operations: rate 85, forcing 41, rate_jacobian 77, parameter_jacobian 179, time_derivative 30,
+//     outputs 42, energy 12, power_balance 62, prepare 40, prepared_rate 61,
+//     prepared_rate_jacobian 41.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -97,60 +97,58 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    t0, inverse_load_engagement_width, t1, t2, inverse_load_standstill_band, inverse_motor_inertia,
-    inverse_cylinder_inertia, t3, t4, motor_omega_0_times_motor_alpha_s, t5,
-    motor_u_m_times_cos_motor_gamma, motor_u_m_times_sin_motor_gamma,
-    motor_omega_0_times_motor_alpha_r, t6, motor_omega_dot_by_motor_phi,
-    cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_cylinder_phi,
+    t0, t1, t2, t3, inverse_load_standstill_band, inverse_motor_inertia, inverse_cylinder_inertia, t4,
+    t5, motor_omega_0_times_motor_alpha_s, t6, motor_u_m_times_cos_motor_gamma,
+    motor_u_m_times_sin_motor_gamma, motor_omega_0_times_motor_alpha_r, t7,
+    motor_omega_dot_by_motor_phi, cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_cylinder_phi,
     cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_motor_omega,
-    cylinder_omega_dot_by_motor_omega, t7, t8, motor_omega_dot_by_cylinder_omega,
+    cylinder_omega_dot_by_motor_omega, t8, motor_omega_dot_by_cylinder_omega,
     motor_psi_x1_dot_by_motor_psi_x1, motor_psi_y1_dot_by_motor_psi_x1,
     motor_psi_x2_dot_by_motor_psi_x2
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 42 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 40 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_gamma, cos_motor_gamma) = p.motor_gamma.sin_cos();
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let t0 = R::literal(1.0) - p.motor_literal;
-    let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t1 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r / (p.motor_sigma
+    let t1 = R::literal(-1.0) / p.load_engagement_width;
+    let t2 = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r / (p.motor_sigma
         * p.motor_x_s);
-    let t2 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let t3 = R::literal(core::f64::consts::PI) * load_omega_2;
     let inverse_load_standstill_band = R::literal(1.0) / p.load_standstill_band;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
-    let t3 = p.coupling_stiffness * p.coupling_ratio;
-    let t4 = p.coupling_damping * p.coupling_ratio;
+    let t4 = p.coupling_stiffness * p.coupling_ratio;
+    let t5 = p.coupling_damping * p.coupling_ratio;
     let motor_omega_0_times_motor_alpha_s = p.motor_omega_0 * p.motor_alpha_s;
-    let t5 = p.motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
+    let t6 = p.motor_omega_0 * p.motor_k_r * p.motor_alpha_s;
     let motor_u_m_times_cos_motor_gamma = p.motor_u_m * cos_motor_gamma;
     let motor_u_m_times_sin_motor_gamma = p.motor_u_m * sin_motor_gamma;
     let motor_omega_0_times_motor_alpha_r = p.motor_omega_0 * p.motor_alpha_r;
-    let t6 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
+    let t7 = p.motor_omega_0 * p.motor_k_s * p.motor_alpha_r;
     let motor_omega_dot_by_motor_phi = -(p.coupling_stiffness * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_phi = t3 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_motor_phi = t4 * inverse_cylinder_inertia;
     let coupling_ratio_squared = p.coupling_ratio * p.coupling_ratio;
-    let motor_omega_dot_by_cylinder_phi = t3 * inverse_motor_inertia;
+    let motor_omega_dot_by_cylinder_phi = t4 * inverse_motor_inertia;
     let cylinder_omega_dot_by_cylinder_phi = -(p.coupling_stiffness * coupling_ratio_squared
         * inverse_cylinder_inertia);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
-    let cylinder_omega_dot_by_motor_omega = t4 * inverse_cylinder_inertia;
-    let t7 = p.motor_literal - R::literal(1.0);
-    let t8 = -(p.coupling_damping * coupling_ratio_squared);
-    let motor_omega_dot_by_cylinder_omega = t4 * inverse_motor_inertia;
+    let cylinder_omega_dot_by_motor_omega = t5 * inverse_cylinder_inertia;
+    let t8 = p.coupling_damping * coupling_ratio_squared;
+    let motor_omega_dot_by_cylinder_omega = t5 * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_psi_x1 = -motor_omega_0_times_motor_alpha_s;
     let motor_psi_y1_dot_by_motor_psi_x1 = -p.motor_omega_0;
     let motor_psi_x2_dot_by_motor_psi_x2 = -motor_omega_0_times_motor_alpha_r;
-    Constants { t0, inverse_load_engagement_width, t1, t2, inverse_load_standstill_band,
-        inverse_motor_inertia, inverse_cylinder_inertia, t3, t4, motor_omega_0_times_motor_alpha_s,
-        t5, motor_u_m_times_cos_motor_gamma, motor_u_m_times_sin_motor_gamma,
-        motor_omega_0_times_motor_alpha_r, t6, motor_omega_dot_by_motor_phi,
+    Constants { t0, t1, t2, t3, inverse_load_standstill_band, inverse_motor_inertia,
+        inverse_cylinder_inertia, t4, t5, motor_omega_0_times_motor_alpha_s, t6,
+        motor_u_m_times_cos_motor_gamma, motor_u_m_times_sin_motor_gamma,
+        motor_omega_0_times_motor_alpha_r, t7, motor_omega_dot_by_motor_phi,
         cylinder_omega_dot_by_motor_phi, motor_omega_dot_by_cylinder_phi,
         cylinder_omega_dot_by_cylinder_phi, motor_omega_dot_by_motor_omega,
-        cylinder_omega_dot_by_motor_omega, t7, t8, motor_omega_dot_by_cylinder_omega,
+        cylinder_omega_dot_by_motor_omega, t8, motor_omega_dot_by_cylinder_omega,
         motor_psi_x1_dot_by_motor_psi_x1, motor_psi_y1_dot_by_motor_psi_x1,
         motor_psi_x2_dot_by_motor_psi_x2 }
 }
@@ -168,7 +166,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 62 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 61 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -178,26 +176,26 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
     let motor_rotor_term = (p.motor_literal * motor_phi).add_product(c.t0, motor_omega);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_load_engagement_width
-        * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.load_engagement_time)).exp());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let motor_torque = c.t1 * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
+    let motor_torque = c.t2 * (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let load_resistance = load_engagement * p.load_mean.add_product(p.load_amplitude, p.load_phase
-        .add_product(c.t2, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
+        .add_product(c.t3, time).sin()) * (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_omega_dot = (motor_torque - coupling_torque) * c.inverse_motor_inertia;
-    let cylinder_omega_dot = ((c.t3 * coupling_twist).add_product(c.t4, coupling_twist_rate)
+    let cylinder_omega_dot = ((c.t4 * coupling_twist).add_product(c.t5, coupling_twist_rate)
         - load_resistance) * c.inverse_cylinder_inertia;
     let motor_psi_x1_dot = c.motor_u_m_times_cos_motor_gamma.add_product(p.motor_omega_0,
-        motor_psi_y1).add_product(c.t5, motor_psi_x2)
+        motor_psi_y1).add_product(c.t6, motor_psi_x2)
         .sub_product(c.motor_omega_0_times_motor_alpha_s, motor_psi_x1);
-    let motor_psi_y1_dot = c.motor_u_m_times_sin_motor_gamma.add_product(c.t5, motor_psi_y2)
+    let motor_psi_y1_dot = c.motor_u_m_times_sin_motor_gamma.add_product(c.t6, motor_psi_y2)
         .sub_product(p.motor_omega_0, motor_psi_x1)
         .sub_product(c.motor_omega_0_times_motor_alpha_s, motor_psi_y1);
-    let motor_psi_x2_dot = (c.t6 * motor_psi_x1).add_product(p.motor_omega_0, motor_psi_y2)
+    let motor_psi_x2_dot = (c.t7 * motor_psi_x1).add_product(p.motor_omega_0, motor_psi_y2)
         .sub_product(c.motor_omega_0_times_motor_alpha_r, motor_psi_x2).sub_product(motor_psi_y2,
         motor_rotor_term);
-    let motor_psi_y2_dot = (c.t6 * motor_psi_y1).add_product(motor_psi_x2, motor_rotor_term)
+    let motor_psi_y2_dot = (c.t7 * motor_psi_y1).add_product(motor_psi_x2, motor_rotor_term)
         .sub_product(p.motor_omega_0, motor_psi_x2)
         .sub_product(c.motor_omega_0_times_motor_alpha_r, motor_psi_y2);
     [motor_omega, cylinder_omega, motor_omega_dot, cylinder_omega_dot, motor_psi_x1_dot,
@@ -210,7 +208,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [p.motor_inertia, p.cylinder_inertia]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 42 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 41 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
@@ -218,8 +216,8 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.load_engagement_width * (time - p.load_engagement_time)).exp());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
@@ -234,29 +232,29 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 40 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 41 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 30] {
     let [motor_phi, _, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1, motor_psi_x2,
         motor_psi_y2] = *state;
     let motor_rotor_term = (p.motor_literal * motor_phi).add_product(c.t0, motor_omega);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_load_engagement_width
-        * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.load_engagement_time)).exp());
     let t0 = (c.inverse_load_standstill_band * cylinder_omega).tanh();
     let motor_psi_x2_dot_by_motor_phi = -(p.motor_literal * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_phi = p.motor_literal * motor_psi_x2;
-    let motor_psi_x2_dot_by_motor_omega = c.t7 * motor_psi_y2;
+    let motor_psi_x2_dot_by_motor_omega = -(c.t0 * motor_psi_y2);
     let motor_psi_y2_dot_by_motor_omega = c.t0 * motor_psi_x2;
-    let cylinder_omega_dot_by_cylinder_omega = c.t8.sub_product(c.inverse_load_standstill_band
+    let cylinder_omega_dot_by_cylinder_omega = -(c.t8.add_product(c.inverse_load_standstill_band
         * load_engagement * R::literal(1.0).sub_product(t0, t0), p.load_mean
-        .add_product(p.load_amplitude, p.load_phase.add_product(c.t2, time).sin()))
-        * c.inverse_cylinder_inertia;
-    let motor_omega_dot_by_motor_psi_x1 = -(c.t1 * motor_psi_y2 * c.inverse_motor_inertia);
-    let motor_omega_dot_by_motor_psi_y1 = c.t1 * motor_psi_x2 * c.inverse_motor_inertia;
-    let motor_omega_dot_by_motor_psi_x2 = c.t1 * motor_psi_y1 * c.inverse_motor_inertia;
+        .add_product(p.load_amplitude, p.load_phase.add_product(c.t3, time).sin()))
+        * c.inverse_cylinder_inertia);
+    let motor_omega_dot_by_motor_psi_x1 = -(c.t2 * motor_psi_y2 * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_y1 = c.t2 * motor_psi_x2 * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_x2 = c.t2 * motor_psi_y1 * c.inverse_motor_inertia;
     let motor_psi_y2_dot_by_motor_psi_x2 = motor_rotor_term - p.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_y2 = -(c.t1 * motor_psi_x1 * c.inverse_motor_inertia);
+    let motor_omega_dot_by_motor_psi_y2 = -(c.t2 * motor_psi_x1 * c.inverse_motor_inertia);
     let motor_psi_x2_dot_by_motor_psi_y2 = p.motor_omega_0 - motor_rotor_term;
     [R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
         c.motor_omega_dot_by_cylinder_phi, c.motor_omega_dot_by_motor_omega,
@@ -265,14 +263,14 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_omega_dot_by_motor_psi_y2, c.cylinder_omega_dot_by_motor_phi,
         c.cylinder_omega_dot_by_cylinder_phi, c.cylinder_omega_dot_by_motor_omega,
         cylinder_omega_dot_by_cylinder_omega, c.motor_psi_x1_dot_by_motor_psi_x1, p.motor_omega_0,
-        c.t5, c.motor_psi_y1_dot_by_motor_psi_x1, c.motor_psi_x1_dot_by_motor_psi_x1, c.t5,
-        motor_psi_x2_dot_by_motor_phi, motor_psi_x2_dot_by_motor_omega, c.t6,
+        c.t6, c.motor_psi_y1_dot_by_motor_psi_x1, c.motor_psi_x1_dot_by_motor_psi_x1, c.t6,
+        motor_psi_x2_dot_by_motor_phi, motor_psi_x2_dot_by_motor_omega, c.t7,
         c.motor_psi_x2_dot_by_motor_psi_x2, motor_psi_x2_dot_by_motor_psi_y2,
-        motor_psi_y2_dot_by_motor_phi, motor_psi_y2_dot_by_motor_omega, c.t6,
+        motor_psi_y2_dot_by_motor_phi, motor_psi_y2_dot_by_motor_omega, c.t7,
         motor_psi_y2_dot_by_motor_psi_x2, c.motor_psi_x2_dot_by_motor_psi_x2]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 185 operations.
+/// `dy'/dp`, values in the order of its pattern. 179 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 38] {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
@@ -291,17 +289,14 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let load_engagement = R::literal(1.0) / t4;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
-    let motor_psi_x1_times_motor_psi_y2 = motor_psi_x1 * motor_psi_y2;
-    let motor_psi_y1_times_motor_psi_x2 = motor_psi_y1 * motor_psi_x2;
-    let t5 = motor_psi_y1_times_motor_psi_x2 - motor_psi_x1_times_motor_psi_y2;
+    let t5 = (motor_psi_y1 * motor_psi_x2).sub_product(motor_psi_x1, motor_psi_y2);
     let t6 = R::literal(1.5) * p.motor_omega_0;
     let t7 = t6 * p.motor_pole_pairs;
-    let t8 = t7 * p.motor_k_r;
     let motor_sigma_times_motor_x_s = p.motor_sigma * p.motor_x_s;
-    let motor_torque = t8 / motor_sigma_times_motor_x_s * t5;
-    let t9 = p.load_mean.add_product(p.load_amplitude, t1);
-    let t10 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let load_resistance = load_engagement * t9 * t10;
+    let motor_torque = t7 * p.motor_k_r / motor_sigma_times_motor_x_s * t5;
+    let t8 = p.load_mean.add_product(p.load_amplitude, t1);
+    let t9 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
+    let load_resistance = load_engagement * t8 * t9;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let inverse_cylinder_inertia = R::literal(1.0) / p.cylinder_inertia;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
@@ -335,10 +330,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_x2;
     let motor_psi_y1_dot_by_motor_k_r = motor_omega_0_times_motor_alpha_s * motor_psi_y2;
-    let t11 = motor_psi_x1_times_motor_psi_y2 - motor_psi_y1_times_motor_psi_x2;
-    let motor_omega_dot_by_motor_sigma = t8 / (p.motor_sigma * p.motor_sigma * p.motor_x_s) * t11
+    let motor_omega_dot_by_motor_sigma = R::literal(-1.0) / p.motor_sigma * motor_torque
         * inverse_motor_inertia;
-    let motor_omega_dot_by_motor_x_s = t8 / (p.motor_sigma * (p.motor_x_s * p.motor_x_s)) * t11
+    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
         * inverse_motor_inertia;
     let motor_psi_x1_dot_by_motor_alpha_s = p.motor_omega_0 * (-motor_psi_x1)
         .add_product(p.motor_k_r, motor_psi_x2);
@@ -348,8 +342,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .add_product(p.motor_k_s, motor_psi_x1);
     let motor_psi_y2_dot_by_motor_alpha_r = p.motor_omega_0 * (-motor_psi_y2)
         .add_product(p.motor_k_s, motor_psi_y1);
-    let motor_psi_x2_dot_by_motor_literal = motor_psi_y2 * (motor_omega - motor_phi);
-    let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * (motor_phi - motor_omega);
+    let motor_phi_minus_motor_omega = motor_phi - motor_omega;
+    let motor_psi_x2_dot_by_motor_literal = -(motor_psi_y2 * motor_phi_minus_motor_omega);
+    let motor_psi_y2_dot_by_motor_literal = motor_psi_x2 * motor_phi_minus_motor_omega;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_cylinder_phi - motor_phi)
         * inverse_motor_inertia;
     let cylinder_omega_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
@@ -365,22 +360,22 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * p.coupling_stiffness * p.coupling_ratio, cylinder_phi).sub_product(R::literal(2.0)
         * p.coupling_damping * p.coupling_ratio, cylinder_omega) * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_cylinder_inertia = -(cylinder_omega_dot * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_mean = -(load_engagement * t10 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t10
+    let cylinder_omega_dot_by_load_mean = -(load_engagement * t9 * inverse_cylinder_inertia);
+    let cylinder_omega_dot_by_load_amplitude = -(load_engagement * t1 * t9
         * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_speed = -(R::literal(0.328_986_813_369_645_25)
-        * p.load_amplitude * time * load_engagement * t2 * t10 * inverse_cylinder_inertia);
-    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t10
+    let cylinder_omega_dot_by_load_speed = R::literal(-0.328_986_813_369_645_25) * p.load_amplitude
+        * time * load_engagement * t2 * t9 * inverse_cylinder_inertia;
+    let cylinder_omega_dot_by_load_phase = -(p.load_amplitude * load_engagement * t2 * t9
         * inverse_cylinder_inertia);
-    let t12 = t4 * t4;
-    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t9 * t3 * t10
-        / t12 * inverse_cylinder_inertia;
+    let t10 = t4 * t4;
+    let cylinder_omega_dot_by_load_engagement_time = inverse_load_engagement_width * t8 * t3 * t9
+        / t10 * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_engagement_width = R::literal(1.0) / (p.load_engagement_width
-        * p.load_engagement_width) * time_minus_load_engagement_time * t9 * t3 * t10 / t12
+        * p.load_engagement_width) * time_minus_load_engagement_time * t8 * t3 * t9 / t10
         * inverse_cylinder_inertia;
     let cylinder_omega_dot_by_load_standstill_band = R::literal(1.0) / (p.load_standstill_band
         * p.load_standstill_band) * cylinder_omega * load_engagement * R::literal(1.0)
-        .sub_product(t10, t10) * t9 * inverse_cylinder_inertia;
+        .sub_product(t9, t9) * t8 * inverse_cylinder_inertia;
     [motor_omega_dot_by_motor_inertia, motor_omega_dot_by_motor_omega_0,
         motor_omega_dot_by_motor_pole_pairs, motor_omega_dot_by_motor_k_r,
         motor_omega_dot_by_motor_sigma, motor_omega_dot_by_motor_x_s,
@@ -401,7 +396,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         motor_psi_y2_dot_by_motor_alpha_r, motor_psi_y2_dot_by_motor_literal]
 }
 
-/// Partial derivative of `y'` with respect to time. 32 operations.
+/// Partial derivative of `y'` with respect to time. 30 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, _, cylinder_omega, ..] = *state;
@@ -409,19 +404,19 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let t0 = p.load_phase.add_product(R::literal(core::f64::consts::PI) * load_omega_2, time);
     let (t1, t2) = t0.sin_cos();
     let inverse_load_engagement_width = R::literal(1.0) / p.load_engagement_width;
-    let t3 = (-(inverse_load_engagement_width * (time - p.load_engagement_time))).exp();
+    let t3 = (inverse_load_engagement_width * (p.load_engagement_time - time)).exp();
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(1.0) / p.load_standstill_band * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(inverse_load_engagement_width * p.load_mean
-        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4)))
-        .sub_product(R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
-        * load_engagement * t2, t5) * (R::literal(1.0) / p.cylinder_inertia);
+    let cylinder_omega_dot_by_time = (inverse_load_engagement_width * p.load_mean
+        .add_product(p.load_amplitude, t1) * t3 * t5 / (t4 * t4))
+        .add_product(R::literal(core::f64::consts::PI) * p.load_amplitude * load_omega_2
+        * load_engagement * t2, t5) * (R::literal(-1.0) / p.cylinder_inertia);
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time,
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 43 operations.
+/// Wanted outputs. 42 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
@@ -429,8 +424,8 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.load_engagement_width * (time - p.load_engagement_time)).exp());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
@@ -464,7 +459,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 63 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 62 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [motor_phi, cylinder_phi, motor_omega, cylinder_omega, motor_psi_x1, motor_psi_y1,
@@ -472,8 +467,8 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let load_omega_2 = R::literal(0.104_719_755_119_659_77) * p.load_speed;
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, cylinder_phi);
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, cylinder_omega);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.load_engagement_width * (time - p.load_engagement_time))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.load_engagement_width * (time - p.load_engagement_time)).exp());
     let t0 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t0.add_product(p.coupling_damping, coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_omega_0 * p.motor_pole_pairs * p.motor_k_r
@@ -523,91 +518,89 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t4 = motor_omega * t3;
     let motor_rotor_term = t2 + t4;
     let t5 = time - p.load_engagement_time;
-    let t6 = R::literal(1.0) / p.load_engagement_width;
+    let t6 = R::literal(-1.0) / p.load_engagement_width;
     let t7 = t5 * t6;
-    let t8 = -t7;
-    let t9 = t8.exp();
-    let t10 = R::literal(1.0) + t9;
-    let load_engagement = R::literal(1.0) / t10;
-    let t11 = coupling_twist * p.coupling_stiffness;
-    let t12 = coupling_twist_rate * p.coupling_damping;
-    let coupling_torque = t11 + t12;
-    let t13 = motor_psi_x1 * motor_psi_y2;
-    let t14 = motor_psi_y1 * motor_psi_x2;
-    let t15 = t14 - t13;
-    let t16 = R::literal(1.5) * p.motor_omega_0;
-    let t17 = t16 * p.motor_pole_pairs;
-    let t18 = t17 * p.motor_k_r;
-    let t19 = p.motor_sigma * p.motor_x_s;
-    let t20 = t18 / t19;
-    let motor_torque = t15 * t20;
-    let t21 = R::literal(core::f64::consts::PI) * load_omega_2;
-    let t22 = time * t21;
-    let t23 = p.load_phase + t22;
-    let t24 = t23.sin();
-    let t25 = t23.cos();
-    let t26 = t24 * p.load_amplitude;
-    let t27 = p.load_mean + t26;
-    let t28 = R::literal(1.0) / p.load_standstill_band;
-    let t29 = cylinder_omega * t28;
-    let t30 = t29.tanh();
-    let t31 = t30 * t30;
-    let t32 = R::literal(1.0) - t31;
-    let t33 = load_engagement * t27;
-    let load_resistance = t33 * t30;
-    let t34 = R::literal(1.0) / p.motor_inertia;
-    let t35 = R::literal(1.0) / p.cylinder_inertia;
-    let t36 = motor_torque - coupling_torque;
-    let t37 = p.coupling_stiffness * p.coupling_ratio;
-    let t38 = coupling_twist * t37;
-    let t39 = p.coupling_damping * p.coupling_ratio;
-    let t40 = coupling_twist_rate * t39;
-    let t41 = t38 + t40;
-    let t42 = t41 - load_resistance;
-    let motor_omega_dot = t36 * t34;
-    let cylinder_omega_dot = t42 * t35;
-    let t43 = p.motor_omega_0 * p.motor_alpha_s;
-    let t44 = motor_psi_x1 * t43;
-    let t45 = motor_psi_y1 * p.motor_omega_0;
-    let t46 = p.motor_omega_0 * p.motor_k_r;
-    let t47 = t46 * p.motor_alpha_s;
-    let t48 = motor_psi_x2 * t47;
-    let t49 = p.motor_gamma.cos();
-    let t50 = p.motor_u_m * t49;
-    let t51 = t50 + t45;
-    let t52 = t51 + t48;
-    let motor_psi_x1_dot = t52 - t44;
-    let t53 = motor_psi_x1 * p.motor_omega_0;
-    let t54 = motor_psi_y1 * t43;
-    let t55 = motor_psi_y2 * t47;
-    let t56 = p.motor_gamma.sin();
-    let t57 = p.motor_u_m * t56;
-    let t58 = t57 + t55;
-    let t59 = t58 - t53;
-    let motor_psi_y1_dot = t59 - t54;
-    let t60 = p.motor_omega_0 * p.motor_alpha_r;
-    let t61 = motor_psi_x2 * t60;
-    let t62 = motor_psi_y2 * motor_rotor_term;
-    let t63 = p.motor_omega_0 * p.motor_k_s;
-    let t64 = t63 * p.motor_alpha_r;
-    let t65 = motor_psi_x1 * t64;
-    let t66 = motor_psi_y2 * p.motor_omega_0;
-    let t67 = t65 + t66;
-    let t68 = t67 - t61;
-    let motor_psi_x2_dot = t68 - t62;
-    let t69 = motor_psi_x2 * p.motor_omega_0;
-    let t70 = motor_psi_y2 * t60;
-    let t71 = motor_psi_y1 * t64;
-    let t72 = motor_psi_x2 * motor_rotor_term;
-    let t73 = t71 + t72;
-    let t74 = t73 - t69;
-    let motor_psi_y2_dot = t74 - t70;
+    let t8 = t7.exp();
+    let t9 = R::literal(1.0) + t8;
+    let load_engagement = R::literal(1.0) / t9;
+    let t10 = coupling_twist * p.coupling_stiffness;
+    let t11 = coupling_twist_rate * p.coupling_damping;
+    let coupling_torque = t10 + t11;
+    let t12 = motor_psi_x1 * motor_psi_y2;
+    let t13 = motor_psi_y1 * motor_psi_x2;
+    let t14 = t13 - t12;
+    let t15 = R::literal(1.5) * p.motor_omega_0;
+    let t16 = t15 * p.motor_pole_pairs;
+    let t17 = t16 * p.motor_k_r;
+    let t18 = p.motor_sigma * p.motor_x_s;
+    let t19 = t17 / t18;
+    let motor_torque = t14 * t19;
+    let t20 = R::literal(core::f64::consts::PI) * load_omega_2;
+    let t21 = time * t20;
+    let t22 = p.load_phase + t21;
+    let t23 = t22.sin();
+    let t24 = t22.cos();
+    let t25 = t23 * p.load_amplitude;
+    let t26 = p.load_mean + t25;
+    let t27 = R::literal(1.0) / p.load_standstill_band;
+    let t28 = cylinder_omega * t27;
+    let t29 = t28.tanh();
+    let t30 = t29 * t29;
+    let t31 = R::literal(1.0) - t30;
+    let t32 = load_engagement * t26;
+    let load_resistance = t32 * t29;
+    let t33 = R::literal(1.0) / p.motor_inertia;
+    let t34 = R::literal(1.0) / p.cylinder_inertia;
+    let t35 = motor_torque - coupling_torque;
+    let t36 = p.coupling_stiffness * p.coupling_ratio;
+    let t37 = coupling_twist * t36;
+    let t38 = p.coupling_damping * p.coupling_ratio;
+    let t39 = coupling_twist_rate * t38;
+    let t40 = t37 + t39;
+    let t41 = t40 - load_resistance;
+    let motor_omega_dot = t35 * t33;
+    let cylinder_omega_dot = t41 * t34;
+    let t42 = p.motor_omega_0 * p.motor_alpha_s;
+    let t43 = motor_psi_x1 * t42;
+    let t44 = motor_psi_y1 * p.motor_omega_0;
+    let t45 = p.motor_omega_0 * p.motor_k_r;
+    let t46 = t45 * p.motor_alpha_s;
+    let t47 = motor_psi_x2 * t46;
+    let t48 = p.motor_gamma.cos();
+    let t49 = p.motor_u_m * t48;
+    let t50 = t49 + t44;
+    let t51 = t50 + t47;
+    let motor_psi_x1_dot = t51 - t43;
+    let t52 = motor_psi_x1 * p.motor_omega_0;
+    let t53 = motor_psi_y1 * t42;
+    let t54 = motor_psi_y2 * t46;
+    let t55 = p.motor_gamma.sin();
+    let t56 = p.motor_u_m * t55;
+    let t57 = t56 + t54;
+    let t58 = t57 - t52;
+    let motor_psi_y1_dot = t58 - t53;
+    let t59 = p.motor_omega_0 * p.motor_alpha_r;
+    let t60 = motor_psi_x2 * t59;
+    let t61 = motor_psi_y2 * motor_rotor_term;
+    let t62 = p.motor_omega_0 * p.motor_k_s;
+    let t63 = t62 * p.motor_alpha_r;
+    let t64 = motor_psi_x1 * t63;
+    let t65 = motor_psi_y2 * p.motor_omega_0;
+    let t66 = t64 + t65;
+    let t67 = t66 - t60;
+    let motor_psi_x2_dot = t67 - t61;
+    let t68 = motor_psi_x2 * p.motor_omega_0;
+    let t69 = motor_psi_y2 * t59;
+    let t70 = motor_psi_y1 * t63;
+    let t71 = motor_psi_x2 * motor_rotor_term;
+    let t72 = t70 + t71;
+    let t73 = t72 - t68;
+    let motor_psi_y2_dot = t73 - t69;
     let t7_slope = R::literal(1.0) * t6;
-    let t8_slope = -t7_slope;
-    let inverse_t10 = R::literal(1.0) / t10;
-    let mut t9_before = t9;
+    let inverse_t9 = R::literal(1.0) / t9;
+    let mut t8_before = t8;
+    let mut t23_before = t23;
     let mut t24_before = t24;
-    let mut t25_before = t25;
     let mut rates = [motor_omega, cylinder_omega, motor_omega_dot, cylinder_omega_dot,
         motor_psi_x1_dot, motor_psi_y1_dot, motor_psi_x2_dot, motor_psi_y2_dot];
     coefficients[0] = *state;
@@ -626,51 +619,51 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let coupling_twist_k = (-cylinder_phi_k).mul_add(p.coupling_ratio, motor_phi_k);
         let coupling_twist_rate_k = (-cylinder_omega_k).mul_add(p.coupling_ratio, motor_omega_k);
         let motor_rotor_term_k = motor_omega_k.mul_add(t3, motor_phi_k * p.motor_literal);
-        let t9_k = inverse * t8_slope * t9_before;
-        let load_engagement_k = -t9_k.mul_add(load_engagement, sums_1[1]) * inverse_t10;
+        let t8_k = inverse * t7_slope * t8_before;
+        let load_engagement_k = -t8_k.mul_add(load_engagement, sums_1[1]) * inverse_t9;
         let coupling_torque_k = coupling_twist_rate_k.mul_add(p.coupling_damping, coupling_twist_k
             * p.coupling_stiffness);
-        let t13_k = motor_psi_x1.mul_add(motor_psi_y2_k, motor_psi_y2.mul_add(motor_psi_x1_k,
+        let t12_k = motor_psi_x1.mul_add(motor_psi_y2_k, motor_psi_y2.mul_add(motor_psi_x1_k,
             sums[0]));
-        let t14_k = motor_psi_y1.mul_add(motor_psi_x2_k, motor_psi_x2.mul_add(motor_psi_y1_k,
+        let t13_k = motor_psi_y1.mul_add(motor_psi_x2_k, motor_psi_x2.mul_add(motor_psi_y1_k,
             sums[1]));
-        let t15_k = t14_k - t13_k;
-        let t24_k = inverse * t21 * t25_before;
-        let t25_k = -inverse * t21 * t24_before;
-        let t29_k = cylinder_omega_k * t28;
-        let t30_k = t29_k.mul_add(t32, inverse * sums_1[3]);
-        let t31_k = (t30 + t30).mul_add(t30_k, sums[2]);
-        let t32_k = -t31_k;
-        let t33_k = load_engagement.mul_add(t24_k * p.load_amplitude, t27
+        let t14_k = t13_k - t12_k;
+        let t23_k = inverse * t20 * t24_before;
+        let t24_k = -inverse * t20 * t23_before;
+        let t28_k = cylinder_omega_k * t27;
+        let t29_k = t28_k.mul_add(t31, inverse * sums_1[3]);
+        let t30_k = (t29 + t29).mul_add(t29_k, sums[2]);
+        let t31_k = -t30_k;
+        let t32_k = load_engagement.mul_add(t23_k * p.load_amplitude, t26
             .mul_add(load_engagement_k, sums_1[2]));
-        let load_resistance_k = t30.mul_add(t33_k, t33.mul_add(t30_k, sums_2[0]));
-        let t36_k = t15_k.mul_add(t20, -coupling_torque_k);
-        let t41_k = coupling_twist_rate_k.mul_add(t39, coupling_twist_k * t37);
-        let t42_k = t41_k - load_resistance_k;
-        let motor_omega_dot_k = t36_k * t34;
-        let cylinder_omega_dot_k = t42_k * t35;
-        let t52_k = motor_psi_x2_k.mul_add(t47, motor_psi_y1_k * p.motor_omega_0);
-        let motor_psi_x1_dot_k = (-motor_psi_x1_k).mul_add(t43, t52_k);
-        let t59_k = (-motor_psi_x1_k).mul_add(p.motor_omega_0, motor_psi_y2_k * t47);
-        let motor_psi_y1_dot_k = (-motor_psi_y1_k).mul_add(t43, t59_k);
-        let t62_k = motor_psi_y2.mul_add(motor_rotor_term_k, motor_rotor_term
+        let load_resistance_k = t29.mul_add(t32_k, t32.mul_add(t29_k, sums_2[0]));
+        let t35_k = t14_k.mul_add(t19, -coupling_torque_k);
+        let t40_k = coupling_twist_rate_k.mul_add(t38, coupling_twist_k * t36);
+        let t41_k = t40_k - load_resistance_k;
+        let motor_omega_dot_k = t35_k * t33;
+        let cylinder_omega_dot_k = t41_k * t34;
+        let t51_k = motor_psi_x2_k.mul_add(t46, motor_psi_y1_k * p.motor_omega_0);
+        let motor_psi_x1_dot_k = (-motor_psi_x1_k).mul_add(t42, t51_k);
+        let t58_k = (-motor_psi_x1_k).mul_add(p.motor_omega_0, motor_psi_y2_k * t46);
+        let motor_psi_y1_dot_k = (-motor_psi_y1_k).mul_add(t42, t58_k);
+        let t61_k = motor_psi_y2.mul_add(motor_rotor_term_k, motor_rotor_term
             .mul_add(motor_psi_y2_k, sums[3]));
-        let t67_k = motor_psi_y2_k.mul_add(p.motor_omega_0, motor_psi_x1_k * t64);
-        let t68_k = (-motor_psi_x2_k).mul_add(t60, t67_k);
-        let motor_psi_x2_dot_k = t68_k - t62_k;
-        let t72_k = motor_psi_x2.mul_add(motor_rotor_term_k, motor_rotor_term
+        let t66_k = motor_psi_y2_k.mul_add(p.motor_omega_0, motor_psi_x1_k * t63);
+        let t67_k = (-motor_psi_x2_k).mul_add(t59, t66_k);
+        let motor_psi_x2_dot_k = t67_k - t61_k;
+        let t71_k = motor_psi_x2.mul_add(motor_rotor_term_k, motor_rotor_term
             .mul_add(motor_psi_x2_k, sums_1[0]));
-        let t73_k = motor_psi_y1_k.mul_add(t64, t72_k);
-        let t74_k = (-motor_psi_x2_k).mul_add(p.motor_omega_0, t73_k);
-        let motor_psi_y2_dot_k = (-motor_psi_y2_k).mul_add(t60, t74_k);
-        lanes.set(order, [motor_psi_x1_k, motor_psi_y1_k, t30_k, motor_rotor_term_k],
-            [motor_psi_y2_k, motor_psi_x2_k, t30_k, motor_psi_y2_k]);
-        lanes_1.set(order, [motor_rotor_term_k, t9_k, load_engagement_k, k * t29_k],
-            [motor_psi_x2_k, load_engagement_k, t24_k * p.load_amplitude, t32_k]);
-        lanes_2.set(order, [t30_k], [t33_k]);
-        t9_before = t9_k;
+        let t72_k = motor_psi_y1_k.mul_add(t63, t71_k);
+        let t73_k = (-motor_psi_x2_k).mul_add(p.motor_omega_0, t72_k);
+        let motor_psi_y2_dot_k = (-motor_psi_y2_k).mul_add(t59, t73_k);
+        lanes.set(order, [motor_psi_x1_k, motor_psi_y1_k, t29_k, motor_rotor_term_k],
+            [motor_psi_y2_k, motor_psi_x2_k, t29_k, motor_psi_y2_k]);
+        lanes_1.set(order, [motor_rotor_term_k, t8_k, load_engagement_k, k * t28_k],
+            [motor_psi_x2_k, load_engagement_k, t23_k * p.load_amplitude, t31_k]);
+        lanes_2.set(order, [t29_k], [t32_k]);
+        t8_before = t8_k;
+        t23_before = t23_k;
         t24_before = t24_k;
-        t25_before = t25_k;
         rates = [motor_omega_k, cylinder_omega_k, motor_omega_dot_k, cylinder_omega_dot_k,
             motor_psi_x1_dot_k, motor_psi_y1_dot_k, motor_psi_x2_dot_k, motor_psi_y2_dot_k];
     }

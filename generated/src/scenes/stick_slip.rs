@@ -17,9 +17,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, first-order states 1, states 3, parameters 9, outputs 4, events 4.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 4 of 3 by 3, parameter_jacobian 8 of 3 by 9.
-// Operations: rate 18, forcing 16, rate_jacobian 26, parameter_jacobian 58, outputs 15, energy 6,
-//     power_balance 25, guards 7, guard_rates 21, resets 12, prepare 4, prepared_rate 16,
-//     prepared_rate_jacobian 22.
+// Operations: rate 17, forcing 15, rate_jacobian 25, parameter_jacobian 57, outputs 14, energy 6,
+//     power_balance 24, guards 7, guard_rates 20, resets 12, prepare 4, prepared_rate 15,
+//     prepared_rate_jacobian 21.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -80,17 +80,17 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    inverse_slider_stribeck_speed, inverse_slider_mass, t0
+    t0, inverse_slider_mass, t1
 }
 
 /// What `rate` and `rate_jacobian` need of the parameters, once a run. 4 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let inverse_slider_stribeck_speed = R::literal(1.0) / p.slider_stribeck_speed;
+    let t0 = R::literal(-1.0) / p.slider_stribeck_speed;
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let t0 = p.slider_normal_force * p.slider_stribeck_friction / p.slider_stribeck_speed;
-    Constants { inverse_slider_stribeck_speed, inverse_slider_mass, t0 }
+    let t1 = p.slider_normal_force * p.slider_stribeck_friction / p.slider_stribeck_speed;
+    Constants { t0, inverse_slider_mass, t1 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -105,7 +105,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 16 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 15 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -114,8 +114,7 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let slider_sliding = slider_v - p.belt_speed;
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(c.inverse_slider_stribeck_speed * slider_slip
-        * slider_sliding)).exp());
+        .add_product(p.slider_stribeck_friction, (c.t0 * slider_slip * slider_sliding).exp());
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
         R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_v_dot = (slider_friction - slider_held) * c.inverse_slider_mass;
@@ -128,49 +127,49 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [p.slider_mass]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 16 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 15 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(R::literal(1.0) / p.slider_stribeck_speed
-        * slider_slip * slider_sliding)).exp());
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_slip * slider_sliding).exp());
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
         R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_x_forcing = slider_friction - slider_held;
     [slider_x_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 22 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 21 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 4] {
     let [_, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let t0 = (-(c.inverse_slider_stribeck_speed * slider_slip * slider_sliding)).exp();
+    let t0 = (c.t0 * slider_slip * slider_sliding).exp();
     let slider_v_dot_by_slider_x = (R::select_less(slider_slip, R::literal(-0.5), R::literal(0.0),
         R::select_less(slider_slip, R::literal(0.5), p.slider_stiffness, R::literal(0.0)))
         - p.slider_stiffness) * c.inverse_slider_mass;
-    let t1 = c.t0 * slider_slip * t0;
+    let t1 = c.t1 * slider_slip * t0;
     let slider_v_dot_by_slider_v = (R::select_less(slider_slip, R::literal(-0.5), -t1,
         R::select_less(slider_slip, R::literal(0.5), p.slider_damping, t1)) - p.slider_damping)
         * c.inverse_slider_mass;
-    let t2 = c.t0 * slider_sliding * t0;
+    let t2 = c.t1 * slider_sliding * t0;
     let slider_v_dot_by_slider_slip = R::select_less(slider_slip, R::literal(-0.5), -t2,
         R::select_less(slider_slip, R::literal(0.5), R::literal(0.0), t2)) * c.inverse_slider_mass;
     [R::literal(1.0), slider_v_dot_by_slider_x, slider_v_dot_by_slider_v,
         slider_v_dot_by_slider_slip]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 58 operations.
+/// `dy'/dp`, values in the order of its pattern. 57 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 8] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
-    let t0 = (-(R::literal(1.0) / p.slider_stribeck_speed * slider_slip * slider_sliding)).exp();
+    let t0 = (R::literal(-1.0) / p.slider_stribeck_speed * slider_slip * slider_sliding).exp();
     let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
     let slider_dragged = p.slider_normal_force * t1;
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
@@ -213,15 +212,15 @@ pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<
     [R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 15 operations.
+/// Wanted outputs. 14 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(R::literal(1.0) / p.slider_stribeck_speed
-        * slider_slip * slider_sliding)).exp());
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_slip * slider_sliding).exp());
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
         R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     Outputs {
@@ -243,7 +242,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 25 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 24 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [slider_x, slider_v, slider_slip] = *state;
@@ -251,8 +250,8 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     let slider_stiffness_times_slider_x = p.slider_stiffness * slider_x;
     let slider_held = slider_stiffness_times_slider_x.add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(R::literal(1.0) / p.slider_stribeck_speed
-        * slider_slip * slider_sliding)).exp());
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_slip * slider_sliding).exp());
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
         R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_v_dot = (slider_friction - slider_held) * (R::literal(1.0) / p.slider_mass);
@@ -276,15 +275,15 @@ pub fn guards<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [slider_breaks_back_guard, slider_breaks_forth_guard, slider_sliding, slider_sliding]
 }
 
-/// `dg/dt` of the guards along the motion. 21 operations.
+/// `dg/dt` of the guards along the motion. 20 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [slider_x, slider_v, slider_slip] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_held = (p.slider_stiffness * slider_x).add_product(p.slider_damping, slider_v);
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(R::literal(1.0) / p.slider_stribeck_speed
-        * slider_slip * slider_sliding)).exp());
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_slip * slider_sliding).exp());
     let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged,
         R::select_less(slider_slip, R::literal(0.5), slider_held, -slider_dragged));
     let slider_v_dot = (slider_friction - slider_held) * (R::literal(1.0) / p.slider_mass);
@@ -326,20 +325,19 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let t0 = slider_x * p.slider_stiffness;
     let t1 = slider_v * p.slider_damping;
     let slider_held = t0 + t1;
-    let t2 = R::literal(1.0) / p.slider_stribeck_speed;
+    let t2 = R::literal(-1.0) / p.slider_stribeck_speed;
     let t3 = slider_slip * t2;
     let t4 = t3 * slider_sliding;
-    let t5 = -t4;
-    let t6 = t5.exp();
-    let t7 = t6 * p.slider_stribeck_friction;
-    let t8 = p.slider_kinetic_friction + t7;
-    let slider_dragged = t8 * p.slider_normal_force;
-    let t9 = -slider_dragged;
-    let t10 = R::select_less(slider_slip, R::literal(0.5), slider_held, t9);
-    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged, t10);
-    let t11 = R::literal(1.0) / p.slider_mass;
-    let t12 = slider_friction - slider_held;
-    let slider_v_dot = t12 * t11;
+    let t5 = t4.exp();
+    let t6 = t5 * p.slider_stribeck_friction;
+    let t7 = p.slider_kinetic_friction + t6;
+    let slider_dragged = t7 * p.slider_normal_force;
+    let t8 = -slider_dragged;
+    let t9 = R::select_less(slider_slip, R::literal(0.5), slider_held, t8);
+    let slider_friction = R::select_less(slider_slip, R::literal(-0.5), slider_dragged, t9);
+    let t10 = R::literal(1.0) / p.slider_mass;
+    let t11 = slider_friction - slider_held;
+    let slider_v_dot = t11 * t10;
     let mut rates = [slider_v, slider_v_dot, R::literal(0.0)];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -354,16 +352,15 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let slider_held_k = slider_v_k.mul_add(p.slider_damping, slider_x_k * p.slider_stiffness);
         let t3_k = slider_slip_k * t2;
         let t4_k = t3.mul_add(slider_v_k, slider_sliding.mul_add(t3_k, sums[0]));
-        let t5_k = -t4_k;
-        let t6_k = t5_k.mul_add(t6, inverse * sums[1]);
-        let slider_dragged_k = t6_k * p.slider_stribeck_friction * p.slider_normal_force;
-        let t9_k = -slider_dragged_k;
-        let t10_k = R::select_less(slider_slip, R::literal(0.5), slider_held_k, t9_k);
+        let t5_k = t4_k.mul_add(t5, inverse * sums[1]);
+        let slider_dragged_k = t5_k * p.slider_stribeck_friction * p.slider_normal_force;
+        let t8_k = -slider_dragged_k;
+        let t9_k = R::select_less(slider_slip, R::literal(0.5), slider_held_k, t8_k);
         let slider_friction_k = R::select_less(slider_slip, R::literal(-0.5), slider_dragged_k,
-            t10_k);
-        let t12_k = slider_friction_k - slider_held_k;
-        let slider_v_dot_k = t12_k * t11;
-        lanes.set(order, [slider_v_k, k * t5_k], [t3_k, t6_k]);
+            t9_k);
+        let t11_k = slider_friction_k - slider_held_k;
+        let slider_v_dot_k = t11_k * t10;
+        lanes.set(order, [slider_v_k, k * t4_k], [t3_k, t5_k]);
         rates = [slider_v_k, slider_v_dot_k, R::literal(0.0)];
     }
 }

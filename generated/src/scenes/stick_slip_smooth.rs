@@ -16,8 +16,8 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 9, outputs 3.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 9 of 2 by 9.
-// Operations: rate 20, forcing 18, rate_jacobian 28, parameter_jacobian 61, outputs 14, energy 6,
-//     power_balance 28, prepare 7, prepared_rate 17, prepared_rate_jacobian 21.
+// Operations: rate 18, forcing 17, rate_jacobian 27, parameter_jacobian 58, outputs 13, energy 6,
+//     power_balance 26, prepare 8, prepared_rate 15, prepared_rate_jacobian 20.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -68,21 +68,20 @@ use ::machinist_contract::{
 }
 
 ::machinist_contract::constants! {
-    inverse_slider_stribeck_speed, inverse_slider_width, inverse_slider_mass, slider_v_dot_by_slider_x,
-    t0
+    t0, inverse_slider_width, t1, inverse_slider_mass, slider_v_dot_by_slider_x, t2
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 7 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 8 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let inverse_slider_stribeck_speed = R::literal(1.0) / p.slider_stribeck_speed;
+    let t0 = R::literal(-1.0) / p.slider_stribeck_speed;
     let inverse_slider_width = R::literal(1.0) / p.slider_width;
+    let t1 = R::literal(-1.0) / p.slider_mass;
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
     let slider_v_dot_by_slider_x = -(p.slider_stiffness * inverse_slider_mass);
-    let t0 = p.slider_normal_force * p.slider_stribeck_friction / p.slider_stribeck_speed;
-    Constants { inverse_slider_stribeck_speed, inverse_slider_width, inverse_slider_mass,
-        slider_v_dot_by_slider_x, t0 }
+    let t2 = p.slider_normal_force * p.slider_stribeck_friction / p.slider_stribeck_speed;
+    Constants { t0, inverse_slider_width, t1, inverse_slider_mass, slider_v_dot_by_slider_x, t2 }
 }
 
 /// State at the start of the run, in the units of the states. No operations.
@@ -97,7 +96,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 17 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 15 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -105,11 +104,10 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(c.inverse_slider_stribeck_speed * slider_sliding
-        .abs())).exp());
-    let slider_friction = -(slider_dragged * (c.inverse_slider_width * slider_sliding).tanh());
-    let slider_v_dot = slider_friction.sub_product(p.slider_stiffness, slider_x)
-        .sub_product(p.slider_damping, slider_v) * c.inverse_slider_mass;
+        .add_product(p.slider_stribeck_friction, (c.t0 * slider_sliding.abs()).exp());
+    let slider_v_dot = (p.slider_stiffness * slider_x).add_product(slider_dragged,
+        (c.inverse_slider_width * slider_sliding).tanh()).add_product(p.slider_damping, slider_v)
+        * c.t1;
     [slider_v, slider_v_dot]
 }
 
@@ -119,59 +117,56 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [p.slider_mass]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 18 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 17 operations.
 #[must_use]
 pub fn forcing<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(R::literal(1.0) / p.slider_stribeck_speed
-        * slider_sliding.abs())).exp());
-    let slider_friction = -(slider_dragged * (R::literal(1.0) / p.slider_width * slider_sliding)
-        .tanh());
-    let slider_x_forcing = slider_friction.sub_product(p.slider_stiffness, slider_x)
-        .sub_product(p.slider_damping, slider_v);
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_sliding.abs()).exp());
+    let slider_x_forcing = -(p.slider_stiffness * slider_x).add_product(slider_dragged,
+        (R::literal(1.0) / p.slider_width * slider_sliding).tanh()).add_product(p.slider_damping,
+        slider_v);
     [slider_x_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 21 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 20 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 3] {
     let [_, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
-    let t0 = (-(c.inverse_slider_stribeck_speed * slider_sliding.abs())).exp();
+    let t0 = (c.t0 * slider_sliding.abs()).exp();
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
         .add_product(p.slider_stribeck_friction, t0);
     let t1 = (c.inverse_slider_width * slider_sliding).tanh();
-    let slider_v_dot_by_slider_v = (-p.slider_damping).add_product(c.t0 * t0 * t1,
+    let slider_v_dot_by_slider_v = (-p.slider_damping).add_product(c.t2 * t0 * t1,
         R::select_less(slider_sliding, R::literal(0.0), R::literal(-1.0), R::literal(1.0)))
         .sub_product(c.inverse_slider_width * slider_dragged, R::literal(1.0).sub_product(t1, t1))
         * c.inverse_slider_mass;
     [R::literal(1.0), c.slider_v_dot_by_slider_x, slider_v_dot_by_slider_v]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 61 operations.
+/// `dy'/dp`, values in the order of its pattern. 58 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 9] {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let abs_slider_sliding = slider_sliding.abs();
-    let t0 = (-(R::literal(1.0) / p.slider_stribeck_speed * abs_slider_sliding)).exp();
+    let t0 = (R::literal(-1.0) / p.slider_stribeck_speed * abs_slider_sliding).exp();
     let t1 = p.slider_kinetic_friction.add_product(p.slider_stribeck_friction, t0);
     let slider_dragged = p.slider_normal_force * t1;
     let inverse_slider_width = R::literal(1.0) / p.slider_width;
     let t2 = (inverse_slider_width * slider_sliding).tanh();
-    let slider_friction = -(slider_dragged * t2);
     let inverse_slider_mass = R::literal(1.0) / p.slider_mass;
-    let slider_v_dot = slider_friction.sub_product(p.slider_stiffness, slider_x)
-        .sub_product(p.slider_damping, slider_v) * inverse_slider_mass;
     let t3 = R::literal(1.0).sub_product(t2, t2);
     let t4 = p.slider_normal_force * p.slider_stribeck_friction;
     let slider_v_dot_by_belt_speed = (-(t4 / p.slider_stribeck_speed * t0 * t2
         * R::select_less(slider_sliding, R::literal(0.0), R::literal(-1.0), R::literal(1.0))))
         .add_product(inverse_slider_width * slider_dragged, t3) * inverse_slider_mass;
-    let slider_v_dot_by_slider_mass = -(slider_v_dot * inverse_slider_mass);
+    let slider_v_dot_by_slider_mass = (p.slider_stiffness * slider_x).add_product(slider_dragged,
+        t2).add_product(p.slider_damping, slider_v) * inverse_slider_mass * inverse_slider_mass;
     let slider_v_dot_by_slider_stiffness = -(slider_x * inverse_slider_mass);
     let slider_v_dot_by_slider_damping = -(slider_v * inverse_slider_mass);
     let slider_v_dot_by_slider_normal_force = -(t1 * t2 * inverse_slider_mass);
@@ -195,14 +190,14 @@ pub fn time_derivative<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<
     [R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 14 operations.
+/// Wanted outputs. 13 operations.
 #[must_use]
 pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(R::literal(1.0) / p.slider_stribeck_speed
-        * slider_sliding.abs())).exp());
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_sliding.abs()).exp());
     let slider_friction = -(slider_dragged * (R::literal(1.0) / p.slider_width * slider_sliding)
         .tanh());
     Outputs {
@@ -223,22 +218,20 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 28 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 26 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [slider_x, slider_v] = *state;
     let slider_sliding = slider_v - p.belt_speed;
     let slider_dragged = p.slider_normal_force * p.slider_kinetic_friction
-        .add_product(p.slider_stribeck_friction, (-(R::literal(1.0) / p.slider_stribeck_speed
-        * slider_sliding.abs())).exp());
+        .add_product(p.slider_stribeck_friction, (R::literal(-1.0) / p.slider_stribeck_speed
+        * slider_sliding.abs()).exp());
     let t0 = slider_dragged * (R::literal(1.0) / p.slider_width * slider_sliding).tanh();
-    let slider_friction = -t0;
     let slider_stiffness_times_slider_x = p.slider_stiffness * slider_x;
-    let slider_v_dot = (slider_friction - slider_stiffness_times_slider_x)
-        .sub_product(p.slider_damping, slider_v) * (R::literal(1.0) / p.slider_mass);
     PowerBalance {
-        stored_rate: (slider_stiffness_times_slider_x * slider_v).add_product(p.slider_mass
-            * slider_v, slider_v_dot),
+        stored_rate: (slider_stiffness_times_slider_x * slider_v).sub_product(p.slider_mass
+            * slider_v, (t0 + slider_stiffness_times_slider_x).add_product(p.slider_damping,
+            slider_v) * (R::literal(1.0) / p.slider_mass)),
         supplied: -(slider_v * t0),
         dissipated: p.slider_damping * (slider_v * slider_v),
     }
@@ -249,7 +242,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 36 recurrences. 4 sums of products an order.
+/// 35 recurrences. 4 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -260,26 +253,24 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
     let slider_sliding = slider_v - p.belt_speed;
     let t0 = -slider_sliding;
     let t1 = R::select_less(slider_sliding, R::literal(0.0), t0, slider_sliding);
-    let t2 = R::literal(1.0) / p.slider_stribeck_speed;
+    let t2 = R::literal(-1.0) / p.slider_stribeck_speed;
     let t3 = t1 * t2;
-    let t4 = -t3;
-    let t5 = t4.exp();
-    let t6 = t5 * p.slider_stribeck_friction;
-    let t7 = p.slider_kinetic_friction + t6;
-    let slider_dragged = t7 * p.slider_normal_force;
-    let t8 = R::literal(1.0) / p.slider_width;
-    let t9 = slider_sliding * t8;
-    let t10 = t9.tanh();
-    let t11 = t10 * t10;
-    let t12 = R::literal(1.0) - t11;
-    let t13 = slider_dragged * t10;
-    let slider_friction = -t13;
-    let t14 = R::literal(1.0) / p.slider_mass;
-    let t15 = slider_x * p.slider_stiffness;
-    let t16 = slider_v * p.slider_damping;
-    let t17 = slider_friction - t15;
-    let t18 = t17 - t16;
-    let slider_v_dot = t18 * t14;
+    let t4 = t3.exp();
+    let t5 = t4 * p.slider_stribeck_friction;
+    let t6 = p.slider_kinetic_friction + t5;
+    let slider_dragged = t6 * p.slider_normal_force;
+    let t7 = R::literal(1.0) / p.slider_width;
+    let t8 = slider_sliding * t7;
+    let t9 = t8.tanh();
+    let t10 = t9 * t9;
+    let t11 = R::literal(1.0) - t10;
+    let t12 = slider_dragged * t9;
+    let t13 = slider_x * p.slider_stiffness;
+    let t14 = slider_v * p.slider_damping;
+    let t15 = t12 + t13;
+    let t16 = t15 + t14;
+    let t17 = R::literal(-1.0) / p.slider_mass;
+    let slider_v_dot = t16 * t17;
     let mut rates = [slider_v, slider_v_dot];
     coefficients[0] = *state;
     let highest = coefficients.len() - 1;
@@ -294,20 +285,17 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         let t0_k = -slider_v_k;
         let t1_k = R::select_less(slider_sliding, R::literal(0.0), t0_k, slider_v_k);
         let t3_k = t1_k * t2;
-        let t4_k = -t3_k;
-        let t5_k = t4_k.mul_add(t5, inverse * sums[2]);
-        let slider_dragged_k = t5_k * p.slider_stribeck_friction * p.slider_normal_force;
-        let t9_k = slider_v_k * t8;
-        let t10_k = t9_k.mul_add(t12, inverse * sums[1]);
-        let t11_k = (t10 + t10).mul_add(t10_k, sums[0]);
-        let t12_k = -t11_k;
-        let t13_k = t10.mul_add(slider_dragged_k, slider_dragged.mul_add(t10_k, sums[3]));
-        let slider_friction_k = -t13_k;
-        let t17_k = (-slider_x_k).mul_add(p.slider_stiffness, slider_friction_k);
-        let t18_k = (-slider_v_k).mul_add(p.slider_damping, t17_k);
-        let slider_v_dot_k = t18_k * t14;
-        lanes.set(order, [t10_k, k * t9_k, k * t4_k, slider_dragged_k], [t10_k, t12_k, t5_k,
-            t10_k]);
+        let t4_k = t3_k.mul_add(t4, inverse * sums[1]);
+        let slider_dragged_k = t4_k * p.slider_stribeck_friction * p.slider_normal_force;
+        let t8_k = slider_v_k * t7;
+        let t9_k = t8_k.mul_add(t11, inverse * sums[2]);
+        let t10_k = (t9 + t9).mul_add(t9_k, sums[0]);
+        let t11_k = -t10_k;
+        let t12_k = t9.mul_add(slider_dragged_k, slider_dragged.mul_add(t9_k, sums[3]));
+        let t15_k = slider_x_k.mul_add(p.slider_stiffness, t12_k);
+        let t16_k = slider_v_k.mul_add(p.slider_damping, t15_k);
+        let slider_v_dot_k = t16_k * t17;
+        lanes.set(order, [t9_k, k * t3_k, k * t8_k, slider_dragged_k], [t9_k, t4_k, t11_k, t9_k]);
         rates = [slider_v_k, slider_v_dot_k];
     }
 }

@@ -20,9 +20,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 30, outputs 8, events 9.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 14 of 8 by 8, parameter_jacobian 51 of 8 by 30.
-// Operations: initial_state 5, rate 103, mass_matrix 17, forcing 82, rate_jacobian 188,
-//     parameter_jacobian 473, time_derivative 83, outputs 77, energy 59, power_balance 145,
-//     guards 64, guard_rates 199, resets 67, prepare 27, prepared_rate 83, prepared_rate_jacobian 161.
+// Operations: initial_state 5, rate 101, mass_matrix 17, forcing 80, rate_jacobian 182,
+//     parameter_jacobian 453, time_derivative 80, outputs 75, energy 59, power_balance 144,
+//     guards 63, guard_rates 198, resets 66, prepare 24, prepared_rate 82, prepared_rate_jacobian 158.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -122,11 +122,10 @@ use ::machinist_contract::{
 
 ::machinist_contract::constants! {
     drum_speed, t1, pair_bobbin_radius_squared, t2, pair_bobbin_radius_squared_squared, t3, t4, t5, t6,
-    eccentricity_times_drum_speed, t7, t8, minus_holder_preload, inverse_layer_viscosity, t9,
-    minus_layer_stiffness, minus_layer_viscosity, t10, t11
+    eccentricity_times_drum_speed, t7, t8, t9, t10, minus_layer_viscosity, t11, t12
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 27 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 24 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
@@ -144,16 +143,14 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
     let t7 = p.pair_support_arm + p.pair_rolling_arm;
     let t8 = p.pair_yarn_density * p.pair_thread_area;
-    let minus_holder_preload = -p.holder_preload;
-    let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
-    let t9 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let minus_layer_stiffness = -p.layer_stiffness;
+    let t9 = R::literal(-1.0) / p.layer_viscosity;
+    let t10 = R::literal(3.0) * p.layer_cubic_stiffness;
     let minus_layer_viscosity = -p.layer_viscosity;
-    let t10 = -p.pair_support_arm - p.pair_rolling_arm;
-    let t11 = R::literal(core::f64::consts::TAU) * p.pair_package_width * p.pair_yarn_density;
+    let t11 = -t7;
+    let t12 = R::literal(core::f64::consts::TAU) * p.pair_package_width * p.pair_yarn_density;
     Constants { drum_speed, t1, pair_bobbin_radius_squared, t2, pair_bobbin_radius_squared_squared,
-        t3, t4, t5, t6, eccentricity_times_drum_speed, t7, t8, minus_holder_preload,
-        inverse_layer_viscosity, t9, minus_layer_stiffness, minus_layer_viscosity, t10, t11 }
+        t3, t4, t5, t6, eccentricity_times_drum_speed, t7, t8, t9, t10, minus_layer_viscosity, t11,
+        t12 }
 }
 
 /// State at the start of the run, in the units of the states. 5 operations.
@@ -171,7 +168,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 83 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 82 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -196,13 +193,14 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let holder_mass = c.t4 + pair_package_mass;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(c.t6, t2);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t4 = p.layer_stiffness * layer_compression;
-    let t5 = p.layer_cubic_stiffness * (layer_compression * layer_compression * layer_compression);
-    let t6 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t4 + t5 + t6;
+    let t4 = (c.eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(c.t6, t2)
+        + holder_v;
+    let layer_compression_rate = -t4;
+    let t5 = p.layer_viscosity * t4;
+    let t6 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
+        .add_product(p.layer_cubic_stiffness, layer_compression * layer_compression
+        * layer_compression);
+    let layer_push = t6 - t5;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
@@ -212,14 +210,14 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
-    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
-        .sub_product(c.t8 * holder_v * pair_omega, pair_radius) - (p.holder_preload
+    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        -t5)).sub_product(c.t8 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), c.minus_holder_preload - t4 - t5))) * (R::literal(1.0) / holder_mass);
+        R::literal(0.0), -t6))) * (R::literal(1.0) / holder_mass);
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
-    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5),
-        -(c.inverse_layer_viscosity * layer_swelling), layer_compression_rate);
+    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), c.t9 * layer_swelling,
+        layer_compression_rate);
     [holder_v, pair_omega, holder_v_dot, pair_omega_dot, layer_surface_dot, R::literal(0.0),
         pair_growth, R::literal(0.0)]
 }
@@ -240,7 +238,7 @@ pub fn mass_matrix<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
     [holder_mass, pair_inertia]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 82 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 80 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [holder_x, pair_phi, holder_v, pair_omega, _, layer_closed, pair_radius, pair_slip]
@@ -262,13 +260,12 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         t1);
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t4 = p.layer_stiffness * layer_compression;
-    let t5 = p.layer_cubic_stiffness * (layer_compression * layer_compression * layer_compression);
-    let t6 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t4 + t5 + t6;
+    let t4 = p.layer_viscosity * ((p.eccentricity * drum_speed * sin_drum_speed_times_time)
+        .add_product(R::literal(2.0) * p.ovality * drum_speed, t2) + holder_v);
+    let t5 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
+        .add_product(p.layer_cubic_stiffness, layer_compression * layer_compression
+        * layer_compression);
+    let layer_push = t5 - t4;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
@@ -279,16 +276,15 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
     let holder_x_forcing = (force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        t6)).sub_product(p.pair_yarn_density * p.pair_thread_area * holder_v * pair_omega,
+        -t4)).sub_product(p.pair_yarn_density * p.pair_thread_area * holder_v * pair_omega,
         pair_radius) - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -p.holder_preload - t4
-        - t5));
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t5));
     let pair_phi_forcing = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance));
     [holder_x_forcing, pair_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 161 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 158 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 14] {
@@ -312,44 +308,41 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     let holder_mass = c.t4 + pair_package_mass;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(c.t6, t2);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t4 = p.layer_stiffness * layer_compression;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t5 = p.layer_cubic_stiffness * (layer_compression_squared * layer_compression);
-    let t6 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t4 + t5 + t6;
+    let t4 = p.layer_viscosity * ((c.eccentricity_times_drum_speed * sin_drum_speed_times_time)
+        .add_product(c.t6, t2) + holder_v);
+    let t5 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
+        .add_product(p.layer_cubic_stiffness, layer_compression_squared * layer_compression);
+    let layer_push = t5 - t4;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
-    let t7 = c.t7 * layer_push;
+    let t6 = c.t7 * layer_push;
     let pair_resistance = p.pair_tension + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t7 / pair_radius);
+        R::literal(0.0), t6 / pair_radius);
     let pair_held = pair_resistance - pair_omega * pair_growth * pair_inertia / pair_radius_squared;
     let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
-    let t8 = c.t8 * holder_v;
-    let t9 = t8 * pair_omega;
-    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t6))
-        .sub_product(t9, pair_radius) - (p.holder_preload.add_product(p.holder_stiffness, holder_x)
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), c.minus_holder_preload
-        - t4 - t5))) * inverse_holder_mass;
+    let t7 = c.t8 * holder_v;
+    let t8 = t7 * pair_omega;
+    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        -t4)).sub_product(t8, pair_radius) - (p.holder_preload.add_product(p.holder_stiffness,
+        holder_x) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t5)))
+        * inverse_holder_mass;
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * inverse_pair_inertia;
-    let t10 = c.t9 * layer_compression_squared;
-    let t11 = c.minus_layer_stiffness - t10;
-    let t12 = c.t7 * t11 / pair_radius;
-    let t13 = p.pair_friction * t11;
-    let t14 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
+    let t9 = p.layer_stiffness.add_product(c.t10, layer_compression_squared);
+    let t10 = c.t7 * t9 / pair_radius;
+    let t11 = p.pair_friction * t9;
+    let t12 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), R::literal(1.0));
     let holder_v_dot_by_holder_x = -((p.holder_stiffness + R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), p.layer_stiffness + t10)) * inverse_holder_mass);
+        R::literal(0.5), R::literal(0.0), t9)) * inverse_holder_mass);
     let pair_omega_dot_by_holder_x = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t13, R::select_less(pair_slip,
-        R::literal(0.5), t12, -t13)) - t12) * t14) * inverse_pair_inertia;
+        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t11, R::select_less(pair_slip,
+        R::literal(0.5), -t10, t11)) + t10) * t12) * inverse_pair_inertia;
     let holder_v_dot_by_pair_phi = -(p.package_force * sin_package_phase_plus_pair_phi
         * inverse_holder_mass);
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
@@ -357,29 +350,28 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.minus_layer_viscosity).sub_product(c.t8 * pair_omega, pair_radius) * inverse_holder_mass;
     let pair_omega_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         p.layer_viscosity * (c.t7 + R::select_less(pair_slip, R::literal(-0.5),
-        -pair_friction_times_pair_radius, R::select_less(pair_slip, R::literal(0.5), c.t10,
-        pair_friction_times_pair_radius))) * t14) * inverse_pair_inertia;
+        -pair_friction_times_pair_radius, R::select_less(pair_slip, R::literal(0.5), c.t11,
+        pair_friction_times_pair_radius))) * t12) * inverse_pair_inertia;
     let layer_surface_dot_by_holder_v = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), R::literal(-1.0));
-    let holder_v_dot_by_pair_omega = -(t8 * pair_radius * inverse_holder_mass);
+    let holder_v_dot_by_pair_omega = -(t7 * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_omega = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0),
-        -(R::literal(2.0) * pair_growth * pair_inertia * R::select_less(pair_slip,
-        R::literal(-0.5), R::literal(0.0), R::literal(1.0)) * R::select_less(pair_slip,
-        R::literal(0.5), R::literal(1.0), R::literal(0.0)) / pair_radius)) * inverse_pair_inertia;
-    let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5),
-        -(c.inverse_layer_viscosity * p.layer_stiffness.add_product(c.t9, layer_surface
-        * layer_surface)), R::literal(0.0));
-    let t15 = t7 / pair_radius_squared;
-    let t16 = pair_radius_squared * pair_radius;
-    let holder_v_dot_by_pair_radius = (-t9).sub_product(c.t11 * pair_radius, holder_v_dot)
-        * inverse_holder_mass;
+        R::literal(-2.0) * pair_growth * pair_inertia * R::select_less(pair_slip, R::literal(-0.5),
+        R::literal(0.0), R::literal(1.0)) * R::select_less(pair_slip, R::literal(0.5),
+        R::literal(1.0), R::literal(0.0)) / pair_radius) * inverse_pair_inertia;
+    let layer_surface_dot_by_layer_surface = R::select_less(layer_closed, R::literal(0.5), c.t9
+        * p.layer_stiffness.add_product(c.t10, layer_surface * layer_surface), R::literal(0.0));
+    let t13 = t6 / pair_radius_squared;
+    let t14 = pair_radius_squared * pair_radius;
+    let holder_v_dot_by_pair_radius = -(t8.add_product(c.t12 * pair_radius, holder_v_dot)
+        * inverse_holder_mass);
     let pair_omega_dot_by_pair_radius = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), pair_carried.add_product(pair_radius, R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), t15) + R::select_less(pair_slip, R::literal(-0.5),
+        R::literal(0.5), R::literal(0.0), t13) + R::select_less(pair_slip, R::literal(-0.5),
         R::literal(0.0), R::select_less(pair_slip, R::literal(0.5), (R::literal(2.0) * pair_omega
-        * pair_growth * pair_inertia / t16 + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t15)).sub_product(c.t8 * pair_radius, pair_omega * pair_omega),
-        R::literal(0.0)))) - pair_resistance).sub_product(c.t11 * t16, pair_omega_dot)
+        * pair_growth * pair_inertia / t14 + R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -t13)).sub_product(c.t8 * pair_radius, pair_omega * pair_omega),
+        R::literal(0.0)))) - pair_resistance).sub_product(c.t12 * t14, pair_omega_dot)
         * inverse_pair_inertia;
     [R::literal(1.0), R::literal(1.0), holder_v_dot_by_holder_x, holder_v_dot_by_pair_phi,
         holder_v_dot_by_holder_v, holder_v_dot_by_pair_omega, holder_v_dot_by_pair_radius,
@@ -388,7 +380,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         layer_surface_dot_by_layer_surface, c.t1]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 473 operations.
+/// `dy'/dp`, values in the order of its pattern. 453 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 51] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
@@ -411,10 +403,8 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let pair_radius_squared = pair_radius * pair_radius;
     let t9 = pair_radius_squared - pair_bobbin_radius_squared;
     let pair_package_mass = t8 * p.pair_yarn_density * t9;
-    let pair_bobbin_radius_squared_squared = pair_bobbin_radius_squared
-        * pair_bobbin_radius_squared;
-    let t10 = (-pair_bobbin_radius_squared_squared).add_product(pair_radius_squared,
-        pair_radius_squared);
+    let t10 = (pair_radius_squared * pair_radius_squared).sub_product(pair_bobbin_radius_squared,
+        pair_bobbin_radius_squared);
     let t11 = R::literal(core::f64::consts::FRAC_PI_2) * p.pair_package_width;
     let pair_inertia = p.pair_bobbin_inertia.add_product(t11 * p.pair_yarn_density, t10);
     let force = (p.package_force * cos_package_phase_plus_pair_phi).add_product(p.force_amplitude,
@@ -426,15 +416,15 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t13 = R::literal(2.0) * p.ovality;
     let t14 = t13 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(t14, t5);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t15 = p.layer_stiffness * layer_compression;
+    let t15 = (eccentricity_times_drum_speed * sin_drum_speed_times_time).add_product(t14, t5)
+        + holder_v;
+    let layer_compression_rate = -t15;
     let layer_compression_squared = layer_compression * layer_compression;
     let t16 = layer_compression_squared * layer_compression;
-    let t17 = p.layer_cubic_stiffness * t16;
-    let t18 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t15 + t17 + t18;
+    let t17 = p.layer_viscosity * t15;
+    let t18 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
+        .add_product(p.layer_cubic_stiffness, t16);
+    let layer_push = t18 - t17;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
@@ -451,9 +441,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let inverse_pair_inertia = R::literal(1.0) / pair_inertia;
     let t20 = p.pair_yarn_density * p.pair_thread_area;
     let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        t18)).sub_product(t20 * holder_v * pair_omega, pair_radius) - (p.holder_preload
+        -t17)).sub_product(t20 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -p.holder_preload - t15 - t17))) * inverse_holder_mass;
+        R::literal(0.0), -t18))) * inverse_holder_mass;
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * inverse_pair_inertia;
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
@@ -465,96 +455,88 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let pair_friction_times_pair_radius = p.pair_friction * pair_radius;
     let t24 = -pair_friction_times_pair_radius;
     let t25 = t19 + R::select_less(pair_slip, R::literal(-0.5), t24, R::select_less(pair_slip,
-        R::literal(0.5), -p.pair_support_arm - p.pair_rolling_arm,
-        pair_friction_times_pair_radius));
+        R::literal(0.5), -t19, pair_friction_times_pair_radius));
     let t26 = R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0), R::literal(1.0));
     let t27 = R::select_less(pair_slip, R::literal(0.5), R::literal(1.0), R::literal(0.0));
     let pair_omega_squared = pair_omega * pair_omega;
     let t28 = t13 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t29 = (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time)).sub_product(t28
+    let t29 = (eccentricity_over_drum_radius * time * sin_drum_speed_times_time).add_product(t28
         * time, t5);
-    let t30 = t21 * t29 * layer_compression_squared;
-    let t31 = p.layer_stiffness * t29;
-    let t32 = R::literal(4.0) * p.ovality;
-    let t33 = eccentricity_times_drum_speed / p.drum_radius;
-    let t34 = t33 * time;
-    let t35 = (-(t28 * t5)).sub_product(t32 * drum_speed / p.drum_radius * time, t6)
-        .sub_product(t34, cos_drum_speed_times_time).sub_product(eccentricity_over_drum_radius,
+    let t30 = R::literal(4.0) * p.ovality;
+    let t31 = eccentricity_times_drum_speed / p.drum_radius;
+    let t32 = t31 * time;
+    let t33 = (t30 * drum_speed / p.drum_radius * time * t6).add_product(t28, t5).add_product(t32,
+        cos_drum_speed_times_time).add_product(eccentricity_over_drum_radius,
         sin_drum_speed_times_time);
-    let t36 = p.layer_viscosity * t35;
-    let t37 = t30 + t31 + t36;
-    let t38 = t19 * t37 / pair_radius;
-    let t39 = p.pair_friction * t37;
+    let t34 = (p.layer_stiffness * t29).add_product(t21 * t29, layer_compression_squared)
+        .add_product(p.layer_viscosity, t33);
+    let t35 = t19 * t34 / pair_radius;
+    let t36 = p.pair_friction * t34;
     let holder_v_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t36 - (-t30 - t31)).sub_product(p.force_amplitude / p.drum_radius * time,
-        t3) * inverse_holder_mass;
+        R::literal(0.0), -t34).sub_product(p.force_amplitude / p.drum_radius * time, t3)
+        * inverse_holder_mass;
     let pair_omega_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t39,
-        R::select_less(pair_slip, R::literal(0.5), t38, -t39)) - t38) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t36,
+        R::select_less(pair_slip, R::literal(0.5), -t35, t36)) + t35) * t23) * inverse_pair_inertia;
     let layer_surface_dot_by_winding_speed = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t35);
-    let t40 = t14 / p.drum_radius;
-    let t41 = (t34 * sin_drum_speed_times_time).add_product(t40 * time, t5);
-    let t42 = t21 * t41 * layer_compression_squared;
-    let t43 = p.layer_stiffness * t41;
+        R::literal(0.0), -t33);
+    let t37 = t14 / p.drum_radius;
+    let t38 = (t32 * sin_drum_speed_times_time).add_product(t37 * time, t5);
     let drum_speed_squared = drum_speed * drum_speed;
-    let t44 = (t40 * t5).add_product(t32 * drum_speed_squared / p.drum_radius * time, t6)
+    let t39 = (t37 * t5).add_product(t30 * drum_speed_squared / p.drum_radius * time, t6)
         .add_product(p.eccentricity * drum_speed_squared / p.drum_radius * time,
-        cos_drum_speed_times_time).add_product(t33, sin_drum_speed_times_time);
-    let t45 = p.layer_viscosity * t44;
-    let t46 = t42 + t43 + t45;
-    let t47 = t19 * t46 / pair_radius;
-    let t48 = p.pair_friction * t46;
+        cos_drum_speed_times_time).add_product(t31, sin_drum_speed_times_time);
+    let t40 = (p.layer_stiffness * t38).add_product(t21 * t38, layer_compression_squared)
+        .add_product(p.layer_viscosity, t39);
+    let t41 = t19 * t40 / pair_radius;
+    let t42 = p.pair_friction * t40;
     let holder_v_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t45 - (-t42 - t43)).add_product(p.force_amplitude * drum_speed
-        / p.drum_radius * time, t3) * inverse_holder_mass;
+        R::literal(0.0), t40).add_product(p.force_amplitude * drum_speed / p.drum_radius * time,
+        t3) * inverse_holder_mass;
     let pair_omega_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t48,
-        R::select_less(pair_slip, R::literal(0.5), t47, -t48)) - t47) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t42,
+        R::select_less(pair_slip, R::literal(0.5), t41, -t42)) - t41) * t23) * inverse_pair_inertia;
     let layer_surface_dot_by_drum_radius = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t44);
+        R::literal(0.0), t39);
     let holder_v_dot_by_force_amplitude = t4 * inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t3 * inverse_holder_mass);
     let holder_v_dot_by_package_force = cos_package_phase_plus_pair_phi * inverse_holder_mass;
-    let t49 = R::literal(2.0) * p.layer_viscosity * drum_speed * t5;
-    let t50 = t22 * t6;
-    let t51 = p.layer_stiffness * t6;
-    let t52 = t50 + t51 - t49;
-    let t53 = t19 * t52 / pair_radius;
-    let t54 = p.pair_friction * t52;
+    let t43 = (p.layer_stiffness * t6).add_product(t22, t6).sub_product(R::literal(2.0)
+        * p.layer_viscosity * drum_speed, t5);
+    let t44 = t19 * t43 / pair_radius;
+    let t45 = p.pair_friction * t43;
     let holder_v_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        -t49 - (-t50 - t51)) * inverse_holder_mass;
+        t43) * inverse_holder_mass;
     let pair_omega_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t54, R::select_less(pair_slip,
-        R::literal(0.5), t53, -t54)) - t53) * t23) * inverse_pair_inertia;
+        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t45, R::select_less(pair_slip,
+        R::literal(0.5), t44, -t45)) - t44) * t23) * inverse_pair_inertia;
     let layer_surface_dot_by_ovality = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(t1 * t5));
-    let t55 = t13 * p.layer_viscosity * drum_speed * t6;
-    let t56 = R::literal(3.0) * p.ovality * p.layer_cubic_stiffness * layer_compression_squared
+    let t46 = t13 * p.layer_viscosity * drum_speed * t6;
+    let t47 = R::literal(3.0) * p.ovality * p.layer_cubic_stiffness * layer_compression_squared
         * t5;
-    let t57 = p.ovality * p.layer_stiffness * t5;
-    let t58 = -t56 - t55 - t57;
-    let t59 = t19 * t58 / pair_radius;
-    let t60 = p.pair_friction * t58;
+    let t48 = p.ovality * p.layer_stiffness * t5;
+    let t49 = t47 + t46 + t48;
+    let t50 = t19 * t49 / pair_radius;
+    let t51 = p.pair_friction * t49;
     let holder_v_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t55 - (t56 + t57)) * inverse_holder_mass;
+        R::literal(0.0), -(t46 + (t47 + t48))) * inverse_holder_mass;
     let pair_omega_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t60,
-        R::select_less(pair_slip, R::literal(0.5), t59, -t60)) - t59) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t51,
+        R::select_less(pair_slip, R::literal(0.5), -t50, t51)) + t50) * t23) * inverse_pair_inertia;
     let layer_surface_dot_by_ovality_phase = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(t14 * t6));
-    let t61 = p.layer_viscosity * drum_speed * sin_drum_speed_times_time;
-    let t62 = t22 * cos_drum_speed_times_time;
-    let t63 = p.layer_stiffness * cos_drum_speed_times_time;
-    let t64 = t62 + t63 - t61;
-    let t65 = t19 * t64 / pair_radius;
-    let t66 = p.pair_friction * t64;
+    let t52 = (p.layer_stiffness * cos_drum_speed_times_time).add_product(t22,
+        cos_drum_speed_times_time).sub_product(p.layer_viscosity * drum_speed,
+        sin_drum_speed_times_time);
+    let t53 = t19 * t52 / pair_radius;
+    let t54 = p.pair_friction * t52;
     let holder_v_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -t61 - (-t62 - t63)) * inverse_holder_mass;
+        R::literal(0.0), t52) * inverse_holder_mass;
     let pair_omega_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t66,
-        R::select_less(pair_slip, R::literal(0.5), t65, -t66)) - t65) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t54,
+        R::select_less(pair_slip, R::literal(0.5), t53, -t54)) - t53) * t23) * inverse_pair_inertia;
     let layer_surface_dot_by_eccentricity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), -(drum_speed * sin_drum_speed_times_time));
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
@@ -588,48 +570,44 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * t23) * inverse_pair_inertia;
     let layer_surface_dot_by_layer_cubic_stiffness = R::select_less(layer_closed, R::literal(0.5),
         -(inverse_layer_viscosity * t7), R::literal(0.0));
-    let t67 = t19 * layer_compression_rate / pair_radius;
-    let t68 = p.pair_friction * layer_compression_rate;
+    let t55 = t19 * t15 / pair_radius;
+    let t56 = p.pair_friction * t15;
     let holder_v_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), layer_compression_rate) * inverse_holder_mass;
     let pair_omega_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t68,
-        R::select_less(pair_slip, R::literal(0.5), t67, -t68)) - t67) * t23) * inverse_pair_inertia;
+        R::literal(0.0), pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t56,
+        R::select_less(pair_slip, R::literal(0.5), -t55, t56)) + t55) * t23) * inverse_pair_inertia;
     let layer_surface_dot_by_layer_viscosity = R::select_less(layer_closed, R::literal(0.5),
         R::literal(1.0) / (p.layer_viscosity * p.layer_viscosity) * layer_swelling,
         R::literal(0.0));
-    let t69 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
+    let t57 = pair_bobbin_radius_squared * p.pair_bobbin_radius;
     let holder_v_dot_by_pair_bobbin_radius = R::literal(core::f64::consts::TAU)
         * p.pair_bobbin_radius * p.pair_package_width * p.pair_yarn_density * holder_v_dot
         * inverse_holder_mass;
     let pair_omega_dot_by_pair_bobbin_radius = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), t20 * t69 * pair_omega_squared * t26 * t27 / pair_radius)
+        R::literal(0.0), t20 * t57 * pair_omega_squared * t26 * t27 / pair_radius)
         .add_product(R::literal(core::f64::consts::TAU) * p.pair_package_width
-        * p.pair_yarn_density * t69, pair_omega_dot) * inverse_pair_inertia;
-    let holder_v_dot_by_pair_package_width = -(R::literal(core::f64::consts::PI)
-        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
+        * p.pair_yarn_density * t57, pair_omega_dot) * inverse_pair_inertia;
+    let holder_v_dot_by_pair_package_width = R::literal(-3.141_592_653_589_793)
+        * p.pair_yarn_density * t9 * holder_v_dot * inverse_holder_mass;
     let pair_omega_dot_by_pair_package_width = R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), p.pair_bobbin_inertia / p.pair_package_width * pair_omega * pair_growth
         * t26 * t27 / pair_radius).sub_product(R::literal(core::f64::consts::FRAC_PI_2)
         * p.pair_yarn_density * t10, pair_omega_dot) * inverse_pair_inertia;
-    let pair_radius_dot_by_pair_package_width = -(R::literal(1.0) / p.pair_package_width
-        * pair_growth);
-    let t70 = R::literal(0.25) * p.pair_thread_area;
-    let holder_v_dot_by_pair_yarn_density = (-(p.pair_thread_area * holder_v * pair_omega
-        * pair_radius)).sub_product(t8 * t9, holder_v_dot) * inverse_holder_mass;
+    let pair_radius_dot_by_pair_package_width = R::literal(-1.0) / p.pair_package_width
+        * pair_growth;
+    let holder_v_dot_by_pair_yarn_density = -((p.pair_thread_area * holder_v * pair_omega
+        * pair_radius).add_product(t8 * t9, holder_v_dot) * inverse_holder_mass);
     let pair_omega_dot_by_pair_yarn_density = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), R::select_less(pair_slip, R::literal(-0.5), R::literal(0.0),
-        R::select_less(pair_slip, R::literal(0.5), (t70 * pair_bobbin_radius_squared_squared
-        * pair_omega_squared / pair_radius).sub_product(t70 * pair_omega_squared,
-        pair_radius_squared * pair_radius), R::literal(0.0)))).sub_product(t11 * t10,
-        pair_omega_dot) * inverse_pair_inertia;
-    let t71 = R::literal(0.5) / t8;
+        R::literal(0.0), R::literal(-0.25) * p.pair_thread_area * t10 * pair_omega_squared * t26
+        * t27 / pair_radius).sub_product(t11 * t10, pair_omega_dot) * inverse_pair_inertia;
+    let t58 = R::literal(0.5) / t8;
     let holder_v_dot_by_pair_thread_area = -(p.pair_yarn_density * holder_v * pair_omega
         * pair_radius * inverse_holder_mass);
     let pair_omega_dot_by_pair_thread_area = R::select_less(pair_slip, R::literal(-1.5),
-        R::literal(0.0), -(t71 * pair_inertia * pair_omega_squared * t26 * t27 / pair_radius))
+        R::literal(0.0), -(t58 * pair_inertia * pair_omega_squared * t26 * t27 / pair_radius))
         * inverse_pair_inertia;
-    let pair_radius_dot_by_pair_thread_area = t71 * pair_omega;
+    let pair_radius_dot_by_pair_thread_area = t58 * pair_omega;
     let pair_omega_dot_by_pair_bobbin_inertia = (R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), -(pair_omega_times_pair_growth * t26 * t27 / pair_radius))
         - pair_omega_dot) * inverse_pair_inertia;
@@ -639,7 +617,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * inverse_pair_inertia;
     let pair_omega_dot_by_pair_friction = R::select_less(layer_closed, R::literal(0.5),
         R::literal(0.0), pair_radius * t23 * R::select_less(pair_slip, R::literal(-0.5),
-        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), -layer_push)))
+        layer_push, R::select_less(pair_slip, R::literal(0.5), R::literal(0.0), t17 - t18)))
         * inverse_pair_inertia;
     let layer_push_over_pair_radius = layer_push / pair_radius;
     let pair_omega_dot_by_pair_support_arm = R::select_less(layer_closed, R::literal(0.5),
@@ -672,7 +650,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         pair_radius_dot_by_pair_thread_area]
 }
 
-/// Partial derivative of `y'` with respect to time. 83 operations.
+/// Partial derivative of `y'` with respect to time. 80 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [holder_x, _, _, _, _, layer_closed, pair_radius, pair_slip] = *state;
@@ -693,32 +671,28 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let t4 = p.eccentricity * cos_drum_speed_times_time;
     let shape = t4.add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let t5 = R::literal(4.0) * p.ovality;
+    let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
+        * p.ovality * drum_speed, t1);
+    let t6 = R::literal(4.0) * p.ovality;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t6 = R::literal(3.0) * p.layer_cubic_stiffness * shape_rate * (layer_compression
-        * layer_compression);
-    let layer_stiffness_times_shape_rate = p.layer_stiffness * shape_rate;
-    let t7 = p.layer_viscosity * (-(p.eccentricity * drum_speed_squared
-        * cos_drum_speed_times_time)).sub_product(t5 * drum_speed_squared, t2);
-    let t8 = t6 + layer_stiffness_times_shape_rate + t7;
-    let t9 = (p.pair_support_arm + p.pair_rolling_arm) * t8 / pair_radius;
-    let t10 = p.pair_friction * t8;
-    let holder_v_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t7
-        - (-t6 - layer_stiffness_times_shape_rate)).sub_product(p.force_amplitude * drum_speed, t3)
-        * (R::literal(1.0) / holder_mass);
+    let t7 = (p.layer_stiffness * t5).add_product(R::literal(3.0) * p.layer_cubic_stiffness * t5,
+        layer_compression * layer_compression).add_product(p.layer_viscosity, (p.eccentricity
+        * drum_speed_squared * cos_drum_speed_times_time).add_product(t6 * drum_speed_squared, t2));
+    let t8 = (p.pair_support_arm + p.pair_rolling_arm) * t7 / pair_radius;
+    let t9 = p.pair_friction * t7;
+    let holder_v_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t7)
+        .sub_product(p.force_amplitude * drum_speed, t3) * (R::literal(1.0) / holder_mass);
     let pair_omega_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), t10, R::select_less(pair_slip,
-        R::literal(0.5), t9, -t10)) - t9) * R::select_less(pair_slip, R::literal(-1.5),
+        pair_radius * (R::select_less(pair_slip, R::literal(-0.5), -t9, R::select_less(pair_slip,
+        R::literal(0.5), -t8, t9)) + t8) * R::select_less(pair_slip, R::literal(-1.5),
         R::literal(0.0), R::literal(1.0))) * (R::literal(1.0) / pair_inertia);
     let layer_surface_dot_by_time = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
-        drum_speed_squared * (-t4).sub_product(t5, t2));
+        -(drum_speed_squared * t4.add_product(t6, t2)));
     [R::literal(0.0), R::literal(0.0), holder_v_dot_by_time, pair_omega_dot_by_time,
         layer_surface_dot_by_time, R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
 
-/// Wanted outputs. 77 operations.
+/// Wanted outputs. 75 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [holder_x, pair_phi, holder_v, pair_omega, _, layer_closed, pair_radius, pair_slip]
@@ -745,12 +719,11 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         / p.holder_holder_arm + pair_package_mass;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2);
-    let layer_compression_rate = shape_rate - holder_v;
     let layer_push = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
         .add_product(p.layer_cubic_stiffness, layer_compression * layer_compression
-        * layer_compression).add_product(p.layer_viscosity, layer_compression_rate);
+        * layer_compression).sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
+        * sin_drum_speed_times_time).add_product(R::literal(2.0) * p.ovality * drum_speed, t2)
+        + holder_v);
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
@@ -766,7 +739,7 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
         mass: holder_mass,
         radius: pair_radius,
         friction: pair_carried,
-        slip: -(R::literal(1.0) / p.winding_speed * pair_sliding),
+        slip: R::literal(-1.0) / p.winding_speed * pair_sliding,
         force,
         shape,
     }
@@ -808,7 +781,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 145 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 144 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
@@ -836,14 +809,15 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
         / p.holder_holder_arm + pair_package_mass;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t2);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t6 = p.layer_stiffness * layer_compression;
-    let t7 = layer_compression * layer_compression * layer_compression;
-    let t8 = p.layer_cubic_stiffness * t7;
-    let t9 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t6 + t8 + t9;
+    let t6 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
+        * p.ovality * drum_speed, t2);
+    let t7 = t6 + holder_v;
+    let layer_compression_rate = -t7;
+    let t8 = p.layer_stiffness * layer_compression;
+    let t9 = layer_compression * layer_compression * layer_compression;
+    let t10 = p.layer_viscosity * t7;
+    let t11 = (p.holder_preload + t8).add_product(p.layer_cubic_stiffness, t9);
+    let layer_push = t11 - t10;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
@@ -853,40 +827,37 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
-    let t10 = p.pair_yarn_density * p.pair_thread_area;
-    let t11 = p.holder_preload.add_product(p.holder_stiffness, holder_x)
-        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -p.holder_preload - t6
-        - t8);
-    let t12 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
+    let t12 = p.pair_yarn_density * p.pair_thread_area;
+    let t13 = p.holder_preload.add_product(p.holder_stiffness, holder_x)
+        + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t11);
+    let t14 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance));
-    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t9))
-        .sub_product(t10 * holder_v * pair_omega, pair_radius) - t11) * (R::literal(1.0)
+    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        -t10)).sub_product(t12 * holder_v * pair_omega, pair_radius) - t13) * (R::literal(1.0)
         / holder_mass);
-    let pair_omega_dot = t12 * (R::literal(1.0) / pair_inertia);
+    let pair_omega_dot = t14 * (R::literal(1.0) / pair_inertia);
     let inverse_layer_viscosity = R::literal(1.0) / p.layer_viscosity;
     let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), -(inverse_layer_viscosity
         * layer_swelling), layer_compression_rate);
     let pair_omega_squared = pair_omega * pair_omega;
-    let t13 = pair_radius_squared * pair_radius;
-    let t14 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), (p.holder_preload
-        * shape_rate).add_product(t6, shape_rate).add_product(p.layer_cubic_stiffness * shape_rate,
-        t7));
-    let t15 = (t5 * pair_radius * (holder_v * holder_v)).add_product(t5 * pair_omega_squared, t13)
+    let t15 = pair_radius_squared * pair_radius;
+    let t16 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -(p.holder_preload
+        * t6).add_product(t8, t6).add_product(p.layer_cubic_stiffness * t6, t9));
+    let t17 = (t5 * pair_radius * (holder_v * holder_v)).add_product(t5 * pair_omega_squared, t15)
         * pair_growth;
     PowerBalance {
-        stored_rate: t14.add_product(t11, holder_v).add_product(holder_v * holder_mass,
+        stored_rate: t16.add_product(t13, holder_v).add_product(holder_v * holder_mass,
             holder_v_dot).add_product(pair_omega * pair_inertia, pair_omega_dot)
             .add_product(R::select_less(layer_closed, R::literal(0.5), layer_swelling,
-            R::literal(0.0)), layer_surface_dot) + t15,
-        supplied: (holder_v * force).add_product(pair_omega, t12.add_product(t10
-            * pair_omega_squared, t13)) + t14 - t15,
+            R::literal(0.0)), layer_surface_dot) + t17,
+        supplied: (holder_v * force).add_product(pair_omega, t14.add_product(t12
+            * pair_omega_squared, t15)) + t16 - t17,
         dissipated: R::select_less(layer_closed, R::literal(0.5), inverse_layer_viscosity
-            * (layer_swelling * layer_swelling), -(p.layer_viscosity * holder_v
-            * layer_compression_rate)),
+            * (layer_swelling * layer_swelling), p.layer_viscosity * holder_v * t7),
     }
 }
 
-/// What passes zero where events happen, one for each event. 64 operations.
+/// What passes zero where events happen, one for each event. 63 operations.
 #[must_use]
 pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [holder_x, _, holder_v, pair_omega, layer_surface, layer_closed, pair_radius, ..] = *state;
@@ -905,12 +876,11 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
         .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared));
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
     let layer_push = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
         .add_product(p.layer_cubic_stiffness, layer_compression * layer_compression
-        * layer_compression).add_product(p.layer_viscosity, layer_compression_rate);
+        * layer_compression).sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
+        * sin_drum_speed_times_time).add_product(R::literal(2.0) * p.ovality * drum_speed, t1)
+        + holder_v);
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
@@ -928,7 +898,7 @@ pub fn guards<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; E
         pair_sliding, pair_sliding, pair_omega, pair_turns_guard]
 }
 
-/// `dg/dt` of the guards along the motion. 199 operations.
+/// `dg/dt` of the guards along the motion. 198 operations.
 #[must_use]
 pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; EVENTS] {
     let [holder_x, pair_phi, holder_v, pair_omega, layer_surface, layer_closed, pair_radius,
@@ -957,75 +927,76 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t3);
     let layer_compression = shape - holder_x;
     let t5 = R::literal(2.0) * p.ovality;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time)).sub_product(t5
-        * drum_speed, t2);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t6 = p.layer_stiffness * layer_compression;
+    let t6 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(t5 * drum_speed,
+        t2);
+    let t7 = t6 + holder_v;
+    let layer_compression_rate = -t7;
     let layer_compression_squared = layer_compression * layer_compression;
-    let t7 = p.layer_cubic_stiffness * (layer_compression_squared * layer_compression);
-    let t8 = p.layer_viscosity * layer_compression_rate;
-    let layer_push = p.holder_preload + t6 + t7 + t8;
+    let t8 = p.layer_viscosity * t7;
+    let t9 = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
+        .add_product(p.layer_cubic_stiffness, layer_compression_squared * layer_compression);
+    let layer_push = t9 - t8;
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
-    let t9 = p.pair_support_arm + p.pair_rolling_arm;
-    let t10 = t9 * layer_push;
+    let t10 = p.pair_support_arm + p.pair_rolling_arm;
+    let t11 = t10 * layer_push;
     let pair_resistance = p.pair_tension + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t10 / pair_radius);
+        R::literal(0.0), t11 / pair_radius);
     let pair_omega_times_pair_growth = pair_omega * pair_growth;
     let pair_held = pair_resistance - pair_omega_times_pair_growth * pair_inertia
         / pair_radius_squared;
     let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit,
         R::select_less(pair_slip, R::literal(0.5), pair_held, R::select_less(layer_closed,
         R::literal(0.5), R::literal(0.0), -pair_friction_times_layer_push)));
-    let t11 = p.pair_yarn_density * p.pair_thread_area;
-    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t8))
-        .sub_product(t11 * holder_v * pair_omega, pair_radius) - (p.holder_preload
+    let t12 = p.pair_yarn_density * p.pair_thread_area;
+    let holder_v_dot = ((force + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
+        -t8)).sub_product(t12 * holder_v * pair_omega, pair_radius) - (p.holder_preload
         .add_product(p.holder_stiffness, holder_x) + R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), -p.holder_preload - t6 - t7))) * (R::literal(1.0) / holder_mass);
+        R::literal(0.0), -t9))) * (R::literal(1.0) / holder_mass);
     let pair_omega_dot = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), pair_radius
         * (pair_carried - pair_resistance)) * (R::literal(1.0) / pair_inertia);
-    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), -(R::literal(1.0)
-        / p.layer_viscosity * layer_swelling), layer_compression_rate);
-    let t12 = R::literal(3.0) * p.layer_cubic_stiffness;
-    let t13 = (-p.layer_stiffness).sub_product(t12, layer_compression_squared);
-    let t14 = t9 * t13 / pair_radius;
-    let t15 = p.pair_friction * t13;
-    let t16 = t10 / pair_radius_squared;
+    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), R::literal(-1.0)
+        / p.layer_viscosity * layer_swelling, layer_compression_rate);
+    let t13 = R::literal(3.0) * p.layer_cubic_stiffness;
+    let t14 = p.layer_stiffness.add_product(t13, layer_compression_squared);
+    let t15 = t10 * t14 / pair_radius;
+    let t16 = p.pair_friction * t14;
+    let t17 = t11 / pair_radius_squared;
     let drum_speed_squared = drum_speed * drum_speed;
-    let t17 = (p.layer_stiffness * shape_rate).add_product(t12 * shape_rate,
-        layer_compression_squared).add_product(p.layer_viscosity,
-        (-(p.eccentricity * drum_speed_squared * cos_drum_speed_times_time))
-        .sub_product(R::literal(4.0) * p.ovality * drum_speed_squared, t3));
-    let t18 = t9 * t17 / pair_radius;
-    let t19 = p.pair_friction * t17;
-    let layer_touches_guard_rate = (-holder_v).add_product(drum_speed,
-        (-(p.eccentricity * sin_drum_speed_times_time)).sub_product(t5, t2)) - layer_surface_dot;
-    let layer_opens_guard_rate = t17.add_product(t13, holder_v).sub_product(p.layer_viscosity,
+    let t18 = (p.layer_stiffness * t6).add_product(t13 * t6, layer_compression_squared)
+        .add_product(p.layer_viscosity, (p.eccentricity * drum_speed_squared
+        * cos_drum_speed_times_time).add_product(R::literal(4.0) * p.ovality * drum_speed_squared,
+        t3));
+    let t19 = t10 * t18 / pair_radius;
+    let t20 = p.pair_friction * t18;
+    let layer_touches_guard_rate = -(holder_v.add_product(drum_speed, (p.eccentricity
+        * sin_drum_speed_times_time).add_product(t5, t2)) + layer_surface_dot);
+    let layer_opens_guard_rate = -t18.add_product(t14, holder_v).add_product(p.layer_viscosity,
         holder_v_dot);
-    let t20 = p.layer_viscosity * t9 / pair_radius;
+    let t21 = p.layer_viscosity * t10 / pair_radius;
     let layer_viscosity_times_pair_friction = p.layer_viscosity * p.pair_friction;
-    let t21 = R::literal(2.0) * pair_growth * pair_inertia / pair_radius_squared * pair_omega_dot;
-    let t22 = (R::literal(2.0) * pair_omega * pair_growth * pair_inertia / (pair_radius_squared
-        * pair_radius) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t16))
-        .sub_product(t11 * pair_radius, pair_omega * pair_omega) * pair_growth;
+    let t22 = R::literal(2.0) * pair_growth * pair_inertia / pair_radius_squared * pair_omega_dot;
+    let t23 = (R::literal(2.0) * pair_omega * pair_growth * pair_inertia / (pair_radius_squared
+        * pair_radius) + R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), -t17))
+        .sub_product(t12 * pair_radius, pair_omega * pair_omega) * pair_growth;
     let pair_breaks_back_guard_rate = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t18 - t19).add_product(R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t14 - t15), holder_v).add_product(R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), layer_viscosity_times_pair_friction - t20), holder_v_dot)
-        - t21 + t22;
+        R::literal(0.0), t20 - t19).add_product(R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), t16 - t15), holder_v).add_product(R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), layer_viscosity_times_pair_friction - t21), holder_v_dot)
+        - t22 + t23;
     let pair_breaks_forth_guard_rate = R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t19 + t18).add_product(R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t15 + t14), holder_v).add_product(R::select_less(layer_closed,
-        R::literal(0.5), R::literal(0.0), -layer_viscosity_times_pair_friction - t20),
-        holder_v_dot) - t21 + t22;
+        R::literal(0.0), -(t20 + t19)).add_product(R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), -(t16 + t15)), holder_v).add_product(R::select_less(layer_closed,
+        R::literal(0.5), R::literal(0.0), -(layer_viscosity_times_pair_friction + t21)),
+        holder_v_dot) - t22 + t23;
     let pair_ends_back_guard_rate = pair_omega_times_pair_growth.add_product(pair_radius,
         pair_omega_dot);
     let pair_turns_guard_rate = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t19
-        - t18).add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15
-        - t14), holder_v).add_product(R::select_less(layer_closed, R::literal(0.5),
-        R::literal(0.0), t20 - layer_viscosity_times_pair_friction), holder_v_dot)
-        .add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t16),
+        - t20).add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t15
+        - t16), holder_v).add_product(R::select_less(layer_closed, R::literal(0.5),
+        R::literal(0.0), t21 - layer_viscosity_times_pair_friction), holder_v_dot)
+        .add_product(R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t17),
         pair_growth);
     [layer_touches_guard_rate, layer_opens_guard_rate, R::literal(1.0),
         pair_breaks_back_guard_rate, pair_breaks_forth_guard_rate, pair_ends_back_guard_rate,
@@ -1033,7 +1004,7 @@ pub fn guard_rates<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> 
 }
 
 /// New values of the entries that each event sets, computed from the state before it: those of the
-/// first event, in the order of its `sets`, then those of the second, and so on. 67 operations.
+/// first event, in the order of its `sets`, then those of the second, and so on. 66 operations.
 #[must_use]
 pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; RESETS] {
     let [holder_x, _, holder_v, pair_omega, _, layer_closed, pair_radius, ..] = *state;
@@ -1051,12 +1022,11 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
         .sub_product(pair_bobbin_radius_squared, pair_bobbin_radius_squared));
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
     let layer_push = p.holder_preload.add_product(p.layer_stiffness, layer_compression)
         .add_product(p.layer_cubic_stiffness, layer_compression * layer_compression
-        * layer_compression).add_product(p.layer_viscosity, layer_compression_rate);
+        * layer_compression).sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
+        * sin_drum_speed_times_time).add_product(R::literal(2.0) * p.ovality * drum_speed, t1)
+        + holder_v);
     let pair_friction_times_layer_push = p.pair_friction * layer_push;
     let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0),
         pair_friction_times_layer_push);
@@ -1085,7 +1055,7 @@ pub fn resets<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; R
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 149 recurrences. 19 sums of products an order.
+/// 148 recurrences. 19 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -1151,58 +1121,56 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t41 = t33 * t40;
     let t42 = p.eccentricity * drum_speed;
     let t43 = t36 * t42;
-    let t44 = -t41;
-    let shape_rate = t44 - t43;
-    let layer_compression_rate = shape_rate - holder_v;
-    let t45 = layer_compression * p.layer_stiffness;
-    let t46 = layer_compression * layer_compression;
-    let t47 = t46 * layer_compression;
-    let t48 = t47 * p.layer_cubic_stiffness;
-    let t49 = layer_compression_rate * p.layer_viscosity;
-    let t50 = p.holder_preload + t45;
-    let t51 = t50 + t48;
-    let layer_push = t51 + t49;
-    let t52 = layer_push * p.pair_friction;
-    let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t52);
-    let t53 = p.pair_support_arm + p.pair_rolling_arm;
-    let t54 = layer_push * t53;
-    let t55 = t54 / pair_radius;
-    let t56 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t55);
-    let pair_resistance = p.pair_tension + t56;
-    let t57 = pair_omega * pair_growth;
-    let t58 = t57 * pair_inertia;
-    let t59 = t58 / t9;
-    let pair_held = pair_resistance - t59;
-    let t60 = -t52;
-    let t61 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t60);
-    let t62 = R::select_less(pair_slip, R::literal(0.5), pair_held, t61);
-    let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit, t62);
-    let t63 = R::literal(1.0) / holder_mass;
-    let t64 = R::literal(1.0) / pair_inertia;
-    let t65 = p.pair_yarn_density * p.pair_thread_area;
-    let t66 = holder_v * t65;
-    let t67 = t66 * pair_omega;
-    let t68 = t67 * pair_radius;
-    let t69 = holder_x * p.holder_stiffness;
-    let t70 = -p.holder_preload;
-    let t71 = t70 - t45;
-    let t72 = t71 - t48;
+    let t44 = t41 + t43;
+    let t45 = t44 + holder_v;
+    let layer_compression_rate = -t45;
+    let t46 = layer_compression * p.layer_stiffness;
+    let t47 = layer_compression * layer_compression;
+    let t48 = t47 * layer_compression;
+    let t49 = t48 * p.layer_cubic_stiffness;
+    let t50 = t45 * p.layer_viscosity;
+    let t51 = -t50;
+    let t52 = p.holder_preload + t46;
+    let t53 = t52 + t49;
+    let layer_push = t53 - t50;
+    let t54 = layer_push * p.pair_friction;
+    let pair_limit = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t54);
+    let t55 = p.pair_support_arm + p.pair_rolling_arm;
+    let t56 = layer_push * t55;
+    let t57 = t56 / pair_radius;
+    let t58 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t57);
+    let pair_resistance = p.pair_tension + t58;
+    let t59 = pair_omega * pair_growth;
+    let t60 = t59 * pair_inertia;
+    let t61 = t60 / t9;
+    let pair_held = pair_resistance - t61;
+    let t62 = -t54;
+    let t63 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t62);
+    let t64 = R::select_less(pair_slip, R::literal(0.5), pair_held, t63);
+    let pair_carried = R::select_less(pair_slip, R::literal(-0.5), pair_limit, t64);
+    let t65 = R::literal(1.0) / holder_mass;
+    let t66 = R::literal(1.0) / pair_inertia;
+    let t67 = p.pair_yarn_density * p.pair_thread_area;
+    let t68 = holder_v * t67;
+    let t69 = t68 * pair_omega;
+    let t70 = t69 * pair_radius;
+    let t71 = holder_x * p.holder_stiffness;
+    let t72 = -t53;
     let t73 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t72);
-    let t74 = p.holder_preload + t69;
+    let t74 = p.holder_preload + t71;
     let t75 = t74 + t73;
-    let t76 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t49);
+    let t76 = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t51);
     let t77 = force + t76;
-    let t78 = t77 - t68;
+    let t78 = t77 - t70;
     let t79 = t78 - t75;
     let t80 = pair_carried - pair_resistance;
     let t81 = pair_radius * t80;
     let t82 = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81);
-    let holder_v_dot = t79 * t63;
-    let pair_omega_dot = t82 * t64;
-    let t83 = R::literal(1.0) / p.layer_viscosity;
+    let holder_v_dot = t79 * t65;
+    let pair_omega_dot = t82 * t66;
+    let t83 = R::literal(-1.0) / p.layer_viscosity;
     let t84 = layer_swelling * t83;
-    let t85 = -t84;
-    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), t85,
+    let layer_surface_dot = R::select_less(layer_closed, R::literal(0.5), t84,
         layer_compression_rate);
     let inverse_pair_radius = R::literal(1.0) / pair_radius;
     let inverse_t9 = R::literal(1.0) / t9;
@@ -1249,61 +1217,57 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t37_k = -inverse * drum_speed * t36_before;
         let shape_k = t37_k.mul_add(p.eccentricity, t34_k * p.ovality);
         let layer_compression_k = shape_k - holder_x_k;
-        let t41_k = t33_k * t40;
-        let t44_k = -t41_k;
-        let shape_rate_k = (-t36_k).mul_add(t42, t44_k);
-        let layer_compression_rate_k = shape_rate_k - holder_v_k;
-        let t45_k = layer_compression_k * p.layer_stiffness;
-        let t46_k = (layer_compression + layer_compression).mul_add(layer_compression_k, sums_2[1]);
-        let t47_k = layer_compression.mul_add(t46_k, t46.mul_add(layer_compression_k, sums_2[2]));
-        let t48_k = t47_k * p.layer_cubic_stiffness;
-        let t49_k = layer_compression_rate_k * p.layer_viscosity;
-        let t51_k = t45_k + t48_k;
-        let layer_push_k = t51_k + t49_k;
-        let t52_k = layer_push_k * p.pair_friction;
-        let pair_limit_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t52_k);
-        let t54_k = layer_push_k * t53;
-        let t55_k = (-pair_radius_k).mul_add(t55, t54_k - sums_3[3]) * inverse_pair_radius;
-        let t56_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t55_k);
-        let t57_k = pair_omega.mul_add(pair_growth_k, pair_growth.mul_add(pair_omega_k, sums_1[0]));
-        let t58_k = t57.mul_add(t13_k * t16, pair_inertia.mul_add(t57_k, sums_2[3]));
-        let t59_k = (-t9_k).mul_add(t59, t58_k - sums_3[2]) * inverse_t9;
-        let pair_held_k = t56_k - t59_k;
-        let t60_k = -t52_k;
-        let t61_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t60_k);
-        let t62_k = R::select_less(pair_slip, R::literal(0.5), pair_held_k, t61_k);
-        let pair_carried_k = R::select_less(pair_slip, R::literal(-0.5), pair_limit_k, t62_k);
-        let t63_k = -t9_k * t11.mul_add(t63, sums_3[0]) * inverse_holder_mass;
-        let t64_k = -t13_k * t16.mul_add(t64, sums_3[1]) * inverse_pair_inertia;
-        let t66_k = holder_v_k * t65;
-        let t67_k = pair_omega.mul_add(t66_k, t66.mul_add(pair_omega_k, sums_1[1]));
-        let t68_k = pair_radius.mul_add(t67_k, t67.mul_add(pair_radius_k, sums_2[0]));
-        let t71_k = -t45_k;
-        let t72_k = t71_k - t48_k;
+        let t44_k = t36_k.mul_add(t42, t33_k * t40);
+        let t45_k = t44_k + holder_v_k;
+        let layer_compression_rate_k = -t45_k;
+        let t47_k = (layer_compression + layer_compression).mul_add(layer_compression_k, sums_2[1]);
+        let t48_k = layer_compression.mul_add(t47_k, t47.mul_add(layer_compression_k, sums_2[2]));
+        let t50_k = t45_k * p.layer_viscosity;
+        let t51_k = -t50_k;
+        let t53_k = t48_k.mul_add(p.layer_cubic_stiffness, layer_compression_k * p.layer_stiffness);
+        let layer_push_k = t53_k - t50_k;
+        let t54_k = layer_push_k * p.pair_friction;
+        let pair_limit_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t54_k);
+        let t56_k = layer_push_k * t55;
+        let t57_k = (-pair_radius_k).mul_add(t57, t56_k - sums_3[3]) * inverse_pair_radius;
+        let t58_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t57_k);
+        let t59_k = pair_omega.mul_add(pair_growth_k, pair_growth.mul_add(pair_omega_k, sums_1[0]));
+        let t60_k = t59.mul_add(t13_k * t16, pair_inertia.mul_add(t59_k, sums_2[3]));
+        let t61_k = (-t9_k).mul_add(t61, t60_k - sums_3[2]) * inverse_t9;
+        let pair_held_k = t58_k - t61_k;
+        let t62_k = -t54_k;
+        let t63_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t62_k);
+        let t64_k = R::select_less(pair_slip, R::literal(0.5), pair_held_k, t63_k);
+        let pair_carried_k = R::select_less(pair_slip, R::literal(-0.5), pair_limit_k, t64_k);
+        let t65_k = -t9_k * t11.mul_add(t65, sums_3[0]) * inverse_holder_mass;
+        let t66_k = -t13_k * t16.mul_add(t66, sums_3[1]) * inverse_pair_inertia;
+        let t68_k = holder_v_k * t67;
+        let t69_k = pair_omega.mul_add(t68_k, t68.mul_add(pair_omega_k, sums_1[1]));
+        let t70_k = pair_radius.mul_add(t69_k, t69.mul_add(pair_radius_k, sums_2[0]));
+        let t72_k = -t53_k;
         let t73_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t72_k);
         let t75_k = holder_x_k * p.holder_stiffness + t73_k;
-        let t76_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t49_k);
+        let t76_k = R::select_less(layer_closed, R::literal(0.5), R::literal(0.0), t51_k);
         let t77_k = force_k + t76_k;
-        let t78_k = t77_k - t68_k;
+        let t78_k = t77_k - t70_k;
         let t79_k = t78_k - t75_k;
-        let t80_k = pair_carried_k - t56_k;
+        let t80_k = pair_carried_k - t58_k;
         let t81_k = pair_radius.mul_add(t80_k, t80.mul_add(pair_radius_k, sums_4[1]));
         let t82_k = R::select_less(pair_slip, R::literal(-1.5), R::literal(0.0), t81_k);
-        let holder_v_dot_k = t63.mul_add(t79_k, t79.mul_add(t63_k, sums_4[0]));
-        let pair_omega_dot_k = t64.mul_add(t82_k, t82.mul_add(t64_k, sums_4[2]));
+        let holder_v_dot_k = t65.mul_add(t79_k, t79.mul_add(t65_k, sums_4[0]));
+        let pair_omega_dot_k = t66.mul_add(t82_k, t82.mul_add(t66_k, sums_4[2]));
         let t84_k = layer_swelling_k * t83;
-        let t85_k = -t84_k;
-        let layer_surface_dot_k = R::select_less(layer_closed, R::literal(0.5), t85_k,
+        let layer_surface_dot_k = R::select_less(layer_closed, R::literal(0.5), t84_k,
             layer_compression_rate_k);
         lanes.set(order, [layer_surface_k, pair_radius_k, layer_surface_k, t9_k], [layer_surface_k,
             pair_radius_k, t1_k, t9_k]);
         lanes_1.set(order, [pair_omega_k, pair_omega_k, k * pair_phi_k, k * pair_phi_k],
-            [pair_growth_k, t66_k, t25_k, t24_k]);
+            [pair_growth_k, t68_k, t25_k, t24_k]);
         lanes_2.set(order, [pair_radius_k, layer_compression_k, layer_compression_k, t13_k * t16],
-            [t67_k, layer_compression_k, t46_k, t57_k]);
-        lanes_3.set(order, [t9_k * t11, t13_k * t16, t9_k, pair_radius_k], [t63_k, t64_k, t59_k,
-            t55_k]);
-        lanes_4.set(order, [t63_k, pair_radius_k, t64_k], [t79_k, t80_k, t82_k]);
+            [t69_k, layer_compression_k, t47_k, t59_k]);
+        lanes_3.set(order, [t9_k * t11, t13_k * t16, t9_k, pair_radius_k], [t65_k, t66_k, t61_k,
+            t57_k]);
+        lanes_4.set(order, [t65_k, pair_radius_k, t66_k], [t79_k, t80_k, t82_k]);
         t20_before = t20_k;
         t21_before = t21_k;
         t33_before = t33_k;

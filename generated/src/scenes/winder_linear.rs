@@ -18,8 +18,8 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 22, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 20 of 2 by 22.
-// Operations: rate 48, mass_matrix 10, forcing 36, rate_jacobian 16, parameter_jacobian 202,
-//     time_derivative 60, outputs 43, energy 31, power_balance 59, prepare 22, prepared_rate 31.
+// Operations: rate 47, mass_matrix 10, forcing 35, rate_jacobian 16, parameter_jacobian 198,
+//     time_derivative 59, outputs 42, energy 31, power_balance 57, prepare 22, prepared_rate 30.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, taylor::order_and_inverse};
 
@@ -121,7 +121,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 31 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 30 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -135,12 +135,9 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(c.t1, t1);
-    let layer_compression_rate = shape_rate - holder_v;
-    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
-        - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness, layer_compression))
-        * c.inverse_holder_mass;
+    let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
+        * sin_drum_speed_times_time).add_product(c.t1, t1) + holder_v) - (p.holder_stiffness
+        * holder_x).sub_product(p.layer_stiffness, layer_compression)) * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
 }
 
@@ -154,7 +151,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [holder_mass]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 36 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 35 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [holder_x, holder_v] = *state;
@@ -168,11 +165,10 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
-    let holder_x_forcing = force.add_product(p.layer_viscosity, layer_compression_rate)
-        - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness, layer_compression);
+    let holder_x_forcing = force.sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
+        * sin_drum_speed_times_time).add_product(R::literal(2.0) * p.ovality * drum_speed, t1)
+        + holder_v) - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness,
+        layer_compression);
     [holder_x_forcing]
 }
 
@@ -183,7 +179,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
     [R::literal(1.0), c.holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 202 operations.
+/// `dy'/dp`, values in the order of its pattern. 198 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 20] {
     let [holder_x, holder_v] = *state;
@@ -205,11 +201,9 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let force = (p.force_amplitude * t6).add_product(p.package_force, t8);
     let layer_compression = shape - holder_x;
     let t12 = R::literal(2.0) * p.ovality;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time)).sub_product(t12
-        * drum_speed, t3);
-    let layer_compression_rate = shape_rate - holder_v;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
-    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
+    let holder_v_dot = (force.sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
+        * sin_drum_speed_times_time).add_product(t12 * drum_speed, t3) + holder_v)
         - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness, layer_compression))
         * inverse_holder_mass;
     let t13 = R::literal(4.0) * p.winding_speed * p.ovality;
@@ -220,14 +214,14 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let drum_radius_times_eccentricity = p.drum_radius * p.eccentricity;
     let t16 = drum_radius_times_eccentricity * p.holder_package_radius;
     let drum_radius_squared = p.drum_radius * p.drum_radius;
-    let t17 = (-(t15 * p.layer_stiffness * time * t3)).sub_product(t13 * p.holder_package_radius
-        * p.layer_viscosity * time, t4).sub_product(t15 * p.layer_viscosity, t3)
-        .sub_product(winding_speed_times_eccentricity * p.holder_package_radius * p.layer_viscosity
-        * time, cos_drum_speed_times_time).sub_product(drum_radius_times_force_amplitude
-        * p.holder_package_radius * time, t5).sub_product(t16 * p.layer_stiffness * time,
-        sin_drum_speed_times_time).sub_product(p.package_force * drum_radius_squared * time, t7)
-        .sub_product(t16 * p.layer_viscosity, sin_drum_speed_times_time);
-    let holder_v_dot_by_winding_speed = R::literal(1.0) / (drum_radius_squared
+    let t17 = (t13 * p.holder_package_radius * p.layer_viscosity * time * t4).add_product(t15
+        * p.layer_stiffness * time, t3).add_product(t15 * p.layer_viscosity, t3)
+        .add_product(winding_speed_times_eccentricity * p.holder_package_radius * p.layer_viscosity
+        * time, cos_drum_speed_times_time).add_product(drum_radius_times_force_amplitude
+        * p.holder_package_radius * time, t5).add_product(t16 * p.layer_stiffness * time,
+        sin_drum_speed_times_time).add_product(p.package_force * drum_radius_squared * time, t7)
+        .add_product(t16 * p.layer_viscosity, sin_drum_speed_times_time);
+    let holder_v_dot_by_winding_speed = R::literal(-1.0) / (drum_radius_squared
         * p.holder_package_radius) * t17 * inverse_holder_mass;
     let holder_v_dot_by_drum_radius = drum_speed / drum_radius_squared * (t14 * p.layer_stiffness
         * time * t3).add_product(t14 * p.layer_viscosity, t3).add_product(t13 * p.layer_viscosity
@@ -242,8 +236,8 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let holder_v_dot_by_package_phase = -(p.package_force * t7 * inverse_holder_mass);
     let holder_v_dot_by_ovality = (p.layer_stiffness * t4).sub_product(R::literal(2.0)
         * p.layer_viscosity * drum_speed, t3) * inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(p.ovality * p.layer_stiffness * t3)).sub_product(t12
-        * p.layer_viscosity * drum_speed, t4) * inverse_holder_mass;
+    let holder_v_dot_by_ovality_phase = -((t12 * p.layer_viscosity * drum_speed * t4)
+        .add_product(p.ovality * p.layer_stiffness, t3) * inverse_holder_mass);
     let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
         .sub_product(p.layer_viscosity * drum_speed, sin_drum_speed_times_time)
         * inverse_holder_mass;
@@ -261,14 +255,14 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let holder_v_dot_by_holder_bobbin_radius = R::literal(core::f64::consts::TAU)
         * p.holder_bobbin_radius * p.holder_package_width * p.holder_yarn_density * holder_v_dot
         * inverse_holder_mass;
-    let holder_v_dot_by_holder_package_width = -(R::literal(core::f64::consts::PI)
-        * p.holder_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
+    let holder_v_dot_by_holder_package_width = R::literal(-3.141_592_653_589_793)
+        * p.holder_yarn_density * t9 * holder_v_dot * inverse_holder_mass;
     let holder_v_dot_by_holder_yarn_density = -(t10 * t9 * holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
     let holder_v_dot_by_layer_stiffness = layer_compression * inverse_holder_mass;
-    let holder_v_dot_by_layer_viscosity = R::literal(1.0) / p.drum_radius
-        * (-(p.drum_radius * holder_v)).sub_product(R::literal(2.0) * p.winding_speed * p.ovality,
-        t3).sub_product(winding_speed_times_eccentricity, sin_drum_speed_times_time)
+    let holder_v_dot_by_layer_viscosity = R::literal(-1.0) / p.drum_radius * (p.drum_radius
+        * holder_v).add_product(R::literal(2.0) * p.winding_speed * p.ovality, t3)
+        .add_product(winding_speed_times_eccentricity, sin_drum_speed_times_time)
         * inverse_holder_mass;
     [holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude,
         holder_v_dot_by_force_phase, holder_v_dot_by_package_force, holder_v_dot_by_package_phase,
@@ -281,7 +275,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         holder_v_dot_by_layer_viscosity]
 }
 
-/// Partial derivative of `y'` with respect to time. 60 operations.
+/// Partial derivative of `y'` with respect to time. 59 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let drum_speed = p.winding_speed / p.drum_radius;
@@ -295,20 +289,20 @@ pub fn time_derivative<R: Real>(time: R, _state: &[R; STATES], p: &Parameters<R>
         * p.holder_package_width * p.holder_yarn_density, (p.holder_package_radius
         * p.holder_package_radius).sub_product(p.holder_bobbin_radius, p.holder_bobbin_radius))
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
-    let t5 = (-(R::literal(2.0) * p.drum_radius * p.ovality * p.holder_package_radius
-        * p.layer_stiffness * t1)).sub_product(R::literal(4.0) * p.winding_speed * p.ovality
-        * p.holder_package_radius * p.layer_viscosity, t2).sub_product(p.winding_speed
+    let t5 = (R::literal(4.0) * p.winding_speed * p.ovality * p.holder_package_radius
+        * p.layer_viscosity * t2).add_product(R::literal(2.0) * p.drum_radius * p.ovality
+        * p.holder_package_radius * p.layer_stiffness, t1).add_product(p.winding_speed
         * p.eccentricity * p.holder_package_radius * p.layer_viscosity, cos_drum_speed_times_time)
-        .sub_product(p.drum_radius * p.force_amplitude * p.holder_package_radius, t3)
-        .sub_product(p.drum_radius * p.eccentricity * p.holder_package_radius * p.layer_stiffness,
-        sin_drum_speed_times_time).sub_product(p.package_force * (p.drum_radius * p.drum_radius),
+        .add_product(p.drum_radius * p.force_amplitude * p.holder_package_radius, t3)
+        .add_product(p.drum_radius * p.eccentricity * p.holder_package_radius * p.layer_stiffness,
+        sin_drum_speed_times_time).add_product(p.package_force * (p.drum_radius * p.drum_radius),
         t4);
     let holder_v_dot_by_time = drum_speed / (p.drum_radius * p.holder_package_radius) * t5
-        * (R::literal(1.0) / holder_mass);
+        * (R::literal(-1.0) / holder_mass);
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
-/// Wanted outputs. 43 operations.
+/// Wanted outputs. 42 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [holder_x, holder_v] = *state;
@@ -326,13 +320,11 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
     Outputs {
         deflection: holder_x,
-        pressure: (p.layer_stiffness * layer_compression).add_product(p.layer_viscosity,
-            layer_compression_rate),
+        pressure: (p.layer_stiffness * layer_compression).sub_product(p.layer_viscosity,
+            (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
+            * p.ovality * drum_speed, t1) + holder_v),
         mass: holder_mass,
         force,
         shape,
@@ -362,7 +354,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 59 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 57 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [holder_x, holder_v] = *state;
@@ -380,18 +372,19 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t5 = p.layer_stiffness * layer_compression;
-    let t6 = (-t5).add_product(p.holder_stiffness, holder_x);
-    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate) - t6)
-        * (R::literal(1.0) / holder_mass);
-    let t7 = t5 * shape_rate;
+    let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
+        * p.ovality * drum_speed, t1);
+    let t6 = t5 + holder_v;
+    let t7 = p.layer_stiffness * layer_compression;
+    let t8 = (-t7).add_product(p.holder_stiffness, holder_x);
+    let holder_v_dot = (force.sub_product(p.layer_viscosity, t6) - t8) * (R::literal(1.0)
+        / holder_mass);
+    let t9 = t7 * t5;
     PowerBalance {
-        stored_rate: t7.add_product(t6, holder_v).add_product(holder_mass * holder_v, holder_v_dot),
-        supplied: t7.add_product(holder_v, force),
-        dissipated: -(p.layer_viscosity * holder_v * layer_compression_rate),
+        stored_rate: (-t9).add_product(t8, holder_v).add_product(holder_mass * holder_v,
+            holder_v_dot),
+        supplied: (-t9).add_product(holder_v, force),
+        dissipated: p.layer_viscosity * holder_v * t6,
     }
 }
 
@@ -400,7 +393,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 76 recurrences. No sums of products.
+/// 75 recurrences. No sums of products.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -446,17 +439,16 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t30 = t12 * t29;
     let t31 = p.eccentricity * drum_speed;
     let t32 = t16 * t31;
-    let t33 = -t30;
-    let shape_rate = t33 - t32;
-    let layer_compression_rate = shape_rate - holder_v;
-    let t34 = R::literal(1.0) / holder_mass;
-    let t35 = layer_compression * p.layer_stiffness;
-    let t36 = holder_x * p.holder_stiffness;
-    let t37 = t36 - t35;
-    let t38 = layer_compression_rate * p.layer_viscosity;
-    let t39 = force + t38;
-    let t40 = t39 - t37;
-    let holder_v_dot = t40 * t34;
+    let t33 = t30 + t32;
+    let t34 = t33 + holder_v;
+    let t35 = R::literal(1.0) / holder_mass;
+    let t36 = layer_compression * p.layer_stiffness;
+    let t37 = holder_x * p.holder_stiffness;
+    let t38 = t37 - t36;
+    let t39 = t34 * p.layer_viscosity;
+    let t40 = force - t39;
+    let t41 = t40 - t38;
+    let holder_v_dot = t41 * t35;
     let mut t12_before = t12;
     let mut t13_before = t13;
     let mut t16_before = t16;
@@ -486,15 +478,13 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t26_k = -inverse * package_speed * t25_before;
         let force_k = t26_k.mul_add(p.package_force, t21_k * p.force_amplitude);
         let layer_compression_k = shape_k - holder_x_k;
-        let t30_k = t12_k * t29;
-        let t33_k = -t30_k;
-        let shape_rate_k = (-t16_k).mul_add(t31, t33_k);
-        let layer_compression_rate_k = shape_rate_k - holder_v_k;
-        let t37_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
+        let t33_k = t16_k.mul_add(t31, t12_k * t29);
+        let t34_k = t33_k + holder_v_k;
+        let t38_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
             * p.holder_stiffness);
-        let t39_k = layer_compression_rate_k.mul_add(p.layer_viscosity, force_k);
-        let t40_k = t39_k - t37_k;
-        let holder_v_dot_k = t40_k * t34;
+        let t40_k = (-t34_k).mul_add(p.layer_viscosity, force_k);
+        let t41_k = t40_k - t38_k;
+        let holder_v_dot_k = t41_k * t35;
         t12_before = t12_k;
         t13_before = t13_k;
         t16_before = t16_k;
@@ -527,14 +517,14 @@ pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm);
     [R::literal(0.0), winding_speed_over_drum_radius, (p.eccentricity
         * p.layer_stiffness).add_product(cos_force_phase, p.force_amplitude) * t1,
-        (-(p.eccentricity * winding_speed_over_drum_radius
-        * p.layer_viscosity)).sub_product(sin_force_phase, p.force_amplitude) * t1,
-        R::literal(0.0), p.winding_speed / p.holder_package_radius,
-        cos_package_phase * p.package_force * t1, -(sin_package_phase * p.package_force * t1),
-        R::literal(0.0), R::literal(2.0) * winding_speed_over_drum_radius, (cos_ovality_phase
-        * p.ovality * p.layer_stiffness).sub_product(sin_ovality_phase * t0,
-        p.layer_viscosity) * t1, (-(sin_ovality_phase * p.ovality
-        * p.layer_stiffness)).sub_product(cos_ovality_phase * t0, p.layer_viscosity) * t1]
+        -((p.eccentricity * winding_speed_over_drum_radius * p.layer_viscosity)
+        .add_product(sin_force_phase, p.force_amplitude) * t1), R::literal(0.0),
+        p.winding_speed / p.holder_package_radius, cos_package_phase * p.package_force * t1,
+        -(sin_package_phase * p.package_force * t1), R::literal(0.0),
+        R::literal(2.0) * winding_speed_over_drum_radius, (cos_ovality_phase * p.ovality
+        * p.layer_stiffness).sub_product(sin_ovality_phase * t0, p.layer_viscosity) * t1,
+        -((cos_ovality_phase * t0 * p.layer_viscosity).add_product(sin_ovality_phase * p.ovality,
+        p.layer_stiffness) * t1)]
 }
 
 /// Times at which pieces of the excitation end \[s\]; not finite where there is none. No

@@ -18,8 +18,8 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, states 2, parameters 23, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 3 of 2 by 2, parameter_jacobian 21 of 2 by 23.
-// Operations: rate 52, mass_matrix 10, forcing 40, rate_jacobian 31, parameter_jacobian 220,
-//     time_derivative 61, outputs 47, energy 35, power_balance 67, prepare 21, prepared_rate 35,
+// Operations: rate 51, mass_matrix 10, forcing 39, rate_jacobian 31, parameter_jacobian 210,
+//     time_derivative 58, outputs 46, energy 35, power_balance 65, prepare 21, prepared_rate 34,
 //     prepared_rate_jacobian 14.
 
 use ::machinist_contract::{
@@ -126,7 +126,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 35 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 34 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -140,11 +140,9 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(c.eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(c.t1, t1);
-    let layer_compression_rate = shape_rate - holder_v;
-    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
-        - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness, layer_compression)
+    let holder_v_dot = (force.sub_product(p.layer_viscosity, (c.eccentricity_times_drum_speed
+        * sin_drum_speed_times_time).add_product(c.t1, t1) + holder_v) - (p.holder_stiffness
+        * holder_x).sub_product(p.layer_stiffness, layer_compression)
         .sub_product(p.layer_cubic_stiffness, layer_compression * layer_compression
         * layer_compression)) * c.inverse_holder_mass;
     [holder_v, holder_v_dot]
@@ -160,7 +158,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [holder_mass]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 40 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 39 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [holder_x, holder_v] = *state;
@@ -174,13 +172,11 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
-    let holder_x_forcing = force.add_product(p.layer_viscosity, layer_compression_rate)
-        - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness, layer_compression)
-        .sub_product(p.layer_cubic_stiffness, layer_compression * layer_compression
-        * layer_compression);
+    let holder_x_forcing = force.sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
+        * sin_drum_speed_times_time).add_product(R::literal(2.0) * p.ovality * drum_speed, t1)
+        + holder_v) - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness,
+        layer_compression).sub_product(p.layer_cubic_stiffness, layer_compression
+        * layer_compression * layer_compression);
     [holder_x_forcing]
 }
 
@@ -198,7 +194,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
     [R::literal(1.0), holder_v_dot_by_holder_x, c.holder_v_dot_by_holder_v]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 220 operations.
+/// `dy'/dp`, values in the order of its pattern. 210 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 21] {
     let [holder_x, holder_v] = *state;
@@ -222,31 +218,28 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t12 = R::literal(2.0) * p.ovality;
     let t13 = t12 * drum_speed;
     let eccentricity_times_drum_speed = p.eccentricity * drum_speed;
-    let shape_rate = (-(eccentricity_times_drum_speed * sin_drum_speed_times_time))
-        .sub_product(t13, t3);
-    let layer_compression_rate = shape_rate - holder_v;
     let inverse_holder_mass = R::literal(1.0) / holder_mass;
     let layer_compression_squared = layer_compression * layer_compression;
     let t14 = layer_compression_squared * layer_compression;
-    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate)
-        - (p.holder_stiffness * holder_x).sub_product(p.layer_stiffness, layer_compression)
+    let holder_v_dot = (force.sub_product(p.layer_viscosity, (eccentricity_times_drum_speed
+        * sin_drum_speed_times_time).add_product(t13, t3) + holder_v) - (p.holder_stiffness
+        * holder_x).sub_product(p.layer_stiffness, layer_compression)
         .sub_product(p.layer_cubic_stiffness, t14)) * inverse_holder_mass;
     let t15 = R::literal(3.0) * p.layer_cubic_stiffness;
     let t16 = t15 * layer_compression_squared;
     let t17 = t12 / p.drum_radius;
     let eccentricity_over_drum_radius = p.eccentricity / p.drum_radius;
-    let t18 = (-(eccentricity_over_drum_radius * time * sin_drum_speed_times_time)).sub_product(t17
+    let t18 = (eccentricity_over_drum_radius * time * sin_drum_speed_times_time).add_product(t17
         * time, t3);
     let t19 = R::literal(4.0) * p.ovality;
     let t20 = eccentricity_times_drum_speed / p.drum_radius;
     let t21 = t20 * time;
-    let holder_v_dot_by_winding_speed = ((-(p.force_amplitude / p.drum_radius * time * t5))
-        .add_product(p.layer_viscosity, (-(t17 * t3)).sub_product(t19 * drum_speed / p.drum_radius
-        * time, t4).sub_product(t21, cos_drum_speed_times_time)
-        .sub_product(eccentricity_over_drum_radius, sin_drum_speed_times_time))
-        .sub_product(p.package_force / p.holder_package_radius * time, t7)
-        - (-(p.layer_stiffness * t18)).sub_product(t15 * t18, layer_compression_squared))
-        * inverse_holder_mass;
+    let holder_v_dot_by_winding_speed = -(((p.force_amplitude / p.drum_radius * time * t5)
+        .add_product(p.layer_viscosity, (t19 * drum_speed / p.drum_radius * time * t4)
+        .add_product(t17, t3).add_product(t21, cos_drum_speed_times_time)
+        .add_product(eccentricity_over_drum_radius, sin_drum_speed_times_time))
+        .add_product(p.package_force / p.holder_package_radius * time, t7) + (p.layer_stiffness
+        * t18).add_product(t15 * t18, layer_compression_squared)) * inverse_holder_mass);
     let t22 = t13 / p.drum_radius;
     let t23 = (t21 * sin_drum_speed_times_time).add_product(t22 * time, t3);
     let drum_speed_squared = drum_speed * drum_speed;
@@ -254,20 +247,20 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         .add_product(p.layer_viscosity, (t22 * t3).add_product(t19 * drum_speed_squared
         / p.drum_radius * time, t4).add_product(p.eccentricity * drum_speed_squared / p.drum_radius
         * time, cos_drum_speed_times_time).add_product(t20, sin_drum_speed_times_time))
-        - (-(p.layer_stiffness * t23)).sub_product(t15 * t23, layer_compression_squared))
+        + (p.layer_stiffness * t23).add_product(t15 * t23, layer_compression_squared))
         * inverse_holder_mass;
     let holder_v_dot_by_force_amplitude = t6 * inverse_holder_mass;
     let holder_v_dot_by_force_phase = -(p.force_amplitude * t5 * inverse_holder_mass);
     let holder_v_dot_by_package_force = t8 * inverse_holder_mass;
     let holder_v_dot_by_package_phase = -(p.package_force * t7 * inverse_holder_mass);
-    let holder_v_dot_by_ovality = (-(-(p.layer_stiffness * t4)).sub_product(t16, t4))
+    let holder_v_dot_by_ovality = (p.layer_stiffness * t4).add_product(t16, t4)
         .sub_product(R::literal(2.0) * p.layer_viscosity * drum_speed, t3) * inverse_holder_mass;
-    let holder_v_dot_by_ovality_phase = (-(p.ovality * p.layer_stiffness * t3)
+    let holder_v_dot_by_ovality_phase = -((p.ovality * p.layer_stiffness * t3)
         .add_product(R::literal(3.0) * p.ovality * p.layer_cubic_stiffness
-        * layer_compression_squared, t3)).sub_product(t12 * p.layer_viscosity * drum_speed, t4)
-        * inverse_holder_mass;
-    let holder_v_dot_by_eccentricity = (-(-(p.layer_stiffness * cos_drum_speed_times_time))
-        .sub_product(t16, cos_drum_speed_times_time)).sub_product(p.layer_viscosity * drum_speed,
+        * layer_compression_squared, t3).add_product(t12 * p.layer_viscosity * drum_speed, t4)
+        * inverse_holder_mass);
+    let holder_v_dot_by_eccentricity = (p.layer_stiffness * cos_drum_speed_times_time)
+        .add_product(t16, cos_drum_speed_times_time).sub_product(p.layer_viscosity * drum_speed,
         sin_drum_speed_times_time) * inverse_holder_mass;
     let holder_v_dot_by_holder_bobbin_mass = -(holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_link_mass = -(p.holder_link_arm / p.holder_holder_arm * holder_v_dot
@@ -283,15 +276,15 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let holder_v_dot_by_holder_bobbin_radius = R::literal(core::f64::consts::TAU)
         * p.holder_bobbin_radius * p.holder_package_width * p.holder_yarn_density * holder_v_dot
         * inverse_holder_mass;
-    let holder_v_dot_by_holder_package_width = -(R::literal(core::f64::consts::PI)
-        * p.holder_yarn_density * t9 * holder_v_dot * inverse_holder_mass);
+    let holder_v_dot_by_holder_package_width = R::literal(-3.141_592_653_589_793)
+        * p.holder_yarn_density * t9 * holder_v_dot * inverse_holder_mass;
     let holder_v_dot_by_holder_yarn_density = -(t10 * t9 * holder_v_dot * inverse_holder_mass);
     let holder_v_dot_by_holder_stiffness = -(holder_x * inverse_holder_mass);
     let holder_v_dot_by_layer_stiffness = layer_compression * inverse_holder_mass;
     let holder_v_dot_by_layer_cubic_stiffness = t14 * inverse_holder_mass;
-    let holder_v_dot_by_layer_viscosity = R::literal(1.0) / p.drum_radius
-        * (-(p.drum_radius * holder_v)).sub_product(R::literal(2.0) * p.winding_speed * p.ovality,
-        t3).sub_product(p.winding_speed * p.eccentricity, sin_drum_speed_times_time)
+    let holder_v_dot_by_layer_viscosity = R::literal(-1.0) / p.drum_radius * (p.drum_radius
+        * holder_v).add_product(R::literal(2.0) * p.winding_speed * p.ovality, t3)
+        .add_product(p.winding_speed * p.eccentricity, sin_drum_speed_times_time)
         * inverse_holder_mass;
     [holder_v_dot_by_winding_speed, holder_v_dot_by_drum_radius, holder_v_dot_by_force_amplitude,
         holder_v_dot_by_force_phase, holder_v_dot_by_package_force, holder_v_dot_by_package_phase,
@@ -304,7 +297,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         holder_v_dot_by_layer_cubic_stiffness, holder_v_dot_by_layer_viscosity]
 }
 
-/// Partial derivative of `y'` with respect to time. 61 operations.
+/// Partial derivative of `y'` with respect to time. 58 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [holder_x, ..] = *state;
@@ -321,19 +314,19 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
         + p.holder_link_mass * p.holder_link_arm / p.holder_holder_arm;
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
+    let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
+        * p.ovality * drum_speed, t1);
     let drum_speed_squared = drum_speed * drum_speed;
-    let holder_v_dot_by_time = ((-(p.force_amplitude * drum_speed * t3))
-        .add_product(p.layer_viscosity, (-(p.eccentricity * drum_speed_squared
-        * cos_drum_speed_times_time)).sub_product(R::literal(4.0) * p.ovality * drum_speed_squared,
-        t2)).sub_product(p.package_force * package_speed, t4) - (-(p.layer_stiffness * shape_rate))
-        .sub_product(R::literal(3.0) * p.layer_cubic_stiffness * shape_rate, layer_compression
-        * layer_compression)) * (R::literal(1.0) / holder_mass);
+    let holder_v_dot_by_time = ((p.force_amplitude * drum_speed * t3)
+        .add_product(p.layer_viscosity, (p.eccentricity * drum_speed_squared
+        * cos_drum_speed_times_time).add_product(R::literal(4.0) * p.ovality * drum_speed_squared,
+        t2)).add_product(p.package_force * package_speed, t4) + (p.layer_stiffness * t5)
+        .add_product(R::literal(3.0) * p.layer_cubic_stiffness * t5, layer_compression
+        * layer_compression)) * (R::literal(-1.0) / holder_mass);
     [R::literal(0.0), holder_v_dot_by_time]
 }
 
-/// Wanted outputs. 47 operations.
+/// Wanted outputs. 46 operations.
 #[must_use]
 pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outputs<R> {
     let [holder_x, holder_v] = *state;
@@ -351,14 +344,13 @@ pub fn outputs<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Outp
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
     Outputs {
         deflection: holder_x,
         pressure: (p.layer_stiffness * layer_compression).add_product(p.layer_cubic_stiffness,
             layer_compression * layer_compression * layer_compression)
-            .add_product(p.layer_viscosity, layer_compression_rate),
+            .sub_product(p.layer_viscosity, (p.eccentricity * drum_speed
+            * sin_drum_speed_times_time).add_product(R::literal(2.0) * p.ovality * drum_speed, t1)
+            + holder_v),
         mass: holder_mass,
         force,
         shape,
@@ -390,7 +382,7 @@ pub fn energy<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> Energ
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 67 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 65 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [holder_x, holder_v] = *state;
@@ -408,22 +400,22 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let shape = (p.eccentricity * cos_drum_speed_times_time).add_product(p.ovality, t2);
     let force = (p.force_amplitude * t3).add_product(p.package_force, t4);
     let layer_compression = shape - holder_x;
-    let shape_rate = (-(p.eccentricity * drum_speed * sin_drum_speed_times_time))
-        .sub_product(R::literal(2.0) * p.ovality * drum_speed, t1);
-    let layer_compression_rate = shape_rate - holder_v;
-    let t5 = p.layer_stiffness * layer_compression;
-    let t6 = layer_compression * layer_compression * layer_compression;
-    let t7 = (-t5).add_product(p.holder_stiffness, holder_x).sub_product(p.layer_cubic_stiffness,
-        t6);
-    let holder_v_dot = (force.add_product(p.layer_viscosity, layer_compression_rate) - t7)
-        * (R::literal(1.0) / holder_mass);
-    let t8 = t5 * shape_rate;
-    let t9 = p.layer_cubic_stiffness * shape_rate * t6;
+    let t5 = (p.eccentricity * drum_speed * sin_drum_speed_times_time).add_product(R::literal(2.0)
+        * p.ovality * drum_speed, t1);
+    let t6 = t5 + holder_v;
+    let t7 = p.layer_stiffness * layer_compression;
+    let t8 = layer_compression * layer_compression * layer_compression;
+    let t9 = (-t7).add_product(p.holder_stiffness, holder_x).sub_product(p.layer_cubic_stiffness,
+        t8);
+    let holder_v_dot = (force.sub_product(p.layer_viscosity, t6) - t9) * (R::literal(1.0)
+        / holder_mass);
+    let t10 = t7 * t5;
+    let t11 = p.layer_cubic_stiffness * t5 * t8;
     PowerBalance {
-        stored_rate: (t8 + t9).add_product(t7, holder_v).add_product(holder_mass * holder_v,
+        stored_rate: (-(t10 + t11)).add_product(t9, holder_v).add_product(holder_mass * holder_v,
             holder_v_dot),
-        supplied: t8.add_product(holder_v, force) + t9,
-        dissipated: -(p.layer_viscosity * holder_v * layer_compression_rate),
+        supplied: (-t10).add_product(holder_v, force) - t11,
+        dissipated: p.layer_viscosity * holder_v * t6,
     }
 }
 
@@ -432,7 +424,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 81 recurrences. 2 sums of products an order.
+/// 80 recurrences. 2 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -479,21 +471,20 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t30 = t12 * t29;
     let t31 = p.eccentricity * drum_speed;
     let t32 = t16 * t31;
-    let t33 = -t30;
-    let shape_rate = t33 - t32;
-    let layer_compression_rate = shape_rate - holder_v;
-    let t34 = R::literal(1.0) / holder_mass;
-    let t35 = layer_compression * p.layer_stiffness;
-    let t36 = layer_compression * layer_compression;
-    let t37 = t36 * layer_compression;
-    let t38 = t37 * p.layer_cubic_stiffness;
-    let t39 = holder_x * p.holder_stiffness;
-    let t40 = t39 - t35;
-    let t41 = t40 - t38;
-    let t42 = layer_compression_rate * p.layer_viscosity;
-    let t43 = force + t42;
-    let t44 = t43 - t41;
-    let holder_v_dot = t44 * t34;
+    let t33 = t30 + t32;
+    let t34 = t33 + holder_v;
+    let t35 = R::literal(1.0) / holder_mass;
+    let t36 = layer_compression * p.layer_stiffness;
+    let t37 = layer_compression * layer_compression;
+    let t38 = t37 * layer_compression;
+    let t39 = t38 * p.layer_cubic_stiffness;
+    let t40 = holder_x * p.holder_stiffness;
+    let t41 = t40 - t36;
+    let t42 = t41 - t39;
+    let t43 = t34 * p.layer_viscosity;
+    let t44 = force - t43;
+    let t45 = t44 - t42;
+    let holder_v_dot = t45 * t35;
     let mut t12_before = t12;
     let mut t13_before = t13;
     let mut t16_before = t16;
@@ -524,19 +515,17 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let t26_k = -inverse * package_speed * t25_before;
         let force_k = t26_k.mul_add(p.package_force, t21_k * p.force_amplitude);
         let layer_compression_k = shape_k - holder_x_k;
-        let t30_k = t12_k * t29;
-        let t33_k = -t30_k;
-        let shape_rate_k = (-t16_k).mul_add(t31, t33_k);
-        let layer_compression_rate_k = shape_rate_k - holder_v_k;
-        let t36_k = (layer_compression + layer_compression).mul_add(layer_compression_k, sums[0]);
-        let t37_k = layer_compression.mul_add(t36_k, t36.mul_add(layer_compression_k, sums[1]));
-        let t40_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
+        let t33_k = t16_k.mul_add(t31, t12_k * t29);
+        let t34_k = t33_k + holder_v_k;
+        let t37_k = (layer_compression + layer_compression).mul_add(layer_compression_k, sums[0]);
+        let t38_k = layer_compression.mul_add(t37_k, t37.mul_add(layer_compression_k, sums[1]));
+        let t41_k = (-layer_compression_k).mul_add(p.layer_stiffness, holder_x_k
             * p.holder_stiffness);
-        let t41_k = (-t37_k).mul_add(p.layer_cubic_stiffness, t40_k);
-        let t43_k = layer_compression_rate_k.mul_add(p.layer_viscosity, force_k);
-        let t44_k = t43_k - t41_k;
-        let holder_v_dot_k = t44_k * t34;
-        lanes.set(order, [layer_compression_k, layer_compression_k], [layer_compression_k, t36_k]);
+        let t42_k = (-t38_k).mul_add(p.layer_cubic_stiffness, t41_k);
+        let t44_k = (-t34_k).mul_add(p.layer_viscosity, force_k);
+        let t45_k = t44_k - t42_k;
+        let holder_v_dot_k = t45_k * t35;
+        lanes.set(order, [layer_compression_k, layer_compression_k], [layer_compression_k, t37_k]);
         t12_before = t12_k;
         t13_before = t13_k;
         t16_before = t16_k;

@@ -257,10 +257,7 @@ impl Writer<'_> {
                 self.reads.constants = true;
                 Ok(Written::call(quote!(c.#name)))
             }
-            Op::Neg(a) => {
-                let a = self.operand_at_least(a, Strength::Call)?;
-                Ok(Written { tokens: quote!(-#a), strength: Strength::Minus })
-            }
+            Op::Neg(a) => self.opposite(a),
             Op::Add(a, b) => self.infix(a, &quote!(+), b, Strength::Sum, Strength::Product),
             Op::Sub(a, b) => self.infix(a, &quote!(-), b, Strength::Sum, Strength::Product),
             Op::Mul(a, b) => self.infix(a, &quote!(*), b, Strength::Product, Strength::Minus),
@@ -327,19 +324,49 @@ impl Writer<'_> {
 
     /// A sum with a product in it.
     fn fused(&mut self, fused: &Fused) -> Result<Written, EmitError> {
-        let summand = match self.tape[fused.summand].op {
-            Op::Literal(value) if fused.is_summand_negative => self.literal(-value)?.tokens,
-            _ if fused.is_summand_negative => {
-                let summand = self.operand_at_least(fused.summand, Strength::Call)?;
-                quote!((-#summand))
-            }
-            _ => self.operand_at_least(fused.summand, Strength::Call)?,
+        let summand = if fused.is_summand_negative {
+            self.opposite(fused.summand)?.at_least(Strength::Call)
+        } else {
+            self.operand_at_least(fused.summand, Strength::Call)?
         };
         let [a, b] = fused.factors;
         let (a, b) = (self.operand(a)?.tokens, self.operand(b)?.tokens);
         let method = if fused.is_product_negative { "sub_product" } else { "add_product" };
         let method = format_ident!("{method}");
         Ok(Written::call(quote!(#summand.#method(#a, #b))))
+    }
+
+    /// -a, its sign in a literal where that stands in a product, so that it costs nothing.
+    fn opposite(&mut self, id: NodeId) -> Result<Written, EmitError> {
+        let index = id.0 as usize;
+        let is_inline = self.places[index] == Place::Inline && self.fused[index].is_none();
+        match self.tape.nodes[index].op {
+            Op::Literal(value) => self.literal(-value),
+            Op::Neg(a) if is_inline => self.operand(a),
+            Op::Mul(a, b) if is_inline && self.has_literal(a) => {
+                let a = self.opposite(a)?.at_least(Strength::Product);
+                let b = self.operand_at_least(b, Strength::Minus)?;
+                Ok(Written { tokens: quote!(#a * #b), strength: Strength::Product })
+            }
+            _ => {
+                let a = self.operand_at_least(id, Strength::Call)?;
+                Ok(Written { tokens: quote!(-#a), strength: Strength::Minus })
+            }
+        }
+    }
+
+    /// Whether an expression is a literal or begins with one as a factor.
+    fn has_literal(&self, id: NodeId) -> bool {
+        let index = id.0 as usize;
+        match self.tape.nodes[index].op {
+            Op::Literal(_) => true,
+            Op::Mul(a, _) => {
+                self.places[index] == Place::Inline
+                    && self.fused[index].is_none()
+                    && self.has_literal(a)
+            }
+            _ => false,
+        }
     }
 
     fn literal(&self, value: f64) -> Result<Written, EmitError> {

@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 1, first-order states 4, states 5, outputs 5.
 // Nonzeros: mass_matrix 1 of 1 by 1, rate_jacobian 18 of 5 by 5, parameter_jacobian 0 of 5 by 0.
-// Operations: rate 31, forcing 4, rate_jacobian 12, energy 22, power_balance 76.
+// Operations: rate 31, forcing 4, rate_jacobian 9, energy 22, power_balance 75.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -95,8 +95,8 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
-    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
-        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
+        .add_product(R::literal(0.042_795_676_8), motor_i_sy);
     let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_rx)
         .add_product(R::literal(0.956), motor_psi_sx)).add_product(motor_psi_ry, motor_slip_speed);
     let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_ry)
@@ -119,19 +119,19 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
     [motor_torque]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 12 operations.
+/// `dy'/dy`, values in the order of its pattern. 9 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 18] {
     let [motor_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx, motor_psi_ry] = *state;
     let t0 = R::literal(4.0) * motor_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
-    let motor_psi_rx_dot_by_motor_omega = -(R::literal(4.0) * motor_psi_ry);
+    let motor_psi_rx_dot_by_motor_omega = R::literal(-4.0) * motor_psi_ry;
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
-    let motor_omega_dot_by_motor_psi_sx = -(R::literal(1_148.118_519_816_103_6) * motor_psi_ry);
+    let motor_omega_dot_by_motor_psi_sx = R::literal(-1_148.118_519_816_103_6) * motor_psi_ry;
     let motor_omega_dot_by_motor_psi_sy = R::literal(1_148.118_519_816_103_6) * motor_psi_rx;
     let motor_omega_dot_by_motor_psi_rx = R::literal(1_148.118_519_816_103_6) * motor_psi_sy;
     let motor_psi_ry_dot_by_motor_psi_rx = t0 - R::literal(314.159_265_358_979_3);
-    let motor_omega_dot_by_motor_psi_ry = -(R::literal(1_148.118_519_816_103_6) * motor_psi_sx);
+    let motor_omega_dot_by_motor_psi_ry = R::literal(-1_148.118_519_816_103_6) * motor_psi_sx;
     [motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
         motor_omega_dot_by_motor_psi_rx, motor_omega_dot_by_motor_psi_ry,
         R::literal(-36.128_315_516_282_62), R::literal(314.159_265_358_979_3),
@@ -188,7 +188,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 76 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 75 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         _p: &Parameters<R>) -> PowerBalance<R> {
@@ -209,8 +209,6 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
-    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
-        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
     let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx))
         .add_product(motor_psi_ry, motor_slip_speed);
     let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry))
@@ -219,11 +217,12 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         stored_rate: (R::literal(4.2) * motor_omega * motor_omega_dot).add_product(R::literal(0.75)
             * motor_i_sx.add_product(R::literal(844.204_793_982_429_1), motor_psi_sx)
             .sub_product(R::literal(803.682_963_871_272_6), motor_psi_rx), motor_psi_sx_dot)
-            .add_product(R::literal(0.75) * motor_i_sy
+            .sub_product(R::literal(0.75) * motor_i_sy
             .add_product(R::literal(844.204_793_982_429_1), motor_psi_sy)
-            .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry), motor_psi_sy_dot)
-            .add_product(R::literal(0.75) * motor_i_rx
-            .add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
+            .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry),
+            (R::literal(314.159_265_358_979_3) * motor_psi_sx)
+            .add_product(R::literal(0.042_795_676_8), motor_i_sy)).add_product(R::literal(0.75)
+            * motor_i_rx.add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
             .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sx), motor_psi_rx_dot)
             .add_product(R::literal(0.75) * motor_i_ry
             .add_product(R::literal(840.672_556_350_703_5), motor_psi_ry)
@@ -267,8 +266,8 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let motor_psi_sx_dot = t12 - t10;
     let t13 = motor_psi_sx * R::literal(314.159_265_358_979_3);
     let t14 = t4 * R::literal(36.128_315_516_282_626);
-    let t15 = -t13;
-    let motor_psi_sy_dot = t15 - t14;
+    let t15 = t13 + t14;
+    let motor_psi_sy_dot = -t15;
     let t16 = t5 - motor_psi_rx;
     let t17 = t16 * R::literal(26.954_864_967_800_425);
     let t18 = motor_psi_ry * motor_slip_speed;
@@ -301,9 +300,9 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let motor_omega_dot_k = t9_k * R::literal(1_148.118_519_816_103_6);
         let motor_psi_sx_dot_k = (-t2_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sy_k
             * R::literal(314.159_265_358_979_3));
-        let t13_k = motor_psi_sx_k * R::literal(314.159_265_358_979_3);
-        let t15_k = -t13_k;
-        let motor_psi_sy_dot_k = (-t4_k).mul_add(R::literal(36.128_315_516_282_626), t15_k);
+        let t15_k = t4_k.mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
+            * R::literal(314.159_265_358_979_3));
+        let motor_psi_sy_dot_k = -t15_k;
         let t16_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
         let t18_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_ry_k, sums[2]));

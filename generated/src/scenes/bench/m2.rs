@@ -20,8 +20,8 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, first-order states 4, states 8, parameters 1, outputs 8.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 27 of 8 by 8, parameter_jacobian 2 of 8 by 1.
-// Operations: rate 52, forcing 24, rate_jacobian 34, parameter_jacobian 3, time_derivative 24,
-//     outputs 1, energy 28, power_balance 110, prepare 3, prepared_rate 52, prepared_rate_jacobian 31.
+// Operations: rate 51, forcing 23, rate_jacobian 29, parameter_jacobian 2, time_derivative 22,
+//     outputs 1, energy 28, power_balance 108, prepare 2, prepared_rate 51, prepared_rate_jacobian 27.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Lanes, order_and_inverse},
@@ -85,12 +85,12 @@ use ::machinist_contract::{
     motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_coupling_twist
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 3 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 2 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
-    let motor_omega_dot_by_coupling_twist = -(p.coupling_stiffness
-        * R::literal(0.238_095_238_095_238_08));
+    let motor_omega_dot_by_coupling_twist = p.coupling_stiffness
+        * R::literal(-0.238_095_238_095_238_08);
     let cylinder_omega_dot_by_coupling_twist = p.coupling_stiffness
         * R::literal(0.803_858_520_900_321_5);
     Constants { motor_omega_dot_by_coupling_twist, cylinder_omega_dot_by_coupling_twist }
@@ -109,7 +109,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 52 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 51 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -123,8 +123,8 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         .sub_product(R::literal(0.952), motor_psi_rx);
     let motor_i_sy = R::literal(844.204_793_982_429_1) * motor_psi_sy
         .sub_product(R::literal(0.952), motor_psi_ry);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-50.0)
+        * (time - R::literal(1.2))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635) * (motor_psi_sy * motor_psi_rx)
         .sub_product(motor_psi_sx, motor_psi_ry);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(R::literal(128.5346),
@@ -138,8 +138,8 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
-    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
-        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
+    let motor_psi_sy_dot = -(R::literal(314.159_265_358_979_3) * motor_psi_sx)
+        .add_product(R::literal(0.042_795_676_8), motor_i_sy);
     let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_rx)
         .add_product(R::literal(0.956), motor_psi_sx)).add_product(motor_psi_ry, motor_slip_speed);
     let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (-motor_psi_ry)
@@ -154,14 +154,14 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], _p: &Parameters<R>) 
     [R::literal(4.2), R::literal(1.244)]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 24 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 23 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
         motor_psi_ry, ..] = *state;
     let coupling_twist_rate = motor_omega - cylinder_omega;
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-50.0)
+        * (time - R::literal(1.2))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635) * (motor_psi_sy * motor_psi_rx)
         .sub_product(motor_psi_sx, motor_psi_ry);
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(R::literal(128.5346),
@@ -174,7 +174,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, cylinder_phi_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 31 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 27 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>,
         c: &Constants<R>) -> [R; 27] {
@@ -182,20 +182,20 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parame
         ..] = *state;
     let t0 = R::literal(4.0) * motor_omega;
     let motor_slip_speed = R::literal(314.159_265_358_979_3) - t0;
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-50.0)
+        * (time - R::literal(1.2))).exp());
     let t1 = (R::literal(2.0) * cylinder_omega).tanh();
-    let motor_psi_rx_dot_by_motor_omega = -(R::literal(4.0) * motor_psi_ry);
+    let motor_psi_rx_dot_by_motor_omega = R::literal(-4.0) * motor_psi_ry;
     let motor_psi_ry_dot_by_motor_omega = R::literal(4.0) * motor_psi_rx;
-    let cylinder_omega_dot_by_cylinder_omega = R::literal(-128.5346).sub_product(R::literal(2.0)
+    let cylinder_omega_dot_by_cylinder_omega = R::literal(128.5346).add_product(R::literal(2.0)
         * load_engagement * R::literal(1.0).sub_product(t1, t1), R::literal(843.72)
         .add_product(R::literal(78.78), (R::literal(241.805_307_826_689_27) * time).sin()))
-        * R::literal(0.803_858_520_900_321_5);
-    let motor_omega_dot_by_motor_psi_sx = -(R::literal(1_148.118_519_816_103_6) * motor_psi_ry);
+        * R::literal(-0.803_858_520_900_321_5);
+    let motor_omega_dot_by_motor_psi_sx = R::literal(-1_148.118_519_816_103_6) * motor_psi_ry;
     let motor_omega_dot_by_motor_psi_sy = R::literal(1_148.118_519_816_103_6) * motor_psi_rx;
     let motor_omega_dot_by_motor_psi_rx = R::literal(1_148.118_519_816_103_6) * motor_psi_sy;
     let motor_psi_ry_dot_by_motor_psi_rx = t0 - R::literal(314.159_265_358_979_3);
-    let motor_omega_dot_by_motor_psi_ry = -(R::literal(1_148.118_519_816_103_6) * motor_psi_sx);
+    let motor_omega_dot_by_motor_psi_ry = R::literal(-1_148.118_519_816_103_6) * motor_psi_sx;
     [R::literal(1.0), R::literal(-1.0), c.motor_omega_dot_by_coupling_twist,
         R::literal(-30.603_476_190_476_19), R::literal(30.603_476_190_476_19),
         motor_omega_dot_by_motor_psi_sx, motor_omega_dot_by_motor_psi_sy,
@@ -210,31 +210,31 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], _p: &Parame
         motor_psi_ry_dot_by_motor_psi_rx, R::literal(-26.954_864_967_800_425), R::literal(1.0)]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 3 operations.
+/// `dy'/dp`, values in the order of its pattern. 2 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 2] {
     let [coupling_twist, ..] = *state;
-    let motor_omega_dot_by_coupling_stiffness = -(coupling_twist
-        * R::literal(0.238_095_238_095_238_08));
+    let motor_omega_dot_by_coupling_stiffness = coupling_twist
+        * R::literal(-0.238_095_238_095_238_08);
     let cylinder_omega_dot_by_coupling_stiffness = coupling_twist
         * R::literal(0.803_858_520_900_321_5);
     [motor_omega_dot_by_coupling_stiffness, cylinder_omega_dot_by_coupling_stiffness]
 }
 
-/// Partial derivative of `y'` with respect to time. 24 operations.
+/// Partial derivative of `y'` with respect to time. 22 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; STATES] {
     let [_, _, cylinder_omega, ..] = *state;
     let t0 = R::literal(241.805_307_826_689_27) * time;
     let (t1, t2) = t0.sin_cos();
-    let t3 = (-(R::literal(50.0) * (time - R::literal(1.2)))).exp();
+    let t3 = (R::literal(-50.0) * (time - R::literal(1.2))).exp();
     let t4 = R::literal(1.0) + t3;
     let load_engagement = R::literal(1.0) / t4;
     let t5 = (R::literal(2.0) * cylinder_omega).tanh();
-    let cylinder_omega_dot_by_time = (-(R::literal(50.0) * R::literal(843.72)
-        .add_product(R::literal(78.78), t1) * t3 * t5 / (t4 * t4)))
-        .sub_product(R::literal(19_049.422_150_586_58) * load_engagement * t2, t5)
-        * R::literal(0.803_858_520_900_321_5);
+    let cylinder_omega_dot_by_time = (R::literal(50.0) * R::literal(843.72)
+        .add_product(R::literal(78.78), t1) * t3 * t5 / (t4 * t4))
+        .add_product(R::literal(19_049.422_150_586_58) * load_engagement * t2, t5)
+        * R::literal(-0.803_858_520_900_321_5);
     [R::literal(0.0), R::literal(0.0), cylinder_omega_dot_by_time, R::literal(0.0),
         R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
 }
@@ -278,7 +278,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 110 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 108 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [coupling_twist, motor_omega, cylinder_omega, motor_psi_sx, motor_psi_sy, motor_psi_rx,
@@ -294,8 +294,8 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let motor_i_rx = R::literal(840.672_556_350_703_5) * (motor_psi_rx - t0);
     let t1 = R::literal(0.956) * motor_psi_sy;
     let motor_i_ry = R::literal(840.672_556_350_703_5) * (motor_psi_ry - t1);
-    let load_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(50.0) * (time - R::literal(1.2)))).exp());
+    let load_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-50.0)
+        * (time - R::literal(1.2))).exp());
     let motor_torque = R::literal(4_822.097_783_227_635) * (motor_psi_sy * motor_psi_rx)
         .sub_product(motor_psi_sx, motor_psi_ry);
     let t2 = p.coupling_stiffness * coupling_twist;
@@ -309,8 +309,6 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let motor_psi_sx_dot = R::literal(311.126_983_722_080_9)
         .add_product(R::literal(314.159_265_358_979_3), motor_psi_sy)
         .sub_product(R::literal(0.042_795_676_8), motor_i_sx);
-    let motor_psi_sy_dot = (-(R::literal(314.159_265_358_979_3) * motor_psi_sx))
-        .sub_product(R::literal(0.042_795_676_8), motor_i_sy);
     let motor_psi_rx_dot = (R::literal(26.954_864_967_800_425) * (t0 - motor_psi_rx))
         .add_product(motor_psi_ry, motor_slip_speed);
     let motor_psi_ry_dot = (R::literal(26.954_864_967_800_425) * (t1 - motor_psi_ry))
@@ -321,11 +319,12 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
             .add_product(R::literal(0.75) * motor_i_sx
             .add_product(R::literal(844.204_793_982_429_1), motor_psi_sx)
             .sub_product(R::literal(803.682_963_871_272_6), motor_psi_rx), motor_psi_sx_dot)
-            .add_product(R::literal(0.75) * motor_i_sy
+            .sub_product(R::literal(0.75) * motor_i_sy
             .add_product(R::literal(844.204_793_982_429_1), motor_psi_sy)
-            .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry), motor_psi_sy_dot)
-            .add_product(R::literal(0.75) * motor_i_rx
-            .add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
+            .sub_product(R::literal(803.682_963_871_272_6), motor_psi_ry),
+            (R::literal(314.159_265_358_979_3) * motor_psi_sx)
+            .add_product(R::literal(0.042_795_676_8), motor_i_sy)).add_product(R::literal(0.75)
+            * motor_i_rx.add_product(R::literal(840.672_556_350_703_5), motor_psi_rx)
             .sub_product(R::literal(803.682_963_871_272_6), motor_psi_sx), motor_psi_rx_dot)
             .add_product(R::literal(0.75) * motor_i_ry
             .add_product(R::literal(840.672_556_350_703_5), motor_psi_ry)
@@ -346,7 +345,7 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
 /// `_k` marks the coefficient of order k, `_before` that of order k - 1; bare names are
 /// zeroth coefficients. The workspace is as `series_workspace` says.
 ///
-/// 80 recurrences. 9 sums of products an order.
+/// 79 recurrences. 9 sums of products an order.
 ///
 /// # Panics
 /// If there is no room for the zeroth coefficients, or the workspace is too short.
@@ -367,55 +366,53 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let t5 = motor_psi_sx * R::literal(0.956);
     let t6 = motor_psi_sy * R::literal(0.956);
     let t7 = time - R::literal(1.2);
-    let t8 = t7 * R::literal(50.0);
-    let t9 = -t8;
-    let t10 = t9.exp();
-    let t11 = R::literal(1.0) + t10;
-    let load_engagement = R::literal(1.0) / t11;
-    let t12 = motor_psi_sx * motor_psi_ry;
-    let t13 = motor_psi_sy * motor_psi_rx;
-    let t14 = t13 - t12;
-    let motor_torque = t14 * R::literal(4_822.097_783_227_635);
-    let t15 = coupling_twist_rate * R::literal(128.5346);
-    let t16 = coupling_twist * p.coupling_stiffness;
-    let coupling_torque = t15 + t16;
-    let t17 = time * R::literal(241.805_307_826_689_27);
-    let t18 = t17.sin();
-    let t19 = t17.cos();
-    let t20 = t18 * R::literal(78.78);
-    let t21 = R::literal(843.72) + t20;
-    let t22 = cylinder_omega * R::literal(2.0);
-    let t23 = t22.tanh();
-    let t24 = t23 * t23;
-    let t25 = R::literal(1.0) - t24;
-    let t26 = load_engagement * t21;
-    let load_resistance = t26 * t23;
-    let t27 = motor_torque - coupling_torque;
-    let t28 = coupling_torque - load_resistance;
-    let motor_omega_dot = t27 * R::literal(0.238_095_238_095_238_08);
-    let cylinder_omega_dot = t28 * R::literal(0.803_858_520_900_321_5);
-    let t29 = t2 * R::literal(36.128_315_516_282_626);
-    let t30 = motor_psi_sy * R::literal(314.159_265_358_979_3);
-    let t31 = R::literal(311.126_983_722_080_9) + t30;
-    let motor_psi_sx_dot = t31 - t29;
-    let t32 = motor_psi_sx * R::literal(314.159_265_358_979_3);
-    let t33 = t4 * R::literal(36.128_315_516_282_626);
-    let t34 = -t32;
-    let motor_psi_sy_dot = t34 - t33;
-    let t35 = t5 - motor_psi_rx;
-    let t36 = t35 * R::literal(26.954_864_967_800_425);
-    let t37 = motor_psi_ry * motor_slip_speed;
-    let motor_psi_rx_dot = t36 + t37;
-    let t38 = motor_psi_rx * motor_slip_speed;
-    let t39 = t6 - motor_psi_ry;
-    let t40 = t39 * R::literal(26.954_864_967_800_425);
-    let motor_psi_ry_dot = t40 - t38;
-    let t8_slope = R::literal(1.0) * R::literal(50.0);
-    let t9_slope = -t8_slope;
-    let inverse_t11 = R::literal(1.0) / t11;
-    let mut t10_before = t10;
+    let t8 = t7 * R::literal(-50.0);
+    let t9 = t8.exp();
+    let t10 = R::literal(1.0) + t9;
+    let load_engagement = R::literal(1.0) / t10;
+    let t11 = motor_psi_sx * motor_psi_ry;
+    let t12 = motor_psi_sy * motor_psi_rx;
+    let t13 = t12 - t11;
+    let motor_torque = t13 * R::literal(4_822.097_783_227_635);
+    let t14 = coupling_twist_rate * R::literal(128.5346);
+    let t15 = coupling_twist * p.coupling_stiffness;
+    let coupling_torque = t14 + t15;
+    let t16 = time * R::literal(241.805_307_826_689_27);
+    let t17 = t16.sin();
+    let t18 = t16.cos();
+    let t19 = t17 * R::literal(78.78);
+    let t20 = R::literal(843.72) + t19;
+    let t21 = cylinder_omega * R::literal(2.0);
+    let t22 = t21.tanh();
+    let t23 = t22 * t22;
+    let t24 = R::literal(1.0) - t23;
+    let t25 = load_engagement * t20;
+    let load_resistance = t25 * t22;
+    let t26 = motor_torque - coupling_torque;
+    let t27 = coupling_torque - load_resistance;
+    let motor_omega_dot = t26 * R::literal(0.238_095_238_095_238_08);
+    let cylinder_omega_dot = t27 * R::literal(0.803_858_520_900_321_5);
+    let t28 = t2 * R::literal(36.128_315_516_282_626);
+    let t29 = motor_psi_sy * R::literal(314.159_265_358_979_3);
+    let t30 = R::literal(311.126_983_722_080_9) + t29;
+    let motor_psi_sx_dot = t30 - t28;
+    let t31 = motor_psi_sx * R::literal(314.159_265_358_979_3);
+    let t32 = t4 * R::literal(36.128_315_516_282_626);
+    let t33 = t31 + t32;
+    let motor_psi_sy_dot = -t33;
+    let t34 = t5 - motor_psi_rx;
+    let t35 = t34 * R::literal(26.954_864_967_800_425);
+    let t36 = motor_psi_ry * motor_slip_speed;
+    let motor_psi_rx_dot = t35 + t36;
+    let t37 = motor_psi_rx * motor_slip_speed;
+    let t38 = t6 - motor_psi_ry;
+    let t39 = t38 * R::literal(26.954_864_967_800_425);
+    let motor_psi_ry_dot = t39 - t37;
+    let t8_slope = R::literal(1.0) * R::literal(-50.0);
+    let inverse_t10 = R::literal(1.0) / t10;
+    let mut t9_before = t9;
+    let mut t17_before = t17;
     let mut t18_before = t18;
-    let mut t19_before = t19;
     let mut rates = [coupling_twist_rate, motor_omega_dot, cylinder_omega_dot, motor_psi_sx_dot,
         motor_psi_sy_dot, motor_psi_rx_dot, motor_psi_ry_dot, cylinder_omega];
     coefficients[0] = *state;
@@ -435,49 +432,49 @@ pub fn series<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         let motor_slip_speed_k = -motor_omega_k * R::literal(4.0);
         let t2_k = (-motor_psi_rx_k).mul_add(R::literal(0.952), motor_psi_sx_k);
         let t4_k = (-motor_psi_ry_k).mul_add(R::literal(0.952), motor_psi_sy_k);
-        let t10_k = inverse * t9_slope * t10_before;
-        let load_engagement_k = -t10_k.mul_add(load_engagement, sums_1[1]) * inverse_t11;
-        let t12_k = motor_psi_sx.mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k,
+        let t9_k = inverse * t8_slope * t9_before;
+        let load_engagement_k = -t9_k.mul_add(load_engagement, sums_1[1]) * inverse_t10;
+        let t11_k = motor_psi_sx.mul_add(motor_psi_ry_k, motor_psi_ry.mul_add(motor_psi_sx_k,
             sums[0]));
-        let t13_k = motor_psi_sy.mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k,
+        let t12_k = motor_psi_sy.mul_add(motor_psi_rx_k, motor_psi_rx.mul_add(motor_psi_sy_k,
             sums[1]));
-        let t14_k = t13_k - t12_k;
+        let t13_k = t12_k - t11_k;
         let coupling_torque_k = coupling_twist_k.mul_add(p.coupling_stiffness,
             coupling_twist_rate_k * R::literal(128.5346));
-        let t18_k = inverse * R::literal(241.805_307_826_689_27) * t19_before;
-        let t19_k = -inverse * R::literal(241.805_307_826_689_27) * t18_before;
-        let t22_k = cylinder_omega_k * R::literal(2.0);
-        let t23_k = t22_k.mul_add(t25, inverse * sums_1[3]);
-        let t24_k = (t23 + t23).mul_add(t23_k, sums[2]);
-        let t25_k = -t24_k;
-        let t26_k = load_engagement.mul_add(t18_k * R::literal(78.78), t21
+        let t17_k = inverse * R::literal(241.805_307_826_689_27) * t18_before;
+        let t18_k = -inverse * R::literal(241.805_307_826_689_27) * t17_before;
+        let t21_k = cylinder_omega_k * R::literal(2.0);
+        let t22_k = t21_k.mul_add(t24, inverse * sums_1[3]);
+        let t23_k = (t22 + t22).mul_add(t22_k, sums[2]);
+        let t24_k = -t23_k;
+        let t25_k = load_engagement.mul_add(t17_k * R::literal(78.78), t20
             .mul_add(load_engagement_k, sums_1[2]));
-        let load_resistance_k = t23.mul_add(t26_k, t26.mul_add(t23_k, sums_2[0]));
-        let t27_k = t14_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
-        let t28_k = coupling_torque_k - load_resistance_k;
-        let motor_omega_dot_k = t27_k * R::literal(0.238_095_238_095_238_08);
-        let cylinder_omega_dot_k = t28_k * R::literal(0.803_858_520_900_321_5);
+        let load_resistance_k = t22.mul_add(t25_k, t25.mul_add(t22_k, sums_2[0]));
+        let t26_k = t13_k.mul_add(R::literal(4_822.097_783_227_635), -coupling_torque_k);
+        let t27_k = coupling_torque_k - load_resistance_k;
+        let motor_omega_dot_k = t26_k * R::literal(0.238_095_238_095_238_08);
+        let cylinder_omega_dot_k = t27_k * R::literal(0.803_858_520_900_321_5);
         let motor_psi_sx_dot_k = (-t2_k).mul_add(R::literal(36.128_315_516_282_626), motor_psi_sy_k
             * R::literal(314.159_265_358_979_3));
-        let t32_k = motor_psi_sx_k * R::literal(314.159_265_358_979_3);
-        let t34_k = -t32_k;
-        let motor_psi_sy_dot_k = (-t4_k).mul_add(R::literal(36.128_315_516_282_626), t34_k);
-        let t35_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
-        let t37_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
+        let t33_k = t4_k.mul_add(R::literal(36.128_315_516_282_626), motor_psi_sx_k
+            * R::literal(314.159_265_358_979_3));
+        let motor_psi_sy_dot_k = -t33_k;
+        let t34_k = motor_psi_sx_k.mul_add(R::literal(0.956), -motor_psi_rx_k);
+        let t36_k = motor_psi_ry.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_ry_k, sums[3]));
-        let motor_psi_rx_dot_k = t35_k.mul_add(R::literal(26.954_864_967_800_425), t37_k);
-        let t38_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
+        let motor_psi_rx_dot_k = t34_k.mul_add(R::literal(26.954_864_967_800_425), t36_k);
+        let t37_k = motor_psi_rx.mul_add(motor_slip_speed_k, motor_slip_speed
             .mul_add(motor_psi_rx_k, sums_1[0]));
-        let t39_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
-        let motor_psi_ry_dot_k = t39_k.mul_add(R::literal(26.954_864_967_800_425), -t38_k);
-        lanes.set(order, [motor_psi_sx_k, motor_psi_rx_k, t23_k, motor_slip_speed_k],
-            [motor_psi_ry_k, motor_psi_sy_k, t23_k, motor_psi_ry_k]);
-        lanes_1.set(order, [motor_slip_speed_k, t10_k, load_engagement_k, k * t22_k],
-            [motor_psi_rx_k, load_engagement_k, t18_k * R::literal(78.78), t25_k]);
-        lanes_2.set(order, [t23_k], [t26_k]);
-        t10_before = t10_k;
+        let t38_k = motor_psi_sy_k.mul_add(R::literal(0.956), -motor_psi_ry_k);
+        let motor_psi_ry_dot_k = t38_k.mul_add(R::literal(26.954_864_967_800_425), -t37_k);
+        lanes.set(order, [motor_psi_sx_k, motor_psi_rx_k, t22_k, motor_slip_speed_k],
+            [motor_psi_ry_k, motor_psi_sy_k, t22_k, motor_psi_ry_k]);
+        lanes_1.set(order, [motor_slip_speed_k, t9_k, load_engagement_k, k * t21_k],
+            [motor_psi_rx_k, load_engagement_k, t17_k * R::literal(78.78), t24_k]);
+        lanes_2.set(order, [t22_k], [t25_k]);
+        t9_before = t9_k;
+        t17_before = t17_k;
         t18_before = t18_k;
-        t19_before = t19_k;
         rates = [coupling_twist_rate_k, motor_omega_dot_k, cylinder_omega_dot_k,
             motor_psi_sx_dot_k, motor_psi_sy_dot_k, motor_psi_rx_dot_k, motor_psi_ry_dot_k,
             cylinder_omega_k];

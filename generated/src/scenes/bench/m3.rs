@@ -19,9 +19,9 @@
 // All quantities are in SI units.
 // Shapes: coordinates 3, first-order states 4, states 10, parameters 33, outputs 3.
 // Nonzeros: mass_matrix 3 of 3 by 3, rate_jacobian 30 of 10 by 10, parameter_jacobian 50 of 10 by 33.
-// Operations: initial_state 18, rate 92, mass_matrix 4, forcing 51, rate_jacobian 89,
-//     parameter_jacobian 245, time_derivative 47, energy 50, power_balance 178, prepare 55,
-//     prepared_rate 63, prepared_rate_jacobian 40.
+// Operations: initial_state 18, rate 91, mass_matrix 4, forcing 50, rate_jacobian 86,
+//     parameter_jacobian 243, time_derivative 44, energy 50, power_balance 177, prepare 51,
+//     prepared_rate 62, prepared_rate_jacobian 41.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 
@@ -107,12 +107,12 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 }
 
 ::machinist_contract::constants! {
-    motor_omega_0, motor_u_x, motor_u_y, inverse_shaft_engagement_width, t2, t3, inverse_motor_inertia,
-    t5, t6, inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
+    motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
+    inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
     motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
     shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_shaft_driven,
     shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_motor_omega,
-    shaft_driven_dot_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot, t12,
+    shaft_driven_dot_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
     motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
     motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
     motor_psi_rx_dot_by_motor_psi_rx
@@ -129,21 +129,20 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
     at 2.322 => End, coordinate Some(2), handed 29;
 }
 
-/// What `rate` and `rate_jacobian` need of the parameters, once a run. 55 operations.
+/// What `rate` and `rate_jacobian` need of the parameters, once a run. 51 operations.
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
     let (sin_motor_supply_phase, cos_motor_supply_phase) = p.motor_supply_phase.sin_cos();
     let motor_omega_0 = R::literal(core::f64::consts::TAU) * p.motor_supply_frequency;
     let shaft_omega_2 = R::literal(0.104_719_755_119_659_77) * p.shaft_speed;
-    let motor_k_s_times_motor_k_r = p.motor_k_s * p.motor_k_r;
-    let motor_sigma = R::literal(1.0) - motor_k_s_times_motor_k_r;
+    let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let t0 = p.motor_phase_voltage * R::literal(core::f64::consts::SQRT_2);
     let motor_u_x = t0 * cos_motor_supply_phase;
     let motor_u_y = t0 * sin_motor_supply_phase;
-    let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
-    let t1 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0;
-    let t2 = t1 / (p.motor_x_s * motor_sigma);
+    let t1 = R::literal(-1.0) / p.shaft_engagement_width;
+    let t2 = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0 / (p.motor_x_s
+        * motor_sigma);
     let t3 = R::literal(core::f64::consts::PI) * shaft_omega_2;
     let t4 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
@@ -163,24 +162,23 @@ pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
         * t5);
     let motor_omega_dot_by_motor_omega = -(p.coupling_damping * inverse_motor_inertia);
     let shaft_driven_dot_dot_by_motor_omega = t9 * t5;
-    let t10 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
-    let t11 = -(p.coupling_damping * coupling_ratio_squared);
+    let t10 = p.coupling_damping * coupling_ratio_squared;
+    let t11 = R::literal(0.5) / (p.shaft_pieces * p.shaft_standstill_band);
     let motor_omega_dot_by_shaft_driven_dot = t9 * inverse_motor_inertia;
-    let t12 = t1 / (p.motor_x_s * (motor_k_s_times_motor_k_r - R::literal(1.0)));
     let motor_psi_sx_dot_by_motor_psi_sx = -motor_alpha_s_times_motor_omega_0;
     let motor_psi_sy_dot_by_motor_psi_sx = -motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_sx = p.motor_k_s * p.motor_alpha_r * motor_omega_0;
     let motor_psi_sx_dot_by_motor_psi_rx = p.motor_k_r * p.motor_alpha_s * motor_omega_0;
     let motor_psi_rx_dot_by_motor_psi_rx = -motor_alpha_r_times_motor_omega_0;
-    Constants { motor_omega_0, motor_u_x, motor_u_y, inverse_shaft_engagement_width, t2, t3,
-        inverse_motor_inertia, t5, t6, inverse_shaft_standstill_band, t7, t8, t9,
-        motor_alpha_s_times_motor_omega_0, motor_alpha_r_times_motor_omega_0,
-        motor_omega_dot_by_motor_phi, shaft_driven_dot_dot_by_motor_phi,
-        motor_omega_dot_by_shaft_driven, shaft_driven_dot_dot_by_shaft_driven,
-        motor_omega_dot_by_motor_omega, shaft_driven_dot_dot_by_motor_omega, t10, t11,
-        motor_omega_dot_by_shaft_driven_dot, t12, motor_psi_sx_dot_by_motor_psi_sx,
-        motor_psi_sy_dot_by_motor_psi_sx, motor_psi_rx_dot_by_motor_psi_sx,
-        motor_psi_sx_dot_by_motor_psi_rx, motor_psi_rx_dot_by_motor_psi_rx }
+    Constants { motor_omega_0, motor_u_x, motor_u_y, t1, t2, t3, inverse_motor_inertia, t5, t6,
+        inverse_shaft_standstill_band, t7, t8, t9, motor_alpha_s_times_motor_omega_0,
+        motor_alpha_r_times_motor_omega_0, motor_omega_dot_by_motor_phi,
+        shaft_driven_dot_dot_by_motor_phi, motor_omega_dot_by_shaft_driven,
+        shaft_driven_dot_dot_by_shaft_driven, motor_omega_dot_by_motor_omega,
+        shaft_driven_dot_dot_by_motor_omega, t10, t11, motor_omega_dot_by_shaft_driven_dot,
+        motor_psi_sx_dot_by_motor_psi_sx, motor_psi_sy_dot_by_motor_psi_sx,
+        motor_psi_rx_dot_by_motor_psi_sx, motor_psi_sx_dot_by_motor_psi_rx,
+        motor_psi_rx_dot_by_motor_psi_rx }
 }
 
 /// State at the start of the run, in the units of the states. 18 operations.
@@ -203,7 +201,7 @@ pub fn discontinuities<R: Real>(_p: &Parameters<R>) -> [R; DISCONTINUITIES] {
     []
 }
 
-/// As `rate`, with the constants of the parameters from `prepare`. 63 operations.
+/// As `rate`, with the constants of the parameters from `prepare`. 62 operations.
 #[must_use]
 #[inline]
 pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
@@ -215,8 +213,8 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, shaft_driven_dot);
     let motor_slip_speed = c.motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
-    let shaft_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_shaft_engagement_width
-        * (time - p.shaft_engagement_time))).exp());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.shaft_engagement_time)).exp());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
     let motor_torque = c.t2 * (motor_psi_sy * motor_psi_rx).sub_product(motor_psi_sx, motor_psi_ry);
@@ -249,7 +247,7 @@ pub fn mass_matrix<R: Real>(_time: R, _state: &[R; STATES], p: &Parameters<R>) -
     [p.motor_inertia, t0 + p.shaft_driven_field_inertia, t0 + p.shaft_end_field_inertia]
 }
 
-/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 51 operations.
+/// `f` of `M q'' = f + G^T lambda`, one for each coordinate. 50 operations.
 #[must_use]
 pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; COORDINATES] {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
@@ -262,8 +260,8 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     let motor_sigma = R::literal(1.0).sub_product(p.motor_k_s, p.motor_k_r);
     let coupling_twist = motor_phi.sub_product(p.coupling_ratio, shaft_driven);
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, shaft_driven_dot);
-    let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time))).exp());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp());
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
     let motor_torque = R::literal(1.5) * p.motor_pole_pairs * p.motor_k_r * motor_omega_0
@@ -280,7 +278,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
     [motor_phi_forcing, shaft_driven_forcing, shaft_end_forcing]
 }
 
-/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 40 operations.
+/// As `rate_jacobian`, with the constants of the parameters from `prepare`. 41 operations.
 #[must_use]
 pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
         c: &Constants<R>) -> [R; 30] {
@@ -290,21 +288,21 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         c.inverse_shaft_standstill_band * shaft_end_dot]);
     let motor_pole_pairs_times_motor_omega = p.motor_pole_pairs * motor_omega;
     let motor_slip_speed = c.motor_omega_0 - motor_pole_pairs_times_motor_omega;
-    let shaft_engagement = R::literal(1.0) / (R::literal(1.0) + (-(c.inverse_shaft_engagement_width
-        * (time - p.shaft_engagement_time))).exp());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
+        + (c.t1 * (time - p.shaft_engagement_time)).exp());
     let shaft_load = shaft_engagement * p.shaft_mean.add_product(p.shaft_amplitude, (c.t3 * time)
         .sin());
     let motor_psi_rx_dot_by_motor_omega = -(p.motor_pole_pairs * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_omega = p.motor_pole_pairs * motor_psi_rx;
-    let t2 = c.t10 * shaft_load;
-    let shaft_driven_dot_dot_by_shaft_driven_dot = c.t11.sub_product(t2, R::literal(1.0)
-        .sub_product(t0, t0)) * c.t5;
-    let shaft_end_dot_dot_by_shaft_end_dot = -(t2 * R::literal(1.0).sub_product(t1, t1) * c.t6);
-    let motor_omega_dot_by_motor_psi_sx = c.t12 * motor_psi_ry * c.inverse_motor_inertia;
+    let t2 = c.t11 * shaft_load;
+    let shaft_driven_dot_dot_by_shaft_driven_dot = -(c.t10.add_product(t2, R::literal(1.0)
+        .sub_product(t0, t0)) * c.t5);
+    let shaft_end_dot_dot_by_shaft_end_dot = t2 * R::literal(-1.0).add_product(t1, t1) * c.t6;
+    let motor_omega_dot_by_motor_psi_sx = -(c.t2 * motor_psi_ry * c.inverse_motor_inertia);
     let motor_omega_dot_by_motor_psi_sy = c.t2 * motor_psi_rx * c.inverse_motor_inertia;
     let motor_omega_dot_by_motor_psi_rx = c.t2 * motor_psi_sy * c.inverse_motor_inertia;
     let motor_psi_ry_dot_by_motor_psi_rx = motor_pole_pairs_times_motor_omega - c.motor_omega_0;
-    let motor_omega_dot_by_motor_psi_ry = c.t12 * motor_psi_sx * c.inverse_motor_inertia;
+    let motor_omega_dot_by_motor_psi_ry = -(c.t2 * motor_psi_sx * c.inverse_motor_inertia);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), c.motor_omega_dot_by_motor_phi,
         c.motor_omega_dot_by_shaft_driven, c.motor_omega_dot_by_motor_omega,
         c.motor_omega_dot_by_shaft_driven_dot, motor_omega_dot_by_motor_psi_sx,
@@ -320,7 +318,7 @@ pub fn prepared_rate_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Paramet
         motor_psi_ry_dot_by_motor_psi_rx, c.motor_psi_rx_dot_by_motor_psi_rx]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 245 operations.
+/// `dy'/dp`, values in the order of its pattern. 243 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 50] {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
@@ -343,81 +341,80 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t6 = p.coupling_ratio * shaft_driven_dot;
     let coupling_twist_rate = motor_omega - t6;
     let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-    let t7 = (-(R::literal(1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time))
-        .exp();
+    let t7 = (R::literal(-1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time).exp();
     let t8 = R::literal(1.0) + t7;
     let shaft_engagement = R::literal(1.0) / t8;
     let coupling_torque = (p.coupling_stiffness * coupling_twist).add_product(p.coupling_damping,
         coupling_twist_rate);
     let t9 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
     let motor_x_s_times_motor_sigma = p.motor_x_s * motor_sigma;
-    let t10 = motor_psi_sy.sub_product(p.motor_k_r, motor_psi_ry);
     let motor_psi_sx_times_motor_psi_ry = motor_psi_sx * motor_psi_ry;
     let motor_psi_sy_times_motor_psi_rx = motor_psi_sy * motor_psi_rx;
-    let t11 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
-    let t12 = R::literal(1.5) * p.motor_pole_pairs;
-    let motor_torque = t12 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t11;
-    let t13 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
-    let shaft_load = shaft_engagement * t13;
-    let t14 = R::literal(0.5) * p.shaft_inertia;
-    let t15 = t14 / p.shaft_pieces;
+    let t10 = motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry;
+    let t11 = R::literal(1.5) * p.motor_pole_pairs;
+    let motor_torque = t11 * p.motor_k_r * motor_omega_0 / motor_x_s_times_motor_sigma * t10;
+    let t12 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
+    let shaft_load = shaft_engagement * t12;
+    let t13 = R::literal(0.5) * p.shaft_inertia;
+    let t14 = t13 / p.shaft_pieces;
     let inverse_motor_inertia = R::literal(1.0) / p.motor_inertia;
     let shaft_driven_dot_dot_by_shaft_driven_field_force = R::literal(1.0)
-        / (t15 + p.shaft_driven_field_inertia);
+        / (t14 + p.shaft_driven_field_inertia);
     let shaft_end_dot_dot_by_shaft_end_field_force = R::literal(1.0)
-        / (t15 + p.shaft_end_field_inertia);
-    let t16 = R::literal(0.5) / p.shaft_pieces;
-    let t17 = t16 * shaft_load;
+        / (t14 + p.shaft_end_field_inertia);
+    let t15 = R::literal(0.5) / p.shaft_pieces;
+    let t16 = t15 * shaft_load;
     let motor_omega_dot = (motor_torque - coupling_torque) * inverse_motor_inertia;
     let shaft_driven_dot_dot = p.shaft_driven_field_force.add_product(p.coupling_stiffness
         * p.coupling_ratio, coupling_twist).add_product(p.coupling_damping * p.coupling_ratio,
-        coupling_twist_rate).sub_product(t17, t3)
+        coupling_twist_rate).sub_product(t16, t3)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t17, t4)
+    let shaft_end_dot_dot = p.shaft_end_field_force.sub_product(t16, t4)
         * shaft_end_dot_dot_by_shaft_end_field_force;
     let motor_alpha_s_times_motor_omega_0 = p.motor_alpha_s * motor_omega_0;
-    let t18 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
+    let t17 = (-motor_psi_rx).add_product(p.motor_k_s, motor_psi_sx);
     let motor_alpha_r_times_motor_omega_0 = p.motor_alpha_r * motor_omega_0;
-    let t19 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
-    let t20 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let t18 = (-motor_psi_ry).add_product(p.motor_k_s, motor_psi_sy);
     let motor_omega_dot_by_motor_inertia = -(motor_omega_dot * inverse_motor_inertia);
     let motor_psi_sx_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * cos_motor_supply_phase;
     let motor_psi_sy_dot_by_motor_phase_voltage = R::literal(core::f64::consts::SQRT_2)
         * sin_motor_supply_phase;
     let motor_omega_dot_by_motor_supply_frequency = R::literal(3.0 * core::f64::consts::PI)
-        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t11
+        * p.motor_pole_pairs * p.motor_k_r / motor_x_s_times_motor_sigma * t10
         * inverse_motor_inertia;
-    let t21 = R::literal(core::f64::consts::TAU) * p.motor_alpha_s;
     let motor_psi_sx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_sy).sub_product(t21, t9);
-    let motor_psi_sy_dot_by_motor_supply_frequency = (-(R::literal(core::f64::consts::TAU)
-        * motor_psi_sx)).sub_product(t21, t10);
-    let t22 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
+        * motor_psi_sy).sub_product(R::literal(core::f64::consts::TAU) * p.motor_alpha_s, t9);
+    let motor_psi_sy_dot_by_motor_supply_frequency = R::literal(-6.283_185_307_179_586)
+        * motor_psi_sx.add_product(p.motor_alpha_s, motor_psi_sy).sub_product(p.motor_k_r
+        * p.motor_alpha_s, motor_psi_ry);
+    let t19 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
-        * motor_psi_ry).add_product(t22, t18);
+        * motor_psi_ry).add_product(t19, t17);
     let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(core::f64::consts::TAU)
-        * motor_psi_rx)).add_product(t22, t19);
+        * motor_psi_rx)).add_product(t19, t18);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
-        / motor_x_s_times_motor_sigma * t11 * inverse_motor_inertia;
+        / motor_x_s_times_motor_sigma * t10 * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_pole_pairs = -(motor_omega * motor_psi_ry);
     let motor_psi_ry_dot_by_motor_pole_pairs = motor_omega * motor_psi_rx;
     let motor_omega_dot_by_motor_k_s = p.motor_k_r / motor_sigma * motor_torque
         * inverse_motor_inertia;
     let motor_psi_rx_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sx;
     let motor_psi_ry_dot_by_motor_k_s = motor_alpha_r_times_motor_omega_0 * motor_psi_sy;
-    let motor_omega_dot_by_motor_k_r = -(t12 * motor_omega_0 / (p.motor_x_s * (t20 * t20))
-        * (motor_psi_sx_times_motor_psi_ry - motor_psi_sy_times_motor_psi_rx)
-        * inverse_motor_inertia);
+    let t20 = motor_k_s_times_motor_k_r - R::literal(1.0);
+    let motor_omega_dot_by_motor_k_r = t11 * motor_omega_0 / (p.motor_x_s * (t20 * t20))
+        * (motor_psi_sy_times_motor_psi_rx - motor_psi_sx_times_motor_psi_ry)
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_rx;
     let motor_psi_sy_dot_by_motor_k_r = motor_alpha_s_times_motor_omega_0 * motor_psi_ry;
-    let motor_omega_dot_by_motor_x_s = -(R::literal(1.0) / p.motor_x_s * motor_torque
-        * inverse_motor_inertia);
+    let motor_omega_dot_by_motor_x_s = R::literal(-1.0) / p.motor_x_s * motor_torque
+        * inverse_motor_inertia;
     let motor_psi_sx_dot_by_motor_alpha_s = -(motor_omega_0 * t9);
-    let motor_psi_sy_dot_by_motor_alpha_s = -(motor_omega_0 * t10);
-    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t18;
-    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t19;
+    let motor_psi_sy_dot_by_motor_alpha_s = motor_omega_0 * (-motor_psi_sy)
+        .add_product(p.motor_k_r, motor_psi_ry);
+    let motor_psi_rx_dot_by_motor_alpha_r = motor_omega_0 * t17;
+    let motor_psi_ry_dot_by_motor_alpha_r = motor_omega_0 * t18;
     let motor_omega_dot_by_coupling_stiffness = (coupling_ratio_times_shaft_driven - motor_phi)
         * inverse_motor_inertia;
     let shaft_driven_dot_dot_by_coupling_stiffness = p.coupling_ratio * coupling_twist
@@ -433,47 +430,47 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         * p.coupling_damping * p.coupling_ratio, shaft_driven_dot)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
     let shaft_pieces_squared = p.shaft_pieces * p.shaft_pieces;
-    let t23 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
-    let t24 = t14 / shaft_pieces_squared;
-    let shaft_driven_dot_dot_by_shaft_pieces = (t23 * t3).add_product(t24, shaft_driven_dot_dot)
+    let t21 = R::literal(0.5) / shaft_pieces_squared * shaft_load;
+    let t22 = t13 / shaft_pieces_squared;
+    let shaft_driven_dot_dot_by_shaft_pieces = (t21 * t3).add_product(t22, shaft_driven_dot_dot)
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_pieces = (t23 * t4).add_product(t24, shaft_end_dot_dot)
+    let shaft_end_dot_dot_by_shaft_pieces = (t21 * t4).add_product(t22, shaft_end_dot_dot)
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let shaft_driven_dot_dot_by_shaft_inertia = -(t16 * shaft_driven_dot_dot
+    let shaft_driven_dot_dot_by_shaft_inertia = -(t15 * shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_inertia = -(t16 * shaft_end_dot_dot
+    let shaft_end_dot_dot_by_shaft_inertia = -(t15 * shaft_end_dot_dot
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t25 = t16 * shaft_engagement;
-    let shaft_driven_dot_dot_by_shaft_mean = -(t25 * t3
+    let t23 = t15 * shaft_engagement;
+    let shaft_driven_dot_dot_by_shaft_mean = -(t23 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_mean = -(t25 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t26 = t25 * t1;
-    let shaft_driven_dot_dot_by_shaft_amplitude = -(t26 * t3
+    let shaft_end_dot_dot_by_shaft_mean = -(t23 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
+    let t24 = t23 * t1;
+    let shaft_driven_dot_dot_by_shaft_amplitude = -(t24 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_amplitude = -(t26 * t4
+    let shaft_end_dot_dot_by_shaft_amplitude = -(t24 * t4
         * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t27 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces * time
+    let t25 = R::literal(0.164_493_406_684_822_62) * p.shaft_amplitude / p.shaft_pieces * time
         * shaft_engagement * t2;
-    let shaft_driven_dot_dot_by_shaft_speed = -(t27 * t3
+    let shaft_driven_dot_dot_by_shaft_speed = -(t25 * t3
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
-    let shaft_end_dot_dot_by_shaft_speed = -(t27 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
-    let t28 = t8 * t8;
-    let t29 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t13 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_time = t29 * t3 / t28
+    let shaft_end_dot_dot_by_shaft_speed = -(t25 * t4 * shaft_end_dot_dot_by_shaft_end_field_force);
+    let t26 = t8 * t8;
+    let t27 = R::literal(0.5) / (p.shaft_pieces * p.shaft_engagement_width) * t12 * t7;
+    let shaft_driven_dot_dot_by_shaft_engagement_time = t27 * t3 / t26
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_engagement_time = t29 * t4 / t28
+    let shaft_end_dot_dot_by_shaft_engagement_time = t27 * t4 / t26
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let t30 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
-        * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t13 * t7;
-    let shaft_driven_dot_dot_by_shaft_engagement_width = t30 * t3 / t28
+    let t28 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_engagement_width
+        * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t12 * t7;
+    let shaft_driven_dot_dot_by_shaft_engagement_width = t28 * t3 / t26
         * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_engagement_width = t30 * t4 / t28
+    let shaft_end_dot_dot_by_shaft_engagement_width = t28 * t4 / t26
         * shaft_end_dot_dot_by_shaft_end_field_force;
-    let t31 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
+    let t29 = R::literal(0.5) / (p.shaft_pieces * (p.shaft_standstill_band
         * p.shaft_standstill_band));
-    let shaft_driven_dot_dot_by_shaft_standstill_band = t31 * shaft_driven_dot * shaft_load
+    let shaft_driven_dot_dot_by_shaft_standstill_band = t29 * shaft_driven_dot * shaft_load
         * R::literal(1.0).sub_product(t3, t3) * shaft_driven_dot_dot_by_shaft_driven_field_force;
-    let shaft_end_dot_dot_by_shaft_standstill_band = t31 * shaft_end_dot * shaft_load
+    let shaft_end_dot_dot_by_shaft_standstill_band = t29 * shaft_end_dot * shaft_load
         * R::literal(1.0).sub_product(t4, t4) * shaft_end_dot_dot_by_shaft_end_field_force;
     let shaft_driven_dot_dot_by_shaft_driven_field_inertia = -(shaft_driven_dot_dot
         * shaft_driven_dot_dot_by_shaft_driven_field_force);
@@ -507,7 +504,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         motor_psi_ry_dot_by_motor_k_s, motor_psi_ry_dot_by_motor_alpha_r]
 }
 
-/// Partial derivative of `y'` with respect to time. 47 operations.
+/// Partial derivative of `y'` with respect to time. 44 operations.
 #[must_use]
 pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; STATES] {
     let [_, _, _, _, shaft_driven_dot, shaft_end_dot, ..] = *state;
@@ -517,8 +514,7 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
     let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
     let [t3, t4] = R::tanh_each([inverse_shaft_standstill_band * shaft_driven_dot,
         inverse_shaft_standstill_band * shaft_end_dot]);
-    let t5 = (-(R::literal(1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time)))
-        .exp();
+    let t5 = (R::literal(-1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp();
     let t6 = R::literal(1.0) + t5;
     let shaft_engagement = R::literal(1.0) / t6;
     let t7 = R::literal(0.5) * p.shaft_inertia / p.shaft_pieces;
@@ -527,9 +523,9 @@ pub fn time_derivative<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>)
         .add_product(p.shaft_amplitude, t1) * t5;
     let t10 = R::literal(core::f64::consts::FRAC_PI_2) * p.shaft_amplitude * shaft_omega_2
         / p.shaft_pieces * shaft_engagement * t2;
-    let shaft_driven_dot_dot_by_time = (-(t9 * t3 / t8)).sub_product(t10, t3) * (R::literal(1.0)
+    let shaft_driven_dot_dot_by_time = (t9 * t3 / t8).add_product(t10, t3) * (R::literal(-1.0)
         / (t7 + p.shaft_driven_field_inertia));
-    let shaft_end_dot_dot_by_time = (-(t9 * t4 / t8)).sub_product(t10, t4) * (R::literal(1.0)
+    let shaft_end_dot_dot_by_time = (t9 * t4 / t8).add_product(t10, t4) * (R::literal(-1.0)
         / (t7 + p.shaft_end_field_inertia));
     [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
         shaft_driven_dot_dot_by_time, shaft_end_dot_dot_by_time, R::literal(0.0), R::literal(0.0),
@@ -576,7 +572,7 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Ener
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 178 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 177 operations.
 #[must_use]
 pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> PowerBalance<R> {
     let [motor_phi, shaft_driven, _, motor_omega, shaft_driven_dot, shaft_end_dot, motor_psi_sx,
@@ -598,8 +594,8 @@ pub fn power_balance<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -
     let coupling_twist_rate = motor_omega.sub_product(p.coupling_ratio, shaft_driven_dot);
     let loss = p.motor_alpha_s * motor_sigma;
     let motor_slip_speed = motor_omega_0.sub_product(p.motor_pole_pairs, motor_omega);
-    let shaft_engagement = R::literal(1.0) / (R::literal(1.0)
-        + (-(R::literal(1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time))).exp());
+    let shaft_engagement = R::literal(1.0) / (R::literal(1.0) + (R::literal(-1.0)
+        / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp());
     let t4 = p.coupling_stiffness * coupling_twist;
     let coupling_torque = t4.add_product(p.coupling_damping, coupling_twist_rate);
     let t5 = motor_psi_sx.sub_product(p.motor_k_r, motor_psi_rx);
@@ -682,26 +678,27 @@ pub mod shaft_phi {
     #[must_use]
     #[inline]
     pub fn inertia_gradient<R: Real>(_x: R, p: &Parameters<R>) -> [R; 13] {
-        [R::literal(0.0), p.shaft_inertia * (R::literal(1.0) - p.shaft_pieces) / (p.shaft_length
-            * p.shaft_length * p.shaft_pieces), p.shaft_inertia / (p.shaft_length * (p.shaft_pieces
-            * p.shaft_pieces)), (p.shaft_pieces - R::literal(1.0)) / (p.shaft_length
-            * p.shaft_pieces), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0)]
+        let t0 = p.shaft_pieces - R::literal(1.0);
+        [R::literal(0.0), -(p.shaft_inertia * t0 / (p.shaft_length * p.shaft_length
+            * p.shaft_pieces)), p.shaft_inertia / (p.shaft_length * (p.shaft_pieces
+            * p.shaft_pieces)), t0 / (p.shaft_length * p.shaft_pieces), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(0.0), R::literal(0.0), R::literal(0.0)]
     }
-    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 29 operations.
+    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 27 operations.
     #[must_use]
     #[inline]
     pub fn force<R: Real>(time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 2] {
         let [_, phi_x, phi_dot, phi_x_dot] = *point;
-        [-((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length * p.shaft_mean
-            .add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25) * p.shaft_speed
-            * time).sin()) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
-            / (R::literal(1.0) + (-(R::literal(1.0) / p.shaft_engagement_width
-            * (time - p.shaft_engagement_time))).exp())), -(p.shaft_pieces * p.shaft_shear_modulus
-            * p.shaft_polar_moment / (p.shaft_pieces - R::literal(1.0)) * phi_x
-            .add_product(p.shaft_loss_time, phi_x_dot))]
+        [(R::literal(1.0) / p.shaft_pieces
+            - R::literal(1.0)) / p.shaft_length * p.shaft_mean.add_product(p.shaft_amplitude,
+            (R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time).sin()) * (R::literal(1.0)
+            / p.shaft_standstill_band * phi_dot).tanh() / (R::literal(1.0) + (R::literal(-1.0)
+            / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp()), -(p.shaft_pieces
+            * p.shaft_shear_modulus * p.shaft_polar_moment / (p.shaft_pieces - R::literal(1.0))
+            * phi_x.add_product(p.shaft_loss_time, phi_x_dot))]
     }
-    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt. 32 operations.
+    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt. 30 operations.
     #[must_use]
     #[inline]
     pub fn force_jacobian<R: Real>(time: R, _x: R, point: &FieldPoint<R>,
@@ -710,15 +707,15 @@ pub mod shaft_phi {
         let t0 = p.shaft_pieces - R::literal(1.0);
         let t1 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
         let t2 = p.shaft_pieces * p.shaft_shear_modulus * p.shaft_polar_moment;
-        [R::literal(0.0), R::literal(0.0), -((R::literal(1.0) - R::literal(1.0) / p.shaft_pieces)
-            / (p.shaft_length * p.shaft_standstill_band) * R::literal(1.0).sub_product(t1, t1)
-            * p.shaft_mean.add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25)
-            * p.shaft_speed * time).sin()) / (R::literal(1.0)
-            + (-(R::literal(1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time)))
-            .exp())), R::literal(0.0), R::literal(0.0), -(t2 / t0), R::literal(0.0),
-            -(t2 * p.shaft_loss_time / t0)]
+        [R::literal(0.0), R::literal(0.0), (R::literal(1.0) / p.shaft_pieces
+            - R::literal(1.0)) / (p.shaft_length
+            * p.shaft_standstill_band) * R::literal(1.0).sub_product(t1,
+            t1) * p.shaft_mean.add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25)
+            * p.shaft_speed * time).sin()) / (R::literal(1.0) + (R::literal(-1.0)
+            / p.shaft_engagement_width * (time - p.shaft_engagement_time)).exp()), R::literal(0.0),
+            R::literal(0.0), -(t2 / t0), R::literal(0.0), -(t2 * p.shaft_loss_time / t0)]
     }
-    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 104 operations.
+    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 95 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(time: R, _x: R, point: &FieldPoint<R>,
@@ -727,37 +724,31 @@ pub mod shaft_phi {
         let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
         let (t1, t2) = t0.sin_cos();
         let t3 = p.shaft_pieces - R::literal(1.0);
-        let shaft_length_times_shaft_pieces = p.shaft_length * p.shaft_pieces;
         let t4 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
         let t5 = p.shaft_mean.add_product(p.shaft_amplitude, t1);
         let time_minus_shaft_engagement_time = time - p.shaft_engagement_time;
-        let inverse_shaft_engagement_width = R::literal(1.0) / p.shaft_engagement_width;
-        let t6 = (-(inverse_shaft_engagement_width * time_minus_shaft_engagement_time)).exp();
+        let t6 = (R::literal(-1.0) / p.shaft_engagement_width * time_minus_shaft_engagement_time)
+            .exp();
         let t7 = R::literal(1.0) + t6;
         let t8 = (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh();
-        let t9 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
-        let t10 = p.shaft_pieces * p.shaft_shear_modulus;
-        let t11 = t7 * t7;
-        let t12 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t11;
-        let t13 = R::literal(1.0) + (p.shaft_engagement_time / p.shaft_engagement_width)
-            .sub_product(inverse_shaft_engagement_width, time).exp();
-        let t14 = (R::literal(1.0) - p.shaft_pieces) / shaft_length_times_shaft_pieces;
-        [R::literal(0.0), R::literal(0.0),
-            -t12 - R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude * p.shaft_speed * t4
-            * R::literal(core::f64::consts::PI
-            * core::f64::consts::PI) / p.shaft_length * t2 * t8 / t7, R::literal(0.0),
-            t4 / (p.shaft_length * p.shaft_length) * t5 * t8 / t7, R::literal(0.0),
-            -(R::literal(1.0) / (p.shaft_length * (p.shaft_pieces * p.shaft_pieces)) * t5 * t8
-            / t7), p.shaft_shear_modulus * p.shaft_polar_moment / (t3 * t3) * t9, R::literal(0.0),
-            R::literal(0.0), R::literal(0.0), -(p.shaft_pieces * p.shaft_polar_moment / t3 * t9),
-            R::literal(0.0), -(t10 / t3 * t9), R::literal(0.0), -(t10 * p.shaft_polar_moment / t3
-            * phi_x_dot), t14 * t8 / t13, R::literal(0.0), t14 * t1 * t8 / t13, R::literal(0.0),
-            p.shaft_amplitude * R::literal(0.033_333_333_333_333_33)
-            .sub_product(R::literal(0.033_333_333_333_333_33),
-            p.shaft_pieces) * R::literal(core::f64::consts::PI
-            * core::f64::consts::PI) / shaft_length_times_shaft_pieces * time * t2 * t8 / t13,
-            R::literal(0.0), t12, R::literal(0.0), t4 / (p.shaft_length * (p.shaft_engagement_width
-            * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t5 * t6 * t8 / t11,
+        let t9 = t4 / p.shaft_length;
+        let t10 = phi_x.add_product(p.shaft_loss_time, phi_x_dot);
+        let t11 = p.shaft_pieces * p.shaft_shear_modulus;
+        let t12 = t7 * t7;
+        let t13 = t4 / (p.shaft_length * p.shaft_engagement_width) * t5 * t6 * t8 / t12;
+        let t14 = R::literal(0.033_333_333_333_333_33) * p.shaft_amplitude;
+        [R::literal(0.0), R::literal(0.0), -(t13 + t14 * p.shaft_speed * t4
+            * R::literal(core::f64::consts::PI * core::f64::consts::PI) / p.shaft_length * t2 * t8
+            / t7), R::literal(0.0), t4 / (p.shaft_length * p.shaft_length) * t5 * t8 / t7,
+            R::literal(0.0), R::literal(-1.0) / (p.shaft_length * (p.shaft_pieces
+            * p.shaft_pieces)) * t5 * t8 / t7, p.shaft_shear_modulus * p.shaft_polar_moment / (t3
+            * t3) * t10, R::literal(0.0), R::literal(0.0), R::literal(0.0), -(p.shaft_pieces
+            * p.shaft_polar_moment / t3 * t10), R::literal(0.0), -(t11 / t3 * t10),
+            R::literal(0.0), -(t11 * p.shaft_polar_moment / t3 * phi_x_dot), -(t9 * t8 / t7),
+            R::literal(0.0), -(t9 * t1 * t8 / t7), R::literal(0.0),
+            t14 * t4 * R::literal(-9.869_604_401_089_358) / p.shaft_length * time * t2 * t8 / t7,
+            R::literal(0.0), t13, R::literal(0.0), t4 / (p.shaft_length * (p.shaft_engagement_width
+            * p.shaft_engagement_width)) * time_minus_shaft_engagement_time * t5 * t6 * t8 / t12,
             R::literal(0.0), t4 / (p.shaft_length * (p.shaft_standstill_band
             * p.shaft_standstill_band)) * phi_dot * R::literal(1.0).sub_product(t8, t8) * t5 / t7,
             R::literal(0.0)]
@@ -771,7 +762,7 @@ pub mod shaft_phi {
         [R::literal(0.5) * p.shaft_inertia * t0 / p.shaft_length * (phi_dot * phi_dot),
             R::literal(0.5) * p.shaft_shear_modulus * p.shaft_polar_moment / t0 * (phi_x * phi_x)]
     }
-    /// Rate of V, power supplied and power dissipated, a length \[W/m\]. 30 operations.
+    /// Rate of V, power supplied and power dissipated, a length \[W/m\]. 29 operations.
     #[must_use]
     #[inline]
     pub fn power<R: Real>(time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 3] {
@@ -781,8 +772,8 @@ pub mod shaft_phi {
         [t1 / t0 * phi_x * phi_x_dot, -(t0 / p.shaft_length * phi_dot * p.shaft_mean
             .add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25) * p.shaft_speed
             * time).sin()) * (R::literal(1.0) / p.shaft_standstill_band * phi_dot).tanh()
-            / (R::literal(1.0) + (-(R::literal(1.0) / p.shaft_engagement_width
-            * (time - p.shaft_engagement_time))).exp())), t1 * p.shaft_loss_time / t0 * (phi_x_dot
+            / (R::literal(1.0) + (R::literal(-1.0) / p.shaft_engagement_width
+            * (time - p.shaft_engagement_time)).exp())), t1 * p.shaft_loss_time / t0 * (phi_x_dot
             * phi_x_dot)]
     }
     /// x of the attachments, then the length \[m\]. No operations.
@@ -813,47 +804,47 @@ pub mod shaft_phi {
     }
     /// f_0 alone, at many points.
     ///
-    /// 16 operations for all points, 5 for each.
+    /// 15 operations for all points, 4 for each.
     pub fn on_value<R: Real>(time: R, at: &[R], u: &[R], u_t: &[R], p: &Parameters<R>,
             force: &mut [R]) {
-        let t0 = R::literal(1.0) + (-(R::literal(1.0) / p.shaft_engagement_width
-            * (time - p.shaft_engagement_time))).exp();
+        let t0 = R::literal(1.0) + (R::literal(-1.0) / p.shaft_engagement_width
+            * (time - p.shaft_engagement_time)).exp();
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-        let t1 = (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / p.shaft_length
+        let t1 = (R::literal(1.0) / p.shaft_pieces - R::literal(1.0)) / p.shaft_length
             * p.shaft_mean.add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25)
             * p.shaft_speed * time).sin());
         for (((_, _), &phi_dot), force) in at.iter().zip(u).zip(u_t).zip(force) {
-            *force = -(t1 * (inverse_shaft_standstill_band * phi_dot).tanh() / t0);
+            *force = t1 * (inverse_shaft_standstill_band * phi_dot).tanh() / t0;
         }
     }
     /// df_0/du and df_0/du_t, at many points.
     ///
-    /// 16 operations for all points, 8 for each.
+    /// 15 operations for all points, 7 for each.
     pub fn on_value_jacobian<R: Real>(time: R, at: &[R], u: &[R], u_t: &[R], p: &Parameters<R>,
             by_u: &mut [R], by_u_t: &mut [R]) {
         let t0 = p.shaft_mean.add_product(p.shaft_amplitude, (R::literal(0.328_986_813_369_645_25)
             * p.shaft_speed * time).sin());
-        let t1 = R::literal(1.0) + (-(R::literal(1.0) / p.shaft_engagement_width
-            * (time - p.shaft_engagement_time))).exp();
+        let t1 = R::literal(1.0) + (R::literal(-1.0) / p.shaft_engagement_width
+            * (time - p.shaft_engagement_time)).exp();
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
-        let t2 = (R::literal(1.0) - R::literal(1.0) / p.shaft_pieces) / (p.shaft_length
+        let t2 = (R::literal(1.0) / p.shaft_pieces - R::literal(1.0)) / (p.shaft_length
             * p.shaft_standstill_band);
         for ((((_, _), &phi_dot), by_u), by_u_t) in at.iter().zip(u).zip(u_t).zip(by_u)
                 .zip(by_u_t) {
             let t0_2 = (inverse_shaft_standstill_band * phi_dot).tanh();
             *by_u = R::literal(0.0);
-            *by_u_t = -(t2 * R::literal(1.0).sub_product(t0_2, t0_2) * t0 / t1);
+            *by_u_t = t2 * R::literal(1.0).sub_product(t0_2, t0_2) * t0 / t1;
         }
     }
     /// df_0/dt, at many points.
     ///
-    /// 26 operations for all points, 8 for each.
+    /// 25 operations for all points, 8 for each.
     pub fn on_value_by_time<R: Real>(time: R, at: &[R], u: &[R], u_t: &[R], p: &Parameters<R>,
             by_time: &mut [R]) {
         let t0 = R::literal(0.328_986_813_369_645_25) * p.shaft_speed * time;
         let (t1, t2) = t0.sin_cos();
         let t3 = R::literal(1.0) - R::literal(1.0) / p.shaft_pieces;
-        let t4 = (-(R::literal(1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time)))
+        let t4 = (R::literal(-1.0) / p.shaft_engagement_width * (time - p.shaft_engagement_time))
             .exp();
         let t5 = R::literal(1.0) + t4;
         let inverse_shaft_standstill_band = R::literal(1.0) / p.shaft_standstill_band;
@@ -864,7 +855,7 @@ pub mod shaft_phi {
             * R::literal(core::f64::consts::PI * core::f64::consts::PI) / p.shaft_length * t2;
         for (((_, _), &phi_dot), by_time) in at.iter().zip(u).zip(u_t).zip(by_time) {
             let t0 = (inverse_shaft_standstill_band * phi_dot).tanh();
-            *by_time = -(t7 * t0 / t6) - t8 * t0 / t5;
+            *by_time = -(t7 * t0 / t6 + t8 * t0 / t5);
         }
     }
     /// f_1 alone, at many points.

@@ -17,7 +17,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, states 4, parameters 17, outputs 4.
 // Nonzeros: mass_matrix 2 of 2 by 2, rate_jacobian 4 of 4 by 4, parameter_jacobian 8 of 4 by 17.
-// Operations: rate 15, mass_matrix 3, forcing 8, rate_jacobian 9, parameter_jacobian 31,
+// Operations: rate 15, mass_matrix 3, forcing 8, rate_jacobian 7, parameter_jacobian 30,
 //     time_derivative 6, energy 23, power_balance 35, prepare 9, prepared_rate 10.
 
 use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
@@ -80,7 +80,7 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 }
 
 ::machinist_contract::constants! {
-    inverse_shaft_driven_field_inertia, t0, shaft_driven_dot_dot_by_shaft_driven,
+    inverse_shaft_driven_field_inertia, t1, shaft_driven_dot_dot_by_shaft_driven,
     shaft_reed_dot_dot_by_shaft_reed
 }
 
@@ -99,13 +99,13 @@ use ::machinist_contract::{Energy, PowerBalance, Real, field::FieldPoint};
 #[must_use]
 #[inline]
 pub fn prepare<R: Real>(p: &Parameters<R>) -> Constants<R> {
+    let t0 = p.shaft_reed_field_inertia.add_product(p.reed_mass, p.reed_radius * p.reed_radius);
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
-    let t0 = R::literal(1.0) / p.shaft_reed_field_inertia.add_product(p.reed_mass, p.reed_radius
-        * p.reed_radius);
-    let shaft_driven_dot_dot_by_shaft_driven = -(p.drive_spring_stiffness
-        * inverse_shaft_driven_field_inertia);
-    let shaft_reed_dot_dot_by_shaft_reed = -(p.ground_spring_stiffness * t0);
-    Constants { inverse_shaft_driven_field_inertia, t0, shaft_driven_dot_dot_by_shaft_driven,
+    let t1 = R::literal(1.0) / t0;
+    let shaft_driven_dot_dot_by_shaft_driven = p.drive_spring_stiffness * (R::literal(-1.0)
+        / p.shaft_driven_field_inertia);
+    let shaft_reed_dot_dot_by_shaft_reed = p.ground_spring_stiffness * (R::literal(-1.0) / t0);
+    Constants { inverse_shaft_driven_field_inertia, t1, shaft_driven_dot_dot_by_shaft_driven,
         shaft_reed_dot_dot_by_shaft_reed }
 }
 
@@ -131,7 +131,7 @@ pub fn prepared_rate<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>,
     let shaft_driven_dot_dot = p.shaft_driven_field_force.sub_product(p.drive_spring_stiffness,
         shaft_driven - drive) * c.inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot = p.shaft_reed_field_force.sub_product(p.ground_spring_stiffness,
-        shaft_reed) * c.t0;
+        shaft_reed) * c.t1;
     [shaft_driven_dot, shaft_reed_dot, shaft_driven_dot_dot, shaft_reed_dot_dot]
 }
 
@@ -162,7 +162,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, _state: &[R; STATES], _p: &Para
         c.shaft_reed_dot_dot_by_shaft_reed]
 }
 
-/// `dy'/dp`, values in the order of its pattern. 31 operations.
+/// `dy'/dp`, values in the order of its pattern. 30 operations.
 #[must_use]
 pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 8] {
     let [shaft_driven, shaft_reed, ..] = *state;
@@ -177,8 +177,8 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
         shaft_reed) * shaft_reed_dot_dot_by_shaft_reed_field_force;
     let shaft_reed_dot_dot_by_reed_mass = -(reed_radius_squared * shaft_reed_dot_dot
         * shaft_reed_dot_dot_by_shaft_reed_field_force);
-    let shaft_reed_dot_dot_by_reed_radius = -(R::literal(2.0) * p.reed_mass * p.reed_radius
-        * shaft_reed_dot_dot * shaft_reed_dot_dot_by_shaft_reed_field_force);
+    let shaft_reed_dot_dot_by_reed_radius = R::literal(-2.0) * p.reed_mass * p.reed_radius
+        * shaft_reed_dot_dot * shaft_reed_dot_dot_by_shaft_reed_field_force;
     let shaft_driven_dot_dot_by_drive_spring_stiffness = (drive - shaft_driven)
         * inverse_shaft_driven_field_inertia;
     let shaft_reed_dot_dot_by_ground_spring_stiffness = -(shaft_reed
@@ -269,14 +269,14 @@ pub const EXCITATION_TERMS: [(u32, u32); 3] = [(2, 0), (2, 0), (3, 0)];
 /// Times at which pieces of the excitation end.
 pub const SWITCHES: usize = 0;
 
-/// g, w, C and S of every term of the excitation, on the piece that holds `time`. 10 operations.
+/// g, w, C and S of every term of the excitation, on the piece that holds `time`. 9 operations.
 #[must_use]
 pub fn excitation<R: Real>(_time: R, p: &Parameters<R>) -> [R; 12] {
     let inverse_shaft_driven_field_inertia = R::literal(1.0) / p.shaft_driven_field_inertia;
     [R::literal(0.0), R::literal(0.0),
         p.shaft_driven_field_force * inverse_shaft_driven_field_inertia, R::literal(0.0),
         R::literal(0.0), R::literal(8.0 * core::f64::consts::PI), R::literal(0.0),
-        -(R::literal(-0.12) * p.drive_spring_stiffness * inverse_shaft_driven_field_inertia),
+        R::literal(0.12) * p.drive_spring_stiffness * inverse_shaft_driven_field_inertia,
         R::literal(0.0), R::literal(0.0), p.shaft_reed_field_force * (R::literal(1.0)
         / p.shaft_reed_field_inertia.add_product(p.reed_mass, p.reed_radius * p.reed_radius)),
         R::literal(0.0)]
@@ -317,28 +317,28 @@ pub mod shaft_theta {
             * p.shaft_radius), R::literal(core::f64::consts::FRAC_PI_2) * (shaft_radius_squared
             * shaft_radius_squared), R::literal(0.0), R::literal(0.0)]
     }
-    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 8 operations.
+    /// Forces a length: f_0 = dL/du - dD/du_t + Q on u, f_1 = dL/du_x - dD/du_xt on u_x. 7 operations.
     #[must_use]
     #[inline]
     pub fn force<R: Real>(_time: R, _x: R, point: &FieldPoint<R>, p: &Parameters<R>) -> [R; 2] {
         let [_, theta_x, _, _] = *point;
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        [R::literal(0.0), -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
-            * (shaft_radius_squared * shaft_radius_squared) / (R::literal(1.0) + p.shaft_poisson)
-            * theta_x)]
+        [R::literal(0.0), R::literal(-0.785_398_163_397_448_3) * p.shaft_elasticity
+            * (shaft_radius_squared * shaft_radius_squared) / (R::literal(1.0)
+            + p.shaft_poisson) * theta_x]
     }
-    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt. 7 operations.
+    /// Derivatives of f_0, then of f_1, with respect to u, u_x, u_t, u_xt. 6 operations.
     #[must_use]
     #[inline]
     pub fn force_jacobian<R: Real>(_time: R, _x: R, _point: &FieldPoint<R>,
             p: &Parameters<R>) -> [R; 8] {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
         [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity * (shaft_radius_squared
-            * shaft_radius_squared) / (R::literal(1.0) + p.shaft_poisson)), R::literal(0.0),
+            R::literal(-0.785_398_163_397_448_3) * p.shaft_elasticity * (shaft_radius_squared
+            * shaft_radius_squared) / (R::literal(1.0) + p.shaft_poisson), R::literal(0.0),
             R::literal(0.0)]
     }
-    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 18 operations.
+    /// Derivatives of f_0 and f_1 with respect to x, to t, then to `PARAMETERS`. 16 operations.
     #[must_use]
     #[inline]
     pub fn force_gradient<R: Real>(_time: R, _x: R, point: &FieldPoint<R>,
@@ -348,12 +348,11 @@ pub mod shaft_theta {
         let shaft_radius_squared_squared = shaft_radius_squared * shaft_radius_squared;
         let t0 = R::literal(1.0) + p.shaft_poisson;
         [R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            R::literal(0.0), R::literal(0.0), -(R::literal(core::f64::consts::PI)
-            * p.shaft_elasticity * (shaft_radius_squared * p.shaft_radius) / t0 * theta_x),
-            R::literal(0.0), R::literal(0.0), R::literal(0.0),
-            -(R::literal(core::f64::consts::FRAC_PI_4) * shaft_radius_squared_squared / t0
-            * theta_x), R::literal(0.0),
-            R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
+            R::literal(0.0), R::literal(0.0),
+            R::literal(-3.141_592_653_589_793) * p.shaft_elasticity * (shaft_radius_squared
+            * p.shaft_radius) / t0 * theta_x, R::literal(0.0), R::literal(0.0), R::literal(0.0),
+            R::literal(-0.785_398_163_397_448_3) * shaft_radius_squared_squared / t0 * theta_x,
+            R::literal(0.0), R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
             * shaft_radius_squared_squared / (t0 * t0) * theta_x]
     }
     /// T and V a length \[J/m\]. 12 operations.
@@ -429,23 +428,23 @@ pub mod shaft_theta {
     }
     /// f_1 alone, at many points.
     ///
-    /// 6 operations for all points, 2 for each.
+    /// 6 operations for all points, 1 for each.
     pub fn on_slope<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, force: &mut [R]) {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        let t0 = R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
-            * (shaft_radius_squared * shaft_radius_squared) / (R::literal(1.0) + p.shaft_poisson);
+        let t0 = R::literal(-0.785_398_163_397_448_3) * p.shaft_elasticity * (shaft_radius_squared
+            * shaft_radius_squared) / (R::literal(1.0) + p.shaft_poisson);
         for ((&theta_x, _), force) in u_x.iter().zip(u_xt).zip(force) {
-            *force = -(t0 * theta_x);
+            *force = t0 * theta_x;
         }
     }
     /// df_1/du_x and df_1/du_xt, at many points.
     ///
-    /// 7 operations for all points, 0 for each.
+    /// 6 operations for all points, 0 for each.
     pub fn on_slope_jacobian<R: Real>(u_x: &[R], u_xt: &[R], p: &Parameters<R>, by_u_x: &mut [R],
             by_u_xt: &mut [R]) {
         let shaft_radius_squared = p.shaft_radius * p.shaft_radius;
-        let t0 = -(R::literal(core::f64::consts::FRAC_PI_4) * p.shaft_elasticity
-            * (shaft_radius_squared * shaft_radius_squared) / (R::literal(1.0) + p.shaft_poisson));
+        let t0 = R::literal(-0.785_398_163_397_448_3) * p.shaft_elasticity * (shaft_radius_squared
+            * shaft_radius_squared) / (R::literal(1.0) + p.shaft_poisson);
         for (((_, _), by_u_x), by_u_xt) in u_x.iter().zip(u_xt).zip(by_u_x).zip(by_u_xt) {
             *by_u_x = t0;
             *by_u_xt = R::literal(0.0);

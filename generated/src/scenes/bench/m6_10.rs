@@ -17,8 +17,8 @@
 // Shapes: coordinates 10, states 20, outputs 20.
 // Nonzeros: mass_matrix 100 of 10 by 10, rate_jacobian 210 of 20 by 20,
 //     parameter_jacobian 0 of 20 by 0.
-// Operations: rate 1145, mass_matrix 126, forcing 345, rate_jacobian 5576, energy 118,
-//     power_balance 1652.
+// Operations: rate 1145, mass_matrix 126, forcing 345, rate_jacobian 5565, energy 117,
+//     power_balance 1651.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -438,45 +438,45 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t157 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t158 = (-(R::literal(98.1) * sin_chain_theta_1)).sub_product(R::literal(9.0)
-        * chain_omega_2_squared, t0).sub_product(t151, t3).sub_product(t152, t6).sub_product(t153,
-        t9).sub_product(t154, t12).sub_product(t155, t15).sub_product(t156, t18).sub_product(t157,
-        t21).sub_product(chain_omega_10_squared, t24);
+    let t158 = (R::literal(98.1) * sin_chain_theta_1).add_product(R::literal(9.0)
+        * chain_omega_2_squared, t0).add_product(t151, t3).add_product(t152, t6).add_product(t153,
+        t9).add_product(t154, t12).add_product(t155, t15).add_product(t156, t18).add_product(t157,
+        t21).add_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t159 = (-(R::literal(88.29) * sin_chain_theta_2)).add_product(R::literal(9.0)
         * chain_omega_1_squared, t0).sub_product(t151, t26).sub_product(t152, t27)
         .sub_product(t153, t28).sub_product(t154, t29).sub_product(t155, t30).sub_product(t156, t31)
-        .sub_product(t157, t32).sub_product(chain_omega_10_squared, t33).sub_product(t62, t158);
+        .sub_product(t157, t32).sub_product(chain_omega_10_squared, t33).add_product(t62, t158);
     let t160 = (R::literal(8.0) * chain_omega_1_squared * t3).add_product(R::literal(8.0)
         * chain_omega_2_squared, t26).sub_product(R::literal(78.48), sin_chain_theta_3)
         .sub_product(t152, t34).sub_product(t153, t35).sub_product(t154, t36).sub_product(t155, t37)
         .sub_product(t156, t38).sub_product(t157, t39).sub_product(chain_omega_10_squared, t40)
-        .sub_product(t63, t158).sub_product(t73, t159);
+        .add_product(t63, t158).sub_product(t73, t159);
     let t161 = (R::literal(7.0) * chain_omega_1_squared * t6).add_product(R::literal(7.0)
         * chain_omega_2_squared, t27).add_product(R::literal(7.0) * chain_omega_3_squared, t34)
         .sub_product(R::literal(68.67), sin_chain_theta_4).sub_product(t153, t41).sub_product(t154,
         t42).sub_product(t155, t43).sub_product(t156, t44).sub_product(t157, t45)
-        .sub_product(chain_omega_10_squared, t46).sub_product(t64, t158).sub_product(t75, t159)
+        .sub_product(chain_omega_10_squared, t46).add_product(t64, t158).sub_product(t75, t159)
         .sub_product(t90, t160);
     let t162 = (R::literal(6.0) * chain_omega_1_squared * t9).add_product(R::literal(6.0)
         * chain_omega_2_squared, t28).add_product(R::literal(6.0) * chain_omega_3_squared, t35)
         .add_product(R::literal(6.0) * chain_omega_4_squared, t41).sub_product(R::literal(58.86),
         sin_chain_theta_5).sub_product(t154, t47).sub_product(t155, t48).sub_product(t156, t49)
-        .sub_product(t157, t50).sub_product(chain_omega_10_squared, t51).sub_product(t65, t158)
+        .sub_product(t157, t50).sub_product(chain_omega_10_squared, t51).add_product(t65, t158)
         .sub_product(t77, t159).sub_product(t92, t160).sub_product(t105, t161);
     let t163 = (R::literal(5.0) * chain_omega_1_squared * t12).add_product(R::literal(5.0)
         * chain_omega_2_squared, t29).add_product(R::literal(5.0) * chain_omega_3_squared, t36)
         .add_product(R::literal(5.0) * chain_omega_4_squared, t42).add_product(R::literal(5.0)
         * chain_omega_5_squared, t47).sub_product(R::literal(49.05), sin_chain_theta_6)
         .sub_product(t155, t52).sub_product(t156, t53).sub_product(t157, t54)
-        .sub_product(chain_omega_10_squared, t55).sub_product(t66, t158).sub_product(t79, t159)
+        .sub_product(chain_omega_10_squared, t55).add_product(t66, t158).sub_product(t79, t159)
         .sub_product(t94, t160).sub_product(t107, t161).sub_product(t118, t162);
     let t164 = (R::literal(4.0) * chain_omega_1_squared * t15).add_product(R::literal(4.0)
         * chain_omega_2_squared, t30).add_product(R::literal(4.0) * chain_omega_3_squared, t37)
         .add_product(R::literal(4.0) * chain_omega_4_squared, t43).add_product(R::literal(4.0)
         * chain_omega_5_squared, t48).add_product(R::literal(4.0) * chain_omega_6_squared, t52)
         .sub_product(R::literal(39.24), sin_chain_theta_7).sub_product(t156, t56).sub_product(t157,
-        t57).sub_product(chain_omega_10_squared, t58).sub_product(t67, t158).sub_product(t81, t159)
+        t57).sub_product(chain_omega_10_squared, t58).add_product(t67, t158).sub_product(t81, t159)
         .sub_product(t96, t160).sub_product(t109, t161).sub_product(t120, t162).sub_product(t129,
         t163);
     let t165 = (R::literal(3.0) * chain_omega_1_squared * t18).add_product(R::literal(3.0)
@@ -485,7 +485,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         * chain_omega_5_squared, t49).add_product(R::literal(3.0) * chain_omega_6_squared, t53)
         .add_product(R::literal(3.0) * chain_omega_7_squared, t56).sub_product(R::literal(29.43),
         sin_chain_theta_8).sub_product(t157, t59).sub_product(chain_omega_10_squared, t60)
-        .sub_product(t68, t158).sub_product(t83, t159).sub_product(t98, t160).sub_product(t111,
+        .add_product(t68, t158).sub_product(t83, t159).sub_product(t98, t160).sub_product(t111,
         t161).sub_product(t122, t162).sub_product(t131, t163).sub_product(t138, t164);
     let t166 = (R::literal(2.0) * chain_omega_1_squared * t21).add_product(R::literal(2.0)
         * chain_omega_2_squared, t32).add_product(R::literal(2.0) * chain_omega_3_squared, t39)
@@ -493,7 +493,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         * chain_omega_5_squared, t50).add_product(R::literal(2.0) * chain_omega_6_squared, t54)
         .add_product(R::literal(2.0) * chain_omega_7_squared, t57).add_product(R::literal(2.0)
         * chain_omega_8_squared, t59).sub_product(R::literal(19.62), sin_chain_theta_9)
-        .sub_product(chain_omega_10_squared, t61).sub_product(t69, t158).sub_product(t85, t159)
+        .sub_product(chain_omega_10_squared, t61).add_product(t69, t158).sub_product(t85, t159)
         .sub_product(t100, t160).sub_product(t113, t161).sub_product(t124, t162).sub_product(t133,
         t163);
     let t167 = t166.sub_product(t140, t164).sub_product(t145, t165);
@@ -502,7 +502,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         .add_product(chain_omega_5_squared, t51).add_product(chain_omega_6_squared, t55)
         .add_product(chain_omega_7_squared, t58).add_product(chain_omega_8_squared, t60)
         .add_product(chain_omega_9_squared, t61).sub_product(R::literal(9.81), sin_chain_theta_10)
-        .sub_product(t70, t158).sub_product(t87, t159).sub_product(t102, t160).sub_product(t115,
+        .add_product(t70, t158).sub_product(t87, t159).sub_product(t102, t160).sub_product(t115,
         t161).sub_product(t126, t162).sub_product(t135, t163).sub_product(t142, t164)
         .sub_product(t147, t165).sub_product(t150, t167);
     let chain_omega_10_dot = t168 * (R::literal(1.0) / R::literal(1.0).sub_product(t70, t25)
@@ -531,10 +531,10 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         chain_omega_4_dot).sub_product(t77, chain_omega_5_dot).sub_product(t79, chain_omega_6_dot)
         .sub_product(t81, chain_omega_7_dot).sub_product(t83, chain_omega_8_dot).sub_product(t85,
         chain_omega_9_dot).sub_product(t87, chain_omega_10_dot);
-    let chain_omega_1_dot = (t158 * R::literal(0.1)).sub_product(t62, chain_omega_2_dot)
-        .sub_product(t63, chain_omega_3_dot).sub_product(t64, chain_omega_4_dot).sub_product(t65,
-        chain_omega_5_dot).sub_product(t66, chain_omega_6_dot).sub_product(t67, chain_omega_7_dot)
-        .sub_product(t68, chain_omega_8_dot).sub_product(t69, chain_omega_9_dot).sub_product(t70,
+    let chain_omega_1_dot = -(t158 * R::literal(0.1)).add_product(t62, chain_omega_2_dot)
+        .add_product(t63, chain_omega_3_dot).add_product(t64, chain_omega_4_dot).add_product(t65,
+        chain_omega_5_dot).add_product(t66, chain_omega_6_dot).add_product(t67, chain_omega_7_dot)
+        .add_product(t68, chain_omega_8_dot).add_product(t69, chain_omega_9_dot).add_product(t70,
         chain_omega_10_dot);
     [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_6,
         chain_omega_7, chain_omega_8, chain_omega_9, chain_omega_10, chain_omega_1_dot,
@@ -677,10 +677,10 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t51 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let chain_theta_1_forcing = (-(R::literal(98.1) * sin_chain_theta_1))
-        .sub_product(R::literal(9.0) * chain_omega_2_squared, t0).sub_product(t45, t1)
-        .sub_product(t46, t2).sub_product(t47, t3).sub_product(t48, t4).sub_product(t49, t5)
-        .sub_product(t50, t6).sub_product(t51, t7).sub_product(chain_omega_10_squared, t8);
+    let chain_theta_1_forcing = -(R::literal(98.1) * sin_chain_theta_1).add_product(R::literal(9.0)
+        * chain_omega_2_squared, t0).add_product(t45, t1).add_product(t46, t2).add_product(t47, t3)
+        .add_product(t48, t4).add_product(t49, t5).add_product(t50, t6).add_product(t51, t7)
+        .add_product(chain_omega_10_squared, t8);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let chain_theta_2_forcing = (-(R::literal(88.29) * sin_chain_theta_2))
         .add_product(R::literal(9.0) * chain_omega_1_squared, t0).sub_product(t45, t9)
@@ -737,7 +737,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         chain_theta_9_forcing, chain_theta_10_forcing]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 5576 operations.
+/// `dy'/dy`, values in the order of its pattern. 5565 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 210] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
@@ -1082,9 +1082,9 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t195 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t196 = (-(R::literal(98.1) * sin_chain_theta_1)).sub_product(t188, t0).sub_product(t189, t3)
-        .sub_product(t190, t6).sub_product(t191, t9).sub_product(t192, t12).sub_product(t193, t15)
-        .sub_product(t194, t18).sub_product(t195, t21).sub_product(chain_omega_10_squared, t24);
+    let t196 = (R::literal(98.1) * sin_chain_theta_1).add_product(t188, t0).add_product(t189, t3)
+        .add_product(t190, t6).add_product(t191, t9).add_product(t192, t12).add_product(t193, t15)
+        .add_product(t194, t18).add_product(t195, t21).add_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t197 = R::literal(9.0) * chain_omega_1_squared;
     let t198 = R::literal(8.0) * chain_omega_1_squared;
@@ -1125,42 +1125,42 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let t233 = (-(R::literal(88.29) * sin_chain_theta_2)).add_product(t197, t0).sub_product(t189,
         t26).sub_product(t190, t28).sub_product(t191, t30).sub_product(t192, t32).sub_product(t193,
         t34).sub_product(t194, t36).sub_product(t195, t38).sub_product(chain_omega_10_squared, t40)
-        .sub_product(t98, t196);
+        .add_product(t98, t196);
     let t234 = (t198 * t3).add_product(t199, t26).sub_product(R::literal(78.48), sin_chain_theta_3)
         .sub_product(t190, t42).sub_product(t191, t44).sub_product(t192, t46).sub_product(t193, t48)
         .sub_product(t194, t50).sub_product(t195, t52).sub_product(chain_omega_10_squared, t54)
-        .sub_product(t99, t196).sub_product(t109, t233);
+        .add_product(t99, t196).sub_product(t109, t233);
     let t235 = (t200 * t6).add_product(t201, t28).add_product(t202, t42)
         .sub_product(R::literal(68.67), sin_chain_theta_4).sub_product(t191, t56).sub_product(t192,
         t58).sub_product(t193, t60).sub_product(t194, t62).sub_product(t195, t64)
-        .sub_product(chain_omega_10_squared, t66).sub_product(t100, t196).sub_product(t111, t233)
+        .sub_product(chain_omega_10_squared, t66).add_product(t100, t196).sub_product(t111, t233)
         .sub_product(t126, t234);
     let t236 = (t203 * t9).add_product(t204, t30).add_product(t205, t44).add_product(t206, t56)
         .sub_product(R::literal(58.86), sin_chain_theta_5).sub_product(t192, t68).sub_product(t193,
         t70).sub_product(t194, t72).sub_product(t195, t74).sub_product(chain_omega_10_squared, t76)
-        .sub_product(t101, t196).sub_product(t113, t233).sub_product(t128, t234).sub_product(t141,
+        .add_product(t101, t196).sub_product(t113, t233).sub_product(t128, t234).sub_product(t141,
         t235);
     let t237 = (t207 * t12).add_product(t208, t32).add_product(t209, t46).add_product(t210, t58)
         .add_product(t211, t68).sub_product(R::literal(49.05), sin_chain_theta_6).sub_product(t193,
         t78).sub_product(t194, t80).sub_product(t195, t82).sub_product(chain_omega_10_squared, t84)
-        .sub_product(t102, t196).sub_product(t115, t233).sub_product(t130, t234).sub_product(t143,
+        .add_product(t102, t196).sub_product(t115, t233).sub_product(t130, t234).sub_product(t143,
         t235).sub_product(t154, t236);
     let t238 = (t212 * t15).add_product(t213, t34).add_product(t214, t48).add_product(t215, t60)
         .add_product(t216, t70).add_product(t217, t78).sub_product(R::literal(39.24),
         sin_chain_theta_7).sub_product(t194, t86).sub_product(t195, t88)
-        .sub_product(chain_omega_10_squared, t90).sub_product(t103, t196).sub_product(t117, t233)
+        .sub_product(chain_omega_10_squared, t90).add_product(t103, t196).sub_product(t117, t233)
         .sub_product(t132, t234).sub_product(t145, t235).sub_product(t156, t236).sub_product(t165,
         t237);
     let t239 = (t218 * t18).add_product(t219, t36).add_product(t220, t50).add_product(t221, t62)
         .add_product(t222, t72).add_product(t223, t80).add_product(t224, t86)
         .sub_product(R::literal(29.43), sin_chain_theta_8).sub_product(t195, t92)
-        .sub_product(chain_omega_10_squared, t94).sub_product(t104, t196).sub_product(t119, t233)
+        .sub_product(chain_omega_10_squared, t94).add_product(t104, t196).sub_product(t119, t233)
         .sub_product(t134, t234).sub_product(t147, t235).sub_product(t158, t236).sub_product(t167,
         t237).sub_product(t174, t238);
     let t240 = (t225 * t21).add_product(t226, t38).add_product(t227, t52).add_product(t228, t64)
         .add_product(t229, t74).add_product(t230, t82).add_product(t231, t88).add_product(t232, t92)
         .sub_product(R::literal(19.62), sin_chain_theta_9).sub_product(chain_omega_10_squared, t96)
-        .sub_product(t105, t196).sub_product(t121, t233).sub_product(t136, t234).sub_product(t149,
+        .add_product(t105, t196).sub_product(t121, t233).sub_product(t136, t234).sub_product(t149,
         t235).sub_product(t160, t236).sub_product(t169, t237).sub_product(t176, t238)
         .sub_product(t181, t239);
     let chain_omega_10_dot = (chain_omega_1_squared * t24).add_product(chain_omega_2_squared, t40)
@@ -1168,7 +1168,7 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         .add_product(chain_omega_5_squared, t76).add_product(chain_omega_6_squared, t84)
         .add_product(chain_omega_7_squared, t90).add_product(chain_omega_8_squared, t94)
         .add_product(chain_omega_9_squared, t96).sub_product(R::literal(9.81), sin_chain_theta_10)
-        .sub_product(t106, t196).sub_product(t123, t233).sub_product(t138, t234).sub_product(t151,
+        .add_product(t106, t196).sub_product(t123, t233).sub_product(t138, t234).sub_product(t151,
         t235).sub_product(t162, t236).sub_product(t171, t237).sub_product(t178, t238)
         .sub_product(t183, t239).sub_product(t186, t240) * t187;
     let chain_omega_9_dot = (t240 * t184).sub_product(t186, chain_omega_10_dot);
@@ -1193,1461 +1193,1461 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
         chain_omega_4_dot).sub_product(t113, chain_omega_5_dot).sub_product(t115, chain_omega_6_dot)
         .sub_product(t117, chain_omega_7_dot).sub_product(t119, chain_omega_8_dot)
         .sub_product(t121, chain_omega_9_dot).sub_product(t123, chain_omega_10_dot);
-    let chain_omega_1_dot = (t196 * R::literal(0.1)).sub_product(t98, chain_omega_2_dot)
-        .sub_product(t99, chain_omega_3_dot).sub_product(t100, chain_omega_4_dot).sub_product(t101,
-        chain_omega_5_dot).sub_product(t102, chain_omega_6_dot).sub_product(t103, chain_omega_7_dot)
-        .sub_product(t104, chain_omega_8_dot).sub_product(t105, chain_omega_9_dot)
-        .sub_product(t106, chain_omega_10_dot);
-    let t241 = t188 * t1;
-    let t242 = t189 * t4;
-    let t243 = t190 * t7;
-    let t244 = t191 * t10;
-    let t245 = t192 * t13;
-    let t246 = t193 * t16;
-    let t247 = t194 * t19;
-    let t248 = t195 * t22;
-    let t249 = chain_omega_10_squared * t25;
-    let t250 = t197 * t1;
-    let t251 = t198 * t4;
-    let t252 = t200 * t7;
-    let t253 = t203 * t10;
-    let t254 = t207 * t13;
-    let t255 = t212 * t16;
-    let t256 = t218 * t19;
-    let t257 = t225 * t22;
-    let t258 = chain_omega_1_squared * t25;
-    let t259 = R::literal(9.0) * t0;
-    let t260 = t259 * chain_omega_2_dot;
-    let t261 = t259 * chain_omega_1_dot;
-    let t262 = R::literal(8.0) * t3;
-    let t263 = t262 * chain_omega_3_dot;
-    let t264 = t262 * chain_omega_1_dot;
-    let t265 = R::literal(7.0) * t6;
-    let t266 = t265 * chain_omega_4_dot;
-    let t267 = t265 * chain_omega_1_dot;
-    let t268 = R::literal(6.0) * t9;
-    let t269 = t268 * chain_omega_5_dot;
-    let t270 = t268 * chain_omega_1_dot;
-    let t271 = R::literal(5.0) * t12;
-    let t272 = t271 * chain_omega_6_dot;
-    let t273 = t271 * chain_omega_1_dot;
-    let t274 = R::literal(4.0) * t15;
-    let t275 = t274 * chain_omega_7_dot;
-    let t276 = t274 * chain_omega_1_dot;
-    let t277 = R::literal(3.0) * t18;
-    let t278 = t277 * chain_omega_8_dot;
-    let t279 = t277 * chain_omega_1_dot;
-    let t280 = R::literal(2.0) * t21;
-    let t281 = t280 * chain_omega_9_dot;
-    let t282 = t280 * chain_omega_1_dot;
-    let t283 = t24 * chain_omega_10_dot;
-    let t284 = (-t241).sub_product(R::literal(98.1), cos_chain_theta_1) - t242 - t243 - t244 - t245
-        - t246 - t247 - t248 - t249 + t260 + t263 + t266 + t269 + t272 + t275 + t278 + t281 + t283;
-    let t285 = t24 * chain_omega_1_dot;
-    let t286 = (t250 + t261).sub_product(t98, t284);
-    let t287 = (t251 + t264).sub_product(t99, t284).sub_product(t109, t286);
-    let t288 = (t252 + t267).sub_product(t100, t284).sub_product(t111, t286).sub_product(t126,
-        t287);
-    let t289 = (t253 + t270).sub_product(t101, t284).sub_product(t113, t286).sub_product(t128, t287)
-        .sub_product(t141, t288);
-    let t290 = (t254 + t273).sub_product(t102, t284).sub_product(t115, t286).sub_product(t130, t287)
-        .sub_product(t143, t288).sub_product(t154, t289);
-    let t291 = (t255 + t276).sub_product(t103, t284).sub_product(t117, t286).sub_product(t132, t287)
-        .sub_product(t145, t288).sub_product(t156, t289).sub_product(t165, t290);
-    let t292 = (t256 + t279).sub_product(t104, t284).sub_product(t119, t286).sub_product(t134, t287)
-        .sub_product(t147, t288).sub_product(t158, t289).sub_product(t167, t290).sub_product(t174,
-        t291);
-    let t293 = (t257 + t282).sub_product(t105, t284).sub_product(t121, t286).sub_product(t136, t287)
-        .sub_product(t149, t288).sub_product(t160, t289).sub_product(t169, t290).sub_product(t176,
-        t291).sub_product(t181, t292);
-    let chain_omega_10_dot_by_chain_theta_1 = (t258 + t285).sub_product(t106, t284)
-        .sub_product(t123, t286).sub_product(t138, t287).sub_product(t151, t288).sub_product(t162,
-        t289).sub_product(t171, t290).sub_product(t178, t291).sub_product(t183, t292)
-        .sub_product(t186, t293) * t187;
-    let chain_omega_9_dot_by_chain_theta_1 = (t293 * t184).sub_product(t186,
+    let t241 = (t196 * R::literal(0.1)).add_product(t98, chain_omega_2_dot).add_product(t99,
+        chain_omega_3_dot).add_product(t100, chain_omega_4_dot).add_product(t101, chain_omega_5_dot)
+        .add_product(t102, chain_omega_6_dot).add_product(t103, chain_omega_7_dot)
+        .add_product(t104, chain_omega_8_dot).add_product(t105, chain_omega_9_dot)
+        .add_product(t106, chain_omega_10_dot);
+    let t242 = t188 * t1;
+    let t243 = t189 * t4;
+    let t244 = t190 * t7;
+    let t245 = t191 * t10;
+    let t246 = t192 * t13;
+    let t247 = t193 * t16;
+    let t248 = t194 * t19;
+    let t249 = t195 * t22;
+    let t250 = chain_omega_10_squared * t25;
+    let t251 = t197 * t1;
+    let t252 = t198 * t4;
+    let t253 = t200 * t7;
+    let t254 = t203 * t10;
+    let t255 = t207 * t13;
+    let t256 = t212 * t16;
+    let t257 = t218 * t19;
+    let t258 = t225 * t22;
+    let t259 = chain_omega_1_squared * t25;
+    let t260 = R::literal(9.0) * t0;
+    let t261 = t260 * chain_omega_2_dot;
+    let t262 = t260 * t241;
+    let t263 = R::literal(8.0) * t3;
+    let t264 = t263 * chain_omega_3_dot;
+    let t265 = t263 * t241;
+    let t266 = R::literal(7.0) * t6;
+    let t267 = t266 * chain_omega_4_dot;
+    let t268 = t266 * t241;
+    let t269 = R::literal(6.0) * t9;
+    let t270 = t269 * chain_omega_5_dot;
+    let t271 = t269 * t241;
+    let t272 = R::literal(5.0) * t12;
+    let t273 = t272 * chain_omega_6_dot;
+    let t274 = t272 * t241;
+    let t275 = R::literal(4.0) * t15;
+    let t276 = t275 * chain_omega_7_dot;
+    let t277 = t275 * t241;
+    let t278 = R::literal(3.0) * t18;
+    let t279 = t278 * chain_omega_8_dot;
+    let t280 = t278 * t241;
+    let t281 = R::literal(2.0) * t21;
+    let t282 = t281 * chain_omega_9_dot;
+    let t283 = t281 * t241;
+    let t284 = t24 * chain_omega_10_dot;
+    let t285 = t261 - (t242.add_product(R::literal(98.1), cos_chain_theta_1) + t243 + t244 + t245
+        + t246 + t247 + t248 + t249 + t250) + t264 + t267 + t270 + t273 + t276 + t279 + t282 + t284;
+    let t286 = t24 * t241;
+    let t287 = (t251 - t262).sub_product(t98, t285);
+    let t288 = (t252 - t265).sub_product(t99, t285).sub_product(t109, t287);
+    let t289 = (t253 - t268).sub_product(t100, t285).sub_product(t111, t287).sub_product(t126,
+        t288);
+    let t290 = (t254 - t271).sub_product(t101, t285).sub_product(t113, t287).sub_product(t128, t288)
+        .sub_product(t141, t289);
+    let t291 = (t255 - t274).sub_product(t102, t285).sub_product(t115, t287).sub_product(t130, t288)
+        .sub_product(t143, t289).sub_product(t154, t290);
+    let t292 = (t256 - t277).sub_product(t103, t285).sub_product(t117, t287).sub_product(t132, t288)
+        .sub_product(t145, t289).sub_product(t156, t290).sub_product(t165, t291);
+    let t293 = (t257 - t280).sub_product(t104, t285).sub_product(t119, t287).sub_product(t134, t288)
+        .sub_product(t147, t289).sub_product(t158, t290).sub_product(t167, t291).sub_product(t174,
+        t292);
+    let t294 = (t258 - t283).sub_product(t105, t285).sub_product(t121, t287).sub_product(t136, t288)
+        .sub_product(t149, t289).sub_product(t160, t290).sub_product(t169, t291).sub_product(t176,
+        t292).sub_product(t181, t293);
+    let chain_omega_10_dot_by_chain_theta_1 = (t259 - t286).sub_product(t106, t285)
+        .sub_product(t123, t287).sub_product(t138, t288).sub_product(t151, t289).sub_product(t162,
+        t290).sub_product(t171, t291).sub_product(t178, t292).sub_product(t183, t293)
+        .sub_product(t186, t294) * t187;
+    let chain_omega_9_dot_by_chain_theta_1 = (t294 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_8_dot_by_chain_theta_1 = (t292 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_1 = (t293 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_1).sub_product(t183, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_7_dot_by_chain_theta_1 = (t291 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_1 = (t292 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_1).sub_product(t176, chain_omega_9_dot_by_chain_theta_1)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_6_dot_by_chain_theta_1 = (t290 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_1 = (t291 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_1).sub_product(t167, chain_omega_8_dot_by_chain_theta_1)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_1).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_5_dot_by_chain_theta_1 = (t289 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_1 = (t290 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_1).sub_product(t156, chain_omega_7_dot_by_chain_theta_1)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_1).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_1).sub_product(t162, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_4_dot_by_chain_theta_1 = (t288 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_1 = (t289 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_1).sub_product(t143, chain_omega_6_dot_by_chain_theta_1)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_1).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_1).sub_product(t149, chain_omega_9_dot_by_chain_theta_1)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_3_dot_by_chain_theta_1 = (t287 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_1 = (t288 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_1).sub_product(t128, chain_omega_5_dot_by_chain_theta_1)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_1).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_1).sub_product(t134, chain_omega_8_dot_by_chain_theta_1)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_1).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_2_dot_by_chain_theta_1 = (t286 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_1 = (t287 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_1).sub_product(t111, chain_omega_4_dot_by_chain_theta_1)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_1).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_1).sub_product(t117, chain_omega_7_dot_by_chain_theta_1)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_1).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_1).sub_product(t123, chain_omega_10_dot_by_chain_theta_1);
-    let chain_omega_1_dot_by_chain_theta_1 = (t284 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_1 = (t285 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_1).sub_product(t99, chain_omega_3_dot_by_chain_theta_1)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_1).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_1).sub_product(t102, chain_omega_6_dot_by_chain_theta_1)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_1).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_1).sub_product(t105, chain_omega_9_dot_by_chain_theta_1)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_1);
-    let t294 = t189 * t27;
-    let t295 = t190 * t29;
-    let t296 = t191 * t31;
-    let t297 = t192 * t33;
-    let t298 = t193 * t35;
-    let t299 = t194 * t37;
-    let t300 = t195 * t39;
-    let t301 = chain_omega_10_squared * t41;
-    let t302 = t199 * t27;
-    let t303 = t201 * t29;
-    let t304 = t204 * t31;
-    let t305 = t208 * t33;
-    let t306 = t213 * t35;
-    let t307 = t219 * t37;
-    let t308 = t226 * t39;
-    let t309 = chain_omega_2_squared * t41;
-    let t310 = t241 - t260;
-    let t311 = R::literal(8.0) * t26;
-    let t312 = t311 * chain_omega_3_dot;
-    let t313 = t311 * chain_omega_2_dot;
-    let t314 = R::literal(7.0) * t28;
-    let t315 = t314 * chain_omega_4_dot;
-    let t316 = t314 * chain_omega_2_dot;
-    let t317 = R::literal(6.0) * t30;
-    let t318 = t317 * chain_omega_5_dot;
-    let t319 = t317 * chain_omega_2_dot;
-    let t320 = R::literal(5.0) * t32;
-    let t321 = t320 * chain_omega_6_dot;
-    let t322 = t320 * chain_omega_2_dot;
-    let t323 = R::literal(4.0) * t34;
-    let t324 = t323 * chain_omega_7_dot;
-    let t325 = t323 * chain_omega_2_dot;
-    let t326 = R::literal(3.0) * t36;
-    let t327 = t326 * chain_omega_8_dot;
-    let t328 = t326 * chain_omega_2_dot;
-    let t329 = R::literal(2.0) * t38;
-    let t330 = t329 * chain_omega_9_dot;
-    let t331 = t329 * chain_omega_2_dot;
-    let t332 = t40 * chain_omega_10_dot;
-    let t333 = t40 * chain_omega_2_dot;
-    let t334 = ((-t250).sub_product(R::literal(88.29), cos_chain_theta_2) - t294 - t295 - t296
-        - t297 - t298 - t299 - t300 - t301 - t261 + t312 + t315 + t318 + t321 + t324 + t327 + t330
-        + t332).sub_product(t98, t310);
-    let t335 = (t302 + t313).sub_product(t99, t310).sub_product(t109, t334);
-    let t336 = (t303 + t316).sub_product(t100, t310).sub_product(t111, t334).sub_product(t126,
-        t335);
-    let t337 = (t304 + t319).sub_product(t101, t310).sub_product(t113, t334).sub_product(t128, t335)
-        .sub_product(t141, t336);
-    let t338 = (t305 + t322).sub_product(t102, t310).sub_product(t115, t334).sub_product(t130, t335)
-        .sub_product(t143, t336).sub_product(t154, t337);
-    let t339 = (t306 + t325).sub_product(t103, t310).sub_product(t117, t334).sub_product(t132, t335)
-        .sub_product(t145, t336).sub_product(t156, t337).sub_product(t165, t338);
-    let t340 = (t307 + t328).sub_product(t104, t310).sub_product(t119, t334).sub_product(t134, t335)
-        .sub_product(t147, t336).sub_product(t158, t337).sub_product(t167, t338).sub_product(t174,
-        t339);
-    let t341 = (t308 + t331).sub_product(t105, t310).sub_product(t121, t334).sub_product(t136, t335)
-        .sub_product(t149, t336).sub_product(t160, t337).sub_product(t169, t338).sub_product(t176,
-        t339).sub_product(t181, t340);
-    let chain_omega_10_dot_by_chain_theta_2 = (t309 + t333).sub_product(t106, t310)
-        .sub_product(t123, t334).sub_product(t138, t335).sub_product(t151, t336).sub_product(t162,
-        t337).sub_product(t171, t338).sub_product(t178, t339).sub_product(t183, t340)
-        .sub_product(t186, t341) * t187;
-    let chain_omega_9_dot_by_chain_theta_2 = (t341 * t184).sub_product(t186,
+    let t295 = t189 * t27;
+    let t296 = t190 * t29;
+    let t297 = t191 * t31;
+    let t298 = t192 * t33;
+    let t299 = t193 * t35;
+    let t300 = t194 * t37;
+    let t301 = t195 * t39;
+    let t302 = chain_omega_10_squared * t41;
+    let t303 = t199 * t27;
+    let t304 = t201 * t29;
+    let t305 = t204 * t31;
+    let t306 = t208 * t33;
+    let t307 = t213 * t35;
+    let t308 = t219 * t37;
+    let t309 = t226 * t39;
+    let t310 = chain_omega_2_squared * t41;
+    let t311 = t242 - t261;
+    let t312 = R::literal(8.0) * t26;
+    let t313 = t312 * chain_omega_3_dot;
+    let t314 = t312 * chain_omega_2_dot;
+    let t315 = R::literal(7.0) * t28;
+    let t316 = t315 * chain_omega_4_dot;
+    let t317 = t315 * chain_omega_2_dot;
+    let t318 = R::literal(6.0) * t30;
+    let t319 = t318 * chain_omega_5_dot;
+    let t320 = t318 * chain_omega_2_dot;
+    let t321 = R::literal(5.0) * t32;
+    let t322 = t321 * chain_omega_6_dot;
+    let t323 = t321 * chain_omega_2_dot;
+    let t324 = R::literal(4.0) * t34;
+    let t325 = t324 * chain_omega_7_dot;
+    let t326 = t324 * chain_omega_2_dot;
+    let t327 = R::literal(3.0) * t36;
+    let t328 = t327 * chain_omega_8_dot;
+    let t329 = t327 * chain_omega_2_dot;
+    let t330 = R::literal(2.0) * t38;
+    let t331 = t330 * chain_omega_9_dot;
+    let t332 = t330 * chain_omega_2_dot;
+    let t333 = t40 * chain_omega_10_dot;
+    let t334 = t40 * chain_omega_2_dot;
+    let t335 = (t262 - (t251.add_product(R::literal(88.29), cos_chain_theta_2) + t295 + t296 + t297
+        + t298 + t299 + t300 + t301 + t302) + t313 + t316 + t319 + t322 + t325 + t328 + t331 + t333)
+        .sub_product(t98, t311);
+    let t336 = (t303 + t314).sub_product(t99, t311).sub_product(t109, t335);
+    let t337 = (t304 + t317).sub_product(t100, t311).sub_product(t111, t335).sub_product(t126,
+        t336);
+    let t338 = (t305 + t320).sub_product(t101, t311).sub_product(t113, t335).sub_product(t128, t336)
+        .sub_product(t141, t337);
+    let t339 = (t306 + t323).sub_product(t102, t311).sub_product(t115, t335).sub_product(t130, t336)
+        .sub_product(t143, t337).sub_product(t154, t338);
+    let t340 = (t307 + t326).sub_product(t103, t311).sub_product(t117, t335).sub_product(t132, t336)
+        .sub_product(t145, t337).sub_product(t156, t338).sub_product(t165, t339);
+    let t341 = (t308 + t329).sub_product(t104, t311).sub_product(t119, t335).sub_product(t134, t336)
+        .sub_product(t147, t337).sub_product(t158, t338).sub_product(t167, t339).sub_product(t174,
+        t340);
+    let t342 = (t309 + t332).sub_product(t105, t311).sub_product(t121, t335).sub_product(t136, t336)
+        .sub_product(t149, t337).sub_product(t160, t338).sub_product(t169, t339).sub_product(t176,
+        t340).sub_product(t181, t341);
+    let chain_omega_10_dot_by_chain_theta_2 = (t310 + t334).sub_product(t106, t311)
+        .sub_product(t123, t335).sub_product(t138, t336).sub_product(t151, t337).sub_product(t162,
+        t338).sub_product(t171, t339).sub_product(t178, t340).sub_product(t183, t341)
+        .sub_product(t186, t342) * t187;
+    let chain_omega_9_dot_by_chain_theta_2 = (t342 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_8_dot_by_chain_theta_2 = (t340 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_2 = (t341 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_2).sub_product(t183, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_7_dot_by_chain_theta_2 = (t339 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_2 = (t340 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_2).sub_product(t176, chain_omega_9_dot_by_chain_theta_2)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_6_dot_by_chain_theta_2 = (t338 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_2 = (t339 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_2).sub_product(t167, chain_omega_8_dot_by_chain_theta_2)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_2).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_5_dot_by_chain_theta_2 = (t337 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_2 = (t338 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_2).sub_product(t156, chain_omega_7_dot_by_chain_theta_2)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_2).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_2).sub_product(t162, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_4_dot_by_chain_theta_2 = (t336 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_2 = (t337 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_2).sub_product(t143, chain_omega_6_dot_by_chain_theta_2)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_2).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_2).sub_product(t149, chain_omega_9_dot_by_chain_theta_2)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_3_dot_by_chain_theta_2 = (t335 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_2 = (t336 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_2).sub_product(t128, chain_omega_5_dot_by_chain_theta_2)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_2).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_2).sub_product(t134, chain_omega_8_dot_by_chain_theta_2)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_2).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_2_dot_by_chain_theta_2 = (t334 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_2 = (t335 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_2).sub_product(t111, chain_omega_4_dot_by_chain_theta_2)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_2).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_2).sub_product(t117, chain_omega_7_dot_by_chain_theta_2)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_2).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_2).sub_product(t123, chain_omega_10_dot_by_chain_theta_2);
-    let chain_omega_1_dot_by_chain_theta_2 = (t310 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_2 = (t311 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_2).sub_product(t99, chain_omega_3_dot_by_chain_theta_2)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_2).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_2).sub_product(t102, chain_omega_6_dot_by_chain_theta_2)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_2).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_2).sub_product(t105, chain_omega_9_dot_by_chain_theta_2)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_2);
-    let t342 = t190 * t43;
-    let t343 = t191 * t45;
-    let t344 = t192 * t47;
-    let t345 = t193 * t49;
-    let t346 = t194 * t51;
-    let t347 = t195 * t53;
-    let t348 = chain_omega_10_squared * t55;
-    let t349 = t202 * t43;
-    let t350 = t205 * t45;
-    let t351 = t209 * t47;
-    let t352 = t214 * t49;
-    let t353 = t220 * t51;
-    let t354 = t227 * t53;
-    let t355 = chain_omega_3_squared * t55;
-    let t356 = t242 - t263;
-    let t357 = R::literal(7.0) * t42;
-    let t358 = t357 * chain_omega_4_dot;
-    let t359 = t357 * chain_omega_3_dot;
-    let t360 = R::literal(6.0) * t44;
-    let t361 = t360 * chain_omega_5_dot;
-    let t362 = t360 * chain_omega_3_dot;
-    let t363 = R::literal(5.0) * t46;
-    let t364 = t363 * chain_omega_6_dot;
-    let t365 = t363 * chain_omega_3_dot;
-    let t366 = R::literal(4.0) * t48;
-    let t367 = t366 * chain_omega_7_dot;
-    let t368 = t366 * chain_omega_3_dot;
-    let t369 = R::literal(3.0) * t50;
-    let t370 = t369 * chain_omega_8_dot;
-    let t371 = t369 * chain_omega_3_dot;
-    let t372 = R::literal(2.0) * t52;
-    let t373 = t372 * chain_omega_9_dot;
-    let t374 = t372 * chain_omega_3_dot;
-    let t375 = t54 * chain_omega_10_dot;
-    let t376 = t54 * chain_omega_3_dot;
-    let t377 = (t294 - t312).sub_product(t98, t356);
-    let t378 = ((-t251).sub_product(R::literal(78.48), cos_chain_theta_3) - t302 - t342 - t343
-        - t344 - t345 - t346 - t347 - t348 - t264 - t313 + t358 + t361 + t364 + t367 + t370 + t373
-        + t375).sub_product(t99, t356).sub_product(t109, t377);
-    let t379 = (t349 + t359).sub_product(t100, t356).sub_product(t111, t377).sub_product(t126,
-        t378);
-    let t380 = (t350 + t362).sub_product(t101, t356).sub_product(t113, t377).sub_product(t128, t378)
-        .sub_product(t141, t379);
-    let t381 = (t351 + t365).sub_product(t102, t356).sub_product(t115, t377).sub_product(t130, t378)
-        .sub_product(t143, t379).sub_product(t154, t380);
-    let t382 = (t352 + t368).sub_product(t103, t356).sub_product(t117, t377).sub_product(t132, t378)
-        .sub_product(t145, t379).sub_product(t156, t380).sub_product(t165, t381);
-    let t383 = (t353 + t371).sub_product(t104, t356).sub_product(t119, t377).sub_product(t134, t378)
-        .sub_product(t147, t379).sub_product(t158, t380).sub_product(t167, t381).sub_product(t174,
-        t382);
-    let t384 = (t354 + t374).sub_product(t105, t356).sub_product(t121, t377).sub_product(t136, t378)
-        .sub_product(t149, t379).sub_product(t160, t380).sub_product(t169, t381).sub_product(t176,
-        t382).sub_product(t181, t383);
-    let chain_omega_10_dot_by_chain_theta_3 = (t355 + t376).sub_product(t106, t356)
-        .sub_product(t123, t377).sub_product(t138, t378).sub_product(t151, t379).sub_product(t162,
-        t380).sub_product(t171, t381).sub_product(t178, t382).sub_product(t183, t383)
-        .sub_product(t186, t384) * t187;
-    let chain_omega_9_dot_by_chain_theta_3 = (t384 * t184).sub_product(t186,
+    let t343 = t190 * t43;
+    let t344 = t191 * t45;
+    let t345 = t192 * t47;
+    let t346 = t193 * t49;
+    let t347 = t194 * t51;
+    let t348 = t195 * t53;
+    let t349 = chain_omega_10_squared * t55;
+    let t350 = t202 * t43;
+    let t351 = t205 * t45;
+    let t352 = t209 * t47;
+    let t353 = t214 * t49;
+    let t354 = t220 * t51;
+    let t355 = t227 * t53;
+    let t356 = chain_omega_3_squared * t55;
+    let t357 = t243 - t264;
+    let t358 = R::literal(7.0) * t42;
+    let t359 = t358 * chain_omega_4_dot;
+    let t360 = t358 * chain_omega_3_dot;
+    let t361 = R::literal(6.0) * t44;
+    let t362 = t361 * chain_omega_5_dot;
+    let t363 = t361 * chain_omega_3_dot;
+    let t364 = R::literal(5.0) * t46;
+    let t365 = t364 * chain_omega_6_dot;
+    let t366 = t364 * chain_omega_3_dot;
+    let t367 = R::literal(4.0) * t48;
+    let t368 = t367 * chain_omega_7_dot;
+    let t369 = t367 * chain_omega_3_dot;
+    let t370 = R::literal(3.0) * t50;
+    let t371 = t370 * chain_omega_8_dot;
+    let t372 = t370 * chain_omega_3_dot;
+    let t373 = R::literal(2.0) * t52;
+    let t374 = t373 * chain_omega_9_dot;
+    let t375 = t373 * chain_omega_3_dot;
+    let t376 = t54 * chain_omega_10_dot;
+    let t377 = t54 * chain_omega_3_dot;
+    let t378 = (t295 - t313).sub_product(t98, t357);
+    let t379 = (t265 - (t252.add_product(R::literal(78.48), cos_chain_theta_3) + t303 + t343 + t344
+        + t345 + t346 + t347 + t348 + t349) - t314 + t359 + t362 + t365 + t368 + t371 + t374 + t376)
+        .sub_product(t99, t357).sub_product(t109, t378);
+    let t380 = (t350 + t360).sub_product(t100, t357).sub_product(t111, t378).sub_product(t126,
+        t379);
+    let t381 = (t351 + t363).sub_product(t101, t357).sub_product(t113, t378).sub_product(t128, t379)
+        .sub_product(t141, t380);
+    let t382 = (t352 + t366).sub_product(t102, t357).sub_product(t115, t378).sub_product(t130, t379)
+        .sub_product(t143, t380).sub_product(t154, t381);
+    let t383 = (t353 + t369).sub_product(t103, t357).sub_product(t117, t378).sub_product(t132, t379)
+        .sub_product(t145, t380).sub_product(t156, t381).sub_product(t165, t382);
+    let t384 = (t354 + t372).sub_product(t104, t357).sub_product(t119, t378).sub_product(t134, t379)
+        .sub_product(t147, t380).sub_product(t158, t381).sub_product(t167, t382).sub_product(t174,
+        t383);
+    let t385 = (t355 + t375).sub_product(t105, t357).sub_product(t121, t378).sub_product(t136, t379)
+        .sub_product(t149, t380).sub_product(t160, t381).sub_product(t169, t382).sub_product(t176,
+        t383).sub_product(t181, t384);
+    let chain_omega_10_dot_by_chain_theta_3 = (t356 + t377).sub_product(t106, t357)
+        .sub_product(t123, t378).sub_product(t138, t379).sub_product(t151, t380).sub_product(t162,
+        t381).sub_product(t171, t382).sub_product(t178, t383).sub_product(t183, t384)
+        .sub_product(t186, t385) * t187;
+    let chain_omega_9_dot_by_chain_theta_3 = (t385 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_8_dot_by_chain_theta_3 = (t383 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_3 = (t384 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_3).sub_product(t183, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_7_dot_by_chain_theta_3 = (t382 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_3 = (t383 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_3).sub_product(t176, chain_omega_9_dot_by_chain_theta_3)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_6_dot_by_chain_theta_3 = (t381 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_3 = (t382 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_3).sub_product(t167, chain_omega_8_dot_by_chain_theta_3)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_3).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_5_dot_by_chain_theta_3 = (t380 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_3 = (t381 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_3).sub_product(t156, chain_omega_7_dot_by_chain_theta_3)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_3).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_3).sub_product(t162, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_4_dot_by_chain_theta_3 = (t379 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_3 = (t380 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_3).sub_product(t143, chain_omega_6_dot_by_chain_theta_3)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_3).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_3).sub_product(t149, chain_omega_9_dot_by_chain_theta_3)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_3_dot_by_chain_theta_3 = (t378 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_3 = (t379 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_3).sub_product(t128, chain_omega_5_dot_by_chain_theta_3)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_3).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_3).sub_product(t134, chain_omega_8_dot_by_chain_theta_3)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_3).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_2_dot_by_chain_theta_3 = (t377 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_3 = (t378 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_3).sub_product(t111, chain_omega_4_dot_by_chain_theta_3)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_3).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_3).sub_product(t117, chain_omega_7_dot_by_chain_theta_3)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_3).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_3).sub_product(t123, chain_omega_10_dot_by_chain_theta_3);
-    let chain_omega_1_dot_by_chain_theta_3 = (t356 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_3 = (t357 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_3).sub_product(t99, chain_omega_3_dot_by_chain_theta_3)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_3).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_3).sub_product(t102, chain_omega_6_dot_by_chain_theta_3)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_3).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_3).sub_product(t105, chain_omega_9_dot_by_chain_theta_3)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_3);
-    let t385 = t191 * t57;
-    let t386 = t192 * t59;
-    let t387 = t193 * t61;
-    let t388 = t194 * t63;
-    let t389 = t195 * t65;
-    let t390 = chain_omega_10_squared * t67;
-    let t391 = t206 * t57;
-    let t392 = t210 * t59;
-    let t393 = t215 * t61;
-    let t394 = t221 * t63;
-    let t395 = t228 * t65;
-    let t396 = chain_omega_4_squared * t67;
-    let t397 = t243 - t266;
-    let t398 = R::literal(6.0) * t56;
-    let t399 = t398 * chain_omega_5_dot;
-    let t400 = t398 * chain_omega_4_dot;
-    let t401 = R::literal(5.0) * t58;
-    let t402 = t401 * chain_omega_6_dot;
-    let t403 = t401 * chain_omega_4_dot;
-    let t404 = R::literal(4.0) * t60;
-    let t405 = t404 * chain_omega_7_dot;
-    let t406 = t404 * chain_omega_4_dot;
-    let t407 = R::literal(3.0) * t62;
-    let t408 = t407 * chain_omega_8_dot;
-    let t409 = t407 * chain_omega_4_dot;
-    let t410 = R::literal(2.0) * t64;
-    let t411 = t410 * chain_omega_9_dot;
-    let t412 = t410 * chain_omega_4_dot;
-    let t413 = t66 * chain_omega_10_dot;
-    let t414 = t66 * chain_omega_4_dot;
-    let t415 = (t295 - t315).sub_product(t98, t397);
-    let t416 = (t342 - t358).sub_product(t99, t397).sub_product(t109, t415);
-    let t417 = ((-t252).sub_product(R::literal(68.67), cos_chain_theta_4) - t303 - t349 - t385
-        - t386 - t387 - t388 - t389 - t390 - t267 - t316 - t359 + t399 + t402 + t405 + t408 + t411
-        + t413).sub_product(t100, t397).sub_product(t111, t415).sub_product(t126, t416);
-    let t418 = (t391 + t400).sub_product(t101, t397).sub_product(t113, t415).sub_product(t128, t416)
-        .sub_product(t141, t417);
-    let t419 = (t392 + t403).sub_product(t102, t397).sub_product(t115, t415).sub_product(t130, t416)
-        .sub_product(t143, t417).sub_product(t154, t418);
-    let t420 = (t393 + t406).sub_product(t103, t397).sub_product(t117, t415).sub_product(t132, t416)
-        .sub_product(t145, t417).sub_product(t156, t418).sub_product(t165, t419);
-    let t421 = (t394 + t409).sub_product(t104, t397).sub_product(t119, t415).sub_product(t134, t416)
-        .sub_product(t147, t417).sub_product(t158, t418).sub_product(t167, t419).sub_product(t174,
-        t420);
-    let t422 = (t395 + t412).sub_product(t105, t397).sub_product(t121, t415).sub_product(t136, t416)
-        .sub_product(t149, t417).sub_product(t160, t418).sub_product(t169, t419).sub_product(t176,
-        t420).sub_product(t181, t421);
-    let chain_omega_10_dot_by_chain_theta_4 = (t396 + t414).sub_product(t106, t397)
-        .sub_product(t123, t415).sub_product(t138, t416).sub_product(t151, t417).sub_product(t162,
-        t418).sub_product(t171, t419).sub_product(t178, t420).sub_product(t183, t421)
-        .sub_product(t186, t422) * t187;
-    let chain_omega_9_dot_by_chain_theta_4 = (t422 * t184).sub_product(t186,
+    let t386 = t191 * t57;
+    let t387 = t192 * t59;
+    let t388 = t193 * t61;
+    let t389 = t194 * t63;
+    let t390 = t195 * t65;
+    let t391 = chain_omega_10_squared * t67;
+    let t392 = t206 * t57;
+    let t393 = t210 * t59;
+    let t394 = t215 * t61;
+    let t395 = t221 * t63;
+    let t396 = t228 * t65;
+    let t397 = chain_omega_4_squared * t67;
+    let t398 = t244 - t267;
+    let t399 = R::literal(6.0) * t56;
+    let t400 = t399 * chain_omega_5_dot;
+    let t401 = t399 * chain_omega_4_dot;
+    let t402 = R::literal(5.0) * t58;
+    let t403 = t402 * chain_omega_6_dot;
+    let t404 = t402 * chain_omega_4_dot;
+    let t405 = R::literal(4.0) * t60;
+    let t406 = t405 * chain_omega_7_dot;
+    let t407 = t405 * chain_omega_4_dot;
+    let t408 = R::literal(3.0) * t62;
+    let t409 = t408 * chain_omega_8_dot;
+    let t410 = t408 * chain_omega_4_dot;
+    let t411 = R::literal(2.0) * t64;
+    let t412 = t411 * chain_omega_9_dot;
+    let t413 = t411 * chain_omega_4_dot;
+    let t414 = t66 * chain_omega_10_dot;
+    let t415 = t66 * chain_omega_4_dot;
+    let t416 = (t296 - t316).sub_product(t98, t398);
+    let t417 = (t343 - t359).sub_product(t99, t398).sub_product(t109, t416);
+    let t418 = (t268 - (t253.add_product(R::literal(68.67), cos_chain_theta_4) + t304 + t350 + t386
+        + t387 + t388 + t389 + t390 + t391) - t317 - t360 + t400 + t403 + t406 + t409 + t412 + t414)
+        .sub_product(t100, t398).sub_product(t111, t416).sub_product(t126, t417);
+    let t419 = (t392 + t401).sub_product(t101, t398).sub_product(t113, t416).sub_product(t128, t417)
+        .sub_product(t141, t418);
+    let t420 = (t393 + t404).sub_product(t102, t398).sub_product(t115, t416).sub_product(t130, t417)
+        .sub_product(t143, t418).sub_product(t154, t419);
+    let t421 = (t394 + t407).sub_product(t103, t398).sub_product(t117, t416).sub_product(t132, t417)
+        .sub_product(t145, t418).sub_product(t156, t419).sub_product(t165, t420);
+    let t422 = (t395 + t410).sub_product(t104, t398).sub_product(t119, t416).sub_product(t134, t417)
+        .sub_product(t147, t418).sub_product(t158, t419).sub_product(t167, t420).sub_product(t174,
+        t421);
+    let t423 = (t396 + t413).sub_product(t105, t398).sub_product(t121, t416).sub_product(t136, t417)
+        .sub_product(t149, t418).sub_product(t160, t419).sub_product(t169, t420).sub_product(t176,
+        t421).sub_product(t181, t422);
+    let chain_omega_10_dot_by_chain_theta_4 = (t397 + t415).sub_product(t106, t398)
+        .sub_product(t123, t416).sub_product(t138, t417).sub_product(t151, t418).sub_product(t162,
+        t419).sub_product(t171, t420).sub_product(t178, t421).sub_product(t183, t422)
+        .sub_product(t186, t423) * t187;
+    let chain_omega_9_dot_by_chain_theta_4 = (t423 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_8_dot_by_chain_theta_4 = (t421 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_4 = (t422 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_4).sub_product(t183, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_7_dot_by_chain_theta_4 = (t420 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_4 = (t421 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_4).sub_product(t176, chain_omega_9_dot_by_chain_theta_4)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_6_dot_by_chain_theta_4 = (t419 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_4 = (t420 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_4).sub_product(t167, chain_omega_8_dot_by_chain_theta_4)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_4).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_5_dot_by_chain_theta_4 = (t418 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_4 = (t419 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_4).sub_product(t156, chain_omega_7_dot_by_chain_theta_4)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_4).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_4).sub_product(t162, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_4_dot_by_chain_theta_4 = (t417 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_4 = (t418 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_4).sub_product(t143, chain_omega_6_dot_by_chain_theta_4)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_4).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_4).sub_product(t149, chain_omega_9_dot_by_chain_theta_4)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_3_dot_by_chain_theta_4 = (t416 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_4 = (t417 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_4).sub_product(t128, chain_omega_5_dot_by_chain_theta_4)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_4).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_4).sub_product(t134, chain_omega_8_dot_by_chain_theta_4)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_4).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_2_dot_by_chain_theta_4 = (t415 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_4 = (t416 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_4).sub_product(t111, chain_omega_4_dot_by_chain_theta_4)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_4).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_4).sub_product(t117, chain_omega_7_dot_by_chain_theta_4)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_4).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_4).sub_product(t123, chain_omega_10_dot_by_chain_theta_4);
-    let chain_omega_1_dot_by_chain_theta_4 = (t397 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_4 = (t398 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_4).sub_product(t99, chain_omega_3_dot_by_chain_theta_4)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_4).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_4).sub_product(t102, chain_omega_6_dot_by_chain_theta_4)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_4).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_4).sub_product(t105, chain_omega_9_dot_by_chain_theta_4)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_4);
-    let t423 = t192 * t69;
-    let t424 = t193 * t71;
-    let t425 = t194 * t73;
-    let t426 = t195 * t75;
-    let t427 = chain_omega_10_squared * t77;
-    let t428 = t211 * t69;
-    let t429 = t216 * t71;
-    let t430 = t222 * t73;
-    let t431 = t229 * t75;
-    let t432 = chain_omega_5_squared * t77;
-    let t433 = t244 - t269;
-    let t434 = R::literal(5.0) * t68;
-    let t435 = t434 * chain_omega_6_dot;
-    let t436 = t434 * chain_omega_5_dot;
-    let t437 = R::literal(4.0) * t70;
-    let t438 = t437 * chain_omega_7_dot;
-    let t439 = t437 * chain_omega_5_dot;
-    let t440 = R::literal(3.0) * t72;
-    let t441 = t440 * chain_omega_8_dot;
-    let t442 = t440 * chain_omega_5_dot;
-    let t443 = R::literal(2.0) * t74;
-    let t444 = t443 * chain_omega_9_dot;
-    let t445 = t443 * chain_omega_5_dot;
-    let t446 = t76 * chain_omega_10_dot;
-    let t447 = t76 * chain_omega_5_dot;
-    let t448 = (t296 - t318).sub_product(t98, t433);
-    let t449 = (t343 - t361).sub_product(t99, t433).sub_product(t109, t448);
-    let t450 = (t385 - t399).sub_product(t100, t433).sub_product(t111, t448).sub_product(t126,
-        t449);
-    let t451 = ((-t253).sub_product(R::literal(58.86), cos_chain_theta_5) - t304 - t350 - t391
-        - t423 - t424 - t425 - t426 - t427 - t270 - t319 - t362 - t400 + t435 + t438 + t441 + t444
-        + t446).sub_product(t101, t433).sub_product(t113, t448).sub_product(t128, t449)
-        .sub_product(t141, t450);
-    let t452 = (t428 + t436).sub_product(t102, t433).sub_product(t115, t448).sub_product(t130, t449)
-        .sub_product(t143, t450).sub_product(t154, t451);
-    let t453 = (t429 + t439).sub_product(t103, t433).sub_product(t117, t448).sub_product(t132, t449)
-        .sub_product(t145, t450).sub_product(t156, t451).sub_product(t165, t452);
-    let t454 = (t430 + t442).sub_product(t104, t433).sub_product(t119, t448).sub_product(t134, t449)
-        .sub_product(t147, t450).sub_product(t158, t451).sub_product(t167, t452).sub_product(t174,
-        t453);
-    let t455 = (t431 + t445).sub_product(t105, t433).sub_product(t121, t448).sub_product(t136, t449)
-        .sub_product(t149, t450).sub_product(t160, t451).sub_product(t169, t452).sub_product(t176,
-        t453).sub_product(t181, t454);
-    let chain_omega_10_dot_by_chain_theta_5 = (t432 + t447).sub_product(t106, t433)
-        .sub_product(t123, t448).sub_product(t138, t449).sub_product(t151, t450).sub_product(t162,
-        t451).sub_product(t171, t452).sub_product(t178, t453).sub_product(t183, t454)
-        .sub_product(t186, t455) * t187;
-    let chain_omega_9_dot_by_chain_theta_5 = (t455 * t184).sub_product(t186,
+    let t424 = t192 * t69;
+    let t425 = t193 * t71;
+    let t426 = t194 * t73;
+    let t427 = t195 * t75;
+    let t428 = chain_omega_10_squared * t77;
+    let t429 = t211 * t69;
+    let t430 = t216 * t71;
+    let t431 = t222 * t73;
+    let t432 = t229 * t75;
+    let t433 = chain_omega_5_squared * t77;
+    let t434 = t245 - t270;
+    let t435 = R::literal(5.0) * t68;
+    let t436 = t435 * chain_omega_6_dot;
+    let t437 = t435 * chain_omega_5_dot;
+    let t438 = R::literal(4.0) * t70;
+    let t439 = t438 * chain_omega_7_dot;
+    let t440 = t438 * chain_omega_5_dot;
+    let t441 = R::literal(3.0) * t72;
+    let t442 = t441 * chain_omega_8_dot;
+    let t443 = t441 * chain_omega_5_dot;
+    let t444 = R::literal(2.0) * t74;
+    let t445 = t444 * chain_omega_9_dot;
+    let t446 = t444 * chain_omega_5_dot;
+    let t447 = t76 * chain_omega_10_dot;
+    let t448 = t76 * chain_omega_5_dot;
+    let t449 = (t297 - t319).sub_product(t98, t434);
+    let t450 = (t344 - t362).sub_product(t99, t434).sub_product(t109, t449);
+    let t451 = (t386 - t400).sub_product(t100, t434).sub_product(t111, t449).sub_product(t126,
+        t450);
+    let t452 = (t271 - (t254.add_product(R::literal(58.86), cos_chain_theta_5) + t305 + t351 + t392
+        + t424 + t425 + t426 + t427 + t428) - t320 - t363 - t401 + t436 + t439 + t442 + t445 + t447)
+        .sub_product(t101, t434).sub_product(t113, t449).sub_product(t128, t450).sub_product(t141,
+        t451);
+    let t453 = (t429 + t437).sub_product(t102, t434).sub_product(t115, t449).sub_product(t130, t450)
+        .sub_product(t143, t451).sub_product(t154, t452);
+    let t454 = (t430 + t440).sub_product(t103, t434).sub_product(t117, t449).sub_product(t132, t450)
+        .sub_product(t145, t451).sub_product(t156, t452).sub_product(t165, t453);
+    let t455 = (t431 + t443).sub_product(t104, t434).sub_product(t119, t449).sub_product(t134, t450)
+        .sub_product(t147, t451).sub_product(t158, t452).sub_product(t167, t453).sub_product(t174,
+        t454);
+    let t456 = (t432 + t446).sub_product(t105, t434).sub_product(t121, t449).sub_product(t136, t450)
+        .sub_product(t149, t451).sub_product(t160, t452).sub_product(t169, t453).sub_product(t176,
+        t454).sub_product(t181, t455);
+    let chain_omega_10_dot_by_chain_theta_5 = (t433 + t448).sub_product(t106, t434)
+        .sub_product(t123, t449).sub_product(t138, t450).sub_product(t151, t451).sub_product(t162,
+        t452).sub_product(t171, t453).sub_product(t178, t454).sub_product(t183, t455)
+        .sub_product(t186, t456) * t187;
+    let chain_omega_9_dot_by_chain_theta_5 = (t456 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_8_dot_by_chain_theta_5 = (t454 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_5 = (t455 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_5).sub_product(t183, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_7_dot_by_chain_theta_5 = (t453 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_5 = (t454 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_5).sub_product(t176, chain_omega_9_dot_by_chain_theta_5)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_6_dot_by_chain_theta_5 = (t452 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_5 = (t453 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_5).sub_product(t167, chain_omega_8_dot_by_chain_theta_5)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_5).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_5_dot_by_chain_theta_5 = (t451 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_5 = (t452 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_5).sub_product(t156, chain_omega_7_dot_by_chain_theta_5)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_5).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_5).sub_product(t162, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_4_dot_by_chain_theta_5 = (t450 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_5 = (t451 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_5).sub_product(t143, chain_omega_6_dot_by_chain_theta_5)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_5).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_5).sub_product(t149, chain_omega_9_dot_by_chain_theta_5)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_3_dot_by_chain_theta_5 = (t449 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_5 = (t450 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_5).sub_product(t128, chain_omega_5_dot_by_chain_theta_5)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_5).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_5).sub_product(t134, chain_omega_8_dot_by_chain_theta_5)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_5).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_2_dot_by_chain_theta_5 = (t448 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_5 = (t449 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_5).sub_product(t111, chain_omega_4_dot_by_chain_theta_5)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_5).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_5).sub_product(t117, chain_omega_7_dot_by_chain_theta_5)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_5).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_5).sub_product(t123, chain_omega_10_dot_by_chain_theta_5);
-    let chain_omega_1_dot_by_chain_theta_5 = (t433 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_5 = (t434 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_5).sub_product(t99, chain_omega_3_dot_by_chain_theta_5)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_5).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_5).sub_product(t102, chain_omega_6_dot_by_chain_theta_5)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_5).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_5).sub_product(t105, chain_omega_9_dot_by_chain_theta_5)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_5);
-    let t456 = t193 * t79;
-    let t457 = t194 * t81;
-    let t458 = t195 * t83;
-    let t459 = chain_omega_10_squared * t85;
-    let t460 = t217 * t79;
-    let t461 = t223 * t81;
-    let t462 = t230 * t83;
-    let t463 = chain_omega_6_squared * t85;
-    let t464 = t245 - t272;
-    let t465 = R::literal(4.0) * t78;
-    let t466 = t465 * chain_omega_7_dot;
-    let t467 = t465 * chain_omega_6_dot;
-    let t468 = R::literal(3.0) * t80;
-    let t469 = t468 * chain_omega_8_dot;
-    let t470 = t468 * chain_omega_6_dot;
-    let t471 = R::literal(2.0) * t82;
-    let t472 = t471 * chain_omega_9_dot;
-    let t473 = t471 * chain_omega_6_dot;
-    let t474 = t84 * chain_omega_10_dot;
-    let t475 = t84 * chain_omega_6_dot;
-    let t476 = (t297 - t321).sub_product(t98, t464);
-    let t477 = (t344 - t364).sub_product(t99, t464).sub_product(t109, t476);
-    let t478 = (t386 - t402).sub_product(t100, t464).sub_product(t111, t476).sub_product(t126,
-        t477);
-    let t479 = (t423 - t435).sub_product(t101, t464).sub_product(t113, t476).sub_product(t128, t477)
-        .sub_product(t141, t478);
-    let t480 = ((-t254).sub_product(R::literal(49.05), cos_chain_theta_6) - t305 - t351 - t392
-        - t428 - t456 - t457 - t458 - t459 - t273 - t322 - t365 - t403 - t436 + t466 + t469 + t472
-        + t474).sub_product(t102, t464).sub_product(t115, t476).sub_product(t130, t477)
-        .sub_product(t143, t478).sub_product(t154, t479);
-    let t481 = (t460 + t467).sub_product(t103, t464).sub_product(t117, t476).sub_product(t132, t477)
-        .sub_product(t145, t478).sub_product(t156, t479).sub_product(t165, t480);
-    let t482 = (t461 + t470).sub_product(t104, t464).sub_product(t119, t476).sub_product(t134, t477)
-        .sub_product(t147, t478).sub_product(t158, t479).sub_product(t167, t480).sub_product(t174,
-        t481);
-    let t483 = (t462 + t473).sub_product(t105, t464).sub_product(t121, t476).sub_product(t136, t477)
-        .sub_product(t149, t478).sub_product(t160, t479).sub_product(t169, t480).sub_product(t176,
-        t481).sub_product(t181, t482);
-    let chain_omega_10_dot_by_chain_theta_6 = (t463 + t475).sub_product(t106, t464)
-        .sub_product(t123, t476).sub_product(t138, t477).sub_product(t151, t478).sub_product(t162,
-        t479).sub_product(t171, t480).sub_product(t178, t481).sub_product(t183, t482)
-        .sub_product(t186, t483) * t187;
-    let chain_omega_9_dot_by_chain_theta_6 = (t483 * t184).sub_product(t186,
+    let t457 = t193 * t79;
+    let t458 = t194 * t81;
+    let t459 = t195 * t83;
+    let t460 = chain_omega_10_squared * t85;
+    let t461 = t217 * t79;
+    let t462 = t223 * t81;
+    let t463 = t230 * t83;
+    let t464 = chain_omega_6_squared * t85;
+    let t465 = t246 - t273;
+    let t466 = R::literal(4.0) * t78;
+    let t467 = t466 * chain_omega_7_dot;
+    let t468 = t466 * chain_omega_6_dot;
+    let t469 = R::literal(3.0) * t80;
+    let t470 = t469 * chain_omega_8_dot;
+    let t471 = t469 * chain_omega_6_dot;
+    let t472 = R::literal(2.0) * t82;
+    let t473 = t472 * chain_omega_9_dot;
+    let t474 = t472 * chain_omega_6_dot;
+    let t475 = t84 * chain_omega_10_dot;
+    let t476 = t84 * chain_omega_6_dot;
+    let t477 = (t298 - t322).sub_product(t98, t465);
+    let t478 = (t345 - t365).sub_product(t99, t465).sub_product(t109, t477);
+    let t479 = (t387 - t403).sub_product(t100, t465).sub_product(t111, t477).sub_product(t126,
+        t478);
+    let t480 = (t424 - t436).sub_product(t101, t465).sub_product(t113, t477).sub_product(t128, t478)
+        .sub_product(t141, t479);
+    let t481 = (t274 - (t255.add_product(R::literal(49.05), cos_chain_theta_6) + t306 + t352 + t393
+        + t429 + t457 + t458 + t459 + t460) - t323 - t366 - t404 - t437 + t467 + t470 + t473 + t475)
+        .sub_product(t102, t465).sub_product(t115, t477).sub_product(t130, t478).sub_product(t143,
+        t479).sub_product(t154, t480);
+    let t482 = (t461 + t468).sub_product(t103, t465).sub_product(t117, t477).sub_product(t132, t478)
+        .sub_product(t145, t479).sub_product(t156, t480).sub_product(t165, t481);
+    let t483 = (t462 + t471).sub_product(t104, t465).sub_product(t119, t477).sub_product(t134, t478)
+        .sub_product(t147, t479).sub_product(t158, t480).sub_product(t167, t481).sub_product(t174,
+        t482);
+    let t484 = (t463 + t474).sub_product(t105, t465).sub_product(t121, t477).sub_product(t136, t478)
+        .sub_product(t149, t479).sub_product(t160, t480).sub_product(t169, t481).sub_product(t176,
+        t482).sub_product(t181, t483);
+    let chain_omega_10_dot_by_chain_theta_6 = (t464 + t476).sub_product(t106, t465)
+        .sub_product(t123, t477).sub_product(t138, t478).sub_product(t151, t479).sub_product(t162,
+        t480).sub_product(t171, t481).sub_product(t178, t482).sub_product(t183, t483)
+        .sub_product(t186, t484) * t187;
+    let chain_omega_9_dot_by_chain_theta_6 = (t484 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_8_dot_by_chain_theta_6 = (t482 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_6 = (t483 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_6).sub_product(t183, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_7_dot_by_chain_theta_6 = (t481 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_6 = (t482 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_6).sub_product(t176, chain_omega_9_dot_by_chain_theta_6)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_6_dot_by_chain_theta_6 = (t480 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_6 = (t481 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_6).sub_product(t167, chain_omega_8_dot_by_chain_theta_6)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_6).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_5_dot_by_chain_theta_6 = (t479 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_6 = (t480 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_6).sub_product(t156, chain_omega_7_dot_by_chain_theta_6)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_6).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_6).sub_product(t162, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_4_dot_by_chain_theta_6 = (t478 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_6 = (t479 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_6).sub_product(t143, chain_omega_6_dot_by_chain_theta_6)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_6).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_6).sub_product(t149, chain_omega_9_dot_by_chain_theta_6)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_3_dot_by_chain_theta_6 = (t477 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_6 = (t478 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_6).sub_product(t128, chain_omega_5_dot_by_chain_theta_6)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_6).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_6).sub_product(t134, chain_omega_8_dot_by_chain_theta_6)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_6).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_2_dot_by_chain_theta_6 = (t476 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_6 = (t477 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_6).sub_product(t111, chain_omega_4_dot_by_chain_theta_6)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_6).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_6).sub_product(t117, chain_omega_7_dot_by_chain_theta_6)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_6).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_6).sub_product(t123, chain_omega_10_dot_by_chain_theta_6);
-    let chain_omega_1_dot_by_chain_theta_6 = (t464 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_6 = (t465 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_6).sub_product(t99, chain_omega_3_dot_by_chain_theta_6)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_6).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_6).sub_product(t102, chain_omega_6_dot_by_chain_theta_6)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_6).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_6).sub_product(t105, chain_omega_9_dot_by_chain_theta_6)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_6);
-    let t484 = t194 * t87;
-    let t485 = t195 * t89;
-    let t486 = chain_omega_10_squared * t91;
-    let t487 = t224 * t87;
-    let t488 = t231 * t89;
-    let t489 = chain_omega_7_squared * t91;
-    let t490 = t246 - t275;
-    let t491 = R::literal(3.0) * t86;
-    let t492 = t491 * chain_omega_8_dot;
-    let t493 = t491 * chain_omega_7_dot;
-    let t494 = R::literal(2.0) * t88;
-    let t495 = t494 * chain_omega_9_dot;
-    let t496 = t494 * chain_omega_7_dot;
-    let t497 = t90 * chain_omega_10_dot;
-    let t498 = t90 * chain_omega_7_dot;
-    let t499 = (t298 - t324).sub_product(t98, t490);
-    let t500 = (t345 - t367).sub_product(t99, t490).sub_product(t109, t499);
-    let t501 = (t387 - t405).sub_product(t100, t490).sub_product(t111, t499).sub_product(t126,
-        t500);
-    let t502 = (t424 - t438).sub_product(t101, t490).sub_product(t113, t499).sub_product(t128, t500)
-        .sub_product(t141, t501);
-    let t503 = (t456 - t466).sub_product(t102, t490).sub_product(t115, t499).sub_product(t130, t500)
-        .sub_product(t143, t501).sub_product(t154, t502);
-    let t504 = ((-t255).sub_product(R::literal(39.24), cos_chain_theta_7) - t306 - t352 - t393
-        - t429 - t460 - t484 - t485 - t486 - t276 - t325 - t368 - t406 - t439 - t467 + t492 + t495
-        + t497).sub_product(t103, t490).sub_product(t117, t499).sub_product(t132, t500)
-        .sub_product(t145, t501).sub_product(t156, t502).sub_product(t165, t503);
-    let t505 = (t487 + t493).sub_product(t104, t490).sub_product(t119, t499).sub_product(t134, t500)
-        .sub_product(t147, t501).sub_product(t158, t502).sub_product(t167, t503).sub_product(t174,
-        t504);
-    let t506 = (t488 + t496).sub_product(t105, t490).sub_product(t121, t499).sub_product(t136, t500)
-        .sub_product(t149, t501).sub_product(t160, t502).sub_product(t169, t503).sub_product(t176,
-        t504).sub_product(t181, t505);
-    let chain_omega_10_dot_by_chain_theta_7 = (t489 + t498).sub_product(t106, t490)
-        .sub_product(t123, t499).sub_product(t138, t500).sub_product(t151, t501).sub_product(t162,
-        t502).sub_product(t171, t503).sub_product(t178, t504).sub_product(t183, t505)
-        .sub_product(t186, t506) * t187;
-    let chain_omega_9_dot_by_chain_theta_7 = (t506 * t184).sub_product(t186,
+    let t485 = t194 * t87;
+    let t486 = t195 * t89;
+    let t487 = chain_omega_10_squared * t91;
+    let t488 = t224 * t87;
+    let t489 = t231 * t89;
+    let t490 = chain_omega_7_squared * t91;
+    let t491 = t247 - t276;
+    let t492 = R::literal(3.0) * t86;
+    let t493 = t492 * chain_omega_8_dot;
+    let t494 = t492 * chain_omega_7_dot;
+    let t495 = R::literal(2.0) * t88;
+    let t496 = t495 * chain_omega_9_dot;
+    let t497 = t495 * chain_omega_7_dot;
+    let t498 = t90 * chain_omega_10_dot;
+    let t499 = t90 * chain_omega_7_dot;
+    let t500 = (t299 - t325).sub_product(t98, t491);
+    let t501 = (t346 - t368).sub_product(t99, t491).sub_product(t109, t500);
+    let t502 = (t388 - t406).sub_product(t100, t491).sub_product(t111, t500).sub_product(t126,
+        t501);
+    let t503 = (t425 - t439).sub_product(t101, t491).sub_product(t113, t500).sub_product(t128, t501)
+        .sub_product(t141, t502);
+    let t504 = (t457 - t467).sub_product(t102, t491).sub_product(t115, t500).sub_product(t130, t501)
+        .sub_product(t143, t502).sub_product(t154, t503);
+    let t505 = (t277 - (t256.add_product(R::literal(39.24), cos_chain_theta_7) + t307 + t353 + t394
+        + t430 + t461 + t485 + t486 + t487) - t326 - t369 - t407 - t440 - t468 + t493 + t496 + t498)
+        .sub_product(t103, t491).sub_product(t117, t500).sub_product(t132, t501).sub_product(t145,
+        t502).sub_product(t156, t503).sub_product(t165, t504);
+    let t506 = (t488 + t494).sub_product(t104, t491).sub_product(t119, t500).sub_product(t134, t501)
+        .sub_product(t147, t502).sub_product(t158, t503).sub_product(t167, t504).sub_product(t174,
+        t505);
+    let t507 = (t489 + t497).sub_product(t105, t491).sub_product(t121, t500).sub_product(t136, t501)
+        .sub_product(t149, t502).sub_product(t160, t503).sub_product(t169, t504).sub_product(t176,
+        t505).sub_product(t181, t506);
+    let chain_omega_10_dot_by_chain_theta_7 = (t490 + t499).sub_product(t106, t491)
+        .sub_product(t123, t500).sub_product(t138, t501).sub_product(t151, t502).sub_product(t162,
+        t503).sub_product(t171, t504).sub_product(t178, t505).sub_product(t183, t506)
+        .sub_product(t186, t507) * t187;
+    let chain_omega_9_dot_by_chain_theta_7 = (t507 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_8_dot_by_chain_theta_7 = (t505 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_7 = (t506 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_7).sub_product(t183, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_7_dot_by_chain_theta_7 = (t504 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_7 = (t505 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_7).sub_product(t176, chain_omega_9_dot_by_chain_theta_7)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_6_dot_by_chain_theta_7 = (t503 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_7 = (t504 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_7).sub_product(t167, chain_omega_8_dot_by_chain_theta_7)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_7).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_5_dot_by_chain_theta_7 = (t502 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_7 = (t503 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_7).sub_product(t156, chain_omega_7_dot_by_chain_theta_7)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_7).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_7).sub_product(t162, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_4_dot_by_chain_theta_7 = (t501 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_7 = (t502 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_7).sub_product(t143, chain_omega_6_dot_by_chain_theta_7)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_7).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_7).sub_product(t149, chain_omega_9_dot_by_chain_theta_7)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_3_dot_by_chain_theta_7 = (t500 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_7 = (t501 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_7).sub_product(t128, chain_omega_5_dot_by_chain_theta_7)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_7).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_7).sub_product(t134, chain_omega_8_dot_by_chain_theta_7)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_7).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_2_dot_by_chain_theta_7 = (t499 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_7 = (t500 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_7).sub_product(t111, chain_omega_4_dot_by_chain_theta_7)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_7).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_7).sub_product(t117, chain_omega_7_dot_by_chain_theta_7)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_7).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_7).sub_product(t123, chain_omega_10_dot_by_chain_theta_7);
-    let chain_omega_1_dot_by_chain_theta_7 = (t490 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_7 = (t491 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_7).sub_product(t99, chain_omega_3_dot_by_chain_theta_7)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_7).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_7).sub_product(t102, chain_omega_6_dot_by_chain_theta_7)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_7).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_7).sub_product(t105, chain_omega_9_dot_by_chain_theta_7)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_7);
-    let t507 = t195 * t93;
-    let t508 = chain_omega_10_squared * t95;
-    let t509 = t232 * t93;
-    let t510 = chain_omega_8_squared * t95;
-    let t511 = t247 - t278;
-    let t512 = R::literal(2.0) * t92;
-    let t513 = t512 * chain_omega_9_dot;
-    let t514 = t512 * chain_omega_8_dot;
-    let t515 = t94 * chain_omega_10_dot;
-    let t516 = t94 * chain_omega_8_dot;
-    let t517 = (t299 - t327).sub_product(t98, t511);
-    let t518 = (t346 - t370).sub_product(t99, t511).sub_product(t109, t517);
-    let t519 = (t388 - t408).sub_product(t100, t511).sub_product(t111, t517).sub_product(t126,
-        t518);
-    let t520 = (t425 - t441).sub_product(t101, t511).sub_product(t113, t517).sub_product(t128, t518)
-        .sub_product(t141, t519);
-    let t521 = (t457 - t469).sub_product(t102, t511).sub_product(t115, t517).sub_product(t130, t518)
-        .sub_product(t143, t519).sub_product(t154, t520);
-    let t522 = (t484 - t492).sub_product(t103, t511).sub_product(t117, t517).sub_product(t132, t518)
-        .sub_product(t145, t519).sub_product(t156, t520).sub_product(t165, t521);
-    let t523 = ((-t256).sub_product(R::literal(29.43), cos_chain_theta_8) - t307 - t353 - t394
-        - t430 - t461 - t487 - t507 - t508 - t279 - t328 - t371 - t409 - t442 - t470 - t493 + t513
-        + t515).sub_product(t104, t511).sub_product(t119, t517).sub_product(t134, t518)
-        .sub_product(t147, t519).sub_product(t158, t520).sub_product(t167, t521);
-    let t524 = t523.sub_product(t174, t522);
-    let t525 = (t509 + t514).sub_product(t105, t511).sub_product(t121, t517).sub_product(t136, t518)
-        .sub_product(t149, t519).sub_product(t160, t520).sub_product(t169, t521).sub_product(t176,
-        t522).sub_product(t181, t524);
-    let chain_omega_10_dot_by_chain_theta_8 = (t510 + t516).sub_product(t106, t511)
-        .sub_product(t123, t517).sub_product(t138, t518).sub_product(t151, t519).sub_product(t162,
-        t520).sub_product(t171, t521).sub_product(t178, t522).sub_product(t183, t524)
-        .sub_product(t186, t525) * t187;
-    let chain_omega_9_dot_by_chain_theta_8 = (t525 * t184).sub_product(t186,
+    let t508 = t195 * t93;
+    let t509 = chain_omega_10_squared * t95;
+    let t510 = t232 * t93;
+    let t511 = chain_omega_8_squared * t95;
+    let t512 = t248 - t279;
+    let t513 = R::literal(2.0) * t92;
+    let t514 = t513 * chain_omega_9_dot;
+    let t515 = t513 * chain_omega_8_dot;
+    let t516 = t94 * chain_omega_10_dot;
+    let t517 = t94 * chain_omega_8_dot;
+    let t518 = (t300 - t328).sub_product(t98, t512);
+    let t519 = (t347 - t371).sub_product(t99, t512).sub_product(t109, t518);
+    let t520 = (t389 - t409).sub_product(t100, t512).sub_product(t111, t518).sub_product(t126,
+        t519);
+    let t521 = (t426 - t442).sub_product(t101, t512).sub_product(t113, t518).sub_product(t128, t519)
+        .sub_product(t141, t520);
+    let t522 = (t458 - t470).sub_product(t102, t512).sub_product(t115, t518).sub_product(t130, t519)
+        .sub_product(t143, t520).sub_product(t154, t521);
+    let t523 = (t485 - t493).sub_product(t103, t512).sub_product(t117, t518).sub_product(t132, t519)
+        .sub_product(t145, t520).sub_product(t156, t521).sub_product(t165, t522);
+    let t524 = (t280 - (t257.add_product(R::literal(29.43), cos_chain_theta_8) + t308 + t354 + t395
+        + t431 + t462 + t488 + t508 + t509) - t329 - t372 - t410 - t443 - t471 - t494 + t514 + t516)
+        .sub_product(t104, t512).sub_product(t119, t518).sub_product(t134, t519).sub_product(t147,
+        t520).sub_product(t158, t521).sub_product(t167, t522);
+    let t525 = t524.sub_product(t174, t523);
+    let t526 = (t510 + t515).sub_product(t105, t512).sub_product(t121, t518).sub_product(t136, t519)
+        .sub_product(t149, t520).sub_product(t160, t521).sub_product(t169, t522).sub_product(t176,
+        t523).sub_product(t181, t525);
+    let chain_omega_10_dot_by_chain_theta_8 = (t511 + t517).sub_product(t106, t512)
+        .sub_product(t123, t518).sub_product(t138, t519).sub_product(t151, t520).sub_product(t162,
+        t521).sub_product(t171, t522).sub_product(t178, t523).sub_product(t183, t525)
+        .sub_product(t186, t526) * t187;
+    let chain_omega_9_dot_by_chain_theta_8 = (t526 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_8_dot_by_chain_theta_8 = (t524 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_8 = (t525 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_8).sub_product(t183, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_7_dot_by_chain_theta_8 = (t522 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_8 = (t523 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_8).sub_product(t176, chain_omega_9_dot_by_chain_theta_8)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_6_dot_by_chain_theta_8 = (t521 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_8 = (t522 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_8).sub_product(t167, chain_omega_8_dot_by_chain_theta_8)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_8).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_5_dot_by_chain_theta_8 = (t520 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_8 = (t521 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_8).sub_product(t156, chain_omega_7_dot_by_chain_theta_8)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_8).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_8).sub_product(t162, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_4_dot_by_chain_theta_8 = (t519 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_8 = (t520 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_8).sub_product(t143, chain_omega_6_dot_by_chain_theta_8)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_8).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_8).sub_product(t149, chain_omega_9_dot_by_chain_theta_8)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_3_dot_by_chain_theta_8 = (t518 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_8 = (t519 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_8).sub_product(t128, chain_omega_5_dot_by_chain_theta_8)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_8).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_8).sub_product(t134, chain_omega_8_dot_by_chain_theta_8)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_8).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_2_dot_by_chain_theta_8 = (t517 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_8 = (t518 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_8).sub_product(t111, chain_omega_4_dot_by_chain_theta_8)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_8).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_8).sub_product(t117, chain_omega_7_dot_by_chain_theta_8)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_8).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_8).sub_product(t123, chain_omega_10_dot_by_chain_theta_8);
-    let chain_omega_1_dot_by_chain_theta_8 = (t511 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_8 = (t512 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_8).sub_product(t99, chain_omega_3_dot_by_chain_theta_8)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_8).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_8).sub_product(t102, chain_omega_6_dot_by_chain_theta_8)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_8).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_8).sub_product(t105, chain_omega_9_dot_by_chain_theta_8)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_8);
-    let t526 = chain_omega_10_squared * t97;
-    let t527 = chain_omega_9_squared * t97;
-    let t528 = t248 - t281;
-    let t529 = t96 * chain_omega_10_dot;
-    let t530 = t96 * chain_omega_9_dot;
-    let t531 = (t300 - t330).sub_product(t98, t528);
-    let t532 = (t347 - t373).sub_product(t99, t528).sub_product(t109, t531);
-    let t533 = (t389 - t411).sub_product(t100, t528).sub_product(t111, t531).sub_product(t126,
-        t532);
-    let t534 = (t426 - t444).sub_product(t101, t528).sub_product(t113, t531).sub_product(t128, t532)
-        .sub_product(t141, t533);
-    let t535 = (t458 - t472).sub_product(t102, t528).sub_product(t115, t531).sub_product(t130, t532)
-        .sub_product(t143, t533).sub_product(t154, t534);
-    let t536 = (t485 - t495).sub_product(t103, t528).sub_product(t117, t531).sub_product(t132, t532)
-        .sub_product(t145, t533).sub_product(t156, t534).sub_product(t165, t535);
-    let t537 = (t507 - t513).sub_product(t104, t528).sub_product(t119, t531).sub_product(t134, t532)
-        .sub_product(t147, t533).sub_product(t158, t534).sub_product(t167, t535).sub_product(t174,
-        t536);
-    let t538 = ((-t257).sub_product(R::literal(19.62), cos_chain_theta_9) - t308 - t354 - t395
-        - t431 - t462 - t488 - t509 - t526 - t282 - t331 - t374 - t412 - t445 - t473 - t496 - t514
-        + t529).sub_product(t105, t528).sub_product(t121, t531).sub_product(t136, t532)
-        .sub_product(t149, t533).sub_product(t160, t534).sub_product(t169, t535);
-    let t539 = t538.sub_product(t176, t536).sub_product(t181, t537);
-    let chain_omega_10_dot_by_chain_theta_9 = (t527 + t530).sub_product(t106, t528)
-        .sub_product(t123, t531).sub_product(t138, t532).sub_product(t151, t533).sub_product(t162,
-        t534).sub_product(t171, t535).sub_product(t178, t536).sub_product(t183, t537)
-        .sub_product(t186, t539) * t187;
-    let chain_omega_9_dot_by_chain_theta_9 = (t539 * t184).sub_product(t186,
+    let t527 = chain_omega_10_squared * t97;
+    let t528 = chain_omega_9_squared * t97;
+    let t529 = t249 - t282;
+    let t530 = t96 * chain_omega_10_dot;
+    let t531 = t96 * chain_omega_9_dot;
+    let t532 = (t301 - t331).sub_product(t98, t529);
+    let t533 = (t348 - t374).sub_product(t99, t529).sub_product(t109, t532);
+    let t534 = (t390 - t412).sub_product(t100, t529).sub_product(t111, t532).sub_product(t126,
+        t533);
+    let t535 = (t427 - t445).sub_product(t101, t529).sub_product(t113, t532).sub_product(t128, t533)
+        .sub_product(t141, t534);
+    let t536 = (t459 - t473).sub_product(t102, t529).sub_product(t115, t532).sub_product(t130, t533)
+        .sub_product(t143, t534).sub_product(t154, t535);
+    let t537 = (t486 - t496).sub_product(t103, t529).sub_product(t117, t532).sub_product(t132, t533)
+        .sub_product(t145, t534).sub_product(t156, t535).sub_product(t165, t536);
+    let t538 = (t508 - t514).sub_product(t104, t529).sub_product(t119, t532).sub_product(t134, t533)
+        .sub_product(t147, t534).sub_product(t158, t535).sub_product(t167, t536).sub_product(t174,
+        t537);
+    let t539 = (t283 - (t258.add_product(R::literal(19.62), cos_chain_theta_9) + t309 + t355 + t396
+        + t432 + t463 + t489 + t510 + t527) - t332 - t375 - t413 - t446 - t474 - t497 - t515 + t530)
+        .sub_product(t105, t529).sub_product(t121, t532).sub_product(t136, t533).sub_product(t149,
+        t534).sub_product(t160, t535).sub_product(t169, t536);
+    let t540 = t539.sub_product(t176, t537).sub_product(t181, t538);
+    let chain_omega_10_dot_by_chain_theta_9 = (t528 + t531).sub_product(t106, t529)
+        .sub_product(t123, t532).sub_product(t138, t533).sub_product(t151, t534).sub_product(t162,
+        t535).sub_product(t171, t536).sub_product(t178, t537).sub_product(t183, t538)
+        .sub_product(t186, t540) * t187;
+    let chain_omega_9_dot_by_chain_theta_9 = (t540 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_8_dot_by_chain_theta_9 = (t537 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_9 = (t538 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_9).sub_product(t183, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_7_dot_by_chain_theta_9 = (t536 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_9 = (t537 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_9).sub_product(t176, chain_omega_9_dot_by_chain_theta_9)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_6_dot_by_chain_theta_9 = (t535 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_9 = (t536 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_9).sub_product(t167, chain_omega_8_dot_by_chain_theta_9)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_9).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_5_dot_by_chain_theta_9 = (t534 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_9 = (t535 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_9).sub_product(t156, chain_omega_7_dot_by_chain_theta_9)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_9).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_9).sub_product(t162, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_4_dot_by_chain_theta_9 = (t533 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_9 = (t534 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_9).sub_product(t143, chain_omega_6_dot_by_chain_theta_9)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_9).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_9).sub_product(t149, chain_omega_9_dot_by_chain_theta_9)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_3_dot_by_chain_theta_9 = (t532 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_9 = (t533 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_9).sub_product(t128, chain_omega_5_dot_by_chain_theta_9)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_9).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_9).sub_product(t134, chain_omega_8_dot_by_chain_theta_9)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_9).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_2_dot_by_chain_theta_9 = (t531 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_9 = (t532 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_9).sub_product(t111, chain_omega_4_dot_by_chain_theta_9)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_9).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_9).sub_product(t117, chain_omega_7_dot_by_chain_theta_9)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_9).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_9).sub_product(t123, chain_omega_10_dot_by_chain_theta_9);
-    let chain_omega_1_dot_by_chain_theta_9 = (t528 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_9 = (t529 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_9).sub_product(t99, chain_omega_3_dot_by_chain_theta_9)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_9).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_9).sub_product(t102, chain_omega_6_dot_by_chain_theta_9)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_9).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_9).sub_product(t105, chain_omega_9_dot_by_chain_theta_9)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_9);
-    let t540 = t249 - t283;
-    let t541 = (t301 - t332).sub_product(t98, t540);
-    let t542 = (t348 - t375).sub_product(t99, t540).sub_product(t109, t541);
-    let t543 = (t390 - t413).sub_product(t100, t540).sub_product(t111, t541).sub_product(t126,
-        t542);
-    let t544 = (t427 - t446).sub_product(t101, t540).sub_product(t113, t541).sub_product(t128, t542)
-        .sub_product(t141, t543);
-    let t545 = (t459 - t474).sub_product(t102, t540).sub_product(t115, t541).sub_product(t130, t542)
-        .sub_product(t143, t543).sub_product(t154, t544);
-    let t546 = (t486 - t497).sub_product(t103, t540).sub_product(t117, t541).sub_product(t132, t542)
-        .sub_product(t145, t543).sub_product(t156, t544).sub_product(t165, t545);
-    let t547 = (t508 - t515).sub_product(t104, t540).sub_product(t119, t541).sub_product(t134, t542)
-        .sub_product(t147, t543).sub_product(t158, t544).sub_product(t167, t545).sub_product(t174,
-        t546);
-    let t548 = (t526 - t529).sub_product(t105, t540).sub_product(t121, t541).sub_product(t136, t542)
-        .sub_product(t149, t543).sub_product(t160, t544).sub_product(t169, t545).sub_product(t176,
-        t546).sub_product(t181, t547);
-    let t549 = ((-t258).sub_product(R::literal(9.81), cos_chain_theta_10) - t309 - t355 - t396
-        - t432 - t463 - t489 - t510 - t527 - t285 - t333 - t376 - t414 - t447 - t475 - t498 - t516
-        - t530).sub_product(t106, t540).sub_product(t123, t541).sub_product(t138, t542)
-        .sub_product(t151, t543).sub_product(t162, t544).sub_product(t171, t545);
-    let chain_omega_10_dot_by_chain_theta_10 = t549.sub_product(t178, t546).sub_product(t183, t547)
-        .sub_product(t186, t548) * t187;
-    let chain_omega_9_dot_by_chain_theta_10 = (t548 * t184).sub_product(t186,
+    let t541 = t250 - t284;
+    let t542 = (t302 - t333).sub_product(t98, t541);
+    let t543 = (t349 - t376).sub_product(t99, t541).sub_product(t109, t542);
+    let t544 = (t391 - t414).sub_product(t100, t541).sub_product(t111, t542).sub_product(t126,
+        t543);
+    let t545 = (t428 - t447).sub_product(t101, t541).sub_product(t113, t542).sub_product(t128, t543)
+        .sub_product(t141, t544);
+    let t546 = (t460 - t475).sub_product(t102, t541).sub_product(t115, t542).sub_product(t130, t543)
+        .sub_product(t143, t544).sub_product(t154, t545);
+    let t547 = (t487 - t498).sub_product(t103, t541).sub_product(t117, t542).sub_product(t132, t543)
+        .sub_product(t145, t544).sub_product(t156, t545).sub_product(t165, t546);
+    let t548 = (t509 - t516).sub_product(t104, t541).sub_product(t119, t542).sub_product(t134, t543)
+        .sub_product(t147, t544).sub_product(t158, t545).sub_product(t167, t546).sub_product(t174,
+        t547);
+    let t549 = (t527 - t530).sub_product(t105, t541).sub_product(t121, t542).sub_product(t136, t543)
+        .sub_product(t149, t544).sub_product(t160, t545).sub_product(t169, t546).sub_product(t176,
+        t547).sub_product(t181, t548);
+    let t550 = (t286 - (t259.add_product(R::literal(9.81), cos_chain_theta_10) + t310 + t356 + t397
+        + t433 + t464 + t490 + t511 + t528) - t334 - t377 - t415 - t448 - t476 - t499 - t517 - t531)
+        .sub_product(t106, t541).sub_product(t123, t542).sub_product(t138, t543).sub_product(t151,
+        t544).sub_product(t162, t545).sub_product(t171, t546);
+    let chain_omega_10_dot_by_chain_theta_10 = t550.sub_product(t178, t547).sub_product(t183, t548)
+        .sub_product(t186, t549) * t187;
+    let chain_omega_9_dot_by_chain_theta_10 = (t549 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_8_dot_by_chain_theta_10 = (t547 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_theta_10 = (t548 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_theta_10).sub_product(t183,
         chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_7_dot_by_chain_theta_10 = (t546 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_theta_10 = (t547 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_theta_10).sub_product(t176, chain_omega_9_dot_by_chain_theta_10)
         .sub_product(t178, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_6_dot_by_chain_theta_10 = (t545 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_theta_10 = (t546 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_theta_10).sub_product(t167, chain_omega_8_dot_by_chain_theta_10)
         .sub_product(t169, chain_omega_9_dot_by_chain_theta_10).sub_product(t171,
         chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_5_dot_by_chain_theta_10 = (t544 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_theta_10 = (t545 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_theta_10).sub_product(t156, chain_omega_7_dot_by_chain_theta_10)
         .sub_product(t158, chain_omega_8_dot_by_chain_theta_10).sub_product(t160,
         chain_omega_9_dot_by_chain_theta_10).sub_product(t162,
         chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_4_dot_by_chain_theta_10 = (t543 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_theta_10 = (t544 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_theta_10).sub_product(t143, chain_omega_6_dot_by_chain_theta_10)
         .sub_product(t145, chain_omega_7_dot_by_chain_theta_10).sub_product(t147,
         chain_omega_8_dot_by_chain_theta_10).sub_product(t149, chain_omega_9_dot_by_chain_theta_10)
         .sub_product(t151, chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_3_dot_by_chain_theta_10 = (t542 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_theta_10 = (t543 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_theta_10).sub_product(t128, chain_omega_5_dot_by_chain_theta_10)
         .sub_product(t130, chain_omega_6_dot_by_chain_theta_10).sub_product(t132,
         chain_omega_7_dot_by_chain_theta_10).sub_product(t134, chain_omega_8_dot_by_chain_theta_10)
         .sub_product(t136, chain_omega_9_dot_by_chain_theta_10).sub_product(t138,
         chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_2_dot_by_chain_theta_10 = (t541 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_theta_10 = (t542 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_theta_10).sub_product(t111, chain_omega_4_dot_by_chain_theta_10)
         .sub_product(t113, chain_omega_5_dot_by_chain_theta_10).sub_product(t115,
         chain_omega_6_dot_by_chain_theta_10).sub_product(t117, chain_omega_7_dot_by_chain_theta_10)
         .sub_product(t119, chain_omega_8_dot_by_chain_theta_10).sub_product(t121,
         chain_omega_9_dot_by_chain_theta_10).sub_product(t123,
         chain_omega_10_dot_by_chain_theta_10);
-    let chain_omega_1_dot_by_chain_theta_10 = (t540 * R::literal(0.1)).sub_product(t98,
+    let chain_omega_1_dot_by_chain_theta_10 = (t541 * R::literal(0.1)).sub_product(t98,
         chain_omega_2_dot_by_chain_theta_10).sub_product(t99, chain_omega_3_dot_by_chain_theta_10)
         .sub_product(t100, chain_omega_4_dot_by_chain_theta_10).sub_product(t101,
         chain_omega_5_dot_by_chain_theta_10).sub_product(t102, chain_omega_6_dot_by_chain_theta_10)
         .sub_product(t103, chain_omega_7_dot_by_chain_theta_10).sub_product(t104,
         chain_omega_8_dot_by_chain_theta_10).sub_product(t105, chain_omega_9_dot_by_chain_theta_10)
         .sub_product(t106, chain_omega_10_dot_by_chain_theta_10);
-    let t550 = R::literal(18.0) * chain_omega_1 * t0;
-    let t551 = (R::literal(16.0) * chain_omega_1 * t3).sub_product(t109, t550);
-    let t552 = (R::literal(14.0) * chain_omega_1 * t6).sub_product(t111, t550).sub_product(t126,
-        t551);
-    let t553 = (R::literal(12.0) * chain_omega_1 * t9).sub_product(t113, t550).sub_product(t128,
-        t551).sub_product(t141, t552);
-    let t554 = (R::literal(10.0) * chain_omega_1 * t12).sub_product(t115, t550).sub_product(t130,
-        t551).sub_product(t143, t552).sub_product(t154, t553);
-    let t555 = (R::literal(8.0) * chain_omega_1 * t15).sub_product(t117, t550).sub_product(t132,
-        t551).sub_product(t145, t552).sub_product(t156, t553).sub_product(t165, t554);
-    let t556 = (R::literal(6.0) * chain_omega_1 * t18).sub_product(t119, t550).sub_product(t134,
-        t551).sub_product(t147, t552).sub_product(t158, t553).sub_product(t167, t554)
-        .sub_product(t174, t555);
-    let t557 = (R::literal(4.0) * chain_omega_1 * t21).sub_product(t121, t550).sub_product(t136,
-        t551).sub_product(t149, t552).sub_product(t160, t553).sub_product(t169, t554)
-        .sub_product(t176, t555).sub_product(t181, t556);
+    let t551 = R::literal(18.0) * chain_omega_1 * t0;
+    let t552 = (R::literal(16.0) * chain_omega_1 * t3).sub_product(t109, t551);
+    let t553 = (R::literal(14.0) * chain_omega_1 * t6).sub_product(t111, t551).sub_product(t126,
+        t552);
+    let t554 = (R::literal(12.0) * chain_omega_1 * t9).sub_product(t113, t551).sub_product(t128,
+        t552).sub_product(t141, t553);
+    let t555 = (R::literal(10.0) * chain_omega_1 * t12).sub_product(t115, t551).sub_product(t130,
+        t552).sub_product(t143, t553).sub_product(t154, t554);
+    let t556 = (R::literal(8.0) * chain_omega_1 * t15).sub_product(t117, t551).sub_product(t132,
+        t552).sub_product(t145, t553).sub_product(t156, t554).sub_product(t165, t555);
+    let t557 = (R::literal(6.0) * chain_omega_1 * t18).sub_product(t119, t551).sub_product(t134,
+        t552).sub_product(t147, t553).sub_product(t158, t554).sub_product(t167, t555)
+        .sub_product(t174, t556);
+    let t558 = (R::literal(4.0) * chain_omega_1 * t21).sub_product(t121, t551).sub_product(t136,
+        t552).sub_product(t149, t553).sub_product(t160, t554).sub_product(t169, t555)
+        .sub_product(t176, t556).sub_product(t181, t557);
     let chain_omega_10_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t24)
-        .sub_product(t123, t550).sub_product(t138, t551).sub_product(t151, t552).sub_product(t162,
-        t553).sub_product(t171, t554).sub_product(t178, t555).sub_product(t183, t556)
-        .sub_product(t186, t557) * t187;
-    let chain_omega_9_dot_by_chain_omega_1 = (t557 * t184).sub_product(t186,
+        .sub_product(t123, t551).sub_product(t138, t552).sub_product(t151, t553).sub_product(t162,
+        t554).sub_product(t171, t555).sub_product(t178, t556).sub_product(t183, t557)
+        .sub_product(t186, t558) * t187;
+    let chain_omega_9_dot_by_chain_omega_1 = (t558 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_8_dot_by_chain_omega_1 = (t556 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_1 = (t557 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_1).sub_product(t183, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_7_dot_by_chain_omega_1 = (t555 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_1 = (t556 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_1).sub_product(t176, chain_omega_9_dot_by_chain_omega_1)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_6_dot_by_chain_omega_1 = (t554 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_1 = (t555 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_1).sub_product(t167, chain_omega_8_dot_by_chain_omega_1)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_1).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_5_dot_by_chain_omega_1 = (t553 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_1 = (t554 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_1).sub_product(t156, chain_omega_7_dot_by_chain_omega_1)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_1).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_1).sub_product(t162, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_4_dot_by_chain_omega_1 = (t552 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_1 = (t553 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_1).sub_product(t143, chain_omega_6_dot_by_chain_omega_1)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_1).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_1).sub_product(t149, chain_omega_9_dot_by_chain_omega_1)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_3_dot_by_chain_omega_1 = (t551 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_1 = (t552 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_1).sub_product(t128, chain_omega_5_dot_by_chain_omega_1)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_1).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_1).sub_product(t134, chain_omega_8_dot_by_chain_omega_1)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_1).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_2_dot_by_chain_omega_1 = (t550 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_1 = (t551 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_1).sub_product(t111, chain_omega_4_dot_by_chain_omega_1)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_1).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_1).sub_product(t117, chain_omega_7_dot_by_chain_omega_1)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_1).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_1).sub_product(t123, chain_omega_10_dot_by_chain_omega_1);
-    let chain_omega_1_dot_by_chain_omega_1 = (-(t99 * chain_omega_3_dot_by_chain_omega_1))
-        .sub_product(t98, chain_omega_2_dot_by_chain_omega_1).sub_product(t100,
-        chain_omega_4_dot_by_chain_omega_1).sub_product(t101, chain_omega_5_dot_by_chain_omega_1)
-        .sub_product(t102, chain_omega_6_dot_by_chain_omega_1).sub_product(t103,
-        chain_omega_7_dot_by_chain_omega_1).sub_product(t104, chain_omega_8_dot_by_chain_omega_1)
-        .sub_product(t105, chain_omega_9_dot_by_chain_omega_1).sub_product(t106,
+    let chain_omega_1_dot_by_chain_omega_1 = -(t99 * chain_omega_3_dot_by_chain_omega_1)
+        .add_product(t98, chain_omega_2_dot_by_chain_omega_1).add_product(t100,
+        chain_omega_4_dot_by_chain_omega_1).add_product(t101, chain_omega_5_dot_by_chain_omega_1)
+        .add_product(t102, chain_omega_6_dot_by_chain_omega_1).add_product(t103,
+        chain_omega_7_dot_by_chain_omega_1).add_product(t104, chain_omega_8_dot_by_chain_omega_1)
+        .add_product(t105, chain_omega_9_dot_by_chain_omega_1).add_product(t106,
         chain_omega_10_dot_by_chain_omega_1);
-    let t558 = R::literal(18.0) * chain_omega_2 * t0;
-    let t559 = t98 * t558;
-    let t560 = (R::literal(16.0) * chain_omega_2 * t26).add_product(t99, t558).sub_product(t109,
-        t559);
-    let t561 = (R::literal(14.0) * chain_omega_2 * t28).add_product(t100, t558).sub_product(t111,
-        t559).sub_product(t126, t560);
-    let t562 = (R::literal(12.0) * chain_omega_2 * t30).add_product(t101, t558).sub_product(t113,
-        t559).sub_product(t128, t560).sub_product(t141, t561);
-    let t563 = (R::literal(10.0) * chain_omega_2 * t32).add_product(t102, t558).sub_product(t115,
-        t559).sub_product(t130, t560).sub_product(t143, t561).sub_product(t154, t562);
-    let t564 = (R::literal(8.0) * chain_omega_2 * t34).add_product(t103, t558).sub_product(t117,
-        t559).sub_product(t132, t560).sub_product(t145, t561).sub_product(t156, t562)
-        .sub_product(t165, t563);
-    let t565 = (R::literal(6.0) * chain_omega_2 * t36).add_product(t104, t558).sub_product(t119,
-        t559).sub_product(t134, t560).sub_product(t147, t561).sub_product(t158, t562)
-        .sub_product(t167, t563).sub_product(t174, t564);
-    let t566 = (R::literal(4.0) * chain_omega_2 * t38).add_product(t105, t558).sub_product(t121,
-        t559).sub_product(t136, t560).sub_product(t149, t561).sub_product(t160, t562)
-        .sub_product(t169, t563).sub_product(t176, t564).sub_product(t181, t565);
+    let t559 = R::literal(18.0) * chain_omega_2 * t0;
+    let t560 = t98 * t559;
+    let t561 = (R::literal(16.0) * chain_omega_2 * t26).add_product(t99, t559).sub_product(t109,
+        t560);
+    let t562 = (R::literal(14.0) * chain_omega_2 * t28).add_product(t100, t559).sub_product(t111,
+        t560).sub_product(t126, t561);
+    let t563 = (R::literal(12.0) * chain_omega_2 * t30).add_product(t101, t559).sub_product(t113,
+        t560).sub_product(t128, t561).sub_product(t141, t562);
+    let t564 = (R::literal(10.0) * chain_omega_2 * t32).add_product(t102, t559).sub_product(t115,
+        t560).sub_product(t130, t561).sub_product(t143, t562).sub_product(t154, t563);
+    let t565 = (R::literal(8.0) * chain_omega_2 * t34).add_product(t103, t559).sub_product(t117,
+        t560).sub_product(t132, t561).sub_product(t145, t562).sub_product(t156, t563)
+        .sub_product(t165, t564);
+    let t566 = (R::literal(6.0) * chain_omega_2 * t36).add_product(t104, t559).sub_product(t119,
+        t560).sub_product(t134, t561).sub_product(t147, t562).sub_product(t158, t563)
+        .sub_product(t167, t564).sub_product(t174, t565);
+    let t567 = (R::literal(4.0) * chain_omega_2 * t38).add_product(t105, t559).sub_product(t121,
+        t560).sub_product(t136, t561).sub_product(t149, t562).sub_product(t160, t563)
+        .sub_product(t169, t564).sub_product(t176, t565).sub_product(t181, t566);
     let chain_omega_10_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t40)
-        .add_product(t106, t558).sub_product(t123, t559).sub_product(t138, t560).sub_product(t151,
-        t561).sub_product(t162, t562).sub_product(t171, t563).sub_product(t178, t564)
-        .sub_product(t183, t565).sub_product(t186, t566) * t187;
-    let chain_omega_9_dot_by_chain_omega_2 = (t566 * t184).sub_product(t186,
+        .add_product(t106, t559).sub_product(t123, t560).sub_product(t138, t561).sub_product(t151,
+        t562).sub_product(t162, t563).sub_product(t171, t564).sub_product(t178, t565)
+        .sub_product(t183, t566).sub_product(t186, t567) * t187;
+    let chain_omega_9_dot_by_chain_omega_2 = (t567 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_8_dot_by_chain_omega_2 = (t565 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_2 = (t566 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_2).sub_product(t183, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_7_dot_by_chain_omega_2 = (t564 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_2 = (t565 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_2).sub_product(t176, chain_omega_9_dot_by_chain_omega_2)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_6_dot_by_chain_omega_2 = (t563 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_2 = (t564 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_2).sub_product(t167, chain_omega_8_dot_by_chain_omega_2)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_2).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_5_dot_by_chain_omega_2 = (t562 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_2 = (t563 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_2).sub_product(t156, chain_omega_7_dot_by_chain_omega_2)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_2).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_2).sub_product(t162, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_4_dot_by_chain_omega_2 = (t561 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_2 = (t562 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_2).sub_product(t143, chain_omega_6_dot_by_chain_omega_2)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_2).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_2).sub_product(t149, chain_omega_9_dot_by_chain_omega_2)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_3_dot_by_chain_omega_2 = (t560 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_2 = (t561 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_2).sub_product(t128, chain_omega_5_dot_by_chain_omega_2)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_2).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_2).sub_product(t134, chain_omega_8_dot_by_chain_omega_2)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_2).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_2_dot_by_chain_omega_2 = (t559 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_2 = (t560 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_2).sub_product(t111, chain_omega_4_dot_by_chain_omega_2)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_2).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_2).sub_product(t117, chain_omega_7_dot_by_chain_omega_2)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_2).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_2).sub_product(t123, chain_omega_10_dot_by_chain_omega_2);
-    let chain_omega_1_dot_by_chain_omega_2 = (-(t558 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_2).sub_product(t99, chain_omega_3_dot_by_chain_omega_2)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_2).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_2).sub_product(t102, chain_omega_6_dot_by_chain_omega_2)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_2).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_2).sub_product(t105, chain_omega_9_dot_by_chain_omega_2)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_2);
-    let t567 = R::literal(16.0) * chain_omega_3;
-    let t568 = t567 * t3;
-    let t569 = (-(t567 * t26)).add_product(t98, t568);
-    let t570 = (t99 * t568).sub_product(t109, t569);
-    let t571 = (R::literal(14.0) * chain_omega_3 * t42).add_product(t100, t568).sub_product(t111,
-        t569).sub_product(t126, t570);
-    let t572 = (R::literal(12.0) * chain_omega_3 * t44).add_product(t101, t568).sub_product(t113,
-        t569).sub_product(t128, t570).sub_product(t141, t571);
-    let t573 = (R::literal(10.0) * chain_omega_3 * t46).add_product(t102, t568).sub_product(t115,
-        t569).sub_product(t130, t570).sub_product(t143, t571).sub_product(t154, t572);
-    let t574 = (R::literal(8.0) * chain_omega_3 * t48).add_product(t103, t568).sub_product(t117,
-        t569).sub_product(t132, t570).sub_product(t145, t571).sub_product(t156, t572)
-        .sub_product(t165, t573);
-    let t575 = (R::literal(6.0) * chain_omega_3 * t50).add_product(t104, t568).sub_product(t119,
-        t569).sub_product(t134, t570).sub_product(t147, t571).sub_product(t158, t572)
-        .sub_product(t167, t573).sub_product(t174, t574);
-    let t576 = (R::literal(4.0) * chain_omega_3 * t52).add_product(t105, t568).sub_product(t121,
-        t569).sub_product(t136, t570).sub_product(t149, t571).sub_product(t160, t572)
-        .sub_product(t169, t573).sub_product(t176, t574).sub_product(t181, t575);
+    let chain_omega_1_dot_by_chain_omega_2 = -(t559 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_2).add_product(t99, chain_omega_3_dot_by_chain_omega_2)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_2).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_2).add_product(t102, chain_omega_6_dot_by_chain_omega_2)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_2).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_2).add_product(t105, chain_omega_9_dot_by_chain_omega_2)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_2);
+    let t568 = R::literal(16.0) * chain_omega_3;
+    let t569 = t568 * t3;
+    let t570 = (-(t568 * t26)).add_product(t98, t569);
+    let t571 = (t99 * t569).sub_product(t109, t570);
+    let t572 = (R::literal(14.0) * chain_omega_3 * t42).add_product(t100, t569).sub_product(t111,
+        t570).sub_product(t126, t571);
+    let t573 = (R::literal(12.0) * chain_omega_3 * t44).add_product(t101, t569).sub_product(t113,
+        t570).sub_product(t128, t571).sub_product(t141, t572);
+    let t574 = (R::literal(10.0) * chain_omega_3 * t46).add_product(t102, t569).sub_product(t115,
+        t570).sub_product(t130, t571).sub_product(t143, t572).sub_product(t154, t573);
+    let t575 = (R::literal(8.0) * chain_omega_3 * t48).add_product(t103, t569).sub_product(t117,
+        t570).sub_product(t132, t571).sub_product(t145, t572).sub_product(t156, t573)
+        .sub_product(t165, t574);
+    let t576 = (R::literal(6.0) * chain_omega_3 * t50).add_product(t104, t569).sub_product(t119,
+        t570).sub_product(t134, t571).sub_product(t147, t572).sub_product(t158, t573)
+        .sub_product(t167, t574).sub_product(t174, t575);
+    let t577 = (R::literal(4.0) * chain_omega_3 * t52).add_product(t105, t569).sub_product(t121,
+        t570).sub_product(t136, t571).sub_product(t149, t572).sub_product(t160, t573)
+        .sub_product(t169, t574).sub_product(t176, t575).sub_product(t181, t576);
     let chain_omega_10_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t54)
-        .add_product(t106, t568).sub_product(t123, t569).sub_product(t138, t570).sub_product(t151,
-        t571).sub_product(t162, t572).sub_product(t171, t573).sub_product(t178, t574)
-        .sub_product(t183, t575).sub_product(t186, t576) * t187;
-    let chain_omega_9_dot_by_chain_omega_3 = (t576 * t184).sub_product(t186,
+        .add_product(t106, t569).sub_product(t123, t570).sub_product(t138, t571).sub_product(t151,
+        t572).sub_product(t162, t573).sub_product(t171, t574).sub_product(t178, t575)
+        .sub_product(t183, t576).sub_product(t186, t577) * t187;
+    let chain_omega_9_dot_by_chain_omega_3 = (t577 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_8_dot_by_chain_omega_3 = (t575 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_3 = (t576 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_3).sub_product(t183, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_7_dot_by_chain_omega_3 = (t574 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_3 = (t575 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_3).sub_product(t176, chain_omega_9_dot_by_chain_omega_3)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_6_dot_by_chain_omega_3 = (t573 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_3 = (t574 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_3).sub_product(t167, chain_omega_8_dot_by_chain_omega_3)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_3).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_5_dot_by_chain_omega_3 = (t572 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_3 = (t573 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_3).sub_product(t156, chain_omega_7_dot_by_chain_omega_3)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_3).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_3).sub_product(t162, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_4_dot_by_chain_omega_3 = (t571 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_3 = (t572 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_3).sub_product(t143, chain_omega_6_dot_by_chain_omega_3)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_3).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_3).sub_product(t149, chain_omega_9_dot_by_chain_omega_3)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_3_dot_by_chain_omega_3 = (t570 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_3 = (t571 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_3).sub_product(t128, chain_omega_5_dot_by_chain_omega_3)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_3).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_3).sub_product(t134, chain_omega_8_dot_by_chain_omega_3)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_3).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_2_dot_by_chain_omega_3 = (t569 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_3 = (t570 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_3).sub_product(t111, chain_omega_4_dot_by_chain_omega_3)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_3).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_3).sub_product(t117, chain_omega_7_dot_by_chain_omega_3)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_3).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_3).sub_product(t123, chain_omega_10_dot_by_chain_omega_3);
-    let chain_omega_1_dot_by_chain_omega_3 = (-(t568 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_3).sub_product(t99, chain_omega_3_dot_by_chain_omega_3)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_3).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_3).sub_product(t102, chain_omega_6_dot_by_chain_omega_3)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_3).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_3).sub_product(t105, chain_omega_9_dot_by_chain_omega_3)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_3);
-    let t577 = R::literal(14.0) * chain_omega_4;
-    let t578 = t577 * t6;
-    let t579 = (-(t577 * t28)).add_product(t98, t578);
-    let t580 = (-(t577 * t42)).add_product(t99, t578).sub_product(t109, t579);
-    let t581 = (t100 * t578).sub_product(t111, t579).sub_product(t126, t580);
-    let t582 = (R::literal(12.0) * chain_omega_4 * t56).add_product(t101, t578).sub_product(t113,
-        t579).sub_product(t128, t580).sub_product(t141, t581);
-    let t583 = (R::literal(10.0) * chain_omega_4 * t58).add_product(t102, t578).sub_product(t115,
-        t579).sub_product(t130, t580).sub_product(t143, t581).sub_product(t154, t582);
-    let t584 = (R::literal(8.0) * chain_omega_4 * t60).add_product(t103, t578).sub_product(t117,
-        t579).sub_product(t132, t580).sub_product(t145, t581).sub_product(t156, t582)
-        .sub_product(t165, t583);
-    let t585 = (R::literal(6.0) * chain_omega_4 * t62).add_product(t104, t578).sub_product(t119,
-        t579).sub_product(t134, t580).sub_product(t147, t581).sub_product(t158, t582)
-        .sub_product(t167, t583).sub_product(t174, t584);
-    let t586 = (R::literal(4.0) * chain_omega_4 * t64).add_product(t105, t578).sub_product(t121,
-        t579).sub_product(t136, t580).sub_product(t149, t581).sub_product(t160, t582)
-        .sub_product(t169, t583).sub_product(t176, t584).sub_product(t181, t585);
+    let chain_omega_1_dot_by_chain_omega_3 = -(t569 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_3).add_product(t99, chain_omega_3_dot_by_chain_omega_3)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_3).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_3).add_product(t102, chain_omega_6_dot_by_chain_omega_3)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_3).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_3).add_product(t105, chain_omega_9_dot_by_chain_omega_3)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_3);
+    let t578 = R::literal(14.0) * chain_omega_4;
+    let t579 = t578 * t6;
+    let t580 = (-(t578 * t28)).add_product(t98, t579);
+    let t581 = (-(t578 * t42)).add_product(t99, t579).sub_product(t109, t580);
+    let t582 = (t100 * t579).sub_product(t111, t580).sub_product(t126, t581);
+    let t583 = (R::literal(12.0) * chain_omega_4 * t56).add_product(t101, t579).sub_product(t113,
+        t580).sub_product(t128, t581).sub_product(t141, t582);
+    let t584 = (R::literal(10.0) * chain_omega_4 * t58).add_product(t102, t579).sub_product(t115,
+        t580).sub_product(t130, t581).sub_product(t143, t582).sub_product(t154, t583);
+    let t585 = (R::literal(8.0) * chain_omega_4 * t60).add_product(t103, t579).sub_product(t117,
+        t580).sub_product(t132, t581).sub_product(t145, t582).sub_product(t156, t583)
+        .sub_product(t165, t584);
+    let t586 = (R::literal(6.0) * chain_omega_4 * t62).add_product(t104, t579).sub_product(t119,
+        t580).sub_product(t134, t581).sub_product(t147, t582).sub_product(t158, t583)
+        .sub_product(t167, t584).sub_product(t174, t585);
+    let t587 = (R::literal(4.0) * chain_omega_4 * t64).add_product(t105, t579).sub_product(t121,
+        t580).sub_product(t136, t581).sub_product(t149, t582).sub_product(t160, t583)
+        .sub_product(t169, t584).sub_product(t176, t585).sub_product(t181, t586);
     let chain_omega_10_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t66)
-        .add_product(t106, t578).sub_product(t123, t579).sub_product(t138, t580).sub_product(t151,
-        t581).sub_product(t162, t582).sub_product(t171, t583).sub_product(t178, t584)
-        .sub_product(t183, t585).sub_product(t186, t586) * t187;
-    let chain_omega_9_dot_by_chain_omega_4 = (t586 * t184).sub_product(t186,
+        .add_product(t106, t579).sub_product(t123, t580).sub_product(t138, t581).sub_product(t151,
+        t582).sub_product(t162, t583).sub_product(t171, t584).sub_product(t178, t585)
+        .sub_product(t183, t586).sub_product(t186, t587) * t187;
+    let chain_omega_9_dot_by_chain_omega_4 = (t587 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_8_dot_by_chain_omega_4 = (t585 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_4 = (t586 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_4).sub_product(t183, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_7_dot_by_chain_omega_4 = (t584 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_4 = (t585 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_4).sub_product(t176, chain_omega_9_dot_by_chain_omega_4)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_6_dot_by_chain_omega_4 = (t583 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_4 = (t584 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_4).sub_product(t167, chain_omega_8_dot_by_chain_omega_4)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_4).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_5_dot_by_chain_omega_4 = (t582 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_4 = (t583 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_4).sub_product(t156, chain_omega_7_dot_by_chain_omega_4)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_4).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_4).sub_product(t162, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_4_dot_by_chain_omega_4 = (t581 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_4 = (t582 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_4).sub_product(t143, chain_omega_6_dot_by_chain_omega_4)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_4).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_4).sub_product(t149, chain_omega_9_dot_by_chain_omega_4)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_3_dot_by_chain_omega_4 = (t580 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_4 = (t581 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_4).sub_product(t128, chain_omega_5_dot_by_chain_omega_4)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_4).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_4).sub_product(t134, chain_omega_8_dot_by_chain_omega_4)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_4).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_2_dot_by_chain_omega_4 = (t579 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_4 = (t580 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_4).sub_product(t111, chain_omega_4_dot_by_chain_omega_4)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_4).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_4).sub_product(t117, chain_omega_7_dot_by_chain_omega_4)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_4).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_4).sub_product(t123, chain_omega_10_dot_by_chain_omega_4);
-    let chain_omega_1_dot_by_chain_omega_4 = (-(t578 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_4).sub_product(t99, chain_omega_3_dot_by_chain_omega_4)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_4).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_4).sub_product(t102, chain_omega_6_dot_by_chain_omega_4)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_4).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_4).sub_product(t105, chain_omega_9_dot_by_chain_omega_4)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_4);
-    let t587 = R::literal(12.0) * chain_omega_5;
-    let t588 = t587 * t9;
-    let t589 = (-(t587 * t30)).add_product(t98, t588);
-    let t590 = (-(t587 * t44)).add_product(t99, t588).sub_product(t109, t589);
-    let t591 = (-(t587 * t56)).add_product(t100, t588).sub_product(t111, t589).sub_product(t126,
-        t590);
-    let t592 = (t101 * t588).sub_product(t113, t589).sub_product(t128, t590).sub_product(t141,
+    let chain_omega_1_dot_by_chain_omega_4 = -(t579 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_4).add_product(t99, chain_omega_3_dot_by_chain_omega_4)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_4).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_4).add_product(t102, chain_omega_6_dot_by_chain_omega_4)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_4).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_4).add_product(t105, chain_omega_9_dot_by_chain_omega_4)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_4);
+    let t588 = R::literal(12.0) * chain_omega_5;
+    let t589 = t588 * t9;
+    let t590 = (-(t588 * t30)).add_product(t98, t589);
+    let t591 = (-(t588 * t44)).add_product(t99, t589).sub_product(t109, t590);
+    let t592 = (-(t588 * t56)).add_product(t100, t589).sub_product(t111, t590).sub_product(t126,
         t591);
-    let t593 = (R::literal(10.0) * chain_omega_5 * t68).add_product(t102, t588).sub_product(t115,
-        t589).sub_product(t130, t590).sub_product(t143, t591).sub_product(t154, t592);
-    let t594 = (R::literal(8.0) * chain_omega_5 * t70).add_product(t103, t588).sub_product(t117,
-        t589).sub_product(t132, t590).sub_product(t145, t591).sub_product(t156, t592)
-        .sub_product(t165, t593);
-    let t595 = (R::literal(6.0) * chain_omega_5 * t72).add_product(t104, t588).sub_product(t119,
-        t589).sub_product(t134, t590).sub_product(t147, t591).sub_product(t158, t592)
-        .sub_product(t167, t593).sub_product(t174, t594);
-    let t596 = (R::literal(4.0) * chain_omega_5 * t74).add_product(t105, t588).sub_product(t121,
-        t589).sub_product(t136, t590).sub_product(t149, t591).sub_product(t160, t592)
-        .sub_product(t169, t593).sub_product(t176, t594).sub_product(t181, t595);
+    let t593 = (t101 * t589).sub_product(t113, t590).sub_product(t128, t591).sub_product(t141,
+        t592);
+    let t594 = (R::literal(10.0) * chain_omega_5 * t68).add_product(t102, t589).sub_product(t115,
+        t590).sub_product(t130, t591).sub_product(t143, t592).sub_product(t154, t593);
+    let t595 = (R::literal(8.0) * chain_omega_5 * t70).add_product(t103, t589).sub_product(t117,
+        t590).sub_product(t132, t591).sub_product(t145, t592).sub_product(t156, t593)
+        .sub_product(t165, t594);
+    let t596 = (R::literal(6.0) * chain_omega_5 * t72).add_product(t104, t589).sub_product(t119,
+        t590).sub_product(t134, t591).sub_product(t147, t592).sub_product(t158, t593)
+        .sub_product(t167, t594).sub_product(t174, t595);
+    let t597 = (R::literal(4.0) * chain_omega_5 * t74).add_product(t105, t589).sub_product(t121,
+        t590).sub_product(t136, t591).sub_product(t149, t592).sub_product(t160, t593)
+        .sub_product(t169, t594).sub_product(t176, t595).sub_product(t181, t596);
     let chain_omega_10_dot_by_chain_omega_5 = (R::literal(2.0) * chain_omega_5 * t76)
-        .add_product(t106, t588).sub_product(t123, t589).sub_product(t138, t590).sub_product(t151,
-        t591).sub_product(t162, t592).sub_product(t171, t593).sub_product(t178, t594)
-        .sub_product(t183, t595).sub_product(t186, t596) * t187;
-    let chain_omega_9_dot_by_chain_omega_5 = (t596 * t184).sub_product(t186,
+        .add_product(t106, t589).sub_product(t123, t590).sub_product(t138, t591).sub_product(t151,
+        t592).sub_product(t162, t593).sub_product(t171, t594).sub_product(t178, t595)
+        .sub_product(t183, t596).sub_product(t186, t597) * t187;
+    let chain_omega_9_dot_by_chain_omega_5 = (t597 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_8_dot_by_chain_omega_5 = (t595 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_5 = (t596 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_5).sub_product(t183, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_7_dot_by_chain_omega_5 = (t594 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_5 = (t595 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_5).sub_product(t176, chain_omega_9_dot_by_chain_omega_5)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_6_dot_by_chain_omega_5 = (t593 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_5 = (t594 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_5).sub_product(t167, chain_omega_8_dot_by_chain_omega_5)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_5).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_5_dot_by_chain_omega_5 = (t592 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_5 = (t593 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_5).sub_product(t156, chain_omega_7_dot_by_chain_omega_5)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_5).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_5).sub_product(t162, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_4_dot_by_chain_omega_5 = (t591 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_5 = (t592 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_5).sub_product(t143, chain_omega_6_dot_by_chain_omega_5)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_5).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_5).sub_product(t149, chain_omega_9_dot_by_chain_omega_5)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_3_dot_by_chain_omega_5 = (t590 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_5 = (t591 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_5).sub_product(t128, chain_omega_5_dot_by_chain_omega_5)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_5).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_5).sub_product(t134, chain_omega_8_dot_by_chain_omega_5)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_5).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_2_dot_by_chain_omega_5 = (t589 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_5 = (t590 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_5).sub_product(t111, chain_omega_4_dot_by_chain_omega_5)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_5).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_5).sub_product(t117, chain_omega_7_dot_by_chain_omega_5)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_5).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_5).sub_product(t123, chain_omega_10_dot_by_chain_omega_5);
-    let chain_omega_1_dot_by_chain_omega_5 = (-(t588 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_5).sub_product(t99, chain_omega_3_dot_by_chain_omega_5)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_5).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_5).sub_product(t102, chain_omega_6_dot_by_chain_omega_5)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_5).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_5).sub_product(t105, chain_omega_9_dot_by_chain_omega_5)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_5);
-    let t597 = R::literal(10.0) * chain_omega_6;
-    let t598 = t597 * t12;
-    let t599 = (-(t597 * t32)).add_product(t98, t598);
-    let t600 = (-(t597 * t46)).add_product(t99, t598).sub_product(t109, t599);
-    let t601 = (-(t597 * t58)).add_product(t100, t598).sub_product(t111, t599).sub_product(t126,
-        t600);
-    let t602 = (-(t597 * t68)).add_product(t101, t598).sub_product(t113, t599).sub_product(t128,
-        t600).sub_product(t141, t601);
-    let t603 = (t102 * t598).sub_product(t115, t599).sub_product(t130, t600).sub_product(t143, t601)
-        .sub_product(t154, t602);
-    let t604 = (R::literal(8.0) * chain_omega_6 * t78).add_product(t103, t598).sub_product(t117,
-        t599).sub_product(t132, t600).sub_product(t145, t601).sub_product(t156, t602)
-        .sub_product(t165, t603);
-    let t605 = (R::literal(6.0) * chain_omega_6 * t80).add_product(t104, t598).sub_product(t119,
-        t599).sub_product(t134, t600).sub_product(t147, t601).sub_product(t158, t602)
-        .sub_product(t167, t603).sub_product(t174, t604);
-    let t606 = (R::literal(4.0) * chain_omega_6 * t82).add_product(t105, t598).sub_product(t121,
-        t599).sub_product(t136, t600).sub_product(t149, t601).sub_product(t160, t602)
-        .sub_product(t169, t603).sub_product(t176, t604).sub_product(t181, t605);
+    let chain_omega_1_dot_by_chain_omega_5 = -(t589 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_5).add_product(t99, chain_omega_3_dot_by_chain_omega_5)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_5).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_5).add_product(t102, chain_omega_6_dot_by_chain_omega_5)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_5).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_5).add_product(t105, chain_omega_9_dot_by_chain_omega_5)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_5);
+    let t598 = R::literal(10.0) * chain_omega_6;
+    let t599 = t598 * t12;
+    let t600 = (-(t598 * t32)).add_product(t98, t599);
+    let t601 = (-(t598 * t46)).add_product(t99, t599).sub_product(t109, t600);
+    let t602 = (-(t598 * t58)).add_product(t100, t599).sub_product(t111, t600).sub_product(t126,
+        t601);
+    let t603 = (-(t598 * t68)).add_product(t101, t599).sub_product(t113, t600).sub_product(t128,
+        t601).sub_product(t141, t602);
+    let t604 = (t102 * t599).sub_product(t115, t600).sub_product(t130, t601).sub_product(t143, t602)
+        .sub_product(t154, t603);
+    let t605 = (R::literal(8.0) * chain_omega_6 * t78).add_product(t103, t599).sub_product(t117,
+        t600).sub_product(t132, t601).sub_product(t145, t602).sub_product(t156, t603)
+        .sub_product(t165, t604);
+    let t606 = (R::literal(6.0) * chain_omega_6 * t80).add_product(t104, t599).sub_product(t119,
+        t600).sub_product(t134, t601).sub_product(t147, t602).sub_product(t158, t603)
+        .sub_product(t167, t604).sub_product(t174, t605);
+    let t607 = (R::literal(4.0) * chain_omega_6 * t82).add_product(t105, t599).sub_product(t121,
+        t600).sub_product(t136, t601).sub_product(t149, t602).sub_product(t160, t603)
+        .sub_product(t169, t604).sub_product(t176, t605).sub_product(t181, t606);
     let chain_omega_10_dot_by_chain_omega_6 = (R::literal(2.0) * chain_omega_6 * t84)
-        .add_product(t106, t598).sub_product(t123, t599).sub_product(t138, t600).sub_product(t151,
-        t601).sub_product(t162, t602).sub_product(t171, t603).sub_product(t178, t604)
-        .sub_product(t183, t605).sub_product(t186, t606) * t187;
-    let chain_omega_9_dot_by_chain_omega_6 = (t606 * t184).sub_product(t186,
+        .add_product(t106, t599).sub_product(t123, t600).sub_product(t138, t601).sub_product(t151,
+        t602).sub_product(t162, t603).sub_product(t171, t604).sub_product(t178, t605)
+        .sub_product(t183, t606).sub_product(t186, t607) * t187;
+    let chain_omega_9_dot_by_chain_omega_6 = (t607 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_8_dot_by_chain_omega_6 = (t605 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_6 = (t606 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_6).sub_product(t183, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_7_dot_by_chain_omega_6 = (t604 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_6 = (t605 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_6).sub_product(t176, chain_omega_9_dot_by_chain_omega_6)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_6_dot_by_chain_omega_6 = (t603 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_6 = (t604 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_6).sub_product(t167, chain_omega_8_dot_by_chain_omega_6)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_6).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_5_dot_by_chain_omega_6 = (t602 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_6 = (t603 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_6).sub_product(t156, chain_omega_7_dot_by_chain_omega_6)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_6).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_6).sub_product(t162, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_4_dot_by_chain_omega_6 = (t601 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_6 = (t602 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_6).sub_product(t143, chain_omega_6_dot_by_chain_omega_6)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_6).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_6).sub_product(t149, chain_omega_9_dot_by_chain_omega_6)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_3_dot_by_chain_omega_6 = (t600 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_6 = (t601 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_6).sub_product(t128, chain_omega_5_dot_by_chain_omega_6)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_6).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_6).sub_product(t134, chain_omega_8_dot_by_chain_omega_6)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_6).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_2_dot_by_chain_omega_6 = (t599 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_6 = (t600 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_6).sub_product(t111, chain_omega_4_dot_by_chain_omega_6)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_6).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_6).sub_product(t117, chain_omega_7_dot_by_chain_omega_6)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_6).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_6).sub_product(t123, chain_omega_10_dot_by_chain_omega_6);
-    let chain_omega_1_dot_by_chain_omega_6 = (-(t598 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_6).sub_product(t99, chain_omega_3_dot_by_chain_omega_6)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_6).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_6).sub_product(t102, chain_omega_6_dot_by_chain_omega_6)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_6).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_6).sub_product(t105, chain_omega_9_dot_by_chain_omega_6)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_6);
-    let t607 = R::literal(8.0) * chain_omega_7;
-    let t608 = t607 * t15;
-    let t609 = (-(t607 * t34)).add_product(t98, t608);
-    let t610 = (-(t607 * t48)).add_product(t99, t608).sub_product(t109, t609);
-    let t611 = (-(t607 * t60)).add_product(t100, t608).sub_product(t111, t609).sub_product(t126,
-        t610);
-    let t612 = (-(t607 * t70)).add_product(t101, t608).sub_product(t113, t609).sub_product(t128,
-        t610).sub_product(t141, t611);
-    let t613 = (-(t607 * t78)).add_product(t102, t608).sub_product(t115, t609).sub_product(t130,
-        t610).sub_product(t143, t611).sub_product(t154, t612);
-    let t614 = (t103 * t608).sub_product(t117, t609).sub_product(t132, t610).sub_product(t145, t611)
-        .sub_product(t156, t612).sub_product(t165, t613);
-    let t615 = (R::literal(6.0) * chain_omega_7 * t86).add_product(t104, t608).sub_product(t119,
-        t609).sub_product(t134, t610).sub_product(t147, t611).sub_product(t158, t612)
-        .sub_product(t167, t613).sub_product(t174, t614);
-    let t616 = (R::literal(4.0) * chain_omega_7 * t88).add_product(t105, t608).sub_product(t121,
-        t609).sub_product(t136, t610).sub_product(t149, t611).sub_product(t160, t612)
-        .sub_product(t169, t613).sub_product(t176, t614).sub_product(t181, t615);
+    let chain_omega_1_dot_by_chain_omega_6 = -(t599 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_6).add_product(t99, chain_omega_3_dot_by_chain_omega_6)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_6).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_6).add_product(t102, chain_omega_6_dot_by_chain_omega_6)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_6).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_6).add_product(t105, chain_omega_9_dot_by_chain_omega_6)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_6);
+    let t608 = R::literal(8.0) * chain_omega_7;
+    let t609 = t608 * t15;
+    let t610 = (-(t608 * t34)).add_product(t98, t609);
+    let t611 = (-(t608 * t48)).add_product(t99, t609).sub_product(t109, t610);
+    let t612 = (-(t608 * t60)).add_product(t100, t609).sub_product(t111, t610).sub_product(t126,
+        t611);
+    let t613 = (-(t608 * t70)).add_product(t101, t609).sub_product(t113, t610).sub_product(t128,
+        t611).sub_product(t141, t612);
+    let t614 = (-(t608 * t78)).add_product(t102, t609).sub_product(t115, t610).sub_product(t130,
+        t611).sub_product(t143, t612).sub_product(t154, t613);
+    let t615 = (t103 * t609).sub_product(t117, t610).sub_product(t132, t611).sub_product(t145, t612)
+        .sub_product(t156, t613).sub_product(t165, t614);
+    let t616 = (R::literal(6.0) * chain_omega_7 * t86).add_product(t104, t609).sub_product(t119,
+        t610).sub_product(t134, t611).sub_product(t147, t612).sub_product(t158, t613)
+        .sub_product(t167, t614).sub_product(t174, t615);
+    let t617 = (R::literal(4.0) * chain_omega_7 * t88).add_product(t105, t609).sub_product(t121,
+        t610).sub_product(t136, t611).sub_product(t149, t612).sub_product(t160, t613)
+        .sub_product(t169, t614).sub_product(t176, t615).sub_product(t181, t616);
     let chain_omega_10_dot_by_chain_omega_7 = (R::literal(2.0) * chain_omega_7 * t90)
-        .add_product(t106, t608).sub_product(t123, t609).sub_product(t138, t610).sub_product(t151,
-        t611).sub_product(t162, t612).sub_product(t171, t613).sub_product(t178, t614)
-        .sub_product(t183, t615).sub_product(t186, t616) * t187;
-    let chain_omega_9_dot_by_chain_omega_7 = (t616 * t184).sub_product(t186,
+        .add_product(t106, t609).sub_product(t123, t610).sub_product(t138, t611).sub_product(t151,
+        t612).sub_product(t162, t613).sub_product(t171, t614).sub_product(t178, t615)
+        .sub_product(t183, t616).sub_product(t186, t617) * t187;
+    let chain_omega_9_dot_by_chain_omega_7 = (t617 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_8_dot_by_chain_omega_7 = (t615 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_7 = (t616 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_7).sub_product(t183, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_7_dot_by_chain_omega_7 = (t614 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_7 = (t615 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_7).sub_product(t176, chain_omega_9_dot_by_chain_omega_7)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_6_dot_by_chain_omega_7 = (t613 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_7 = (t614 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_7).sub_product(t167, chain_omega_8_dot_by_chain_omega_7)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_7).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_5_dot_by_chain_omega_7 = (t612 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_7 = (t613 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_7).sub_product(t156, chain_omega_7_dot_by_chain_omega_7)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_7).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_7).sub_product(t162, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_4_dot_by_chain_omega_7 = (t611 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_7 = (t612 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_7).sub_product(t143, chain_omega_6_dot_by_chain_omega_7)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_7).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_7).sub_product(t149, chain_omega_9_dot_by_chain_omega_7)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_3_dot_by_chain_omega_7 = (t610 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_7 = (t611 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_7).sub_product(t128, chain_omega_5_dot_by_chain_omega_7)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_7).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_7).sub_product(t134, chain_omega_8_dot_by_chain_omega_7)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_7).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_2_dot_by_chain_omega_7 = (t609 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_7 = (t610 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_7).sub_product(t111, chain_omega_4_dot_by_chain_omega_7)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_7).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_7).sub_product(t117, chain_omega_7_dot_by_chain_omega_7)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_7).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_7).sub_product(t123, chain_omega_10_dot_by_chain_omega_7);
-    let chain_omega_1_dot_by_chain_omega_7 = (-(t608 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_7).sub_product(t99, chain_omega_3_dot_by_chain_omega_7)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_7).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_7).sub_product(t102, chain_omega_6_dot_by_chain_omega_7)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_7).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_7).sub_product(t105, chain_omega_9_dot_by_chain_omega_7)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_7);
-    let t617 = R::literal(6.0) * chain_omega_8;
-    let t618 = t617 * t18;
-    let t619 = (-(t617 * t36)).add_product(t98, t618);
-    let t620 = (-(t617 * t50)).add_product(t99, t618).sub_product(t109, t619);
-    let t621 = (-(t617 * t62)).add_product(t100, t618).sub_product(t111, t619).sub_product(t126,
-        t620);
-    let t622 = (-(t617 * t72)).add_product(t101, t618).sub_product(t113, t619).sub_product(t128,
-        t620).sub_product(t141, t621);
-    let t623 = (-(t617 * t80)).add_product(t102, t618).sub_product(t115, t619).sub_product(t130,
-        t620).sub_product(t143, t621).sub_product(t154, t622);
-    let t624 = (-(t617 * t86)).add_product(t103, t618).sub_product(t117, t619).sub_product(t132,
-        t620).sub_product(t145, t621).sub_product(t156, t622).sub_product(t165, t623);
-    let t625 = (t104 * t618).sub_product(t119, t619).sub_product(t134, t620).sub_product(t147, t621)
-        .sub_product(t158, t622).sub_product(t167, t623).sub_product(t174, t624);
-    let t626 = (R::literal(4.0) * chain_omega_8 * t92).add_product(t105, t618).sub_product(t121,
-        t619).sub_product(t136, t620).sub_product(t149, t621).sub_product(t160, t622)
-        .sub_product(t169, t623).sub_product(t176, t624).sub_product(t181, t625);
+    let chain_omega_1_dot_by_chain_omega_7 = -(t609 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_7).add_product(t99, chain_omega_3_dot_by_chain_omega_7)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_7).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_7).add_product(t102, chain_omega_6_dot_by_chain_omega_7)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_7).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_7).add_product(t105, chain_omega_9_dot_by_chain_omega_7)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_7);
+    let t618 = R::literal(6.0) * chain_omega_8;
+    let t619 = t618 * t18;
+    let t620 = (-(t618 * t36)).add_product(t98, t619);
+    let t621 = (-(t618 * t50)).add_product(t99, t619).sub_product(t109, t620);
+    let t622 = (-(t618 * t62)).add_product(t100, t619).sub_product(t111, t620).sub_product(t126,
+        t621);
+    let t623 = (-(t618 * t72)).add_product(t101, t619).sub_product(t113, t620).sub_product(t128,
+        t621).sub_product(t141, t622);
+    let t624 = (-(t618 * t80)).add_product(t102, t619).sub_product(t115, t620).sub_product(t130,
+        t621).sub_product(t143, t622).sub_product(t154, t623);
+    let t625 = (-(t618 * t86)).add_product(t103, t619).sub_product(t117, t620).sub_product(t132,
+        t621).sub_product(t145, t622).sub_product(t156, t623).sub_product(t165, t624);
+    let t626 = (t104 * t619).sub_product(t119, t620).sub_product(t134, t621).sub_product(t147, t622)
+        .sub_product(t158, t623).sub_product(t167, t624).sub_product(t174, t625);
+    let t627 = (R::literal(4.0) * chain_omega_8 * t92).add_product(t105, t619).sub_product(t121,
+        t620).sub_product(t136, t621).sub_product(t149, t622).sub_product(t160, t623)
+        .sub_product(t169, t624).sub_product(t176, t625).sub_product(t181, t626);
     let chain_omega_10_dot_by_chain_omega_8 = (R::literal(2.0) * chain_omega_8 * t94)
-        .add_product(t106, t618).sub_product(t123, t619).sub_product(t138, t620).sub_product(t151,
-        t621).sub_product(t162, t622).sub_product(t171, t623).sub_product(t178, t624)
-        .sub_product(t183, t625).sub_product(t186, t626) * t187;
-    let chain_omega_9_dot_by_chain_omega_8 = (t626 * t184).sub_product(t186,
+        .add_product(t106, t619).sub_product(t123, t620).sub_product(t138, t621).sub_product(t151,
+        t622).sub_product(t162, t623).sub_product(t171, t624).sub_product(t178, t625)
+        .sub_product(t183, t626).sub_product(t186, t627) * t187;
+    let chain_omega_9_dot_by_chain_omega_8 = (t627 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_8_dot_by_chain_omega_8 = (t625 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_8 = (t626 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_8).sub_product(t183, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_7_dot_by_chain_omega_8 = (t624 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_8 = (t625 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_8).sub_product(t176, chain_omega_9_dot_by_chain_omega_8)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_6_dot_by_chain_omega_8 = (t623 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_8 = (t624 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_8).sub_product(t167, chain_omega_8_dot_by_chain_omega_8)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_8).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_5_dot_by_chain_omega_8 = (t622 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_8 = (t623 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_8).sub_product(t156, chain_omega_7_dot_by_chain_omega_8)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_8).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_8).sub_product(t162, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_4_dot_by_chain_omega_8 = (t621 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_8 = (t622 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_8).sub_product(t143, chain_omega_6_dot_by_chain_omega_8)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_8).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_8).sub_product(t149, chain_omega_9_dot_by_chain_omega_8)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_3_dot_by_chain_omega_8 = (t620 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_8 = (t621 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_8).sub_product(t128, chain_omega_5_dot_by_chain_omega_8)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_8).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_8).sub_product(t134, chain_omega_8_dot_by_chain_omega_8)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_8).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_2_dot_by_chain_omega_8 = (t619 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_8 = (t620 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_8).sub_product(t111, chain_omega_4_dot_by_chain_omega_8)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_8).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_8).sub_product(t117, chain_omega_7_dot_by_chain_omega_8)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_8).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_8).sub_product(t123, chain_omega_10_dot_by_chain_omega_8);
-    let chain_omega_1_dot_by_chain_omega_8 = (-(t618 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_8).sub_product(t99, chain_omega_3_dot_by_chain_omega_8)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_8).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_8).sub_product(t102, chain_omega_6_dot_by_chain_omega_8)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_8).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_8).sub_product(t105, chain_omega_9_dot_by_chain_omega_8)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_8);
-    let t627 = R::literal(4.0) * chain_omega_9;
-    let t628 = t627 * t21;
-    let t629 = (-(t627 * t38)).add_product(t98, t628);
-    let t630 = (-(t627 * t52)).add_product(t99, t628).sub_product(t109, t629);
-    let t631 = (-(t627 * t64)).add_product(t100, t628).sub_product(t111, t629).sub_product(t126,
-        t630);
-    let t632 = (-(t627 * t74)).add_product(t101, t628).sub_product(t113, t629).sub_product(t128,
-        t630).sub_product(t141, t631);
-    let t633 = (-(t627 * t82)).add_product(t102, t628).sub_product(t115, t629).sub_product(t130,
-        t630).sub_product(t143, t631).sub_product(t154, t632);
-    let t634 = (-(t627 * t88)).add_product(t103, t628).sub_product(t117, t629).sub_product(t132,
-        t630).sub_product(t145, t631).sub_product(t156, t632).sub_product(t165, t633);
-    let t635 = (-(t627 * t92)).add_product(t104, t628).sub_product(t119, t629).sub_product(t134,
-        t630).sub_product(t147, t631).sub_product(t158, t632).sub_product(t167, t633)
-        .sub_product(t174, t634);
-    let t636 = (t105 * t628).sub_product(t121, t629).sub_product(t136, t630).sub_product(t149, t631)
-        .sub_product(t160, t632).sub_product(t169, t633).sub_product(t176, t634).sub_product(t181,
-        t635);
+    let chain_omega_1_dot_by_chain_omega_8 = -(t619 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_8).add_product(t99, chain_omega_3_dot_by_chain_omega_8)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_8).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_8).add_product(t102, chain_omega_6_dot_by_chain_omega_8)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_8).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_8).add_product(t105, chain_omega_9_dot_by_chain_omega_8)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_8);
+    let t628 = R::literal(4.0) * chain_omega_9;
+    let t629 = t628 * t21;
+    let t630 = (-(t628 * t38)).add_product(t98, t629);
+    let t631 = (-(t628 * t52)).add_product(t99, t629).sub_product(t109, t630);
+    let t632 = (-(t628 * t64)).add_product(t100, t629).sub_product(t111, t630).sub_product(t126,
+        t631);
+    let t633 = (-(t628 * t74)).add_product(t101, t629).sub_product(t113, t630).sub_product(t128,
+        t631).sub_product(t141, t632);
+    let t634 = (-(t628 * t82)).add_product(t102, t629).sub_product(t115, t630).sub_product(t130,
+        t631).sub_product(t143, t632).sub_product(t154, t633);
+    let t635 = (-(t628 * t88)).add_product(t103, t629).sub_product(t117, t630).sub_product(t132,
+        t631).sub_product(t145, t632).sub_product(t156, t633).sub_product(t165, t634);
+    let t636 = (-(t628 * t92)).add_product(t104, t629).sub_product(t119, t630).sub_product(t134,
+        t631).sub_product(t147, t632).sub_product(t158, t633).sub_product(t167, t634)
+        .sub_product(t174, t635);
+    let t637 = (t105 * t629).sub_product(t121, t630).sub_product(t136, t631).sub_product(t149, t632)
+        .sub_product(t160, t633).sub_product(t169, t634).sub_product(t176, t635).sub_product(t181,
+        t636);
     let chain_omega_10_dot_by_chain_omega_9 = (R::literal(2.0) * chain_omega_9 * t96)
-        .add_product(t106, t628).sub_product(t123, t629).sub_product(t138, t630).sub_product(t151,
-        t631).sub_product(t162, t632).sub_product(t171, t633).sub_product(t178, t634)
-        .sub_product(t183, t635).sub_product(t186, t636) * t187;
-    let chain_omega_9_dot_by_chain_omega_9 = (t636 * t184).sub_product(t186,
+        .add_product(t106, t629).sub_product(t123, t630).sub_product(t138, t631).sub_product(t151,
+        t632).sub_product(t162, t633).sub_product(t171, t634).sub_product(t178, t635)
+        .sub_product(t183, t636).sub_product(t186, t637) * t187;
+    let chain_omega_9_dot_by_chain_omega_9 = (t637 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_8_dot_by_chain_omega_9 = (t635 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_9 = (t636 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_9).sub_product(t183, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_7_dot_by_chain_omega_9 = (t634 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_9 = (t635 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_9).sub_product(t176, chain_omega_9_dot_by_chain_omega_9)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_6_dot_by_chain_omega_9 = (t633 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_9 = (t634 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_9).sub_product(t167, chain_omega_8_dot_by_chain_omega_9)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_9).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_5_dot_by_chain_omega_9 = (t632 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_9 = (t633 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_9).sub_product(t156, chain_omega_7_dot_by_chain_omega_9)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_9).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_9).sub_product(t162, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_4_dot_by_chain_omega_9 = (t631 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_9 = (t632 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_9).sub_product(t143, chain_omega_6_dot_by_chain_omega_9)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_9).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_9).sub_product(t149, chain_omega_9_dot_by_chain_omega_9)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_3_dot_by_chain_omega_9 = (t630 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_9 = (t631 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_9).sub_product(t128, chain_omega_5_dot_by_chain_omega_9)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_9).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_9).sub_product(t134, chain_omega_8_dot_by_chain_omega_9)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_9).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_2_dot_by_chain_omega_9 = (t629 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_9 = (t630 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_9).sub_product(t111, chain_omega_4_dot_by_chain_omega_9)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_9).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_9).sub_product(t117, chain_omega_7_dot_by_chain_omega_9)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_9).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_9).sub_product(t123, chain_omega_10_dot_by_chain_omega_9);
-    let chain_omega_1_dot_by_chain_omega_9 = (-(t628 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_9).sub_product(t99, chain_omega_3_dot_by_chain_omega_9)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_9).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_9).sub_product(t102, chain_omega_6_dot_by_chain_omega_9)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_9).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_9).sub_product(t105, chain_omega_9_dot_by_chain_omega_9)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_9);
-    let t637 = R::literal(2.0) * chain_omega_10;
-    let t638 = t637 * t24;
-    let t639 = (-(t637 * t40)).add_product(t98, t638);
-    let t640 = (-(t637 * t54)).add_product(t99, t638).sub_product(t109, t639);
-    let t641 = (-(t637 * t66)).add_product(t100, t638).sub_product(t111, t639).sub_product(t126,
-        t640);
-    let t642 = (-(t637 * t76)).add_product(t101, t638).sub_product(t113, t639).sub_product(t128,
-        t640).sub_product(t141, t641);
-    let t643 = (-(t637 * t84)).add_product(t102, t638).sub_product(t115, t639).sub_product(t130,
-        t640).sub_product(t143, t641).sub_product(t154, t642);
-    let t644 = (-(t637 * t90)).add_product(t103, t638).sub_product(t117, t639).sub_product(t132,
-        t640).sub_product(t145, t641).sub_product(t156, t642).sub_product(t165, t643);
-    let t645 = (-(t637 * t94)).add_product(t104, t638).sub_product(t119, t639).sub_product(t134,
-        t640).sub_product(t147, t641).sub_product(t158, t642).sub_product(t167, t643)
-        .sub_product(t174, t644);
-    let t646 = (-(t637 * t96)).add_product(t105, t638).sub_product(t121, t639).sub_product(t136,
-        t640).sub_product(t149, t641).sub_product(t160, t642).sub_product(t169, t643)
-        .sub_product(t176, t644).sub_product(t181, t645);
-    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t638).sub_product(t123, t639)
-        .sub_product(t138, t640).sub_product(t151, t641).sub_product(t162, t642).sub_product(t171,
-        t643).sub_product(t178, t644).sub_product(t183, t645).sub_product(t186, t646) * t187;
-    let chain_omega_9_dot_by_chain_omega_10 = (t646 * t184).sub_product(t186,
+    let chain_omega_1_dot_by_chain_omega_9 = -(t629 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_9).add_product(t99, chain_omega_3_dot_by_chain_omega_9)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_9).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_9).add_product(t102, chain_omega_6_dot_by_chain_omega_9)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_9).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_9).add_product(t105, chain_omega_9_dot_by_chain_omega_9)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_9);
+    let t638 = R::literal(2.0) * chain_omega_10;
+    let t639 = t638 * t24;
+    let t640 = (-(t638 * t40)).add_product(t98, t639);
+    let t641 = (-(t638 * t54)).add_product(t99, t639).sub_product(t109, t640);
+    let t642 = (-(t638 * t66)).add_product(t100, t639).sub_product(t111, t640).sub_product(t126,
+        t641);
+    let t643 = (-(t638 * t76)).add_product(t101, t639).sub_product(t113, t640).sub_product(t128,
+        t641).sub_product(t141, t642);
+    let t644 = (-(t638 * t84)).add_product(t102, t639).sub_product(t115, t640).sub_product(t130,
+        t641).sub_product(t143, t642).sub_product(t154, t643);
+    let t645 = (-(t638 * t90)).add_product(t103, t639).sub_product(t117, t640).sub_product(t132,
+        t641).sub_product(t145, t642).sub_product(t156, t643).sub_product(t165, t644);
+    let t646 = (-(t638 * t94)).add_product(t104, t639).sub_product(t119, t640).sub_product(t134,
+        t641).sub_product(t147, t642).sub_product(t158, t643).sub_product(t167, t644)
+        .sub_product(t174, t645);
+    let t647 = (-(t638 * t96)).add_product(t105, t639).sub_product(t121, t640).sub_product(t136,
+        t641).sub_product(t149, t642).sub_product(t160, t643).sub_product(t169, t644)
+        .sub_product(t176, t645).sub_product(t181, t646);
+    let chain_omega_10_dot_by_chain_omega_10 = (t106 * t639).sub_product(t123, t640)
+        .sub_product(t138, t641).sub_product(t151, t642).sub_product(t162, t643).sub_product(t171,
+        t644).sub_product(t178, t645).sub_product(t183, t646).sub_product(t186, t647) * t187;
+    let chain_omega_9_dot_by_chain_omega_10 = (t647 * t184).sub_product(t186,
         chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_8_dot_by_chain_omega_10 = (t645 * t179).sub_product(t181,
+    let chain_omega_8_dot_by_chain_omega_10 = (t646 * t179).sub_product(t181,
         chain_omega_9_dot_by_chain_omega_10).sub_product(t183,
         chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_7_dot_by_chain_omega_10 = (t644 * t172).sub_product(t174,
+    let chain_omega_7_dot_by_chain_omega_10 = (t645 * t172).sub_product(t174,
         chain_omega_8_dot_by_chain_omega_10).sub_product(t176, chain_omega_9_dot_by_chain_omega_10)
         .sub_product(t178, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_6_dot_by_chain_omega_10 = (t643 * t163).sub_product(t165,
+    let chain_omega_6_dot_by_chain_omega_10 = (t644 * t163).sub_product(t165,
         chain_omega_7_dot_by_chain_omega_10).sub_product(t167, chain_omega_8_dot_by_chain_omega_10)
         .sub_product(t169, chain_omega_9_dot_by_chain_omega_10).sub_product(t171,
         chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_5_dot_by_chain_omega_10 = (t642 * t152).sub_product(t154,
+    let chain_omega_5_dot_by_chain_omega_10 = (t643 * t152).sub_product(t154,
         chain_omega_6_dot_by_chain_omega_10).sub_product(t156, chain_omega_7_dot_by_chain_omega_10)
         .sub_product(t158, chain_omega_8_dot_by_chain_omega_10).sub_product(t160,
         chain_omega_9_dot_by_chain_omega_10).sub_product(t162,
         chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_4_dot_by_chain_omega_10 = (t641 * t139).sub_product(t141,
+    let chain_omega_4_dot_by_chain_omega_10 = (t642 * t139).sub_product(t141,
         chain_omega_5_dot_by_chain_omega_10).sub_product(t143, chain_omega_6_dot_by_chain_omega_10)
         .sub_product(t145, chain_omega_7_dot_by_chain_omega_10).sub_product(t147,
         chain_omega_8_dot_by_chain_omega_10).sub_product(t149, chain_omega_9_dot_by_chain_omega_10)
         .sub_product(t151, chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_3_dot_by_chain_omega_10 = (t640 * t124).sub_product(t126,
+    let chain_omega_3_dot_by_chain_omega_10 = (t641 * t124).sub_product(t126,
         chain_omega_4_dot_by_chain_omega_10).sub_product(t128, chain_omega_5_dot_by_chain_omega_10)
         .sub_product(t130, chain_omega_6_dot_by_chain_omega_10).sub_product(t132,
         chain_omega_7_dot_by_chain_omega_10).sub_product(t134, chain_omega_8_dot_by_chain_omega_10)
         .sub_product(t136, chain_omega_9_dot_by_chain_omega_10).sub_product(t138,
         chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_2_dot_by_chain_omega_10 = (t639 * t107).sub_product(t109,
+    let chain_omega_2_dot_by_chain_omega_10 = (t640 * t107).sub_product(t109,
         chain_omega_3_dot_by_chain_omega_10).sub_product(t111, chain_omega_4_dot_by_chain_omega_10)
         .sub_product(t113, chain_omega_5_dot_by_chain_omega_10).sub_product(t115,
         chain_omega_6_dot_by_chain_omega_10).sub_product(t117, chain_omega_7_dot_by_chain_omega_10)
         .sub_product(t119, chain_omega_8_dot_by_chain_omega_10).sub_product(t121,
         chain_omega_9_dot_by_chain_omega_10).sub_product(t123,
         chain_omega_10_dot_by_chain_omega_10);
-    let chain_omega_1_dot_by_chain_omega_10 = (-(t638 * R::literal(0.1))).sub_product(t98,
-        chain_omega_2_dot_by_chain_omega_10).sub_product(t99, chain_omega_3_dot_by_chain_omega_10)
-        .sub_product(t100, chain_omega_4_dot_by_chain_omega_10).sub_product(t101,
-        chain_omega_5_dot_by_chain_omega_10).sub_product(t102, chain_omega_6_dot_by_chain_omega_10)
-        .sub_product(t103, chain_omega_7_dot_by_chain_omega_10).sub_product(t104,
-        chain_omega_8_dot_by_chain_omega_10).sub_product(t105, chain_omega_9_dot_by_chain_omega_10)
-        .sub_product(t106, chain_omega_10_dot_by_chain_omega_10);
+    let chain_omega_1_dot_by_chain_omega_10 = -(t639 * R::literal(0.1)).add_product(t98,
+        chain_omega_2_dot_by_chain_omega_10).add_product(t99, chain_omega_3_dot_by_chain_omega_10)
+        .add_product(t100, chain_omega_4_dot_by_chain_omega_10).add_product(t101,
+        chain_omega_5_dot_by_chain_omega_10).add_product(t102, chain_omega_6_dot_by_chain_omega_10)
+        .add_product(t103, chain_omega_7_dot_by_chain_omega_10).add_product(t104,
+        chain_omega_8_dot_by_chain_omega_10).add_product(t105, chain_omega_9_dot_by_chain_omega_10)
+        .add_product(t106, chain_omega_10_dot_by_chain_omega_10);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         chain_omega_1_dot_by_chain_theta_1, chain_omega_1_dot_by_chain_theta_2,
@@ -2798,7 +2798,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ou
     }
 }
 
-/// T, V and the energy of first-order states \[J\]. 118 operations.
+/// T, V and the energy of first-order states \[J\]. 117 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Energy<R> {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_theta_6,
@@ -2843,18 +2843,18 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
             .add_product(chain_u_8, chain_u_8).add_product(chain_v_8, chain_v_8)
             .add_product(chain_u_9, chain_u_9).add_product(chain_v_9, chain_v_9)
             .add_product(chain_u_10, chain_u_10).add_product(chain_v_10, chain_v_10),
-        potential: R::literal(9.81) * ((-(R::literal(9.0) * cos_chain_theta_2))
-            .sub_product(R::literal(10.0), cos_chain_theta_1).sub_product(R::literal(8.0),
-            cos_chain_theta_3).sub_product(R::literal(7.0), cos_chain_theta_4)
-            .sub_product(R::literal(6.0), cos_chain_theta_5).sub_product(R::literal(5.0),
-            cos_chain_theta_6).sub_product(R::literal(4.0), cos_chain_theta_7)
-            .sub_product(R::literal(3.0), cos_chain_theta_8).sub_product(R::literal(2.0),
-            cos_chain_theta_9) - cos_chain_theta_10),
+        potential: R::literal(-9.81) * ((R::literal(10.0) * cos_chain_theta_1)
+            .add_product(R::literal(9.0), cos_chain_theta_2).add_product(R::literal(8.0),
+            cos_chain_theta_3).add_product(R::literal(7.0), cos_chain_theta_4)
+            .add_product(R::literal(6.0), cos_chain_theta_5).add_product(R::literal(5.0),
+            cos_chain_theta_6).add_product(R::literal(4.0), cos_chain_theta_7)
+            .add_product(R::literal(3.0), cos_chain_theta_8).add_product(R::literal(2.0),
+            cos_chain_theta_9) + cos_chain_theta_10),
         stored: R::literal(0.0),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 1652 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 1651 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         _p: &Parameters<R>) -> PowerBalance<R> {
@@ -3111,9 +3111,9 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
     let chain_omega_9_squared = chain_omega_9 * chain_omega_9;
     let t194 = R::literal(2.0) * chain_omega_9_squared;
     let chain_omega_10_squared = chain_omega_10 * chain_omega_10;
-    let t195 = (-t187).sub_product(R::literal(9.0) * chain_omega_2_squared, t0).sub_product(t188,
-        t2).sub_product(t189, t4).sub_product(t190, t6).sub_product(t191, t8).sub_product(t192, t10)
-        .sub_product(t193, t12).sub_product(t194, t14).sub_product(chain_omega_10_squared, t16);
+    let t195 = t187.add_product(R::literal(9.0) * chain_omega_2_squared, t0).add_product(t188, t2)
+        .add_product(t189, t4).add_product(t190, t6).add_product(t191, t8).add_product(t192, t10)
+        .add_product(t193, t12).add_product(t194, t14).add_product(chain_omega_10_squared, t16);
     let t196 = R::literal(88.29) * sin_chain_theta_2;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t197 = R::literal(78.48) * sin_chain_theta_3;
@@ -3127,27 +3127,27 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
     let t205 = (-t196).add_product(R::literal(9.0) * chain_omega_1_squared, t0).sub_product(t188,
         t18).sub_product(t189, t20).sub_product(t190, t22).sub_product(t191, t24).sub_product(t192,
         t26).sub_product(t193, t28).sub_product(t194, t30).sub_product(chain_omega_10_squared, t32)
-        .sub_product(t98, t195);
+        .add_product(t98, t195);
     let t206 = ((R::literal(8.0) * chain_omega_1_squared * t2).add_product(R::literal(8.0)
         * chain_omega_2_squared, t18) - t197).sub_product(t189, t34).sub_product(t190, t36)
         .sub_product(t191, t38).sub_product(t192, t40).sub_product(t193, t42).sub_product(t194, t44)
-        .sub_product(chain_omega_10_squared, t46).sub_product(t99, t195).sub_product(t109, t205);
+        .sub_product(chain_omega_10_squared, t46).add_product(t99, t195).sub_product(t109, t205);
     let t207 = ((R::literal(7.0) * chain_omega_1_squared * t4).add_product(R::literal(7.0)
         * chain_omega_2_squared, t20).add_product(R::literal(7.0) * chain_omega_3_squared, t34)
         - t198).sub_product(t190, t48).sub_product(t191, t50).sub_product(t192, t52)
         .sub_product(t193, t54).sub_product(t194, t56).sub_product(chain_omega_10_squared, t58)
-        .sub_product(t100, t195).sub_product(t111, t205).sub_product(t126, t206);
+        .add_product(t100, t195).sub_product(t111, t205).sub_product(t126, t206);
     let t208 = ((R::literal(6.0) * chain_omega_1_squared * t6).add_product(R::literal(6.0)
         * chain_omega_2_squared, t22).add_product(R::literal(6.0) * chain_omega_3_squared, t36)
         .add_product(R::literal(6.0) * chain_omega_4_squared, t48) - t199).sub_product(t191, t60)
         .sub_product(t192, t62).sub_product(t193, t64).sub_product(t194, t66)
-        .sub_product(chain_omega_10_squared, t68).sub_product(t101, t195).sub_product(t113, t205)
+        .sub_product(chain_omega_10_squared, t68).add_product(t101, t195).sub_product(t113, t205)
         .sub_product(t128, t206).sub_product(t141, t207);
     let t209 = ((R::literal(5.0) * chain_omega_1_squared * t8).add_product(R::literal(5.0)
         * chain_omega_2_squared, t24).add_product(R::literal(5.0) * chain_omega_3_squared, t38)
         .add_product(R::literal(5.0) * chain_omega_4_squared, t50).add_product(R::literal(5.0)
         * chain_omega_5_squared, t60) - t200).sub_product(t192, t70).sub_product(t193, t72)
-        .sub_product(t194, t74).sub_product(chain_omega_10_squared, t76).sub_product(t102, t195)
+        .sub_product(t194, t74).sub_product(chain_omega_10_squared, t76).add_product(t102, t195)
         .sub_product(t115, t205).sub_product(t130, t206).sub_product(t143, t207).sub_product(t154,
         t208);
     let t210 = ((R::literal(4.0) * chain_omega_1_squared * t10).add_product(R::literal(4.0)
@@ -3155,14 +3155,14 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         .add_product(R::literal(4.0) * chain_omega_4_squared, t52).add_product(R::literal(4.0)
         * chain_omega_5_squared, t62).add_product(R::literal(4.0) * chain_omega_6_squared, t70)
         - t201).sub_product(t193, t78).sub_product(t194, t80).sub_product(chain_omega_10_squared,
-        t82).sub_product(t103, t195).sub_product(t117, t205).sub_product(t132, t206)
+        t82).add_product(t103, t195).sub_product(t117, t205).sub_product(t132, t206)
         .sub_product(t145, t207).sub_product(t156, t208).sub_product(t165, t209);
     let t211 = ((R::literal(3.0) * chain_omega_1_squared * t12).add_product(R::literal(3.0)
         * chain_omega_2_squared, t28).add_product(R::literal(3.0) * chain_omega_3_squared, t42)
         .add_product(R::literal(3.0) * chain_omega_4_squared, t54).add_product(R::literal(3.0)
         * chain_omega_5_squared, t64).add_product(R::literal(3.0) * chain_omega_6_squared, t72)
         .add_product(R::literal(3.0) * chain_omega_7_squared, t78) - t202).sub_product(t194, t84)
-        .sub_product(chain_omega_10_squared, t86).sub_product(t104, t195).sub_product(t119, t205)
+        .sub_product(chain_omega_10_squared, t86).add_product(t104, t195).sub_product(t119, t205)
         .sub_product(t134, t206).sub_product(t147, t207).sub_product(t158, t208).sub_product(t167,
         t209).sub_product(t174, t210);
     let t212 = ((R::literal(2.0) * chain_omega_1_squared * t14).add_product(R::literal(2.0)
@@ -3171,14 +3171,14 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         * chain_omega_5_squared, t66).add_product(R::literal(2.0) * chain_omega_6_squared, t74)
         .add_product(R::literal(2.0) * chain_omega_7_squared, t80).add_product(R::literal(2.0)
         * chain_omega_8_squared, t84) - t203).sub_product(chain_omega_10_squared, t88)
-        .sub_product(t105, t195).sub_product(t121, t205).sub_product(t136, t206).sub_product(t149,
+        .add_product(t105, t195).sub_product(t121, t205).sub_product(t136, t206).sub_product(t149,
         t207).sub_product(t160, t208).sub_product(t169, t209);
     let t213 = t212.sub_product(t176, t210).sub_product(t181, t211);
     let t214 = ((chain_omega_1_squared * t16).add_product(chain_omega_2_squared, t32)
         .add_product(chain_omega_3_squared, t46).add_product(chain_omega_4_squared, t58)
         .add_product(chain_omega_5_squared, t68).add_product(chain_omega_6_squared, t76)
         .add_product(chain_omega_7_squared, t82).add_product(chain_omega_8_squared, t86)
-        .add_product(chain_omega_9_squared, t88) - t204).sub_product(t106, t195).sub_product(t123,
+        .add_product(chain_omega_9_squared, t88) - t204).add_product(t106, t195).sub_product(t123,
         t205).sub_product(t138, t206).sub_product(t151, t207).sub_product(t162, t208)
         .sub_product(t171, t209).sub_product(t178, t210).sub_product(t183, t211).sub_product(t186,
         t213);
@@ -3208,11 +3208,6 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         chain_omega_4_dot).sub_product(t113, chain_omega_5_dot).sub_product(t115, chain_omega_6_dot)
         .sub_product(t117, chain_omega_7_dot).sub_product(t119, chain_omega_8_dot)
         .sub_product(t121, chain_omega_9_dot).sub_product(t123, chain_omega_10_dot);
-    let chain_omega_1_dot = (t195 * R::literal(0.1)).sub_product(t98, chain_omega_2_dot)
-        .sub_product(t99, chain_omega_3_dot).sub_product(t100, chain_omega_4_dot).sub_product(t101,
-        chain_omega_5_dot).sub_product(t102, chain_omega_6_dot).sub_product(t103, chain_omega_7_dot)
-        .sub_product(t104, chain_omega_8_dot).sub_product(t105, chain_omega_9_dot)
-        .sub_product(t106, chain_omega_10_dot);
     let t215 = R::literal(2.0) * chain_omega_2;
     let t216 = R::literal(2.0) * chain_omega_3;
     let t217 = R::literal(2.0) * chain_omega_4;
@@ -3292,91 +3287,94 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         * chain_v_9, cos_chain_theta_8).add_product(t221 * chain_v_10, cos_chain_theta_8)
         .sub_product(t221 * chain_u_8, sin_chain_theta_8).sub_product(t221 * chain_u_9,
         sin_chain_theta_8).sub_product(t221 * chain_u_10, sin_chain_theta_8)), chain_omega_8);
-    let t235 = R::literal(2.0) * chain_u_2;
-    let t236 = R::literal(2.0) * chain_v_2;
-    let t237 = R::literal(2.0) * chain_u_3;
-    let t238 = R::literal(2.0) * chain_v_3;
-    let t239 = R::literal(2.0) * chain_u_4;
-    let t240 = R::literal(2.0) * chain_v_4;
-    let t241 = R::literal(2.0) * chain_u_5;
-    let t242 = R::literal(2.0) * chain_v_5;
-    let t243 = R::literal(2.0) * chain_u_6;
-    let t244 = R::literal(2.0) * chain_v_6;
-    let t245 = R::literal(2.0) * chain_u_7;
-    let t246 = R::literal(2.0) * chain_v_7;
-    let t247 = R::literal(2.0) * chain_u_8;
-    let t248 = R::literal(2.0) * chain_v_8;
-    let t249 = R::literal(2.0) * chain_u_9;
-    let t250 = R::literal(2.0) * chain_v_9;
-    let t251 = R::literal(2.0) * chain_u_10;
-    let t252 = R::literal(2.0) * chain_v_10;
-    let t253 = R::literal(0.5) * (t225 * cos_chain_theta_1).add_product(t224, sin_chain_theta_1)
-        .add_product(t235, cos_chain_theta_1).add_product(t236, sin_chain_theta_1)
-        .add_product(t237, cos_chain_theta_1).add_product(t238, sin_chain_theta_1)
-        .add_product(t239, cos_chain_theta_1).add_product(t240, sin_chain_theta_1)
-        .add_product(t241, cos_chain_theta_1).add_product(t242, sin_chain_theta_1)
-        .add_product(t243, cos_chain_theta_1).add_product(t244, sin_chain_theta_1)
-        .add_product(t245, cos_chain_theta_1).add_product(t246, sin_chain_theta_1)
-        .add_product(t247, cos_chain_theta_1).add_product(t248, sin_chain_theta_1)
-        .add_product(t249, cos_chain_theta_1).add_product(t250, sin_chain_theta_1)
-        .add_product(t251, cos_chain_theta_1).add_product(t252, sin_chain_theta_1);
-    let t254 = R::literal(0.5) * (t235 * cos_chain_theta_2).add_product(t236, sin_chain_theta_2)
-        .add_product(t237, cos_chain_theta_2).add_product(t238, sin_chain_theta_2)
-        .add_product(t239, cos_chain_theta_2).add_product(t240, sin_chain_theta_2)
-        .add_product(t241, cos_chain_theta_2).add_product(t242, sin_chain_theta_2)
-        .add_product(t243, cos_chain_theta_2).add_product(t244, sin_chain_theta_2)
-        .add_product(t245, cos_chain_theta_2).add_product(t246, sin_chain_theta_2)
-        .add_product(t247, cos_chain_theta_2).add_product(t248, sin_chain_theta_2)
-        .add_product(t249, cos_chain_theta_2).add_product(t250, sin_chain_theta_2)
-        .add_product(t251, cos_chain_theta_2).add_product(t252, sin_chain_theta_2);
-    let t255 = t234.add_product(t203.add_product(R::literal(0.5), (t222 * chain_v_9
+    let t235 = t234.add_product(t203.add_product(R::literal(0.5), (t222 * chain_v_9
         * cos_chain_theta_9).add_product(t222 * chain_v_10, cos_chain_theta_9).sub_product(t222
         * chain_u_9, sin_chain_theta_9).sub_product(t222 * chain_u_10, sin_chain_theta_9)),
         chain_omega_9).add_product(t204.add_product(R::literal(0.5), (t223 * chain_v_10
-        * cos_chain_theta_10).sub_product(t223 * chain_u_10, sin_chain_theta_10)), chain_omega_10)
-        .add_product(t253, chain_omega_1_dot).add_product(t254, chain_omega_2_dot);
-    let t256 = t255.add_product(R::literal(0.5) * (t237 * cos_chain_theta_3).add_product(t238,
-        sin_chain_theta_3).add_product(t239, cos_chain_theta_3).add_product(t240, sin_chain_theta_3)
-        .add_product(t241, cos_chain_theta_3).add_product(t242, sin_chain_theta_3)
-        .add_product(t243, cos_chain_theta_3).add_product(t244, sin_chain_theta_3)
-        .add_product(t245, cos_chain_theta_3).add_product(t246, sin_chain_theta_3)
-        .add_product(t247, cos_chain_theta_3).add_product(t248, sin_chain_theta_3)
-        .add_product(t249, cos_chain_theta_3).add_product(t250, sin_chain_theta_3)
-        .add_product(t251, cos_chain_theta_3).add_product(t252, sin_chain_theta_3),
-        chain_omega_3_dot);
-    let t257 = t256.add_product(R::literal(0.5) * (t239 * cos_chain_theta_4).add_product(t240,
-        sin_chain_theta_4).add_product(t241, cos_chain_theta_4).add_product(t242, sin_chain_theta_4)
-        .add_product(t243, cos_chain_theta_4).add_product(t244, sin_chain_theta_4)
-        .add_product(t245, cos_chain_theta_4).add_product(t246, sin_chain_theta_4)
-        .add_product(t247, cos_chain_theta_4).add_product(t248, sin_chain_theta_4)
-        .add_product(t249, cos_chain_theta_4).add_product(t250, sin_chain_theta_4)
-        .add_product(t251, cos_chain_theta_4).add_product(t252, sin_chain_theta_4),
-        chain_omega_4_dot);
-    let t258 = t257.add_product(R::literal(0.5) * (t241 * cos_chain_theta_5).add_product(t242,
-        sin_chain_theta_5).add_product(t243, cos_chain_theta_5).add_product(t244, sin_chain_theta_5)
-        .add_product(t245, cos_chain_theta_5).add_product(t246, sin_chain_theta_5)
-        .add_product(t247, cos_chain_theta_5).add_product(t248, sin_chain_theta_5)
-        .add_product(t249, cos_chain_theta_5).add_product(t250, sin_chain_theta_5)
-        .add_product(t251, cos_chain_theta_5).add_product(t252, sin_chain_theta_5),
+        * cos_chain_theta_10).sub_product(t223 * chain_u_10, sin_chain_theta_10)), chain_omega_10);
+    let t236 = R::literal(2.0) * chain_u_2;
+    let t237 = R::literal(2.0) * chain_v_2;
+    let t238 = R::literal(2.0) * chain_u_3;
+    let t239 = R::literal(2.0) * chain_v_3;
+    let t240 = R::literal(2.0) * chain_u_4;
+    let t241 = R::literal(2.0) * chain_v_4;
+    let t242 = R::literal(2.0) * chain_u_5;
+    let t243 = R::literal(2.0) * chain_v_5;
+    let t244 = R::literal(2.0) * chain_u_6;
+    let t245 = R::literal(2.0) * chain_v_6;
+    let t246 = R::literal(2.0) * chain_u_7;
+    let t247 = R::literal(2.0) * chain_v_7;
+    let t248 = R::literal(2.0) * chain_u_8;
+    let t249 = R::literal(2.0) * chain_v_8;
+    let t250 = R::literal(2.0) * chain_u_9;
+    let t251 = R::literal(2.0) * chain_v_9;
+    let t252 = R::literal(2.0) * chain_u_10;
+    let t253 = R::literal(2.0) * chain_v_10;
+    let t254 = R::literal(0.5) * (t225 * cos_chain_theta_1).add_product(t224, sin_chain_theta_1)
+        .add_product(t236, cos_chain_theta_1).add_product(t237, sin_chain_theta_1)
+        .add_product(t238, cos_chain_theta_1).add_product(t239, sin_chain_theta_1)
+        .add_product(t240, cos_chain_theta_1).add_product(t241, sin_chain_theta_1)
+        .add_product(t242, cos_chain_theta_1).add_product(t243, sin_chain_theta_1)
+        .add_product(t244, cos_chain_theta_1).add_product(t245, sin_chain_theta_1)
+        .add_product(t246, cos_chain_theta_1).add_product(t247, sin_chain_theta_1)
+        .add_product(t248, cos_chain_theta_1).add_product(t249, sin_chain_theta_1)
+        .add_product(t250, cos_chain_theta_1).add_product(t251, sin_chain_theta_1)
+        .add_product(t252, cos_chain_theta_1).add_product(t253, sin_chain_theta_1);
+    let t255 = R::literal(0.5) * (t236 * cos_chain_theta_2).add_product(t237, sin_chain_theta_2)
+        .add_product(t238, cos_chain_theta_2).add_product(t239, sin_chain_theta_2)
+        .add_product(t240, cos_chain_theta_2).add_product(t241, sin_chain_theta_2)
+        .add_product(t242, cos_chain_theta_2).add_product(t243, sin_chain_theta_2)
+        .add_product(t244, cos_chain_theta_2).add_product(t245, sin_chain_theta_2)
+        .add_product(t246, cos_chain_theta_2).add_product(t247, sin_chain_theta_2)
+        .add_product(t248, cos_chain_theta_2).add_product(t249, sin_chain_theta_2)
+        .add_product(t250, cos_chain_theta_2).add_product(t251, sin_chain_theta_2)
+        .add_product(t252, cos_chain_theta_2).add_product(t253, sin_chain_theta_2);
+    let t256 = R::literal(0.5) * (t238 * cos_chain_theta_3).add_product(t239, sin_chain_theta_3)
+        .add_product(t240, cos_chain_theta_3).add_product(t241, sin_chain_theta_3)
+        .add_product(t242, cos_chain_theta_3).add_product(t243, sin_chain_theta_3)
+        .add_product(t244, cos_chain_theta_3).add_product(t245, sin_chain_theta_3)
+        .add_product(t246, cos_chain_theta_3).add_product(t247, sin_chain_theta_3)
+        .add_product(t248, cos_chain_theta_3).add_product(t249, sin_chain_theta_3)
+        .add_product(t250, cos_chain_theta_3).add_product(t251, sin_chain_theta_3)
+        .add_product(t252, cos_chain_theta_3).add_product(t253, sin_chain_theta_3);
+    let t257 = R::literal(0.5) * (t240 * cos_chain_theta_4).add_product(t241, sin_chain_theta_4)
+        .add_product(t242, cos_chain_theta_4).add_product(t243, sin_chain_theta_4)
+        .add_product(t244, cos_chain_theta_4).add_product(t245, sin_chain_theta_4)
+        .add_product(t246, cos_chain_theta_4).add_product(t247, sin_chain_theta_4)
+        .add_product(t248, cos_chain_theta_4).add_product(t249, sin_chain_theta_4)
+        .add_product(t250, cos_chain_theta_4).add_product(t251, sin_chain_theta_4)
+        .add_product(t252, cos_chain_theta_4).add_product(t253, sin_chain_theta_4);
+    let t258 = t235.sub_product(t254, (t195 * R::literal(0.1)).add_product(t98, chain_omega_2_dot)
+        .add_product(t99, chain_omega_3_dot).add_product(t100, chain_omega_4_dot).add_product(t101,
+        chain_omega_5_dot).add_product(t102, chain_omega_6_dot).add_product(t103, chain_omega_7_dot)
+        .add_product(t104, chain_omega_8_dot).add_product(t105, chain_omega_9_dot)
+        .add_product(t106, chain_omega_10_dot)).add_product(t255, chain_omega_2_dot)
+        .add_product(t256, chain_omega_3_dot).add_product(t257, chain_omega_4_dot);
+    let t259 = t258.add_product(R::literal(0.5) * (t242 * cos_chain_theta_5).add_product(t243,
+        sin_chain_theta_5).add_product(t244, cos_chain_theta_5).add_product(t245, sin_chain_theta_5)
+        .add_product(t246, cos_chain_theta_5).add_product(t247, sin_chain_theta_5)
+        .add_product(t248, cos_chain_theta_5).add_product(t249, sin_chain_theta_5)
+        .add_product(t250, cos_chain_theta_5).add_product(t251, sin_chain_theta_5)
+        .add_product(t252, cos_chain_theta_5).add_product(t253, sin_chain_theta_5),
         chain_omega_5_dot);
-    let t259 = t258.add_product(R::literal(0.5) * (t243 * cos_chain_theta_6).add_product(t244,
-        sin_chain_theta_6).add_product(t245, cos_chain_theta_6).add_product(t246, sin_chain_theta_6)
-        .add_product(t247, cos_chain_theta_6).add_product(t248, sin_chain_theta_6)
-        .add_product(t249, cos_chain_theta_6).add_product(t250, sin_chain_theta_6)
-        .add_product(t251, cos_chain_theta_6).add_product(t252, sin_chain_theta_6),
-        chain_omega_6_dot).add_product(R::literal(0.5) * (t245 * cos_chain_theta_7)
-        .add_product(t246, sin_chain_theta_7).add_product(t247, cos_chain_theta_7)
-        .add_product(t248, sin_chain_theta_7).add_product(t249, cos_chain_theta_7)
-        .add_product(t250, sin_chain_theta_7).add_product(t251, cos_chain_theta_7)
-        .add_product(t252, sin_chain_theta_7), chain_omega_7_dot);
+    let t260 = t259.add_product(R::literal(0.5) * (t244 * cos_chain_theta_6).add_product(t245,
+        sin_chain_theta_6).add_product(t246, cos_chain_theta_6).add_product(t247, sin_chain_theta_6)
+        .add_product(t248, cos_chain_theta_6).add_product(t249, sin_chain_theta_6)
+        .add_product(t250, cos_chain_theta_6).add_product(t251, sin_chain_theta_6)
+        .add_product(t252, cos_chain_theta_6).add_product(t253, sin_chain_theta_6),
+        chain_omega_6_dot).add_product(R::literal(0.5) * (t246 * cos_chain_theta_7)
+        .add_product(t247, sin_chain_theta_7).add_product(t248, cos_chain_theta_7)
+        .add_product(t249, sin_chain_theta_7).add_product(t250, cos_chain_theta_7)
+        .add_product(t251, sin_chain_theta_7).add_product(t252, cos_chain_theta_7)
+        .add_product(t253, sin_chain_theta_7), chain_omega_7_dot);
     PowerBalance {
-        stored_rate: t259.add_product(R::literal(0.5) * (t247 * cos_chain_theta_8)
-            .add_product(t248, sin_chain_theta_8).add_product(t249, cos_chain_theta_8)
-            .add_product(t250, sin_chain_theta_8).add_product(t251, cos_chain_theta_8)
-            .add_product(t252, sin_chain_theta_8), chain_omega_8_dot).add_product(R::literal(0.5)
-            * (t249 * cos_chain_theta_9).add_product(t250, sin_chain_theta_9).add_product(t251,
-            cos_chain_theta_9).add_product(t252, sin_chain_theta_9), chain_omega_9_dot)
-            .add_product(R::literal(0.5) * (t251 * cos_chain_theta_10).add_product(t252,
+        stored_rate: t260.add_product(R::literal(0.5) * (t248 * cos_chain_theta_8)
+            .add_product(t249, sin_chain_theta_8).add_product(t250, cos_chain_theta_8)
+            .add_product(t251, sin_chain_theta_8).add_product(t252, cos_chain_theta_8)
+            .add_product(t253, sin_chain_theta_8), chain_omega_8_dot).add_product(R::literal(0.5)
+            * (t250 * cos_chain_theta_9).add_product(t251, sin_chain_theta_9).add_product(t252,
+            cos_chain_theta_9).add_product(t253, sin_chain_theta_9), chain_omega_9_dot)
+            .add_product(R::literal(0.5) * (t252 * cos_chain_theta_10).add_product(t253,
             sin_chain_theta_10), chain_omega_10_dot),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
@@ -3691,16 +3689,16 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t195 = t194 * t29;
     let t196 = chain_omega_10 * chain_omega_10;
     let t197 = t196 * t33;
-    let t198 = -t171;
-    let t199 = t198 - t174;
-    let t200 = t199 - t177;
-    let t201 = t200 - t180;
-    let t202 = t201 - t183;
-    let t203 = t202 - t186;
-    let t204 = t203 - t189;
-    let t205 = t204 - t192;
-    let t206 = t205 - t195;
-    let t207 = t206 - t197;
+    let t198 = t171 + t174;
+    let t199 = t198 + t177;
+    let t200 = t199 + t180;
+    let t201 = t200 + t183;
+    let t202 = t201 + t186;
+    let t203 = t202 + t189;
+    let t204 = t203 + t192;
+    let t205 = t204 + t195;
+    let t206 = t205 + t197;
+    let t207 = -t206;
     let t208 = sin_chain_theta_2 * R::literal(88.29);
     let t209 = t176 * t36;
     let t210 = t179 * t40;
@@ -4214,7 +4212,6 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
             * sums_7[0]);
         let cos_chain_theta_10_k = -chain_theta_10_k.mul_add(sin_chain_theta_10, inverse
             * sums_7[1]);
-        let t171_k = sin_chain_theta_1_k * R::literal(98.1);
         let t172_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
         let t173_k = t172_k * R::literal(9.0);
         let t174_k = t173.mul_add(t1_k, t1.mul_add(t173_k, sums_30[0]));
@@ -4241,16 +4238,16 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t195_k = t194.mul_add(t29_k, t29.mul_add(t194_k, sums_31[3]));
         let t196_k = (chain_omega_10 + chain_omega_10).mul_add(chain_omega_10_k, sums_2[0]);
         let t197_k = t196.mul_add(t33_k, t33.mul_add(t196_k, sums_32[0]));
-        let t198_k = -t171_k;
-        let t199_k = t198_k - t174_k;
-        let t200_k = t199_k - t177_k;
-        let t201_k = t200_k - t180_k;
-        let t202_k = t201_k - t183_k;
-        let t203_k = t202_k - t186_k;
-        let t204_k = t203_k - t189_k;
-        let t205_k = t204_k - t192_k;
-        let t206_k = t205_k - t195_k;
-        let t207_k = t206_k - t197_k;
+        let t198_k = sin_chain_theta_1_k.mul_add(R::literal(98.1), t174_k);
+        let t199_k = t198_k + t177_k;
+        let t200_k = t199_k + t180_k;
+        let t201_k = t200_k + t183_k;
+        let t202_k = t201_k + t186_k;
+        let t203_k = t202_k + t189_k;
+        let t204_k = t203_k + t192_k;
+        let t205_k = t204_k + t195_k;
+        let t206_k = t205_k + t197_k;
+        let t207_k = -t206_k;
         let t209_k = t176.mul_add(t36_k, t36.mul_add(t176_k, sums_32[1]));
         let t210_k = t179.mul_add(t40_k, t40.mul_add(t179_k, sums_32[2]));
         let t211_k = t182.mul_add(t44_k, t44.mul_add(t182_k, sums_32[3]));

@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 2, states 4, outputs 4.
 // Nonzeros: mass_matrix 4 of 2 by 2, rate_jacobian 10 of 4 by 4, parameter_jacobian 0 of 4 by 0.
-// Operations: rate 29, mass_matrix 2, forcing 13, rate_jacobian 68, energy 22, power_balance 68.
+// Operations: rate 29, mass_matrix 2, forcing 13, rate_jacobian 65, energy 21, power_balance 67.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -86,12 +86,11 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let t1 = (cos_chain_theta_1 * cos_chain_theta_2).add_product(sin_chain_theta_1,
         sin_chain_theta_2);
     let t2 = t1 * R::literal(0.5);
-    let t3 = (-(R::literal(19.62) * sin_chain_theta_1)).sub_product(chain_omega_2 * chain_omega_2,
-        t0);
+    let t3 = (R::literal(19.62) * sin_chain_theta_1).add_product(chain_omega_2 * chain_omega_2, t0);
     let chain_omega_2_dot = (-(R::literal(9.81) * sin_chain_theta_2)).add_product(chain_omega_1
-        * chain_omega_1, t0).sub_product(t2, t3) * (R::literal(1.0) / R::literal(1.0)
+        * chain_omega_1, t0).add_product(t2, t3) * (R::literal(1.0) / R::literal(1.0)
         .sub_product(t2, t1));
-    let chain_omega_1_dot = (t3 * R::literal(0.5)).sub_product(t2, chain_omega_2_dot);
+    let chain_omega_1_dot = -(t3 * R::literal(0.5)).add_product(t2, chain_omega_2_dot);
     [chain_omega_1, chain_omega_2, chain_omega_1_dot, chain_omega_2_dot]
 }
 
@@ -109,14 +108,14 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
     let [(sin_chain_theta_1, _), (sin_chain_theta_2, _), (t0, _)] = R::sin_cos_each([chain_theta_1,
         chain_theta_2, chain_theta_1 - chain_theta_2]);
-    let chain_theta_1_forcing = (-(R::literal(19.62) * sin_chain_theta_1))
-        .sub_product(chain_omega_2 * chain_omega_2, t0);
+    let chain_theta_1_forcing = -(R::literal(19.62) * sin_chain_theta_1).add_product(chain_omega_2
+        * chain_omega_2, t0);
     let chain_theta_2_forcing = (-(R::literal(9.81) * sin_chain_theta_2)).add_product(chain_omega_1
         * chain_omega_1, t0);
     [chain_theta_1_forcing, chain_theta_2_forcing]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 68 operations.
+/// `dy'/dy`, values in the order of its pattern. 65 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 10] {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
@@ -129,29 +128,28 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let t2 = t1 * R::literal(0.5);
     let t3 = R::literal(1.0) / R::literal(1.0).sub_product(t2, t1);
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
-    let t4 = (-(R::literal(19.62) * sin_chain_theta_1)).sub_product(chain_omega_2_squared, t0);
+    let t4 = (R::literal(19.62) * sin_chain_theta_1).add_product(chain_omega_2_squared, t0);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let chain_omega_2_dot = (-(R::literal(9.81) * sin_chain_theta_2))
-        .add_product(chain_omega_1_squared, t0).sub_product(t2, t4) * t3;
-    let chain_omega_1_dot = (t4 * R::literal(0.5)).sub_product(t2, chain_omega_2_dot);
+        .add_product(chain_omega_1_squared, t0).add_product(t2, t4) * t3;
     let t5 = chain_omega_2_squared * t1;
     let t6 = chain_omega_1_squared * t1;
     let t7 = t0 * chain_omega_2_dot;
-    let t8 = (-t5).sub_product(R::literal(19.62), cos_chain_theta_1) + t7;
-    let t9 = t0 * chain_omega_1_dot;
-    let chain_omega_2_dot_by_chain_theta_1 = (t6 + t9).sub_product(t2, t8) * t3;
+    let t8 = t7 - t5.add_product(R::literal(19.62), cos_chain_theta_1);
+    let t9 = t0 * (t4 * R::literal(0.5)).add_product(t2, chain_omega_2_dot);
+    let chain_omega_2_dot_by_chain_theta_1 = (t6 - t9).sub_product(t2, t8) * t3;
     let chain_omega_1_dot_by_chain_theta_1 = (t8 * R::literal(0.5)).sub_product(t2,
         chain_omega_2_dot_by_chain_theta_1);
     let t10 = t5 - t7;
-    let chain_omega_2_dot_by_chain_theta_2 = ((-t6).sub_product(R::literal(9.81),
-        cos_chain_theta_2) - t9).sub_product(t2, t10) * t3;
+    let chain_omega_2_dot_by_chain_theta_2 = (t9 - t6.add_product(R::literal(9.81),
+        cos_chain_theta_2)).sub_product(t2, t10) * t3;
     let chain_omega_1_dot_by_chain_theta_2 = (t10 * R::literal(0.5)).sub_product(t2,
         chain_omega_2_dot_by_chain_theta_2);
     let chain_omega_2_dot_by_chain_omega_1 = R::literal(2.0) * chain_omega_1 * t0 * t3;
     let chain_omega_1_dot_by_chain_omega_1 = -(t2 * chain_omega_2_dot_by_chain_omega_1);
     let t11 = R::literal(2.0) * chain_omega_2 * t0;
     let chain_omega_2_dot_by_chain_omega_2 = t2 * t11 * t3;
-    let chain_omega_1_dot_by_chain_omega_2 = (-(t11 * R::literal(0.5))).sub_product(t2,
+    let chain_omega_1_dot_by_chain_omega_2 = -(t11 * R::literal(0.5)).add_product(t2,
         chain_omega_2_dot_by_chain_omega_2);
     [R::literal(1.0), R::literal(1.0), chain_omega_1_dot_by_chain_theta_1,
         chain_omega_1_dot_by_chain_theta_2, chain_omega_1_dot_by_chain_omega_1,
@@ -184,7 +182,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ou
     }
 }
 
-/// T, V and the energy of first-order states \[J\]. 22 operations.
+/// T, V and the energy of first-order states \[J\]. 21 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Energy<R> {
     let [chain_theta_1, chain_theta_2, chain_omega_1, chain_omega_2] = *state;
@@ -197,13 +195,13 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
     Energy {
         kinetic: R::literal(0.5) * (chain_u_1 * chain_u_1).add_product(chain_v_1, chain_v_1)
             .add_product(chain_u_2, chain_u_2).add_product(chain_v_2, chain_v_2),
-        potential: R::literal(9.81) * (-cos_chain_theta_2).sub_product(R::literal(2.0),
+        potential: R::literal(-9.81) * cos_chain_theta_2.add_product(R::literal(2.0),
             cos_chain_theta_1),
         stored: R::literal(0.0),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 68 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 67 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         _p: &Parameters<R>) -> PowerBalance<R> {
@@ -217,11 +215,10 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
     let chain_v_2 = chain_v_1.add_product(chain_omega_2, sin_chain_theta_2);
     let t2 = t1 * R::literal(0.5);
     let t3 = R::literal(19.62) * sin_chain_theta_1;
-    let t4 = (-t3).sub_product(chain_omega_2 * chain_omega_2, t0);
+    let t4 = t3.add_product(chain_omega_2 * chain_omega_2, t0);
     let t5 = R::literal(9.81) * sin_chain_theta_2;
-    let chain_omega_2_dot = (-t5).add_product(chain_omega_1 * chain_omega_1, t0).sub_product(t2,
+    let chain_omega_2_dot = (-t5).add_product(chain_omega_1 * chain_omega_1, t0).add_product(t2,
         t4) * (R::literal(1.0) / R::literal(1.0).sub_product(t2, t1));
-    let chain_omega_1_dot = (t4 * R::literal(0.5)).sub_product(t2, chain_omega_2_dot);
     let t6 = R::literal(2.0) * chain_omega_2;
     let t7 = R::literal(2.0) * chain_v_1;
     let t8 = R::literal(2.0) * chain_u_1;
@@ -231,10 +228,11 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         stored_rate: (t3.add_product(R::literal(0.5), (t8 * chain_v_2).sub_product(t7, chain_u_2))
             * chain_omega_1).add_product(t5.add_product(R::literal(0.5), (t6 * chain_v_2
             * cos_chain_theta_2).sub_product(t6 * chain_u_2, sin_chain_theta_2)), chain_omega_2)
-            .add_product(R::literal(0.5) * (t8 * cos_chain_theta_1).add_product(t7,
+            .sub_product(R::literal(0.5) * (t8 * cos_chain_theta_1).add_product(t7,
             sin_chain_theta_1).add_product(t9, cos_chain_theta_1).add_product(t10,
-            sin_chain_theta_1), chain_omega_1_dot).add_product(R::literal(0.5)
-            * (t9 * cos_chain_theta_2).add_product(t10, sin_chain_theta_2), chain_omega_2_dot),
+            sin_chain_theta_1), (t4 * R::literal(0.5)).add_product(t2, chain_omega_2_dot))
+            .add_product(R::literal(0.5) * (t9 * cos_chain_theta_2).add_product(t10,
+            sin_chain_theta_2), chain_omega_2_dot),
         supplied: R::literal(0.0),
         dissipated: R::literal(0.0),
     }
@@ -265,8 +263,8 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t3 = sin_chain_theta_1 * R::literal(19.62);
     let t4 = chain_omega_2 * chain_omega_2;
     let t5 = t4 * t1;
-    let t6 = -t3;
-    let t7 = t6 - t5;
+    let t6 = t3 + t5;
+    let t7 = -t6;
     let t8 = sin_chain_theta_2 * R::literal(9.81);
     let t9 = chain_omega_1 * chain_omega_1;
     let t10 = t9 * t1;
@@ -293,11 +291,10 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let cos_chain_theta_1_k = -chain_theta_1_k.mul_add(sin_chain_theta_1, inverse * sums[3]);
         let sin_chain_theta_2_k = chain_theta_2_k.mul_add(cos_chain_theta_2, inverse * sums_1[0]);
         let cos_chain_theta_2_k = -chain_theta_2_k.mul_add(sin_chain_theta_2, inverse * sums_1[1]);
-        let t3_k = sin_chain_theta_1_k * R::literal(19.62);
         let t4_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
         let t5_k = t4.mul_add(t1_k, t1.mul_add(t4_k, sums_2[0]));
-        let t6_k = -t3_k;
-        let t7_k = t6_k - t5_k;
+        let t6_k = sin_chain_theta_1_k.mul_add(R::literal(19.62), t5_k);
+        let t7_k = -t6_k;
         let t9_k = (chain_omega_1 + chain_omega_1).mul_add(chain_omega_1_k, sums[1]);
         let t10_k = t9.mul_add(t1_k, t1.mul_add(t9_k, sums_2[1]));
         let t11_k = (-sin_chain_theta_2_k).mul_add(R::literal(9.81), t10_k);

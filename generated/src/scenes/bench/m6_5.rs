@@ -16,7 +16,7 @@
 // All quantities are in SI units.
 // Shapes: coordinates 5, states 10, outputs 10.
 // Nonzeros: mass_matrix 25 of 5 by 5, rate_jacobian 55 of 10 by 10, parameter_jacobian 0 of 10 by 0.
-// Operations: rate 235, mass_matrix 26, forcing 85, rate_jacobian 826, energy 58, power_balance 397.
+// Operations: rate 235, mass_matrix 26, forcing 85, rate_jacobian 820, energy 57, power_balance 396.
 
 use ::machinist_contract::{
     Energy, PowerBalance, Real, taylor::{Factored, Lanes, order_and_inverse},
@@ -165,24 +165,24 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
     let t37 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t38 = (-(R::literal(49.05) * sin_chain_theta_1)).sub_product(R::literal(4.0)
-        * chain_omega_2_squared, t0).sub_product(t36, t3).sub_product(t37, t6)
-        .sub_product(chain_omega_5_squared, t9);
+    let t38 = (R::literal(49.05) * sin_chain_theta_1).add_product(R::literal(4.0)
+        * chain_omega_2_squared, t0).add_product(t36, t3).add_product(t37, t6)
+        .add_product(chain_omega_5_squared, t9);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t39 = (-(R::literal(39.24) * sin_chain_theta_2)).add_product(R::literal(4.0)
         * chain_omega_1_squared, t0).sub_product(t36, t11).sub_product(t37, t12)
-        .sub_product(chain_omega_5_squared, t13).sub_product(t17, t38);
+        .sub_product(chain_omega_5_squared, t13).add_product(t17, t38);
     let t40 = (R::literal(3.0) * chain_omega_1_squared * t3).add_product(R::literal(3.0)
         * chain_omega_2_squared, t11).sub_product(R::literal(29.43), sin_chain_theta_3)
-        .sub_product(t37, t14).sub_product(chain_omega_5_squared, t15).sub_product(t18, t38)
+        .sub_product(t37, t14).sub_product(chain_omega_5_squared, t15).add_product(t18, t38)
         .sub_product(t23, t39);
     let t41 = (R::literal(2.0) * chain_omega_1_squared * t6).add_product(R::literal(2.0)
         * chain_omega_2_squared, t12).add_product(R::literal(2.0) * chain_omega_3_squared, t14)
         .sub_product(R::literal(19.62), sin_chain_theta_4).sub_product(chain_omega_5_squared, t16)
-        .sub_product(t19, t38).sub_product(t25, t39).sub_product(t30, t40);
+        .add_product(t19, t38).sub_product(t25, t39).sub_product(t30, t40);
     let chain_omega_5_dot = (chain_omega_1_squared * t9).add_product(chain_omega_2_squared, t13)
         .add_product(chain_omega_3_squared, t15).add_product(chain_omega_4_squared, t16)
-        .sub_product(R::literal(9.81), sin_chain_theta_5).sub_product(t20, t38).sub_product(t27,
+        .sub_product(R::literal(9.81), sin_chain_theta_5).add_product(t20, t38).sub_product(t27,
         t39).sub_product(t32, t40).sub_product(t35, t41) * (R::literal(1.0) / R::literal(1.0)
         .sub_product(t20, t10).sub_product(t27, t26).sub_product(t32, t31).sub_product(t35, t34));
     let chain_omega_4_dot = (t41 * t33).sub_product(t35, chain_omega_5_dot);
@@ -190,8 +190,8 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         chain_omega_5_dot);
     let chain_omega_2_dot = (t39 * t21).sub_product(t23, chain_omega_3_dot).sub_product(t25,
         chain_omega_4_dot).sub_product(t27, chain_omega_5_dot);
-    let chain_omega_1_dot = (t38 * R::literal(0.2)).sub_product(t17, chain_omega_2_dot)
-        .sub_product(t18, chain_omega_3_dot).sub_product(t19, chain_omega_4_dot).sub_product(t20,
+    let chain_omega_1_dot = -(t38 * R::literal(0.2)).add_product(t17, chain_omega_2_dot)
+        .add_product(t18, chain_omega_3_dot).add_product(t19, chain_omega_4_dot).add_product(t20,
         chain_omega_5_dot);
     [chain_omega_1, chain_omega_2, chain_omega_3, chain_omega_4, chain_omega_5, chain_omega_1_dot,
         chain_omega_2_dot, chain_omega_3_dot, chain_omega_4_dot, chain_omega_5_dot]
@@ -238,9 +238,9 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
     let t11 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let chain_theta_1_forcing = (-(R::literal(49.05) * sin_chain_theta_1))
-        .sub_product(R::literal(4.0) * chain_omega_2_squared, t0).sub_product(t10, t1)
-        .sub_product(t11, t2).sub_product(chain_omega_5_squared, t3);
+    let chain_theta_1_forcing = -(R::literal(49.05) * sin_chain_theta_1)
+        .add_product(R::literal(4.0) * chain_omega_2_squared, t0).add_product(t10, t1)
+        .add_product(t11, t2).add_product(chain_omega_5_squared, t3);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let chain_theta_2_forcing = (-(R::literal(39.24) * sin_chain_theta_2))
         .add_product(R::literal(4.0) * chain_omega_1_squared, t0).sub_product(t10, t4)
@@ -259,7 +259,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         chain_theta_5_forcing]
 }
 
-/// `dy'/dy`, values in the order of its pattern. 826 operations.
+/// `dy'/dy`, values in the order of its pattern. 820 operations.
 #[must_use]
 pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; 55] {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_omega_1,
@@ -340,8 +340,8 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
     let t45 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t46 = (-(R::literal(49.05) * sin_chain_theta_1)).sub_product(t43, t0).sub_product(t44, t3)
-        .sub_product(t45, t6).sub_product(chain_omega_5_squared, t9);
+    let t46 = (R::literal(49.05) * sin_chain_theta_1).add_product(t43, t0).add_product(t44, t3)
+        .add_product(t45, t6).add_product(chain_omega_5_squared, t9);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t47 = R::literal(4.0) * chain_omega_1_squared;
     let t48 = R::literal(3.0) * chain_omega_1_squared;
@@ -350,252 +350,251 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let t51 = R::literal(2.0) * chain_omega_2_squared;
     let t52 = R::literal(2.0) * chain_omega_3_squared;
     let t53 = (-(R::literal(39.24) * sin_chain_theta_2)).add_product(t47, t0).sub_product(t44, t11)
-        .sub_product(t45, t13).sub_product(chain_omega_5_squared, t15).sub_product(t23, t46);
+        .sub_product(t45, t13).sub_product(chain_omega_5_squared, t15).add_product(t23, t46);
     let t54 = (t48 * t3).add_product(t49, t11).sub_product(R::literal(29.43), sin_chain_theta_3)
-        .sub_product(t45, t17).sub_product(chain_omega_5_squared, t19).sub_product(t24, t46)
+        .sub_product(t45, t17).sub_product(chain_omega_5_squared, t19).add_product(t24, t46)
         .sub_product(t29, t53);
     let t55 = (t50 * t6).add_product(t51, t13).add_product(t52, t17).sub_product(R::literal(19.62),
-        sin_chain_theta_4).sub_product(chain_omega_5_squared, t21).sub_product(t25, t46)
+        sin_chain_theta_4).sub_product(chain_omega_5_squared, t21).add_product(t25, t46)
         .sub_product(t31, t53).sub_product(t36, t54);
     let chain_omega_5_dot = (chain_omega_1_squared * t9).add_product(chain_omega_2_squared, t15)
         .add_product(chain_omega_3_squared, t19).add_product(chain_omega_4_squared, t21)
-        .sub_product(R::literal(9.81), sin_chain_theta_5).sub_product(t26, t46).sub_product(t33,
+        .sub_product(R::literal(9.81), sin_chain_theta_5).add_product(t26, t46).sub_product(t33,
         t53).sub_product(t38, t54).sub_product(t41, t55) * t42;
     let chain_omega_4_dot = (t55 * t39).sub_product(t41, chain_omega_5_dot);
     let chain_omega_3_dot = (t54 * t34).sub_product(t36, chain_omega_4_dot).sub_product(t38,
         chain_omega_5_dot);
     let chain_omega_2_dot = (t53 * t27).sub_product(t29, chain_omega_3_dot).sub_product(t31,
         chain_omega_4_dot).sub_product(t33, chain_omega_5_dot);
-    let chain_omega_1_dot = (t46 * R::literal(0.2)).sub_product(t23, chain_omega_2_dot)
-        .sub_product(t24, chain_omega_3_dot).sub_product(t25, chain_omega_4_dot).sub_product(t26,
-        chain_omega_5_dot);
-    let t56 = t43 * t1;
-    let t57 = t44 * t4;
-    let t58 = t45 * t7;
-    let t59 = chain_omega_5_squared * t10;
-    let t60 = t47 * t1;
-    let t61 = t48 * t4;
-    let t62 = t50 * t7;
-    let t63 = chain_omega_1_squared * t10;
-    let t64 = R::literal(4.0) * t0;
-    let t65 = t64 * chain_omega_2_dot;
-    let t66 = t64 * chain_omega_1_dot;
-    let t67 = R::literal(3.0) * t3;
-    let t68 = t67 * chain_omega_3_dot;
-    let t69 = t67 * chain_omega_1_dot;
-    let t70 = R::literal(2.0) * t6;
-    let t71 = t70 * chain_omega_4_dot;
-    let t72 = t70 * chain_omega_1_dot;
-    let t73 = t9 * chain_omega_5_dot;
-    let t74 = (-t56).sub_product(R::literal(49.05), cos_chain_theta_1) - t57 - t58 - t59 + t65
-        + t68 + t71 + t73;
-    let t75 = t9 * chain_omega_1_dot;
-    let t76 = (t60 + t66).sub_product(t23, t74);
-    let t77 = (t61 + t69).sub_product(t24, t74).sub_product(t29, t76);
-    let t78 = (t62 + t72).sub_product(t25, t74).sub_product(t31, t76).sub_product(t36, t77);
-    let chain_omega_5_dot_by_chain_theta_1 = (t63 + t75).sub_product(t26, t74).sub_product(t33, t76)
-        .sub_product(t38, t77).sub_product(t41, t78) * t42;
-    let chain_omega_4_dot_by_chain_theta_1 = (t78 * t39).sub_product(t41,
+    let t56 = (t46 * R::literal(0.2)).add_product(t23, chain_omega_2_dot).add_product(t24,
+        chain_omega_3_dot).add_product(t25, chain_omega_4_dot).add_product(t26, chain_omega_5_dot);
+    let t57 = t43 * t1;
+    let t58 = t44 * t4;
+    let t59 = t45 * t7;
+    let t60 = chain_omega_5_squared * t10;
+    let t61 = t47 * t1;
+    let t62 = t48 * t4;
+    let t63 = t50 * t7;
+    let t64 = chain_omega_1_squared * t10;
+    let t65 = R::literal(4.0) * t0;
+    let t66 = t65 * chain_omega_2_dot;
+    let t67 = t65 * t56;
+    let t68 = R::literal(3.0) * t3;
+    let t69 = t68 * chain_omega_3_dot;
+    let t70 = t68 * t56;
+    let t71 = R::literal(2.0) * t6;
+    let t72 = t71 * chain_omega_4_dot;
+    let t73 = t71 * t56;
+    let t74 = t9 * chain_omega_5_dot;
+    let t75 = t66 - (t57.add_product(R::literal(49.05), cos_chain_theta_1) + t58 + t59 + t60) + t69
+        + t72 + t74;
+    let t76 = t9 * t56;
+    let t77 = (t61 - t67).sub_product(t23, t75);
+    let t78 = (t62 - t70).sub_product(t24, t75).sub_product(t29, t77);
+    let t79 = (t63 - t73).sub_product(t25, t75).sub_product(t31, t77).sub_product(t36, t78);
+    let chain_omega_5_dot_by_chain_theta_1 = (t64 - t76).sub_product(t26, t75).sub_product(t33, t77)
+        .sub_product(t38, t78).sub_product(t41, t79) * t42;
+    let chain_omega_4_dot_by_chain_theta_1 = (t79 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_theta_1);
-    let chain_omega_3_dot_by_chain_theta_1 = (t77 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_theta_1 = (t78 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_theta_1).sub_product(t38, chain_omega_5_dot_by_chain_theta_1);
-    let chain_omega_2_dot_by_chain_theta_1 = (t76 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_theta_1 = (t77 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_theta_1).sub_product(t31, chain_omega_4_dot_by_chain_theta_1)
         .sub_product(t33, chain_omega_5_dot_by_chain_theta_1);
-    let chain_omega_1_dot_by_chain_theta_1 = (t74 * R::literal(0.2)).sub_product(t23,
+    let chain_omega_1_dot_by_chain_theta_1 = (t75 * R::literal(0.2)).sub_product(t23,
         chain_omega_2_dot_by_chain_theta_1).sub_product(t24, chain_omega_3_dot_by_chain_theta_1)
         .sub_product(t25, chain_omega_4_dot_by_chain_theta_1).sub_product(t26,
         chain_omega_5_dot_by_chain_theta_1);
-    let t79 = t44 * t12;
-    let t80 = t45 * t14;
-    let t81 = chain_omega_5_squared * t16;
-    let t82 = t49 * t12;
-    let t83 = t51 * t14;
-    let t84 = chain_omega_2_squared * t16;
-    let t85 = t56 - t65;
-    let t86 = R::literal(3.0) * t11;
-    let t87 = t86 * chain_omega_3_dot;
-    let t88 = t86 * chain_omega_2_dot;
-    let t89 = R::literal(2.0) * t13;
-    let t90 = t89 * chain_omega_4_dot;
-    let t91 = t89 * chain_omega_2_dot;
-    let t92 = t15 * chain_omega_5_dot;
-    let t93 = t15 * chain_omega_2_dot;
-    let t94 = ((-t60).sub_product(R::literal(39.24), cos_chain_theta_2) - t79 - t80 - t81 - t66
-        + t87 + t90 + t92).sub_product(t23, t85);
-    let t95 = (t82 + t88).sub_product(t24, t85).sub_product(t29, t94);
-    let t96 = (t83 + t91).sub_product(t25, t85).sub_product(t31, t94).sub_product(t36, t95);
-    let chain_omega_5_dot_by_chain_theta_2 = (t84 + t93).sub_product(t26, t85).sub_product(t33, t94)
-        .sub_product(t38, t95).sub_product(t41, t96) * t42;
-    let chain_omega_4_dot_by_chain_theta_2 = (t96 * t39).sub_product(t41,
+    let t80 = t44 * t12;
+    let t81 = t45 * t14;
+    let t82 = chain_omega_5_squared * t16;
+    let t83 = t49 * t12;
+    let t84 = t51 * t14;
+    let t85 = chain_omega_2_squared * t16;
+    let t86 = t57 - t66;
+    let t87 = R::literal(3.0) * t11;
+    let t88 = t87 * chain_omega_3_dot;
+    let t89 = t87 * chain_omega_2_dot;
+    let t90 = R::literal(2.0) * t13;
+    let t91 = t90 * chain_omega_4_dot;
+    let t92 = t90 * chain_omega_2_dot;
+    let t93 = t15 * chain_omega_5_dot;
+    let t94 = t15 * chain_omega_2_dot;
+    let t95 = (t67 - (t61.add_product(R::literal(39.24), cos_chain_theta_2) + t80 + t81 + t82)
+        + t88 + t91 + t93).sub_product(t23, t86);
+    let t96 = (t83 + t89).sub_product(t24, t86).sub_product(t29, t95);
+    let t97 = (t84 + t92).sub_product(t25, t86).sub_product(t31, t95).sub_product(t36, t96);
+    let chain_omega_5_dot_by_chain_theta_2 = (t85 + t94).sub_product(t26, t86).sub_product(t33, t95)
+        .sub_product(t38, t96).sub_product(t41, t97) * t42;
+    let chain_omega_4_dot_by_chain_theta_2 = (t97 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_theta_2);
-    let chain_omega_3_dot_by_chain_theta_2 = (t95 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_theta_2 = (t96 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_theta_2).sub_product(t38, chain_omega_5_dot_by_chain_theta_2);
-    let chain_omega_2_dot_by_chain_theta_2 = (t94 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_theta_2 = (t95 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_theta_2).sub_product(t31, chain_omega_4_dot_by_chain_theta_2)
         .sub_product(t33, chain_omega_5_dot_by_chain_theta_2);
-    let chain_omega_1_dot_by_chain_theta_2 = (t85 * R::literal(0.2)).sub_product(t23,
+    let chain_omega_1_dot_by_chain_theta_2 = (t86 * R::literal(0.2)).sub_product(t23,
         chain_omega_2_dot_by_chain_theta_2).sub_product(t24, chain_omega_3_dot_by_chain_theta_2)
         .sub_product(t25, chain_omega_4_dot_by_chain_theta_2).sub_product(t26,
         chain_omega_5_dot_by_chain_theta_2);
-    let t97 = t45 * t18;
-    let t98 = chain_omega_5_squared * t20;
-    let t99 = t52 * t18;
-    let t100 = chain_omega_3_squared * t20;
-    let t101 = t57 - t68;
-    let t102 = R::literal(2.0) * t17;
-    let t103 = t102 * chain_omega_4_dot;
-    let t104 = t102 * chain_omega_3_dot;
-    let t105 = t19 * chain_omega_5_dot;
-    let t106 = t19 * chain_omega_3_dot;
-    let t107 = (t79 - t87).sub_product(t23, t101);
-    let t108 = ((-t61).sub_product(R::literal(29.43), cos_chain_theta_3) - t82 - t97 - t98 - t69
-        - t88 + t103 + t105).sub_product(t24, t101).sub_product(t29, t107);
-    let t109 = (t99 + t104).sub_product(t25, t101).sub_product(t31, t107).sub_product(t36, t108);
-    let chain_omega_5_dot_by_chain_theta_3 = (t100 + t106).sub_product(t26, t101).sub_product(t33,
-        t107).sub_product(t38, t108).sub_product(t41, t109) * t42;
-    let chain_omega_4_dot_by_chain_theta_3 = (t109 * t39).sub_product(t41,
+    let t98 = t45 * t18;
+    let t99 = chain_omega_5_squared * t20;
+    let t100 = t52 * t18;
+    let t101 = chain_omega_3_squared * t20;
+    let t102 = t58 - t69;
+    let t103 = R::literal(2.0) * t17;
+    let t104 = t103 * chain_omega_4_dot;
+    let t105 = t103 * chain_omega_3_dot;
+    let t106 = t19 * chain_omega_5_dot;
+    let t107 = t19 * chain_omega_3_dot;
+    let t108 = (t80 - t88).sub_product(t23, t102);
+    let t109 = (t70 - (t62.add_product(R::literal(29.43), cos_chain_theta_3) + t83 + t98 + t99)
+        - t89 + t104 + t106).sub_product(t24, t102).sub_product(t29, t108);
+    let t110 = (t100 + t105).sub_product(t25, t102).sub_product(t31, t108).sub_product(t36, t109);
+    let chain_omega_5_dot_by_chain_theta_3 = (t101 + t107).sub_product(t26, t102).sub_product(t33,
+        t108).sub_product(t38, t109).sub_product(t41, t110) * t42;
+    let chain_omega_4_dot_by_chain_theta_3 = (t110 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_theta_3);
-    let chain_omega_3_dot_by_chain_theta_3 = (t108 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_theta_3 = (t109 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_theta_3).sub_product(t38, chain_omega_5_dot_by_chain_theta_3);
-    let chain_omega_2_dot_by_chain_theta_3 = (t107 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_theta_3 = (t108 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_theta_3).sub_product(t31, chain_omega_4_dot_by_chain_theta_3)
         .sub_product(t33, chain_omega_5_dot_by_chain_theta_3);
-    let chain_omega_1_dot_by_chain_theta_3 = (t101 * R::literal(0.2)).sub_product(t23,
+    let chain_omega_1_dot_by_chain_theta_3 = (t102 * R::literal(0.2)).sub_product(t23,
         chain_omega_2_dot_by_chain_theta_3).sub_product(t24, chain_omega_3_dot_by_chain_theta_3)
         .sub_product(t25, chain_omega_4_dot_by_chain_theta_3).sub_product(t26,
         chain_omega_5_dot_by_chain_theta_3);
-    let t110 = chain_omega_5_squared * t22;
-    let t111 = chain_omega_4_squared * t22;
-    let t112 = t58 - t71;
-    let t113 = t21 * chain_omega_5_dot;
-    let t114 = t21 * chain_omega_4_dot;
-    let t115 = (t80 - t90).sub_product(t23, t112);
-    let t116 = (t97 - t103).sub_product(t24, t112).sub_product(t29, t115);
-    let t117 = ((-t62).sub_product(R::literal(19.62), cos_chain_theta_4) - t83 - t99 - t110 - t72
-        - t91 - t104 + t113).sub_product(t25, t112).sub_product(t31, t115).sub_product(t36, t116);
-    let chain_omega_5_dot_by_chain_theta_4 = (t111 + t114).sub_product(t26, t112).sub_product(t33,
-        t115).sub_product(t38, t116).sub_product(t41, t117) * t42;
-    let chain_omega_4_dot_by_chain_theta_4 = (t117 * t39).sub_product(t41,
+    let t111 = chain_omega_5_squared * t22;
+    let t112 = chain_omega_4_squared * t22;
+    let t113 = t59 - t72;
+    let t114 = t21 * chain_omega_5_dot;
+    let t115 = t21 * chain_omega_4_dot;
+    let t116 = (t81 - t91).sub_product(t23, t113);
+    let t117 = (t98 - t104).sub_product(t24, t113).sub_product(t29, t116);
+    let t118 = (t73 - (t63.add_product(R::literal(19.62), cos_chain_theta_4) + t84 + t100 + t111)
+        - t92 - t105 + t114).sub_product(t25, t113).sub_product(t31, t116).sub_product(t36, t117);
+    let chain_omega_5_dot_by_chain_theta_4 = (t112 + t115).sub_product(t26, t113).sub_product(t33,
+        t116).sub_product(t38, t117).sub_product(t41, t118) * t42;
+    let chain_omega_4_dot_by_chain_theta_4 = (t118 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_theta_4);
-    let chain_omega_3_dot_by_chain_theta_4 = (t116 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_theta_4 = (t117 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_theta_4).sub_product(t38, chain_omega_5_dot_by_chain_theta_4);
-    let chain_omega_2_dot_by_chain_theta_4 = (t115 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_theta_4 = (t116 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_theta_4).sub_product(t31, chain_omega_4_dot_by_chain_theta_4)
         .sub_product(t33, chain_omega_5_dot_by_chain_theta_4);
-    let chain_omega_1_dot_by_chain_theta_4 = (t112 * R::literal(0.2)).sub_product(t23,
+    let chain_omega_1_dot_by_chain_theta_4 = (t113 * R::literal(0.2)).sub_product(t23,
         chain_omega_2_dot_by_chain_theta_4).sub_product(t24, chain_omega_3_dot_by_chain_theta_4)
         .sub_product(t25, chain_omega_4_dot_by_chain_theta_4).sub_product(t26,
         chain_omega_5_dot_by_chain_theta_4);
-    let t118 = t59 - t73;
-    let t119 = (t81 - t92).sub_product(t23, t118);
-    let t120 = (t98 - t105).sub_product(t24, t118).sub_product(t29, t119);
-    let t121 = (t110 - t113).sub_product(t25, t118).sub_product(t31, t119).sub_product(t36, t120);
-    let chain_omega_5_dot_by_chain_theta_5 = ((-t63).sub_product(R::literal(9.81),
-        cos_chain_theta_5) - t84 - t100 - t111 - t75 - t93 - t106 - t114).sub_product(t26, t118)
-        .sub_product(t33, t119).sub_product(t38, t120).sub_product(t41, t121) * t42;
-    let chain_omega_4_dot_by_chain_theta_5 = (t121 * t39).sub_product(t41,
+    let t119 = t60 - t74;
+    let t120 = (t82 - t93).sub_product(t23, t119);
+    let t121 = (t99 - t106).sub_product(t24, t119).sub_product(t29, t120);
+    let t122 = (t111 - t114).sub_product(t25, t119).sub_product(t31, t120).sub_product(t36, t121);
+    let chain_omega_5_dot_by_chain_theta_5 = (t76 - (t64.add_product(R::literal(9.81),
+        cos_chain_theta_5) + t85 + t101 + t112) - t94 - t107 - t115).sub_product(t26, t119)
+        .sub_product(t33, t120).sub_product(t38, t121).sub_product(t41, t122) * t42;
+    let chain_omega_4_dot_by_chain_theta_5 = (t122 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_theta_5);
-    let chain_omega_3_dot_by_chain_theta_5 = (t120 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_theta_5 = (t121 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_theta_5).sub_product(t38, chain_omega_5_dot_by_chain_theta_5);
-    let chain_omega_2_dot_by_chain_theta_5 = (t119 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_theta_5 = (t120 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_theta_5).sub_product(t31, chain_omega_4_dot_by_chain_theta_5)
         .sub_product(t33, chain_omega_5_dot_by_chain_theta_5);
-    let chain_omega_1_dot_by_chain_theta_5 = (t118 * R::literal(0.2)).sub_product(t23,
+    let chain_omega_1_dot_by_chain_theta_5 = (t119 * R::literal(0.2)).sub_product(t23,
         chain_omega_2_dot_by_chain_theta_5).sub_product(t24, chain_omega_3_dot_by_chain_theta_5)
         .sub_product(t25, chain_omega_4_dot_by_chain_theta_5).sub_product(t26,
         chain_omega_5_dot_by_chain_theta_5);
-    let t122 = R::literal(8.0) * chain_omega_1 * t0;
-    let t123 = (R::literal(6.0) * chain_omega_1 * t3).sub_product(t29, t122);
-    let t124 = (R::literal(4.0) * chain_omega_1 * t6).sub_product(t31, t122).sub_product(t36, t123);
+    let t123 = R::literal(8.0) * chain_omega_1 * t0;
+    let t124 = (R::literal(6.0) * chain_omega_1 * t3).sub_product(t29, t123);
+    let t125 = (R::literal(4.0) * chain_omega_1 * t6).sub_product(t31, t123).sub_product(t36, t124);
     let chain_omega_5_dot_by_chain_omega_1 = (R::literal(2.0) * chain_omega_1 * t9)
-        .sub_product(t33, t122).sub_product(t38, t123).sub_product(t41, t124) * t42;
-    let chain_omega_4_dot_by_chain_omega_1 = (t124 * t39).sub_product(t41,
+        .sub_product(t33, t123).sub_product(t38, t124).sub_product(t41, t125) * t42;
+    let chain_omega_4_dot_by_chain_omega_1 = (t125 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_omega_1);
-    let chain_omega_3_dot_by_chain_omega_1 = (t123 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_omega_1 = (t124 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_omega_1).sub_product(t38, chain_omega_5_dot_by_chain_omega_1);
-    let chain_omega_2_dot_by_chain_omega_1 = (t122 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_omega_1 = (t123 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_1).sub_product(t31, chain_omega_4_dot_by_chain_omega_1)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_1);
-    let chain_omega_1_dot_by_chain_omega_1 = (-(t24 * chain_omega_3_dot_by_chain_omega_1))
-        .sub_product(t23, chain_omega_2_dot_by_chain_omega_1).sub_product(t25,
-        chain_omega_4_dot_by_chain_omega_1).sub_product(t26, chain_omega_5_dot_by_chain_omega_1);
-    let t125 = R::literal(8.0) * chain_omega_2 * t0;
-    let t126 = t23 * t125;
-    let t127 = (R::literal(6.0) * chain_omega_2 * t11).add_product(t24, t125).sub_product(t29,
-        t126);
-    let t128 = (R::literal(4.0) * chain_omega_2 * t13).add_product(t25, t125).sub_product(t31, t126)
-        .sub_product(t36, t127);
+    let chain_omega_1_dot_by_chain_omega_1 = -(t24 * chain_omega_3_dot_by_chain_omega_1)
+        .add_product(t23, chain_omega_2_dot_by_chain_omega_1).add_product(t25,
+        chain_omega_4_dot_by_chain_omega_1).add_product(t26, chain_omega_5_dot_by_chain_omega_1);
+    let t126 = R::literal(8.0) * chain_omega_2 * t0;
+    let t127 = t23 * t126;
+    let t128 = (R::literal(6.0) * chain_omega_2 * t11).add_product(t24, t126).sub_product(t29,
+        t127);
+    let t129 = (R::literal(4.0) * chain_omega_2 * t13).add_product(t25, t126).sub_product(t31, t127)
+        .sub_product(t36, t128);
     let chain_omega_5_dot_by_chain_omega_2 = (R::literal(2.0) * chain_omega_2 * t15)
-        .add_product(t26, t125).sub_product(t33, t126).sub_product(t38, t127).sub_product(t41,
-        t128) * t42;
-    let chain_omega_4_dot_by_chain_omega_2 = (t128 * t39).sub_product(t41,
+        .add_product(t26, t126).sub_product(t33, t127).sub_product(t38, t128).sub_product(t41,
+        t129) * t42;
+    let chain_omega_4_dot_by_chain_omega_2 = (t129 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_omega_2);
-    let chain_omega_3_dot_by_chain_omega_2 = (t127 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_omega_2 = (t128 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_omega_2).sub_product(t38, chain_omega_5_dot_by_chain_omega_2);
-    let chain_omega_2_dot_by_chain_omega_2 = (t126 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_omega_2 = (t127 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_2).sub_product(t31, chain_omega_4_dot_by_chain_omega_2)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_2);
-    let chain_omega_1_dot_by_chain_omega_2 = (-(t125 * R::literal(0.2))).sub_product(t23,
-        chain_omega_2_dot_by_chain_omega_2).sub_product(t24, chain_omega_3_dot_by_chain_omega_2)
-        .sub_product(t25, chain_omega_4_dot_by_chain_omega_2).sub_product(t26,
+    let chain_omega_1_dot_by_chain_omega_2 = -(t126 * R::literal(0.2)).add_product(t23,
+        chain_omega_2_dot_by_chain_omega_2).add_product(t24, chain_omega_3_dot_by_chain_omega_2)
+        .add_product(t25, chain_omega_4_dot_by_chain_omega_2).add_product(t26,
         chain_omega_5_dot_by_chain_omega_2);
-    let t129 = R::literal(6.0) * chain_omega_3;
-    let t130 = t129 * t3;
-    let t131 = (-(t129 * t11)).add_product(t23, t130);
-    let t132 = (t24 * t130).sub_product(t29, t131);
-    let t133 = (R::literal(4.0) * chain_omega_3 * t17).add_product(t25, t130).sub_product(t31, t131)
-        .sub_product(t36, t132);
+    let t130 = R::literal(6.0) * chain_omega_3;
+    let t131 = t130 * t3;
+    let t132 = (-(t130 * t11)).add_product(t23, t131);
+    let t133 = (t24 * t131).sub_product(t29, t132);
+    let t134 = (R::literal(4.0) * chain_omega_3 * t17).add_product(t25, t131).sub_product(t31, t132)
+        .sub_product(t36, t133);
     let chain_omega_5_dot_by_chain_omega_3 = (R::literal(2.0) * chain_omega_3 * t19)
-        .add_product(t26, t130).sub_product(t33, t131).sub_product(t38, t132).sub_product(t41,
-        t133) * t42;
-    let chain_omega_4_dot_by_chain_omega_3 = (t133 * t39).sub_product(t41,
+        .add_product(t26, t131).sub_product(t33, t132).sub_product(t38, t133).sub_product(t41,
+        t134) * t42;
+    let chain_omega_4_dot_by_chain_omega_3 = (t134 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_omega_3);
-    let chain_omega_3_dot_by_chain_omega_3 = (t132 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_omega_3 = (t133 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_omega_3).sub_product(t38, chain_omega_5_dot_by_chain_omega_3);
-    let chain_omega_2_dot_by_chain_omega_3 = (t131 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_omega_3 = (t132 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_3).sub_product(t31, chain_omega_4_dot_by_chain_omega_3)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_3);
-    let chain_omega_1_dot_by_chain_omega_3 = (-(t130 * R::literal(0.2))).sub_product(t23,
-        chain_omega_2_dot_by_chain_omega_3).sub_product(t24, chain_omega_3_dot_by_chain_omega_3)
-        .sub_product(t25, chain_omega_4_dot_by_chain_omega_3).sub_product(t26,
+    let chain_omega_1_dot_by_chain_omega_3 = -(t131 * R::literal(0.2)).add_product(t23,
+        chain_omega_2_dot_by_chain_omega_3).add_product(t24, chain_omega_3_dot_by_chain_omega_3)
+        .add_product(t25, chain_omega_4_dot_by_chain_omega_3).add_product(t26,
         chain_omega_5_dot_by_chain_omega_3);
-    let t134 = R::literal(4.0) * chain_omega_4;
-    let t135 = t134 * t6;
-    let t136 = (-(t134 * t13)).add_product(t23, t135);
-    let t137 = (-(t134 * t17)).add_product(t24, t135).sub_product(t29, t136);
-    let t138 = (t25 * t135).sub_product(t31, t136).sub_product(t36, t137);
+    let t135 = R::literal(4.0) * chain_omega_4;
+    let t136 = t135 * t6;
+    let t137 = (-(t135 * t13)).add_product(t23, t136);
+    let t138 = (-(t135 * t17)).add_product(t24, t136).sub_product(t29, t137);
+    let t139 = (t25 * t136).sub_product(t31, t137).sub_product(t36, t138);
     let chain_omega_5_dot_by_chain_omega_4 = (R::literal(2.0) * chain_omega_4 * t21)
-        .add_product(t26, t135).sub_product(t33, t136).sub_product(t38, t137).sub_product(t41,
-        t138) * t42;
-    let chain_omega_4_dot_by_chain_omega_4 = (t138 * t39).sub_product(t41,
+        .add_product(t26, t136).sub_product(t33, t137).sub_product(t38, t138).sub_product(t41,
+        t139) * t42;
+    let chain_omega_4_dot_by_chain_omega_4 = (t139 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_omega_4);
-    let chain_omega_3_dot_by_chain_omega_4 = (t137 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_omega_4 = (t138 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_omega_4).sub_product(t38, chain_omega_5_dot_by_chain_omega_4);
-    let chain_omega_2_dot_by_chain_omega_4 = (t136 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_omega_4 = (t137 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_4).sub_product(t31, chain_omega_4_dot_by_chain_omega_4)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_4);
-    let chain_omega_1_dot_by_chain_omega_4 = (-(t135 * R::literal(0.2))).sub_product(t23,
-        chain_omega_2_dot_by_chain_omega_4).sub_product(t24, chain_omega_3_dot_by_chain_omega_4)
-        .sub_product(t25, chain_omega_4_dot_by_chain_omega_4).sub_product(t26,
+    let chain_omega_1_dot_by_chain_omega_4 = -(t136 * R::literal(0.2)).add_product(t23,
+        chain_omega_2_dot_by_chain_omega_4).add_product(t24, chain_omega_3_dot_by_chain_omega_4)
+        .add_product(t25, chain_omega_4_dot_by_chain_omega_4).add_product(t26,
         chain_omega_5_dot_by_chain_omega_4);
-    let t139 = R::literal(2.0) * chain_omega_5;
-    let t140 = t139 * t9;
-    let t141 = (-(t139 * t15)).add_product(t23, t140);
-    let t142 = (-(t139 * t19)).add_product(t24, t140).sub_product(t29, t141);
-    let t143 = (-(t139 * t21)).add_product(t25, t140).sub_product(t31, t141).sub_product(t36, t142);
-    let chain_omega_5_dot_by_chain_omega_5 = (t26 * t140).sub_product(t33, t141).sub_product(t38,
-        t142).sub_product(t41, t143) * t42;
-    let chain_omega_4_dot_by_chain_omega_5 = (t143 * t39).sub_product(t41,
+    let t140 = R::literal(2.0) * chain_omega_5;
+    let t141 = t140 * t9;
+    let t142 = (-(t140 * t15)).add_product(t23, t141);
+    let t143 = (-(t140 * t19)).add_product(t24, t141).sub_product(t29, t142);
+    let t144 = (-(t140 * t21)).add_product(t25, t141).sub_product(t31, t142).sub_product(t36, t143);
+    let chain_omega_5_dot_by_chain_omega_5 = (t26 * t141).sub_product(t33, t142).sub_product(t38,
+        t143).sub_product(t41, t144) * t42;
+    let chain_omega_4_dot_by_chain_omega_5 = (t144 * t39).sub_product(t41,
         chain_omega_5_dot_by_chain_omega_5);
-    let chain_omega_3_dot_by_chain_omega_5 = (t142 * t34).sub_product(t36,
+    let chain_omega_3_dot_by_chain_omega_5 = (t143 * t34).sub_product(t36,
         chain_omega_4_dot_by_chain_omega_5).sub_product(t38, chain_omega_5_dot_by_chain_omega_5);
-    let chain_omega_2_dot_by_chain_omega_5 = (t141 * t27).sub_product(t29,
+    let chain_omega_2_dot_by_chain_omega_5 = (t142 * t27).sub_product(t29,
         chain_omega_3_dot_by_chain_omega_5).sub_product(t31, chain_omega_4_dot_by_chain_omega_5)
         .sub_product(t33, chain_omega_5_dot_by_chain_omega_5);
-    let chain_omega_1_dot_by_chain_omega_5 = (-(t140 * R::literal(0.2))).sub_product(t23,
-        chain_omega_2_dot_by_chain_omega_5).sub_product(t24, chain_omega_3_dot_by_chain_omega_5)
-        .sub_product(t25, chain_omega_4_dot_by_chain_omega_5).sub_product(t26,
+    let chain_omega_1_dot_by_chain_omega_5 = -(t141 * R::literal(0.2)).add_product(t23,
+        chain_omega_2_dot_by_chain_omega_5).add_product(t24, chain_omega_3_dot_by_chain_omega_5)
+        .add_product(t25, chain_omega_4_dot_by_chain_omega_5).add_product(t26,
         chain_omega_5_dot_by_chain_omega_5);
     [R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0), R::literal(1.0),
         chain_omega_1_dot_by_chain_theta_1, chain_omega_1_dot_by_chain_theta_2,
@@ -657,7 +656,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ou
     }
 }
 
-/// T, V and the energy of first-order states \[J\]. 58 operations.
+/// T, V and the energy of first-order states \[J\]. 57 operations.
 #[must_use]
 pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Energy<R> {
     let [chain_theta_1, chain_theta_2, chain_theta_3, chain_theta_4, chain_theta_5, chain_omega_1,
@@ -682,14 +681,14 @@ pub fn energy<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> Ene
             .add_product(chain_u_3, chain_u_3).add_product(chain_v_3, chain_v_3)
             .add_product(chain_u_4, chain_u_4).add_product(chain_v_4, chain_v_4)
             .add_product(chain_u_5, chain_u_5).add_product(chain_v_5, chain_v_5),
-        potential: R::literal(9.81) * ((-(R::literal(4.0) * cos_chain_theta_2))
-            .sub_product(R::literal(5.0), cos_chain_theta_1).sub_product(R::literal(3.0),
-            cos_chain_theta_3).sub_product(R::literal(2.0), cos_chain_theta_4) - cos_chain_theta_5),
+        potential: R::literal(-9.81) * ((R::literal(5.0) * cos_chain_theta_1)
+            .add_product(R::literal(4.0), cos_chain_theta_2).add_product(R::literal(3.0),
+            cos_chain_theta_3).add_product(R::literal(2.0), cos_chain_theta_4) + cos_chain_theta_5),
         stored: R::literal(0.0),
     }
 }
 
-/// `dE/dt`, power supplied and power dissipated \[W\]. 397 operations.
+/// `dE/dt`, power supplied and power dissipated \[W\]. 396 operations.
 #[must_use]
 pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         _p: &Parameters<R>) -> PowerBalance<R> {
@@ -755,25 +754,25 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
     let chain_omega_4_squared = chain_omega_4 * chain_omega_4;
     let t44 = R::literal(2.0) * chain_omega_4_squared;
     let chain_omega_5_squared = chain_omega_5 * chain_omega_5;
-    let t45 = (-t42).sub_product(R::literal(4.0) * chain_omega_2_squared, t0).sub_product(t43, t2)
-        .sub_product(t44, t4).sub_product(chain_omega_5_squared, t6);
+    let t45 = t42.add_product(R::literal(4.0) * chain_omega_2_squared, t0).add_product(t43, t2)
+        .add_product(t44, t4).add_product(chain_omega_5_squared, t6);
     let t46 = R::literal(39.24) * sin_chain_theta_2;
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
     let t47 = R::literal(29.43) * sin_chain_theta_3;
     let t48 = R::literal(19.62) * sin_chain_theta_4;
     let t49 = R::literal(9.81) * sin_chain_theta_5;
     let t50 = (-t46).add_product(R::literal(4.0) * chain_omega_1_squared, t0).sub_product(t43, t8)
-        .sub_product(t44, t10).sub_product(chain_omega_5_squared, t12).sub_product(t23, t45);
+        .sub_product(t44, t10).sub_product(chain_omega_5_squared, t12).add_product(t23, t45);
     let t51 = ((R::literal(3.0) * chain_omega_1_squared * t2).add_product(R::literal(3.0)
         * chain_omega_2_squared, t8) - t47).sub_product(t44, t14)
-        .sub_product(chain_omega_5_squared, t16).sub_product(t24, t45).sub_product(t29, t50);
+        .sub_product(chain_omega_5_squared, t16).add_product(t24, t45).sub_product(t29, t50);
     let t52 = ((R::literal(2.0) * chain_omega_1_squared * t4).add_product(R::literal(2.0)
         * chain_omega_2_squared, t10).add_product(R::literal(2.0) * chain_omega_3_squared, t14)
-        - t48).sub_product(chain_omega_5_squared, t18).sub_product(t25, t45).sub_product(t31, t50)
+        - t48).sub_product(chain_omega_5_squared, t18).add_product(t25, t45).sub_product(t31, t50)
         .sub_product(t36, t51);
     let chain_omega_5_dot = ((chain_omega_1_squared * t6).add_product(chain_omega_2_squared, t12)
         .add_product(chain_omega_3_squared, t16).add_product(chain_omega_4_squared, t18) - t49)
-        .sub_product(t26, t45).sub_product(t33, t50).sub_product(t38, t51).sub_product(t41, t52)
+        .add_product(t26, t45).sub_product(t33, t50).sub_product(t38, t51).sub_product(t41, t52)
         * (R::literal(1.0) / R::literal(1.0).sub_product(t26, t7).sub_product(t33, t32)
         .sub_product(t38, t37).sub_product(t41, t40));
     let chain_omega_4_dot = (t52 * t39).sub_product(t41, chain_omega_5_dot);
@@ -781,9 +780,6 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
         chain_omega_5_dot);
     let chain_omega_2_dot = (t50 * t27).sub_product(t29, chain_omega_3_dot).sub_product(t31,
         chain_omega_4_dot).sub_product(t33, chain_omega_5_dot);
-    let chain_omega_1_dot = (t45 * R::literal(0.2)).sub_product(t23, chain_omega_2_dot)
-        .sub_product(t24, chain_omega_3_dot).sub_product(t25, chain_omega_4_dot).sub_product(t26,
-        chain_omega_5_dot);
     let t53 = R::literal(2.0) * chain_omega_2;
     let t54 = R::literal(2.0) * chain_omega_3;
     let t55 = R::literal(2.0) * chain_omega_4;
@@ -817,11 +813,13 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES],
     let t69 = R::literal(2.0) * chain_v_5;
     let t70 = t61.add_product(t49.add_product(R::literal(0.5), (t56 * chain_v_5 * cos_chain_theta_5)
         .sub_product(t56 * chain_u_5, sin_chain_theta_5)), chain_omega_5)
-        .add_product(R::literal(0.5) * (t58 * cos_chain_theta_1).add_product(t57, sin_chain_theta_1)
+        .sub_product(R::literal(0.5) * (t58 * cos_chain_theta_1).add_product(t57, sin_chain_theta_1)
         .add_product(t62, cos_chain_theta_1).add_product(t63, sin_chain_theta_1).add_product(t64,
         cos_chain_theta_1).add_product(t65, sin_chain_theta_1).add_product(t66, cos_chain_theta_1)
         .add_product(t67, sin_chain_theta_1).add_product(t68, cos_chain_theta_1).add_product(t69,
-        sin_chain_theta_1), chain_omega_1_dot);
+        sin_chain_theta_1), (t45 * R::literal(0.2)).add_product(t23, chain_omega_2_dot)
+        .add_product(t24, chain_omega_3_dot).add_product(t25, chain_omega_4_dot).add_product(t26,
+        chain_omega_5_dot));
     let t71 = t70.add_product(R::literal(0.5) * (t62 * cos_chain_theta_2).add_product(t63,
         sin_chain_theta_2).add_product(t64, cos_chain_theta_2).add_product(t65, sin_chain_theta_2)
         .add_product(t66, cos_chain_theta_2).add_product(t67, sin_chain_theta_2).add_product(t68,
@@ -930,11 +928,11 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
     let t45 = t44 * t9;
     let t46 = chain_omega_5 * chain_omega_5;
     let t47 = t46 * t13;
-    let t48 = -t36;
-    let t49 = t48 - t39;
-    let t50 = t49 - t42;
-    let t51 = t50 - t45;
-    let t52 = t51 - t47;
+    let t48 = t36 + t39;
+    let t49 = t48 + t42;
+    let t50 = t49 + t45;
+    let t51 = t50 + t47;
+    let t52 = -t51;
     let t53 = sin_chain_theta_2 * R::literal(39.24);
     let t54 = t41 * t16;
     let t55 = t44 * t20;
@@ -1063,7 +1061,6 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let cos_chain_theta_4_k = -chain_theta_4_k.mul_add(sin_chain_theta_4, inverse * sums_3[0]);
         let sin_chain_theta_5_k = chain_theta_5_k.mul_add(cos_chain_theta_5, inverse * sums_3[1]);
         let cos_chain_theta_5_k = -chain_theta_5_k.mul_add(sin_chain_theta_5, inverse * sums_3[2]);
-        let t36_k = sin_chain_theta_1_k * R::literal(49.05);
         let t37_k = (chain_omega_2 + chain_omega_2).mul_add(chain_omega_2_k, sums[0]);
         let t38_k = t37_k * R::literal(4.0);
         let t39_k = t38.mul_add(t1_k, t1.mul_add(t38_k, sums_8[3]));
@@ -1075,11 +1072,11 @@ pub fn series<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>,
         let t45_k = t44.mul_add(t9_k, t9.mul_add(t44_k, sums_9[1]));
         let t46_k = (chain_omega_5 + chain_omega_5).mul_add(chain_omega_5_k, sums[3]);
         let t47_k = t46.mul_add(t13_k, t13.mul_add(t46_k, sums_9[2]));
-        let t48_k = -t36_k;
-        let t49_k = t48_k - t39_k;
-        let t50_k = t49_k - t42_k;
-        let t51_k = t50_k - t45_k;
-        let t52_k = t51_k - t47_k;
+        let t48_k = sin_chain_theta_1_k.mul_add(R::literal(49.05), t39_k);
+        let t49_k = t48_k + t42_k;
+        let t50_k = t49_k + t45_k;
+        let t51_k = t50_k + t47_k;
+        let t52_k = -t51_k;
         let t54_k = t41.mul_add(t16_k, t16.mul_add(t41_k, sums_9[3]));
         let t55_k = t44.mul_add(t20_k, t20.mul_add(t44_k, sums_10[0]));
         let t56_k = t46.mul_add(t24_k, t24.mul_add(t46_k, sums_10[1]));

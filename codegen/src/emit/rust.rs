@@ -16,6 +16,7 @@ mod header;
 mod items;
 mod layout;
 mod names;
+mod operation;
 mod plan;
 mod points;
 mod prepare;

@@ -21,7 +21,8 @@ pub(super) fn absorb(tape: &Tape) -> Tape {
         let id = absorbed.push(op, node.name.clone());
         absorbed.moved.push(id);
     }
-    let results: Vec<NodeId> = tape.results.iter().map(|id| absorbed.moved[id.0 as usize]).collect();
+    let results: Vec<NodeId> =
+        tape.results.iter().map(|id| absorbed.moved[id.0 as usize]).collect();
     reachable(&absorbed.nodes, &results)
 }
 

@@ -243,7 +243,7 @@ pub fn prepared_rate<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>,
         .add_product(t24, t67);
     let t69 = (c.t4 - c.t3.add_product(R::literal(0.5), t63.add_product(t60, sin_crank_phi)) - t66)
         .sub_product(t26, t67).add_product(t31, t68);
-    let t70 = (-(R::literal(0.5) * t62.sub_product(t64, cos_rocker_phi))).add_product(t33, t68)
+    let t70 = (R::literal(-0.5) * t62.sub_product(t64, cos_rocker_phi)).add_product(t33, t68)
         .sub_product(t38, t69);
     let t71 = (c.t5 - c.t4.add_product(R::literal(0.5), t63.sub_product(t64, sin_rocker_phi)))
         .add_product(t34, t68).sub_product(t40, t69).add_product(t45, t70);
@@ -389,7 +389,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
         .add_product(t24, t71);
     let t73 = (c.t4 - c.t3.add_product(R::literal(0.5), t65.add_product(t62, sin_crank_phi)) - t70)
         .sub_product(t26, t71).add_product(t31, t72);
-    let t74 = (-(R::literal(0.5) * t64.sub_product(t66, cos_rocker_phi))).add_product(t33, t72)
+    let t74 = (R::literal(-0.5) * t64.sub_product(t66, cos_rocker_phi)).add_product(t33, t72)
         .sub_product(t38, t73);
     let t75 = (c.t5 - c.t4.add_product(R::literal(0.5), t65.sub_product(t66, sin_rocker_phi)))
         .add_product(t34, t72).sub_product(t40, t73).add_product(t45, t74);
@@ -738,7 +738,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t74 = inverse_coupler_mass * (p.coupler_mass * p.coupler_gravity);
     let t75 = (t74 - t70.add_product(R::literal(0.5), t67.add_product(t64, sin_crank_phi)) - t71)
         .sub_product(t29, t72).add_product(t34, t73);
-    let t76 = (-(R::literal(0.5) * t66.sub_product(t68, cos_rocker_phi))).add_product(t36, t73)
+    let t76 = (R::literal(-0.5) * t66.sub_product(t68, cos_rocker_phi)).add_product(t36, t73)
         .sub_product(t41, t75);
     let t77 = inverse_rocker_mass * (p.rocker_mass * p.rocker_gravity);
     let t78 = (t77 - t74.add_product(R::literal(0.5), t67.sub_product(t68, sin_rocker_phi)))
@@ -1328,7 +1328,7 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
     let t73 = inverse_coupler_mass * (p.coupler_mass * p.coupler_gravity);
     let t74 = (t73 - t69.add_product(R::literal(0.5), t66.add_product(t63, sin_crank_phi)) - t70)
         .sub_product(t29, t71).add_product(t34, t72);
-    let t75 = (-(R::literal(0.5) * t65.sub_product(t67, cos_rocker_phi))).add_product(t36, t72)
+    let t75 = (R::literal(-0.5) * t65.sub_product(t67, cos_rocker_phi)).add_product(t36, t72)
         .sub_product(t41, t74);
     let t76 = inverse_rocker_mass * (p.rocker_mass * p.rocker_gravity);
     let t77 = (t76 - t73.add_product(R::literal(0.5), t66.sub_product(t67, sin_rocker_phi)))
@@ -1477,7 +1477,7 @@ pub fn power_balance<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) 
     let t73 = inverse_coupler_mass * coupler_mass_times_coupler_gravity;
     let t74 = (t73 - t69.add_product(R::literal(0.5), t66.add_product(t63, sin_crank_phi)) - t70)
         .sub_product(t29, t71).add_product(t34, t72);
-    let t75 = (-(R::literal(0.5) * t65.sub_product(t67, cos_rocker_phi))).add_product(t36, t72)
+    let t75 = (R::literal(-0.5) * t65.sub_product(t67, cos_rocker_phi)).add_product(t36, t72)
         .sub_product(t41, t74);
     let t76 = inverse_rocker_mass * rocker_mass_times_rocker_gravity;
     let t77 = (t76 - t73.add_product(R::literal(0.5), t66.sub_product(t67, sin_rocker_phi)))

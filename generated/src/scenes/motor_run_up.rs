@@ -229,8 +229,8 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let t6 = R::literal(core::f64::consts::TAU) * p.motor_alpha_r;
     let motor_psi_rx_dot_by_motor_supply_frequency = (R::literal(core::f64::consts::TAU)
         * motor_psi_ry).add_product(t6, t4);
-    let motor_psi_ry_dot_by_motor_supply_frequency = (-(R::literal(core::f64::consts::TAU)
-        * motor_psi_rx)).add_product(t6, t5);
+    let motor_psi_ry_dot_by_motor_supply_frequency = (R::literal(-6.283_185_307_179_586)
+        * motor_psi_rx).add_product(t6, t5);
     let motor_psi_sx_dot_by_motor_supply_phase = -motor_u_y;
     let motor_omega_dot_by_motor_pole_pairs = R::literal(1.5) * p.motor_k_r * motor_omega_0
         / motor_x_s_times_motor_sigma * t2 * inverse_motor_inertia;

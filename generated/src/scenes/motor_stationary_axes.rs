@@ -243,7 +243,7 @@ pub fn forcing<R: Real>(time: R, state: &[R; STATES], p: &Parameters<R>) -> [R; 
         * p.motor_k_r * p.motor_alpha_r * motor_omega_0 * motor_i_ra).add_product(t7 * motor_i_sa
         * motor_omega, sin_motor_theta).sub_product(t7 * motor_i_sb * motor_omega, cos_motor_theta)
         .sub_product(R::literal(0.75) * p.motor_alpha_r * motor_omega_0, motor_i_ra);
-    let motor_q_rb_forcing = (-(R::literal(1.5) * motor_R_r * motor_i_rb)).add_product(t6,
+    let motor_q_rb_forcing = (R::literal(-1.5) * motor_R_r * motor_i_rb).add_product(t6,
         (p.motor_pole_pairs * motor_i_sa * cos_motor_theta).add_product(p.motor_pole_pairs
         * motor_i_sb, sin_motor_theta));
     let motor_phi_forcing = t4 * (p.motor_pole_pairs * motor_across * cos_motor_theta)
@@ -442,7 +442,7 @@ pub fn parameter_jacobian<R: Real>(time: R, state: &[R; STATES], p: &Parameters<
     let t35 = (p.motor_pole_pairs * motor_across * cos_motor_theta).sub_product(p.motor_pole_pairs
         * motor_along, sin_motor_theta);
     let t36 = (R::literal(2.0) * motor_L_r * t33).sub_product(t10, t22).sub_product(t11, t25);
-    let motor_i_rb_dot = (-(R::literal(1.5) * motor_R_r * motor_i_rb)).add_product(t20, t34)
+    let motor_i_rb_dot = (R::literal(-1.5) * motor_R_r * motor_i_rb).add_product(t20, t34)
         .add_product(t11, t22).sub_product(t10, t25).sub_product(t16, t36) * t17;
     let motor_omega_dot = t5 * t35 * inverse_motor_inertia;
     let motor_i_ra_dot = (t36 * t14).sub_product(t16, motor_i_rb_dot);

@@ -432,8 +432,8 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let t78 = c.t7 * chain_w_1;
     let t79 = c.t8 * chain_w_1;
     let t80 = c.t9 * chain_w_1;
-    let t81 = (-(R::literal(2.0) * ((t78 * sin_chain_th_2).add_product(t79, sin_chain_th_2)
-        .add_product(t80, t41) + t76))).add_product(t16, t77);
+    let t81 = (R::literal(-2.0) * ((t78 * sin_chain_th_2).add_product(t79, sin_chain_th_2)
+        .add_product(t80, t41) + t76)).add_product(t16, t77);
     let chain_w_3_dot_by_chain_w_1 = (-(c.t17 * (p.chain_l_1 * chain_w_1 * t41)
         .sub_product(p.chain_l_2 * chain_w_1, t8).sub_product(p.chain_l_2 * chain_w_2, t8)))
         .add_product(t17, t77).sub_product(t20, t81) * t21;

@@ -850,7 +850,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_post_phi = (t32 * t206).sub_product(R::literal(4_166.666_666_666_667),
         t208).sub_product(t33, t205);
     let rod_v_y_dot_by_post_phi = -(R::literal(5.0) * t205).add_product(t31, t207);
-    let rod_v_x_dot_by_post_phi = (-(R::literal(5.0) * t206)).add_product(t30, t207);
+    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t206).add_product(t30, t207);
     let cylinder_omega_dot_by_post_phi = (-(t28 * t209).add_product(t27, t210))
         .add_product(R::literal(2_777.777_777_777_778), t208).add_product(t29, t207);
     let cylinder_v_y_dot_by_post_phi = (t26 * t207)
@@ -912,7 +912,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_plate_phi = (t32 * t230).sub_product(R::literal(4_166.666_666_666_667),
         t232).sub_product(t33, t229);
     let rod_v_y_dot_by_plate_phi = -(R::literal(5.0) * t229).add_product(t31, t231);
-    let rod_v_x_dot_by_plate_phi = (-(R::literal(5.0) * t230)).add_product(t30, t231);
+    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t230).add_product(t30, t231);
     let cylinder_omega_dot_by_plate_phi = (t28 * t233).sub_product(t27, t234)
         .add_product(R::literal(2_777.777_777_777_778), t232).add_product(t29, t231);
     let cylinder_v_y_dot_by_plate_phi = (t26 * t231)
@@ -1308,7 +1308,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_rod_phi = t396.sub_product(R::literal(4_166.666_666_666_667), t406)
         .add_product(t32, t404).sub_product(t33, t403);
     let rod_v_y_dot_by_rod_phi = -(R::literal(5.0) * t403).add_product(t31, t405);
-    let rod_v_x_dot_by_rod_phi = (-(R::literal(5.0) * t404)).add_product(t30, t405);
+    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t404).add_product(t30, t405);
     let cylinder_omega_dot_by_rod_phi = (-(t28 * t407).add_product(t27, t408))
         .add_product(R::literal(2_777.777_777_777_778), t406).add_product(t29, t405);
     let cylinder_v_y_dot_by_rod_phi = (t26 * t405).add_product(R::literal(3.333_333_333_333_333_5),
@@ -1365,7 +1365,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_bobbin_x = (t32 * t424).sub_product(R::literal(4_166.666_666_666_667),
         t426).sub_product(t33, t423);
     let rod_v_y_dot_by_bobbin_x = -(R::literal(5.0) * t423).add_product(t31, t425);
-    let rod_v_x_dot_by_bobbin_x = (-(R::literal(5.0) * t424)).add_product(t30, t425);
+    let rod_v_x_dot_by_bobbin_x = (R::literal(-5.0) * t424).add_product(t30, t425);
     let cylinder_omega_dot_by_bobbin_x = (t28 * t427).sub_product(t27, t428)
         .add_product(R::literal(2_777.777_777_777_778), t426).add_product(t29, t425);
     let cylinder_v_y_dot_by_bobbin_x = (t26 * t425)
@@ -1414,7 +1414,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_bobbin_y = (t32 * t438).sub_product(R::literal(4_166.666_666_666_667),
         t440).sub_product(t33, t437);
     let rod_v_y_dot_by_bobbin_y = -(R::literal(5.0) * t437).add_product(t31, t439);
-    let rod_v_x_dot_by_bobbin_y = (-(R::literal(5.0) * t438)).add_product(t30, t439);
+    let rod_v_x_dot_by_bobbin_y = (R::literal(-5.0) * t438).add_product(t30, t439);
     let cylinder_omega_dot_by_bobbin_y = (t28 * t441).sub_product(t27, t442)
         .add_product(R::literal(2_777.777_777_777_778), t440).add_product(t29, t439);
     let cylinder_v_y_dot_by_bobbin_y = (t26 * t439)
@@ -1475,7 +1475,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_post_omega = (t32 * t463).sub_product(R::literal(4_166.666_666_666_667),
         t465).sub_product(t33, t462);
     let rod_v_y_dot_by_post_omega = -(R::literal(5.0) * t462).add_product(t31, t464);
-    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t463)).add_product(t30, t464);
+    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t463).add_product(t30, t464);
     let cylinder_omega_dot_by_post_omega = (t28 * t466).sub_product(t27, t467)
         .add_product(R::literal(2_777.777_777_777_778), t465).add_product(t29, t464);
     let cylinder_v_y_dot_by_post_omega = (t26 * t464)
@@ -1535,7 +1535,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_plate_omega = (t32 * t486).sub_product(R::literal(4_166.666_666_666_667),
         t488).sub_product(t33, t485);
     let rod_v_y_dot_by_plate_omega = -(R::literal(5.0) * t485).add_product(t31, t487);
-    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t486)).add_product(t30, t487);
+    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t486).add_product(t30, t487);
     let cylinder_omega_dot_by_plate_omega = (t28 * t489).sub_product(t27, t490)
         .add_product(R::literal(2_777.777_777_777_778), t488).add_product(t29, t487);
     let cylinder_v_y_dot_by_plate_omega = (t26 * t487)
@@ -1894,7 +1894,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_rod_omega = (t32 * t635).sub_product(R::literal(4_166.666_666_666_667),
         t637).sub_product(t33, t634);
     let rod_v_y_dot_by_rod_omega = -(R::literal(5.0) * t634).add_product(t31, t636);
-    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t635)).add_product(t30, t636);
+    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t635).add_product(t30, t636);
     let cylinder_omega_dot_by_rod_omega = (t28 * t638).sub_product(t27, t639)
         .add_product(R::literal(2_777.777_777_777_778), t637).add_product(t29, t636);
     let cylinder_v_y_dot_by_rod_omega = (t26 * t636)
@@ -1938,7 +1938,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_bobbin_v_x = (t32 * t649).sub_product(R::literal(4_166.666_666_666_667),
         t651).sub_product(t33, t648);
     let rod_v_y_dot_by_bobbin_v_x = -(R::literal(5.0) * t648).add_product(t31, t650);
-    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t649)).add_product(t30, t650);
+    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t649).add_product(t30, t650);
     let cylinder_omega_dot_by_bobbin_v_x = (t28 * t652).sub_product(t27, t653)
         .add_product(R::literal(2_777.777_777_777_778), t651).add_product(t29, t650);
     let cylinder_v_y_dot_by_bobbin_v_x = (t26 * t650)
@@ -1980,7 +1980,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_bobbin_v_y = (t32 * t662).sub_product(R::literal(4_166.666_666_666_667),
         t664).sub_product(t33, t661);
     let rod_v_y_dot_by_bobbin_v_y = -(R::literal(5.0) * t661).add_product(t31, t663);
-    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t662)).add_product(t30, t663);
+    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t662).add_product(t30, t663);
     let cylinder_omega_dot_by_bobbin_v_y = (t28 * t665).sub_product(t27, t666)
         .add_product(R::literal(2_777.777_777_777_778), t664).add_product(t29, t663);
     let cylinder_v_y_dot_by_bobbin_v_y = (t26 * t663)
@@ -2426,7 +2426,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameter
     let rod_omega_dot_by_contact_stiffness = (t26 * t179)
         .sub_product(R::literal(4_166.666_666_666_667), t181).sub_product(t27, t178);
     let rod_v_y_dot_by_contact_stiffness = -(R::literal(5.0) * t178).add_product(t25, t180);
-    let rod_v_x_dot_by_contact_stiffness = (-(R::literal(5.0) * t179)).add_product(t24, t180);
+    let rod_v_x_dot_by_contact_stiffness = (R::literal(-5.0) * t179).add_product(t24, t180);
     let cylinder_omega_dot_by_contact_stiffness = (t22 * t182).sub_product(t21, t183)
         .add_product(R::literal(2_777.777_777_777_778), t181).add_product(t23, t180);
     let cylinder_v_y_dot_by_contact_stiffness = (t20 * t180)
@@ -2475,7 +2475,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameter
     let rod_omega_dot_by_contact_damping = (t26 * t193)
         .sub_product(R::literal(4_166.666_666_666_667), t195).sub_product(t27, t192);
     let rod_v_y_dot_by_contact_damping = -(R::literal(5.0) * t192).add_product(t25, t194);
-    let rod_v_x_dot_by_contact_damping = (-(R::literal(5.0) * t193)).add_product(t24, t194);
+    let rod_v_x_dot_by_contact_damping = (R::literal(-5.0) * t193).add_product(t24, t194);
     let cylinder_omega_dot_by_contact_damping = (t22 * t196).sub_product(t21, t197)
         .add_product(R::literal(2_777.777_777_777_778), t195).add_product(t23, t194);
     let cylinder_v_y_dot_by_contact_damping = (t20 * t194)
@@ -3154,8 +3154,8 @@ pub fn guard_rates<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) ->
         * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi))
         .add_product(R::literal(3.333_333_333_333_333_5), t126).add_product(t23, t127))
         .add_product(t51, t141).sub_product(t62, t142).add_product(t71, t143);
-    let t145 = (-(R::literal(2_777.777_777_777_778) * t127)).add_product(t72, t143)
-        .sub_product(t81, t144);
+    let t145 = (R::literal(-2_777.777_777_777_778) * t127).add_product(t72, t143).sub_product(t81,
+        t144);
     let t146 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)

@@ -1037,7 +1037,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_post_phi = (t29 * t263).sub_product(R::literal(4_166.666_666_666_667),
         t265).sub_product(t30, t262);
     let rod_v_y_dot_by_post_phi = -(R::literal(5.0) * t262).add_product(t28, t264);
-    let rod_v_x_dot_by_post_phi = (-(R::literal(5.0) * t263)).add_product(t27, t264);
+    let rod_v_x_dot_by_post_phi = (R::literal(-5.0) * t263).add_product(t27, t264);
     let cylinder_omega_dot_by_post_phi = (-(t25 * t266).add_product(t24, t267))
         .add_product(R::literal(2_777.777_777_777_778), t265).add_product(t26, t264);
     let cylinder_v_y_dot_by_post_phi = (t23 * t264)
@@ -1112,7 +1112,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_plate_phi = (t29 * t291).sub_product(R::literal(4_166.666_666_666_667),
         t293).sub_product(t30, t290);
     let rod_v_y_dot_by_plate_phi = -(R::literal(5.0) * t290).add_product(t28, t292);
-    let rod_v_x_dot_by_plate_phi = (-(R::literal(5.0) * t291)).add_product(t27, t292);
+    let rod_v_x_dot_by_plate_phi = (R::literal(-5.0) * t291).add_product(t27, t292);
     let cylinder_omega_dot_by_plate_phi = (t25 * t294).sub_product(t24, t295)
         .add_product(R::literal(2_777.777_777_777_778), t293).add_product(t26, t292);
     let cylinder_v_y_dot_by_plate_phi = (t23 * t292)
@@ -1589,7 +1589,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_rod_phi = t478.sub_product(R::literal(4_166.666_666_666_667), t492)
         .add_product(t29, t490).sub_product(t30, t489);
     let rod_v_y_dot_by_rod_phi = -(R::literal(5.0) * t489).add_product(t28, t491);
-    let rod_v_x_dot_by_rod_phi = (-(R::literal(5.0) * t490)).add_product(t27, t491);
+    let rod_v_x_dot_by_rod_phi = (R::literal(-5.0) * t490).add_product(t27, t491);
     let cylinder_omega_dot_by_rod_phi = (-(t25 * t493).add_product(t24, t494))
         .add_product(R::literal(2_777.777_777_777_778), t492).add_product(t26, t491);
     let cylinder_v_y_dot_by_rod_phi = (t23 * t491).add_product(R::literal(3.333_333_333_333_333_5),
@@ -1850,7 +1850,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_drum_x = (t29 * t626).sub_product(R::literal(4_166.666_666_666_667), t628)
         .sub_product(t30, t625);
     let rod_v_y_dot_by_drum_x = -(R::literal(5.0) * t625).add_product(t28, t627);
-    let rod_v_x_dot_by_drum_x = (-(R::literal(5.0) * t626)).add_product(t27, t627);
+    let rod_v_x_dot_by_drum_x = (R::literal(-5.0) * t626).add_product(t27, t627);
     let cylinder_omega_dot_by_drum_x = (t25 * t629).sub_product(t24, t630)
         .add_product(R::literal(2_777.777_777_777_778), t628).add_product(t26, t627);
     let cylinder_v_y_dot_by_drum_x = (t23 * t627).sub_product(R::literal(3.333_333_333_333_333_5),
@@ -1907,7 +1907,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_drum_y = (t29 * t644).sub_product(R::literal(4_166.666_666_666_667), t646)
         .sub_product(t30, t643);
     let rod_v_y_dot_by_drum_y = -(R::literal(5.0) * t643).add_product(t28, t645);
-    let rod_v_x_dot_by_drum_y = (-(R::literal(5.0) * t644)).add_product(t27, t645);
+    let rod_v_x_dot_by_drum_y = (R::literal(-5.0) * t644).add_product(t27, t645);
     let cylinder_omega_dot_by_drum_y = (t25 * t647).sub_product(t24, t648)
         .add_product(R::literal(2_777.777_777_777_778), t646).add_product(t26, t645);
     let cylinder_v_y_dot_by_drum_y = (t23 * t645).sub_product(R::literal(3.333_333_333_333_333_5),
@@ -1981,7 +1981,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_post_omega = (t29 * t672).sub_product(R::literal(4_166.666_666_666_667),
         t674).sub_product(t30, t671);
     let rod_v_y_dot_by_post_omega = -(R::literal(5.0) * t671).add_product(t28, t673);
-    let rod_v_x_dot_by_post_omega = (-(R::literal(5.0) * t672)).add_product(t27, t673);
+    let rod_v_x_dot_by_post_omega = (R::literal(-5.0) * t672).add_product(t27, t673);
     let cylinder_omega_dot_by_post_omega = (-(t25 * t675).add_product(t24, t676))
         .add_product(R::literal(2_777.777_777_777_778), t674).add_product(t26, t673);
     let cylinder_v_y_dot_by_post_omega = (t23 * t673)
@@ -2053,7 +2053,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_plate_omega = (t29 * t699).sub_product(R::literal(4_166.666_666_666_667),
         t701).sub_product(t30, t698);
     let rod_v_y_dot_by_plate_omega = -(R::literal(5.0) * t698).add_product(t28, t700);
-    let rod_v_x_dot_by_plate_omega = (-(R::literal(5.0) * t699)).add_product(t27, t700);
+    let rod_v_x_dot_by_plate_omega = (R::literal(-5.0) * t699).add_product(t27, t700);
     let cylinder_omega_dot_by_plate_omega = (t25 * t702).sub_product(t24, t703)
         .add_product(R::literal(2_777.777_777_777_778), t701).add_product(t26, t700);
     let cylinder_v_y_dot_by_plate_omega = (t23 * t700)
@@ -2500,7 +2500,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_rod_omega = (t29 * t872).sub_product(R::literal(4_166.666_666_666_667),
         t874).sub_product(t30, t871);
     let rod_v_y_dot_by_rod_omega = -(R::literal(5.0) * t871).add_product(t28, t873);
-    let rod_v_x_dot_by_rod_omega = (-(R::literal(5.0) * t872)).add_product(t27, t873);
+    let rod_v_x_dot_by_rod_omega = (R::literal(-5.0) * t872).add_product(t27, t873);
     let cylinder_omega_dot_by_rod_omega = (t25 * t875).sub_product(t24, t876)
         .add_product(R::literal(2_777.777_777_777_778), t874).add_product(t26, t873);
     let cylinder_v_y_dot_by_rod_omega = (t23 * t873)
@@ -2582,7 +2582,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_bobbin_v_x = (t29 * t894).sub_product(R::literal(4_166.666_666_666_667),
         t898).sub_product(t30, t892);
     let rod_v_y_dot_by_bobbin_v_x = -(R::literal(5.0) * t892).add_product(t28, t896);
-    let rod_v_x_dot_by_bobbin_v_x = (-(R::literal(5.0) * t894)).add_product(t27, t896);
+    let rod_v_x_dot_by_bobbin_v_x = (R::literal(-5.0) * t894).add_product(t27, t896);
     let cylinder_omega_dot_by_bobbin_v_x = (t25 * t900).sub_product(t24, t902)
         .add_product(R::literal(2_777.777_777_777_778), t898).add_product(t26, t896);
     let cylinder_v_y_dot_by_bobbin_v_x = (t23 * t896)
@@ -2661,7 +2661,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_bobbin_v_y = (t29 * t931).sub_product(R::literal(4_166.666_666_666_667),
         t935).sub_product(t30, t929);
     let rod_v_y_dot_by_bobbin_v_y = -(R::literal(5.0) * t929).add_product(t28, t933);
-    let rod_v_x_dot_by_bobbin_v_y = (-(R::literal(5.0) * t931)).add_product(t27, t933);
+    let rod_v_x_dot_by_bobbin_v_y = (R::literal(-5.0) * t931).add_product(t27, t933);
     let cylinder_omega_dot_by_bobbin_v_y = (t25 * t937).sub_product(t24, t939)
         .add_product(R::literal(2_777.777_777_777_778), t935).add_product(t26, t933);
     let cylinder_v_y_dot_by_bobbin_v_y = (t23 * t933)
@@ -2706,7 +2706,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_drum_v_x = (t29 * t958).sub_product(R::literal(4_166.666_666_666_667),
         t960).sub_product(t30, t957);
     let rod_v_y_dot_by_drum_v_x = -(R::literal(5.0) * t957).add_product(t28, t959);
-    let rod_v_x_dot_by_drum_v_x = (-(R::literal(5.0) * t958)).add_product(t27, t959);
+    let rod_v_x_dot_by_drum_v_x = (R::literal(-5.0) * t958).add_product(t27, t959);
     let cylinder_omega_dot_by_drum_v_x = (t25 * t961).sub_product(t24, t962)
         .add_product(R::literal(2_777.777_777_777_778), t960).add_product(t26, t959);
     let cylinder_v_y_dot_by_drum_v_x = (t23 * t959)
@@ -2750,7 +2750,7 @@ pub fn prepared_rate_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parame
     let rod_omega_dot_by_drum_v_y = (t29 * t970).sub_product(R::literal(4_166.666_666_666_667),
         t972).sub_product(t30, t969);
     let rod_v_y_dot_by_drum_v_y = -(R::literal(5.0) * t969).add_product(t28, t971);
-    let rod_v_x_dot_by_drum_v_y = (-(R::literal(5.0) * t970)).add_product(t27, t971);
+    let rod_v_x_dot_by_drum_v_y = (R::literal(-5.0) * t970).add_product(t27, t971);
     let cylinder_omega_dot_by_drum_v_y = (t25 * t973).sub_product(t24, t974)
         .add_product(R::literal(2_777.777_777_777_778), t972).add_product(t26, t971);
     let cylinder_v_y_dot_by_drum_v_y = (t23 * t971)
@@ -3184,8 +3184,8 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
         * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t186)
         .add_product(R::literal(3.333_333_333_333_333_5), t163).add_product(t22, t164)
         .add_product(t58, t185).add_product(t71, t187)).add_product(t82, t188);
-    let t190 = (-(R::literal(2_777.777_777_777_778) * t164)).add_product(t83, t188)
-        .sub_product(t94, t189);
+    let t190 = (R::literal(-2_777.777_777_777_778) * t164).add_product(t83, t188).sub_product(t94,
+        t189);
     let t191 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)
@@ -3278,7 +3278,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let rod_omega_dot_by_bobbin_radius = (t26 * t225)
         .sub_product(R::literal(4_166.666_666_666_667), t227).sub_product(t27, t224);
     let rod_v_y_dot_by_bobbin_radius = -(R::literal(5.0) * t224).add_product(t25, t226);
-    let rod_v_x_dot_by_bobbin_radius = (-(R::literal(5.0) * t225)).add_product(t24, t226);
+    let rod_v_x_dot_by_bobbin_radius = (R::literal(-5.0) * t225).add_product(t24, t226);
     let cylinder_omega_dot_by_bobbin_radius = (t22 * t228).sub_product(t21, t229)
         .add_product(R::literal(2_777.777_777_777_778), t227).add_product(t23, t226);
     let cylinder_v_y_dot_by_bobbin_radius = (t20 * t226)
@@ -3356,7 +3356,7 @@ pub fn parameter_jacobian<R: Real>(_time: R, state: &[R; STATES], p: &Parameters
     let rod_omega_dot_by_winding_force = (t26 * t251)
         .sub_product(R::literal(4_166.666_666_666_667), t253).sub_product(t27, t250);
     let rod_v_y_dot_by_winding_force = -(R::literal(5.0) * t250).add_product(t25, t252);
-    let rod_v_x_dot_by_winding_force = (-(R::literal(5.0) * t251)).add_product(t24, t252);
+    let rod_v_x_dot_by_winding_force = (R::literal(-5.0) * t251).add_product(t24, t252);
     let cylinder_omega_dot_by_winding_force = (t22 * t254).sub_product(t21, t255)
         .add_product(R::literal(2_777.777_777_777_778), t253).add_product(t23, t252);
     let cylinder_v_y_dot_by_winding_force = (t20 * t252)
@@ -3912,8 +3912,8 @@ pub fn outputs<R: Real>(_time: R, state: &[R; STATES], p: &Parameters<R>) -> Out
         * sin_plate_phi).add_product(cylinder_omega_squared, sin_cylinder_phi)) + t183)
         .add_product(R::literal(3.333_333_333_333_333_5), t160).add_product(t22, t161)
         .add_product(t56, t182).add_product(t69, t184)).add_product(t80, t185);
-    let t187 = (-(R::literal(2_777.777_777_777_778) * t161)).add_product(t81, t185)
-        .sub_product(t92, t186);
+    let t187 = (R::literal(-2_777.777_777_777_778) * t161).add_product(t81, t185).sub_product(t92,
+        t186);
     let t188 = (cylinder_omega * (R::literal(2.0) * rod_v_x * cos_cylinder_phi)
         .add_product(R::literal(2.0) * rod_v_y, sin_cylinder_phi).add_product(cylinder_x
         * cylinder_omega, sin_cylinder_phi).add_product(rod_y * cylinder_omega, cos_cylinder_phi)

@@ -9,6 +9,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Scene;
+use super::names::argument;
 use crate::emit::EmitError;
 use crate::emit::text::doc;
 use coefficients::Writer;
@@ -85,8 +86,7 @@ impl Series {
         let higher_rates = writer.higher_rates();
         let newest_states = writer.newest_states();
         let reads = &writer.reads;
-        let p = if reads.parameters { quote!(p) } else { quote!(_p) };
-        let time = if reads.time { quote!(time) } else { quote!(_time) };
+        let (p, time) = (argument(reads.given.parameters, "p"), argument(reads.given.time, "time"));
         let workspace =
             if self.needs.convolutions.is_empty() { quote!(_workspace) } else { quote!(workspace) };
         let states = writer.states();

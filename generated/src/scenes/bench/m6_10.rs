@@ -443,7 +443,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         t9).add_product(t154, t12).add_product(t155, t15).add_product(t156, t18).add_product(t157,
         t21).add_product(chain_omega_10_squared, t24);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t159 = (-(R::literal(88.29) * sin_chain_theta_2)).add_product(R::literal(9.0)
+    let t159 = (R::literal(-88.29) * sin_chain_theta_2).add_product(R::literal(9.0)
         * chain_omega_1_squared, t0).sub_product(t151, t26).sub_product(t152, t27)
         .sub_product(t153, t28).sub_product(t154, t29).sub_product(t155, t30).sub_product(t156, t31)
         .sub_product(t157, t32).sub_product(chain_omega_10_squared, t33).add_product(t62, t158);
@@ -682,7 +682,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         .add_product(t48, t4).add_product(t49, t5).add_product(t50, t6).add_product(t51, t7)
         .add_product(chain_omega_10_squared, t8);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = (-(R::literal(88.29) * sin_chain_theta_2))
+    let chain_theta_2_forcing = (R::literal(-88.29) * sin_chain_theta_2)
         .add_product(R::literal(9.0) * chain_omega_1_squared, t0).sub_product(t45, t9)
         .sub_product(t46, t10).sub_product(t47, t11).sub_product(t48, t12).sub_product(t49, t13)
         .sub_product(t50, t14).sub_product(t51, t15).sub_product(chain_omega_10_squared, t16);
@@ -1122,9 +1122,9 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let t230 = R::literal(2.0) * chain_omega_6_squared;
     let t231 = R::literal(2.0) * chain_omega_7_squared;
     let t232 = R::literal(2.0) * chain_omega_8_squared;
-    let t233 = (-(R::literal(88.29) * sin_chain_theta_2)).add_product(t197, t0).sub_product(t189,
-        t26).sub_product(t190, t28).sub_product(t191, t30).sub_product(t192, t32).sub_product(t193,
-        t34).sub_product(t194, t36).sub_product(t195, t38).sub_product(chain_omega_10_squared, t40)
+    let t233 = (R::literal(-88.29) * sin_chain_theta_2).add_product(t197, t0).sub_product(t189, t26)
+        .sub_product(t190, t28).sub_product(t191, t30).sub_product(t192, t32).sub_product(t193, t34)
+        .sub_product(t194, t36).sub_product(t195, t38).sub_product(chain_omega_10_squared, t40)
         .add_product(t98, t196);
     let t234 = (t198 * t3).add_product(t199, t26).sub_product(R::literal(78.48), sin_chain_theta_3)
         .sub_product(t190, t42).sub_product(t191, t44).sub_product(t192, t46).sub_product(t193, t48)

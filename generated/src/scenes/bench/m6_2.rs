@@ -87,7 +87,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         sin_chain_theta_2);
     let t2 = t1 * R::literal(0.5);
     let t3 = (R::literal(19.62) * sin_chain_theta_1).add_product(chain_omega_2 * chain_omega_2, t0);
-    let chain_omega_2_dot = (-(R::literal(9.81) * sin_chain_theta_2)).add_product(chain_omega_1
+    let chain_omega_2_dot = (R::literal(-9.81) * sin_chain_theta_2).add_product(chain_omega_1
         * chain_omega_1, t0).add_product(t2, t3) * (R::literal(1.0) / R::literal(1.0)
         .sub_product(t2, t1));
     let chain_omega_1_dot = -(t3 * R::literal(0.5)).add_product(t2, chain_omega_2_dot);
@@ -110,7 +110,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         chain_theta_2, chain_theta_1 - chain_theta_2]);
     let chain_theta_1_forcing = -(R::literal(19.62) * sin_chain_theta_1).add_product(chain_omega_2
         * chain_omega_2, t0);
-    let chain_theta_2_forcing = (-(R::literal(9.81) * sin_chain_theta_2)).add_product(chain_omega_1
+    let chain_theta_2_forcing = (R::literal(-9.81) * sin_chain_theta_2).add_product(chain_omega_1
         * chain_omega_1, t0);
     [chain_theta_1_forcing, chain_theta_2_forcing]
 }
@@ -130,7 +130,7 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let chain_omega_2_squared = chain_omega_2 * chain_omega_2;
     let t4 = (R::literal(19.62) * sin_chain_theta_1).add_product(chain_omega_2_squared, t0);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_omega_2_dot = (-(R::literal(9.81) * sin_chain_theta_2))
+    let chain_omega_2_dot = (R::literal(-9.81) * sin_chain_theta_2)
         .add_product(chain_omega_1_squared, t0).add_product(t2, t4) * t3;
     let t5 = chain_omega_2_squared * t1;
     let t6 = chain_omega_1_squared * t1;

@@ -169,7 +169,7 @@ pub fn rate<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R; S
         * chain_omega_2_squared, t0).add_product(t36, t3).add_product(t37, t6)
         .add_product(chain_omega_5_squared, t9);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let t39 = (-(R::literal(39.24) * sin_chain_theta_2)).add_product(R::literal(4.0)
+    let t39 = (R::literal(-39.24) * sin_chain_theta_2).add_product(R::literal(4.0)
         * chain_omega_1_squared, t0).sub_product(t36, t11).sub_product(t37, t12)
         .sub_product(chain_omega_5_squared, t13).add_product(t17, t38);
     let t40 = (R::literal(3.0) * chain_omega_1_squared * t3).add_product(R::literal(3.0)
@@ -242,7 +242,7 @@ pub fn forcing<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>) -> [R
         .add_product(R::literal(4.0) * chain_omega_2_squared, t0).add_product(t10, t1)
         .add_product(t11, t2).add_product(chain_omega_5_squared, t3);
     let chain_omega_1_squared = chain_omega_1 * chain_omega_1;
-    let chain_theta_2_forcing = (-(R::literal(39.24) * sin_chain_theta_2))
+    let chain_theta_2_forcing = (R::literal(-39.24) * sin_chain_theta_2)
         .add_product(R::literal(4.0) * chain_omega_1_squared, t0).sub_product(t10, t4)
         .sub_product(t11, t5).sub_product(chain_omega_5_squared, t6);
     let chain_theta_3_forcing = (R::literal(3.0) * chain_omega_1_squared * t1)
@@ -349,7 +349,7 @@ pub fn rate_jacobian<R: Real>(_time: R, state: &[R; STATES], _p: &Parameters<R>)
     let t50 = R::literal(2.0) * chain_omega_1_squared;
     let t51 = R::literal(2.0) * chain_omega_2_squared;
     let t52 = R::literal(2.0) * chain_omega_3_squared;
-    let t53 = (-(R::literal(39.24) * sin_chain_theta_2)).add_product(t47, t0).sub_product(t44, t11)
+    let t53 = (R::literal(-39.24) * sin_chain_theta_2).add_product(t47, t0).sub_product(t44, t11)
         .sub_product(t45, t13).sub_product(chain_omega_5_squared, t15).add_product(t23, t46);
     let t54 = (t48 * t3).add_product(t49, t11).sub_product(R::literal(29.43), sin_chain_theta_3)
         .sub_product(t45, t17).sub_product(chain_omega_5_squared, t19).add_product(t24, t46)

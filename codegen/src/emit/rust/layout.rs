@@ -20,6 +20,15 @@ pub(super) fn lay_out(text: &str) -> String {
     let mut previous = String::new();
     while index < lines.len() {
         let first = lines[index];
+        let of_attribute = attribute(&lines[index..]);
+        if of_attribute > 1 {
+            for line in &lines[index..index + of_attribute] {
+                laid_out.push_str(line);
+                laid_out.push('\n');
+            }
+            index += of_attribute;
+            continue;
+        }
         let count = if is_whole(first) { 1 } else { unit(&lines[index..]) };
         let joined = join(&lines[index..index + count]);
         index += count;
@@ -39,6 +48,19 @@ pub(super) fn lay_out(text: &str) -> String {
 /// Whether an item of the module ends with this line.
 fn ends_item(line: &str) -> bool {
     matches!(line.bytes().last(), Some(b'}' | b';')) && !line.starts_with(['/', ' '])
+}
+
+/// How many lines make the attribute that begins here; none if there is none.
+fn attribute(lines: &[&str]) -> usize {
+    if !lines[0].trim_start().starts_with("#[") {
+        return 0;
+    }
+    let mut depth = 0;
+    let ends = lines.iter().position(|line| {
+        depth += nesting(line);
+        depth == 0
+    });
+    ends.map_or(1, |last| last + 1)
 }
 
 /// Comments, attributes and empty lines stay as they are.

@@ -116,7 +116,7 @@ fn a_number_without_a_literal_is_refused() {
     let mut model = pendulum();
     model.forcing = tape(|b| vec![b.number(f64::NAN)]);
     let error = emit(&model, &EmitOptions::for_scenes()).expect_err("no number");
-    insta::assert_snapshot!(error, @"function `forcing`: NaN is not a finite number, so it cannot be emitted");
+    insta::assert_snapshot!(error, @"forcing: NaN is not a finite number");
 }
 
 #[test]
